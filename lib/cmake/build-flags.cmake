@@ -1,0 +1,22 @@
+# One interface target that every target of the project links: language level, warnings, floating-point rules.
+add_library(gonio-build-flags INTERFACE)
+target_compile_features(gonio-build-flags INTERFACE cxx_std_20)
+target_compile_options(gonio-build-flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    -ffp-contract=off        # a*b+c rounds the same on every machine; fma is called by name
+    -fno-math-errno          # lets sqrt become one instruction; nobody reads errno
+    -fvisibility=hidden -fvisibility-inlines-hidden
+    # g++ 12 at -O2 drops the rounding in double->float->double pairs (tests/unit/compiler_guard.cpp)
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+    # the vector types of simd/ never cross a function that is not inlined or of their own instruction set
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+    $<$<BOOL:${GONIO_WERROR}>:-Werror>)
+if(GONIO_SANITIZE)
+    target_compile_options(gonio-build-flags INTERFACE -fsanitize=${GONIO_SANITIZE} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    target_link_options(gonio-build-flags INTERFACE -fsanitize=${GONIO_SANITIZE})
+endif()
+if(GONIO_FUZZ)
+    target_compile_options(gonio-build-flags INTERFACE -fsanitize=fuzzer-no-link)
+    target_link_options(gonio-build-flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()

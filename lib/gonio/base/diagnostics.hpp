@@ -1,0 +1,36 @@
+// Diagnostics: what is to be said about an input, on success as well as on failure.
+//
+// A diagnostic has a stable code ("IES0204"), a severity, a place (file, 1-based line and column; 0 = not known),
+// one sentence, and a hint that says what to do. The library collects them and never prints.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gonio {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+struct Location {
+    std::string file;
+    std::uint32_t line = 0;   // 1-based, 0 when the diagnostic concerns the whole file
+    std::uint32_t column = 0; // 1-based, in bytes, 0 when it concerns the whole line
+};
+
+struct Diagnostic {
+    std::string code; // stable, empty for usage and I/O errors
+    Severity severity = Severity::error;
+    Location location;
+    std::string message; // one sentence without a full stop
+    std::string hint;    // empty when there is nothing to advise
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+// "file:line:column: error[CODE]: message" and, when there is a hint, a second line "hint: …". No newline at the end.
+std::string to_text(const Diagnostic& diagnostic);
+
+const char* to_text(Severity severity);
+
+} // namespace gonio

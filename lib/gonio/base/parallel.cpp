@@ -1,0 +1,58 @@
+#include <gonio/base/parallel.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <sched.h>
+
+namespace gonio {
+
+unsigned available_threads() {
+    // hardware_concurrency() counts the machine; a container or taskset may have given us less.
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    if (sched_getaffinity(0, sizeof set, &set) == 0) {
+        const int count = CPU_COUNT(&set);
+        if (count > 0) return static_cast<unsigned>(count);
+    }
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
+    if (threads == 0) threads = available_threads();
+    const auto helpers = static_cast<unsigned>(std::min<std::size_t>(threads, count));
+    if (helpers <= 1) {
+        for (std::size_t i = 0; i < count; ++i)
+            work(i);
+        return;
+    }
+
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex failure_mutex;
+    const auto drain = [&] {
+        for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::scoped_lock lock(failure_mutex);
+                if (!failure) failure = std::current_exception();
+                next.store(count);
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> pool;
+        pool.reserve(helpers - 1);
+        for (unsigned t = 1; t < helpers; ++t)
+            pool.emplace_back(drain);
+        drain();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+} // namespace gonio

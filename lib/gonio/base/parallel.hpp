@@ -1,0 +1,20 @@
+// A loop over independent pieces of work, spread over threads.
+//
+// Which thread runs which piece is not defined, so a piece must write only what is its own: then the result is the
+// same at any thread count.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace gonio {
+
+// Number of processors that this process may run on, at least 1.
+unsigned available_threads();
+
+// Calls work(i) once for each i in [0, count). `threads` = 0 means available_threads(). Returns when all are done.
+// With one thread or one piece, everything runs on the caller. An exception of a piece reaches the caller after the
+// running pieces have ended; pieces not yet begun are dropped.
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
+
+} // namespace gonio
