@@ -1,19 +1,18 @@
 #include <gonio/base/atomic_file.hpp>
 
+#include <climits>
 #include <fmt/format.h>
 
 #include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <memory>
 #include <optional>
-#include <utility>
-
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace gonio {
 
@@ -33,10 +32,14 @@ std::string hint_for(int error, const std::string& path) {
             return fmt::format("the folder '{}' does not exist", path.substr(0, slash));
         return {};
     }
-    case EFBIG: return "the file size limit of this process was reached (ulimit -f)";
-    case ENOSPC: return "free some space, or write elsewhere";
-    case EACCES: return "check the permissions of the file and of its folder";
-    default: return {};
+    case EFBIG:
+        return "the file size limit of this process was reached (ulimit -f)";
+    case ENOSPC:
+        return "free some space, or write elsewhere";
+    case EACCES:
+        return "check the permissions of the file and of its folder";
+    default:
+        return {};
     }
 }
 
@@ -125,7 +128,9 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
     return read_all(file.get(), path, max_bytes);
 }
 
-Result<std::string> read_standard_input(std::size_t max_bytes) { return read_all(STDIN_FILENO, "-", max_bytes); }
+Result<std::string> read_standard_input(std::size_t max_bytes) {
+    return read_all(STDIN_FILENO, "-", max_bytes);
+}
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
     if (path.empty()) return fail(Failure::io, "cannot write: the file name is empty");

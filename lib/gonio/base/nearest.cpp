@@ -8,7 +8,9 @@ namespace gonio {
 
 namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 // Optimal string alignment distance, three rows of the table at a time.
 std::size_t distance(std::string_view a, std::string_view b) {

@@ -42,17 +42,29 @@ using Steradians = Quantity<struct SteradianUnit>;
 using Ev100 = Quantity<struct Ev100Unit>;
 using EvLux = Quantity<struct EvLuxUnit>;
 
-constexpr Radians degrees(double deg) { return Radians(deg * (std::numbers::pi / 180.0)); }
-constexpr double to_degrees(Radians angle) { return angle.value * (180.0 / std::numbers::pi); }
+constexpr Radians degrees(double deg) {
+    return Radians(deg * (std::numbers::pi / 180.0));
+}
+constexpr double to_degrees(Radians angle) {
+    return angle.value * (180.0 / std::numbers::pi);
+}
 
 // L = 2^(EV−3): a reflected-light meter with the calibration constant K = 12.5 (ISO 2720).
-inline Nits luminance(Ev100 ev) { return Nits(std::exp2(ev.value - 3.0)); }
+inline Nits luminance(Ev100 ev) {
+    return Nits(std::exp2(ev.value - 3.0));
+}
 // Needs L > 0; 0 gives −∞.
-inline Ev100 ev100(Nits luminance) { return Ev100(std::log2(luminance.value) + 3.0); }
+inline Ev100 ev100(Nits luminance) {
+    return Ev100(std::log2(luminance.value) + 3.0);
+}
 
 // E = 2.5·2^EV: an incident-light meter with the calibration constant C = 250 (ISO 2720).
-inline Lux illuminance(EvLux ev) { return Lux(2.5 * std::exp2(ev.value)); }
+inline Lux illuminance(EvLux ev) {
+    return Lux(2.5 * std::exp2(ev.value));
+}
 // Needs E > 0; 0 gives −∞.
-inline EvLux ev_lux(Lux illuminance) { return EvLux(std::log2(illuminance.value / 2.5)); }
+inline EvLux ev_lux(Lux illuminance) {
+    return EvLux(std::log2(illuminance.value / 2.5));
+}
 
 } // namespace gonio

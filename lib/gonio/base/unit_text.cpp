@@ -72,7 +72,9 @@ std::string symbols_of(Dimension dimension) {
 
 } // namespace
 
-std::span<const Unit> all_units() { return units_table; }
+std::span<const Unit> all_units() {
+    return units_table;
+}
 
 const Unit* find_unit(std::string_view symbol) {
     for (const Unit& unit : units_table)
@@ -82,16 +84,26 @@ const Unit* find_unit(std::string_view symbol) {
 
 std::string_view dimension_name(Dimension dimension) {
     switch (dimension) {
-    case luminous_flux: return "luminous flux";
-    case luminous_intensity: return "luminous intensity";
-    case illuminance: return "illuminance";
-    case luminance: return "luminance";
-    case luminance_ev: return "exposure value of a luminance";
-    case illuminance_ev: return "exposure value of an illuminance";
-    case power: return "power";
-    case temperature: return "temperature";
-    case angle: return "angle";
-    case length: break;
+    case luminous_flux:
+        return "luminous flux";
+    case luminous_intensity:
+        return "luminous intensity";
+    case illuminance:
+        return "illuminance";
+    case luminance:
+        return "luminance";
+    case luminance_ev:
+        return "exposure value of a luminance";
+    case illuminance_ev:
+        return "exposure value of an illuminance";
+    case power:
+        return "power";
+    case temperature:
+        return "temperature";
+    case angle:
+        return "angle";
+    case length:
+        break;
     }
     return "length";
 }
@@ -118,8 +130,8 @@ Result<Amount> parse_amount(std::string_view text) {
 Result<double> parse_amount(std::string_view text, Dimension dimension, std::string_view what) {
     Result<Amount> amount = parse_amount(text);
     if (!amount) {
-        error_hint(amount.error(), fmt::format("{} is a {}: use one of {}", what, dimension_name(dimension),
-                                               symbols_of(dimension)));
+        error_hint(amount.error(),
+                   fmt::format("{} is a {}: use one of {}", what, dimension_name(dimension), symbols_of(dimension)));
         return pass_on(amount);
     }
     if (amount->unit->dimension != dimension)
@@ -135,8 +147,12 @@ std::optional<double> parse_number(std::string_view text) {
     return text.empty() ? value : std::nullopt;
 }
 
-std::string shortest(double value) { return fmt::format("{}", value); }
+std::string shortest(double value) {
+    return fmt::format("{}", value);
+}
 
-std::string rounded(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+std::string rounded(double value, int digits) {
+    return fmt::format("{:.{}g}", value, digits);
+}
 
 } // namespace gonio

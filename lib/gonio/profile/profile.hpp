@@ -1,0 +1,112 @@
+// Profile: a photometric file as it was written, with what is to be said about it.
+//
+// Nothing is applied here: no multiplier, no ballast factor, no symmetry, no lm/klm scaling. Angles are in degrees and
+// in the order of the file, lengths in the file's own unit where the format leaves a choice. What a file means is
+// decided once, when a Web is resolved from it (gonio/web/resolve.hpp). Writing a Profile back loses nothing.
+#pragma once
+
+#include <gonio/base/diagnostics.hpp>
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gonio {
+
+// The three goniometer geometries of LM-63 (LM-75). EULUMDAT is always C.
+enum class Photometry { a, b, c };
+
+// ANSI/IES LM-63 ------------------------------------------------------------------------------------------------------
+
+enum class IesVersion { lm63_1986, lm63_1991, lm63_1995, lm63_2002, lm63_2019 };
+
+const char* to_text(IesVersion version); // "LM-63-2002"
+
+struct IesKeyword {
+    std::string name; // without brackets, as written: "MANUFAC", "_LOCAL"; empty for a label line without brackets
+    std::string text; // without leading blanks; lines of [MORE] are joined to it by '\n'
+};
+
+// TILT=INCLUDE: a factor on the whole table for each tilt of the lamp.
+struct IesTilt {
+    int lamp_to_luminaire_geometry = 1; // 1, 2 or 3
+    std::vector<double> angles_deg;
+    std::vector<double> factors;
+};
+
+struct IesFile {
+    IesVersion version = IesVersion::lm63_2002;
+    std::string version_line;          // as written; empty when the file has none
+    std::vector<IesKeyword> keywords;  // in the file's order, repeats kept
+    std::string tilt_keyword = "NONE"; // what stands behind TILT=
+    IesTilt tilt;                      // empty unless TILT=INCLUDE
+    int lamp_count = 1;
+    double lumens_per_lamp = -1.0; // −1: absolute photometry
+    double candela_multiplier = 1.0;
+    Photometry photometry = Photometry::c;
+    bool feet = false;  // unit of the three dimensions
+    double width = 0.0; // sign and combination code the luminous opening's shape, by version
+    double length = 0.0;
+    double height = 0.0;
+    double ballast_factor = 1.0;
+    double field_12 = 1.0; // ballast-lamp factor (1986, 1991), reserved (1995, 2002), file generation type (2019)
+    double input_watts = 0.0;
+    std::vector<double> vertical_deg;
+    std::vector<double> horizontal_deg;
+    std::vector<double> candela; // [horizontal][vertical], before any factor
+};
+
+// EULUMDAT ------------------------------------------------------------------------------------------------------------
+
+struct LdtLampSet {
+    int lamp_count = 1; // negative: absolute photometry
+    std::string lamp_type;
+    double flux_lm = 0.0;          // of the whole set
+    std::string color_temperature; // text: "3000", "nw", …
+    std::string color_rendering;   // text: "80", "1A/>90", …
+    double input_watts = 0.0;      // ballast included
+};
+
+struct LdtFile {
+    std::string company;         // line 1
+    int type_indicator = 0;      // Ityp, line 2: 0 point without symmetry, 1 point with symmetry, 2 linear, 3 other
+    int symmetry = 0;            // Isym, line 3: 0 none, 1 axial, 2 C0–C180, 3 C90–C270, 4 both
+    int plane_count = 0;         // Mc, line 4: planes over 0–360°, not the stored ones
+    double plane_step_deg = 0.0; // Dc, line 5; 0 = not equidistant
+    int gamma_count = 0;         // Ng, line 6
+    double gamma_step_deg = 0.0; // Dg, line 7; 0 = not equidistant
+    std::string report_number;   // line 8
+    std::string luminaire_name;
+    std::string luminaire_number;
+    std::string file_name;
+    std::string date_user;  // line 12
+    double length_mm = 0.0; // or diameter
+    double width_mm = 0.0;  // 0: circular
+    double height_mm = 0.0;
+    double luminous_length_mm = 0.0; // or diameter
+    double luminous_width_mm = 0.0;  // 0: circular
+    double luminous_height_c0_mm = 0.0;
+    double luminous_height_c90_mm = 0.0;
+    double luminous_height_c180_mm = 0.0;
+    double luminous_height_c270_mm = 0.0;
+    double downward_flux_percent = 0.0;      // DFF
+    double light_output_ratio_percent = 0.0; // LORL
+    double conversion_factor = 1.0;
+    double tilt_deg = 0.0;
+    std::vector<LdtLampSet> lamp_sets;
+    std::vector<double> direct_ratios;   // ten, for room indices 0.6 … 5
+    std::vector<double> planes_deg;      // Mc angles
+    std::vector<double> gammas_deg;      // Ng angles
+    std::vector<double> candela_per_klm; // [stored plane][gamma]; which planes are stored follows from Isym
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct Profile {
+    std::string source; // the name in diagnostics: a path, or "-"
+    std::variant<IesFile, LdtFile> file;
+    Diagnostics diagnostics; // warnings and notes; an error would have prevented the Profile
+};
+
+} // namespace gonio
