@@ -28,7 +28,20 @@ Stage floor_stage() {
     return stage;
 }
 
-// Distances along the unit direction; nothing behind the origin, and planes only from their lit side.
+} // namespace
+
+std::span<const StageKind> stage_kinds() {
+    return kinds;
+}
+
+Result<Stage> make_stage(std::string_view name) {
+    if (name == "floor") return floor_stage();
+    std::vector<std::string_view> names;
+    for (const StageKind& kind : kinds)
+        names.push_back(kind.name);
+    return unknown_name("stage", name, names);
+}
+
 std::optional<double> distance_to(const Plane& plane, const Ray& ray) {
     const double facing = glm::dot(ray.direction, plane.normal);
     if (!(facing < 0.0)) return std::nullopt;
@@ -45,20 +58,6 @@ std::optional<double> distance_to(const Ball& ball, const Ray& ray) {
     if (!(half_chord2 >= 0.0)) return std::nullopt;
     const double t = along - std::sqrt(half_chord2);
     return t > 0.0 ? std::optional(t) : std::nullopt;
-}
-
-} // namespace
-
-std::span<const StageKind> stage_kinds() {
-    return kinds;
-}
-
-Result<Stage> make_stage(std::string_view name) {
-    if (name == "floor") return floor_stage();
-    std::vector<std::string_view> names;
-    for (const StageKind& kind : kinds)
-        names.push_back(kind.name);
-    return unknown_name("stage", name, names);
 }
 
 std::optional<Hit> first_hit(const Stage& stage, const Ray& ray) {

@@ -60,6 +60,10 @@ struct Hit {
     glm::dvec3 normal{0.0}; // unit, towards the side that is lit
 };
 
+// Distance along a unit direction, nothing behind the origin; planes are met only from their lit side.
+std::optional<double> distance_to(const Plane& plane, const Ray& ray);
+std::optional<double> distance_to(const Ball& ball, const Ray& ray);
+
 std::optional<Hit> first_hit(const Stage& stage, const Ray& ray);
 
 } // namespace gonio
