@@ -55,23 +55,23 @@ public:
         if (config_ != nullptr) module_->close_config(config_);
     }
 
-    const abi::ColorModule& module() const { return *module_; }
-    const abi::ColorConfig* get() const { return config_; }
+    [[nodiscard]] const abi::ColorModule& module() const { return *module_; }
+    [[nodiscard]] const abi::ColorConfig* get() const { return config_; }
 
-    std::vector<std::string> displays() const {
+    [[nodiscard]] std::vector<std::string> displays() const {
         return list([&](std::size_t i) { return module_->display_at(config_, i); });
     }
-    std::vector<std::string> views(const std::string& display) const {
+    [[nodiscard]] std::vector<std::string> views(const std::string& display) const {
         return list([&](std::size_t i) { return module_->view_at(config_, display.c_str(), i); });
     }
-    std::vector<std::string> spaces() const {
+    [[nodiscard]] std::vector<std::string> spaces() const {
         return list([&](std::size_t i) { return module_->space_at(config_, i); });
     }
-    std::string default_display() const { return text(module_->default_display(config_)); }
-    std::string default_view(const std::string& display) const {
+    [[nodiscard]] std::string default_display() const { return text(module_->default_display(config_)); }
+    [[nodiscard]] std::string default_view(const std::string& display) const {
         return text(module_->default_view(config_, display.c_str()));
     }
-    bool has_space(std::string_view name) const {
+    [[nodiscard]] bool has_space(std::string_view name) const {
         return module_->find_space(config_, std::string(name).c_str()) != nullptr;
     }
 

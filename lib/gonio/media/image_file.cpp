@@ -1,6 +1,7 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/media/detail/open_module.hpp>
+#include <gonio/media/detail/png_container.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include <fmt/format.h>
@@ -98,6 +99,7 @@ std::vector<std::string> default_channel_names(int channels) {
         return {"R", "G", "B", "A"};
     default: {
         std::vector<std::string> names;
+        names.reserve(static_cast<std::size_t>(channels));
         for (int c = 0; c < channels; ++c)
             names.push_back(fmt::format("C{}", c));
         return names;
@@ -268,10 +270,12 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
     const std::vector<std::string> names =
         options.channel_names.empty() ? default_channel_names(image.channels) : options.channel_names;
     std::vector<const char*> name_pointers;
+    name_pointers.reserve(names.size());
     for (const std::string& name : names)
         name_pointers.push_back(name.c_str());
     const std::vector<ImageAttribute> attributes = all_attributes(format, options);
     std::vector<abi::Attribute> attribute_table;
+    attribute_table.reserve(attributes.size());
     for (const ImageAttribute& attribute : attributes)
         attribute_table.push_back(to_abi(attribute));
 
@@ -293,6 +297,8 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values
     if (format == nullptr)
         return fail(Failure::malformed, "this is no picture of a known format",
                     "there are: OpenEXR, PNG, TIFF, Radiance HDR, JPEG");
+    if (format->name == "png" && !detail::is_whole_png(bytes))
+        return fail(Failure::malformed, "the PNG picture cannot be read: it is torn or damaged");
     Result<const abi::ImageModule*> module = detail::image_module();
     if (!module) return pass_on(module);
 

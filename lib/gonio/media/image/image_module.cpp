@@ -74,7 +74,7 @@ OIIO::TypeDesc type_of(std::int32_t pixel) {
     }
 }
 
-std::int32_t kind_of(OIIO::TypeDesc type) {
+std::int32_t kind_of(const OIIO::TypeDesc& type) {
     switch (type.basetype) {
     case OIIO::TypeDesc::UINT8:
         return pixel_uint8;
