@@ -1,0 +1,234 @@
+// gonio-color.so: the only file of gonio that includes OpenColorIO. See detail/color_abi.hpp for what holds here.
+#include <gonio/media/detail/color_abi.hpp>
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+
+namespace OCIO = OCIO_NAMESPACE;
+
+namespace gonio::media::abi {
+
+struct ColorConfig {
+    OCIO::ConstConfigRcPtr config;
+};
+
+struct ColorProcessor {
+    OCIO::ConstCPUProcessorRcPtr processor;
+};
+
+} // namespace gonio::media::abi
+
+namespace {
+
+using namespace gonio::media::abi;
+
+// As gonio::Failure, whose header is the core's.
+enum Status : int { done = 0, io = 3, malformed = 4, unsupported = 5, internal = 70 };
+
+void say(char* message, const char* text) {
+    std::snprintf(message, message_bytes, "%s", text);
+    // Messages of several lines (YAML) become one sentence.
+    for (char* c = message; *c != '\0'; ++c)
+        if (*c == '\n' || *c == '\r') *c = ' ';
+}
+
+// Runs `work` and turns what it throws into a status; `refused` is the status of OpenColorIO's own exceptions.
+template<class Work>
+int guarded(char* message, Status refused, Work work) noexcept {
+    try {
+        work();
+        return done;
+    } catch (const OCIO::ExceptionMissingFile& error) {
+        say(message, error.what());
+        return io;
+    } catch (const OCIO::Exception& error) {
+        say(message, error.what());
+        return refused;
+    } catch (const std::bad_alloc&) {
+        say(message, "not enough memory");
+    } catch (const std::exception& error) {
+        say(message, error.what());
+    } catch (...) {
+        say(message, "unknown exception");
+    }
+    return internal;
+}
+
+OCIO::ConstTransformRcPtr builtin(const char* style, OCIO::TransformDirection direction) {
+    const auto transform = OCIO::BuiltinTransform::Create();
+    transform->setStyle(style);
+    transform->setDirection(direction);
+    return transform;
+}
+
+void add_space(OCIO::Config& config, const char* name, const char* alias, const char* description,
+               const OCIO::ConstTransformRcPtr& to_reference) {
+    const auto space = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_SCENE);
+    space->setName(name);
+    space->addAlias(alias);
+    space->setDescription(description);
+    space->setEncoding("scene-linear");
+    if (to_reference) space->setTransform(to_reference, OCIO::COLORSPACE_DIR_TO_REFERENCE);
+    config.addColorSpace(space);
+}
+
+void add_view_transform(OCIO::Config& config, const char* name, const char* style) {
+    const auto view = OCIO::ViewTransform::Create(OCIO::REFERENCE_SPACE_SCENE);
+    view->setName(name);
+    view->setTransform(builtin(style, OCIO::TRANSFORM_DIR_FORWARD), OCIO::VIEWTRANSFORM_DIR_FROM_REFERENCE);
+    config.addViewTransform(view);
+}
+
+// OpenColorIO 2.1 ships no configuration, so this one is built here. The scene reference is ACES2065-1, the display
+// reference CIE XYZ (D65), as the builtin transforms expect.
+OCIO::ConstConfigRcPtr builtin_config() {
+    const auto config = OCIO::Config::Create();
+    config->setMajorVersion(2);
+    config->setMinorVersion(1);
+
+    add_space(*config, "ACES2065-1", "aces2065_1", "ACES AP0 primaries, scene-linear", nullptr);
+    add_space(*config, "ACEScg", "acescg", "ACES AP1 primaries, scene-linear",
+              builtin("ACEScg_to_ACES2065-1", OCIO::TRANSFORM_DIR_FORWARD));
+    const auto from_rec709 = OCIO::GroupTransform::Create();
+    from_rec709->appendTransform(
+        builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD", OCIO::TRANSFORM_DIR_INVERSE)->createEditableCopy());
+    from_rec709->appendTransform(builtin("ACEScg_to_ACES2065-1", OCIO::TRANSFORM_DIR_FORWARD)->createEditableCopy());
+    add_space(*config, "lin_rec709", "lin_srgb", "Rec.709 primaries, D65 white, scene-linear", from_rec709);
+
+    const auto raw = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_SCENE);
+    raw->setName("raw");
+    raw->setDescription("numbers that are no colour");
+    raw->setIsData(true);
+    config->addColorSpace(raw);
+
+    const auto srgb = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_DISPLAY);
+    srgb->setName("sRGB");
+    srgb->setDescription("IEC 61966-2-1 display");
+    srgb->setEncoding("sdr-video");
+    srgb->setTransform(builtin("DISPLAY - CIE-XYZ-D65_to_sRGB", OCIO::TRANSFORM_DIR_FORWARD),
+                       OCIO::COLORSPACE_DIR_FROM_REFERENCE);
+    config->addColorSpace(srgb);
+
+    add_view_transform(*config, "un-tone-mapped", "UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD");
+    add_view_transform(*config, "aces-sdr-video", "ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0");
+    config->setDefaultViewTransformName("un-tone-mapped");
+    config->addDisplayView("sRGB", "Standard", "un-tone-mapped", "sRGB", "", "", "");
+    config->addDisplayView("sRGB", "ACES", "aces-sdr-video", "sRGB", "", "", "");
+    config->addDisplayView("sRGB", "Raw", "raw", "");
+    config->setActiveDisplays("sRGB");
+    config->setActiveViews("Standard, ACES, Raw");
+
+    config->setRole(OCIO::ROLE_SCENE_LINEAR, "lin_rec709");
+    config->setRole("aces_interchange", "ACES2065-1");
+    config->setRole(OCIO::ROLE_DATA, "raw");
+    config->setRole(OCIO::ROLE_DEFAULT, "raw");
+    config->validate();
+    return config;
+}
+
+int open_config(const char* path, ColorConfig** config, char* message) noexcept {
+    return guarded(message, malformed, [&] {
+        // The library never prints; whatever matters comes back as an exception.
+        OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
+        OCIO::SetLoggingFunction([](const char*) {});
+        auto opened = std::make_unique<ColorConfig>();
+        opened->config = path == nullptr || *path == '\0' ? builtin_config() : OCIO::Config::CreateFromFile(path);
+        *config = opened.release();
+    });
+}
+
+void close_config(ColorConfig* config) noexcept {
+    delete config;
+}
+
+// OpenColorIO answers an index beyond the end with an empty text.
+const char* or_null(const char* text) {
+    return text == nullptr || *text == '\0' ? nullptr : text;
+}
+
+template<class Ask>
+const char* asked(Ask ask) noexcept {
+    try {
+        return or_null(ask());
+    } catch (...) {
+        return nullptr;
+    }
+}
+
+const char* display_at(const ColorConfig* config, std::size_t index) noexcept {
+    return asked([&] { return config->config->getDisplay(static_cast<int>(index)); });
+}
+
+const char* view_at(const ColorConfig* config, const char* display, std::size_t index) noexcept {
+    return asked([&] { return config->config->getView(display, static_cast<int>(index)); });
+}
+
+const char* space_at(const ColorConfig* config, std::size_t index) noexcept {
+    return asked([&] { return config->config->getColorSpaceNameByIndex(static_cast<int>(index)); });
+}
+
+const char* default_display(const ColorConfig* config) noexcept {
+    return asked([&] { return config->config->getDefaultDisplay(); });
+}
+
+const char* default_view(const ColorConfig* config, const char* display) noexcept {
+    return asked([&] { return config->config->getDefaultView(display); });
+}
+
+const char* find_space(const ColorConfig* config, const char* name) noexcept {
+    return asked([&]() -> const char* {
+        const OCIO::ConstColorSpaceRcPtr space = config->config->getColorSpace(name);
+        return space ? space->getName() : nullptr;
+    });
+}
+
+int display_processor(const ColorConfig* config, const char* source, const char* display, const char* view,
+                      ColorProcessor** processor, char* message) noexcept {
+    return guarded(message, unsupported, [&] {
+        const auto transform = OCIO::DisplayViewTransform::Create();
+        transform->setSrc(source);
+        transform->setDisplay(display);
+        transform->setView(view);
+        auto made = std::make_unique<ColorProcessor>();
+        made->processor = config->config->getProcessor(transform)->getDefaultCPUProcessor();
+        *processor = made.release();
+    });
+}
+
+int space_processor(const ColorConfig* config, const char* source, const char* target, ColorProcessor** processor,
+                    char* message) noexcept {
+    return guarded(message, unsupported, [&] {
+        auto made = std::make_unique<ColorProcessor>();
+        made->processor = config->config->getProcessor(source, target)->getDefaultCPUProcessor();
+        *processor = made.release();
+    });
+}
+
+int apply(const ColorProcessor* processor, float* pixels, std::size_t pixel_count, std::int32_t channels,
+          char* message) noexcept {
+    return guarded(message, unsupported, [&] {
+        OCIO::PackedImageDesc description(pixels, static_cast<long>(pixel_count), 1, channels);
+        processor->processor->apply(description);
+    });
+}
+
+void close_processor(ColorProcessor* processor) noexcept {
+    delete processor;
+}
+
+constexpr ColorModule table{color_version,   open_config,     close_config,   display_at, view_at,
+                            space_at,        default_display, default_view,   find_space, display_processor,
+                            space_processor, apply,           close_processor};
+
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) const void* gonio_color_module();
+
+const void* gonio_color_module() {
+    return &table;
+}

@@ -1,0 +1,46 @@
+// The contract between the core and gonio-color.so: plain types, one table of functions, no exception.
+//
+// A function that can fail returns 0, or the value of a gonio::Failure with a sentence in the message buffer of
+// message_bytes. Text that a function returns lives as long as its configuration. Change `color_version` whenever
+// anything here changes.
+#pragma once
+
+#include <gonio/media/detail/image_abi.hpp> // message_bytes
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::media::abi {
+
+inline constexpr std::uint32_t color_version = 1;
+
+struct ColorConfig;    // opaque
+struct ColorProcessor; // opaque; lives on its own, without its configuration
+
+struct ColorModule {
+    std::uint32_t version; // color_version; stays first
+
+    // `path` null or empty: the built-in configuration.
+    int (*open_config)(const char* path, ColorConfig** config, char* message);
+    void (*close_config)(ColorConfig* config);
+
+    // Names by index in the configuration's order; null past the end.
+    const char* (*display_at)(const ColorConfig* config, std::size_t index);
+    const char* (*view_at)(const ColorConfig* config, const char* display, std::size_t index);
+    const char* (*space_at)(const ColorConfig* config, std::size_t index);
+    const char* (*default_display)(const ColorConfig* config);
+    const char* (*default_view)(const ColorConfig* config, const char* display);
+    // The colour space that a name, alias or role stands for; null when there is none.
+    const char* (*find_space)(const ColorConfig* config, const char* name);
+
+    int (*display_processor)(const ColorConfig* config, const char* source, const char* display, const char* view,
+                             ColorProcessor** processor, char* message);
+    int (*space_processor)(const ColorConfig* config, const char* source, const char* target,
+                           ColorProcessor** processor, char* message);
+    // Packed pixels of 3 or 4 channels, in place. May be called from several threads at once with one processor.
+    int (*apply)(const ColorProcessor* processor, float* pixels, std::size_t pixel_count, std::int32_t channels,
+                 char* message);
+    void (*close_processor)(ColorProcessor* processor);
+};
+
+} // namespace gonio::media::abi

@@ -1,0 +1,74 @@
+// The contract between the core and gonio-image.so: plain types, one table of functions, no exception.
+//
+// A function returns 0, or the value of a gonio::Failure with a sentence in `message`. What a reply points to belongs
+// to its `owner` and lives until release(owner). Change `image_version` whenever anything here changes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::media::abi {
+
+inline constexpr std::uint32_t image_version = 1;
+inline constexpr std::size_t message_bytes = 512;
+
+enum PixelKind : std::int32_t { pixel_uint8 = 0, pixel_uint16 = 1, pixel_half = 2, pixel_float = 3 };
+enum AttributeKind : std::int32_t { attribute_text = 0, attribute_floats = 1, attribute_ints = 2 };
+
+struct Attribute {
+    const char* name;
+    std::int32_t kind;        // AttributeKind
+    std::size_t count;        // of numbers
+    const char* text;         // attribute_text
+    const float* floats;      // attribute_floats
+    const std::int32_t* ints; // attribute_ints
+};
+
+struct EncodeRequest {
+    const char* format; // OpenImageIO's name of the writer: "openexr"
+    std::int32_t width;
+    std::int32_t height;
+    std::int32_t channels;
+    const float* pixels;              // width × height × channels
+    std::int32_t pixel;               // PixelKind
+    const char* const* channel_names; // `channels` of them
+    const Attribute* attributes;
+    std::size_t attribute_count;
+};
+
+struct EncodeReply {
+    const unsigned char* bytes;
+    std::size_t size;
+    void* owner;
+    char message[message_bytes];
+};
+
+struct DecodeRequest {
+    const char* format;
+    const unsigned char* bytes;
+    std::size_t size;
+    std::size_t max_values; // width × height × channels may not be more
+};
+
+struct DecodeReply {
+    std::int32_t width;
+    std::int32_t height;
+    std::int32_t channels;
+    std::int32_t pixel; // PixelKind, as stored
+    const float* pixels;
+    const char* const* channel_names;
+    const Attribute* attributes;
+    std::size_t attribute_count;
+    void* owner;
+    char message[message_bytes];
+};
+
+struct ImageModule {
+    std::uint32_t version; // image_version; stays first
+    int (*encode)(const EncodeRequest* request, EncodeReply* reply);
+    void (*release_encoded)(void* owner);
+    int (*decode)(const DecodeRequest* request, DecodeReply* reply);
+    void (*release_decoded)(void* owner);
+};
+
+} // namespace gonio::media::abi

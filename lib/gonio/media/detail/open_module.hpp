@@ -1,0 +1,38 @@
+// How the core gets at a module; module.cpp is the only file that calls dlopen.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/media/detail/color_abi.hpp>
+#include <gonio/media/detail/image_abi.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gonio::media::detail {
+
+struct ModuleName {
+    const char* file;      // "gonio-image.so"
+    const char* entry;     // its one exported function
+    std::uint32_t version; // of the table that the function must return
+    const char* library;   // what it is made of, for messages
+    const char* package;   // the Debian package of that library
+};
+
+inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version, "OpenImageIO",
+                                              "libopenimageio2.4"};
+inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
+                                              "libopencolorio2.1"};
+
+// The module's table, from the first of the folders that holds the file. Fails (unsupported) when none does, when it
+// cannot be loaded, or when its table is of another version.
+Result<const void*> open_module(const ModuleName& name, const std::vector<std::string>& folders);
+
+// Opened on the first call, from module_folders(); later calls cost a lock. A failure is not remembered.
+Result<const abi::ImageModule*> image_module();
+Result<const abi::ColorModule*> color_module();
+
+// The Failure that a module's status stands for.
+Failure failure_of(int status);
+
+} // namespace gonio::media::detail

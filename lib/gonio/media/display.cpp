@@ -1,0 +1,277 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/nearest.hpp>
+#include <gonio/base/parallel.hpp>
+#include <gonio/media/detail/open_module.hpp>
+#include <gonio/media/display.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace gonio::media {
+
+namespace {
+
+// The built-in configuration's name of gonio's pixels; others use it, or one of these, for the same space.
+constexpr std::array<std::string_view, 7> rec709_names{"lin_rec709",
+                                                       "lin_rec709_scene",
+                                                       "lin_srgb",
+                                                       "Linear Rec.709 (sRGB)",
+                                                       "Linear Rec.709",
+                                                       "Utility - Linear - sRGB",
+                                                       "Utility - Linear - Rec.709"};
+
+constexpr const char* rec709 = "lin_rec709";
+constexpr const char* interchange = "aces_interchange";
+
+// A configuration and a processor, closed when they go out of scope.
+class Config {
+public:
+    static Result<Config> open(const std::string& path) {
+        Result<const abi::ColorModule*> module = detail::color_module();
+        if (!module) return pass_on(module);
+        if (!path.empty()) { // OpenColorIO does not tell a missing file from a broken one
+            Result<std::string> readable = read_file(path);
+            if (!readable) return pass_on(readable);
+        }
+        std::array<char, abi::message_bytes> message{};
+        abi::ColorConfig* config = nullptr;
+        if (const int status = (*module)->open_config(path.c_str(), &config, message.data()); status != 0)
+            return fail(detail::failure_of(status),
+                        fmt::format("cannot read the colour configuration: {}", message.data()), {}, path);
+        return Config(*module, config);
+    }
+    Config(Config&& other) noexcept : module_(other.module_), config_(std::exchange(other.config_, nullptr)) {}
+    Config(const Config&) = delete;
+    Config& operator=(const Config&) = delete;
+    Config& operator=(Config&&) = delete;
+    ~Config() {
+        if (config_ != nullptr) module_->close_config(config_);
+    }
+
+    [[nodiscard]] const abi::ColorModule& module() const { return *module_; }
+    [[nodiscard]] const abi::ColorConfig* get() const { return config_; }
+
+    [[nodiscard]] std::vector<std::string> displays() const {
+        return list([&](std::size_t i) { return module_->display_at(config_, i); });
+    }
+    [[nodiscard]] std::vector<std::string> views(const std::string& display) const {
+        return list([&](std::size_t i) { return module_->view_at(config_, display.c_str(), i); });
+    }
+    [[nodiscard]] std::vector<std::string> spaces() const {
+        return list([&](std::size_t i) { return module_->space_at(config_, i); });
+    }
+    [[nodiscard]] std::string default_display() const { return text(module_->default_display(config_)); }
+    [[nodiscard]] std::string default_view(const std::string& display) const {
+        return text(module_->default_view(config_, display.c_str()));
+    }
+    [[nodiscard]] bool has_space(std::string_view name) const {
+        return module_->find_space(config_, std::string(name).c_str()) != nullptr;
+    }
+
+private:
+    Config(const abi::ColorModule* module, abi::ColorConfig* config) : module_(module), config_(config) {}
+
+    template<class At>
+    static std::vector<std::string> list(At at) {
+        std::vector<std::string> names;
+        for (const char* name = at(0); name != nullptr; name = at(names.size()))
+            names.emplace_back(name);
+        return names;
+    }
+    static std::string text(const char* name) { return name != nullptr ? name : ""; }
+
+    const abi::ColorModule* module_;
+    abi::ColorConfig* config_;
+};
+
+class Processor {
+public:
+    Processor(const abi::ColorModule& module, abi::ColorProcessor* processor)
+        : module_(module), processor_(processor) {}
+    Processor(const Processor&) = delete;
+    Processor& operator=(const Processor&) = delete;
+    ~Processor() { module_.close_processor(processor_); }
+
+    Result<void> apply(float* pixels, std::size_t count, int channels) const {
+        std::array<char, abi::message_bytes> message{};
+        if (const int status = module_.apply(processor_, pixels, count, channels, message.data()); status != 0)
+            return fail(detail::failure_of(status), fmt::format("the colour transform failed: {}", message.data()));
+        return {};
+    }
+
+private:
+    const abi::ColorModule& module_;
+    abi::ColorProcessor* processor_;
+};
+
+Unexpected unknown(std::string_view what, std::string_view name, std::vector<std::string> known) {
+    const std::vector<std::string_view> candidates(known.begin(), known.end());
+    const std::string_view near = nearest(name, candidates);
+    return fail(Failure::usage, fmt::format("unknown {} '{}'", what, name),
+                fmt::format("{}there are: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                            fmt::join(known, ", ")));
+}
+
+// An exact name, else the one name that differs in case only.
+std::optional<std::string> match(const std::string& name, const std::vector<std::string>& known) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+    const auto same = [](char a, char b) {
+        const auto fold = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+        return fold(a) == fold(b);
+    };
+    for (const std::string& other : known)
+        if (std::equal(name.begin(), name.end(), other.begin(), other.end(), same)) return other;
+    return std::nullopt;
+}
+
+struct Entrance {
+    std::string space;
+    bool from_aces = false; // the pixels must be brought to ACES2065-1 first
+};
+
+Result<Entrance> entrance(const Config& config, const DisplayOptions& options, Diagnostics& diagnostics) {
+    if (!options.source.empty()) {
+        if (!config.has_space(options.source)) return unknown("colour space", options.source, config.spaces());
+        return Entrance{options.source, false};
+    }
+    if (options.config.empty()) return Entrance{rec709, false};
+    if (config.has_space(interchange)) return Entrance{interchange, true};
+    for (const std::string_view name : rec709_names)
+        if (config.has_space(name)) return Entrance{std::string(name), false};
+    if (!config.has_space("scene_linear"))
+        return fail(Failure::unsupported, "the colour configuration has neither aces_interchange nor scene_linear",
+                    "name its linear Rec.709 space as the source", options.config);
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.location.file = options.config;
+    warning.message = "the colour configuration has no role aces_interchange: linear Rec.709 pixels are taken for its "
+                      "scene_linear";
+    warning.hint = "name its linear Rec.709 space as the source";
+    diagnostics.push_back(std::move(warning));
+    return Entrance{"scene_linear", false};
+}
+
+// Applies each processor in turn, row by row.
+Result<void> apply_rows(Image& image, const std::vector<const Processor*>& processors, unsigned threads) {
+    std::mutex mutex;
+    std::optional<Error> failure;
+    const auto width = static_cast<std::size_t>(image.width);
+    parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t row) {
+        for (const Processor* const processor : processors) {
+            Result<void> applied = processor->apply(image.at(0, static_cast<int>(row)), width, image.channels);
+            if (applied) continue;
+            const std::scoped_lock lock(mutex);
+            if (!failure) failure = std::move(applied.error());
+            return;
+        }
+    });
+    if (failure) return Unexpected(std::move(*failure));
+    return {};
+}
+
+Result<abi::ColorProcessor*> space_processor(const Config& config, const std::string& from, const std::string& to) {
+    for (const std::string& name : {from, to})
+        if (!config.has_space(name)) return unknown("colour space", name, config.spaces());
+    std::array<char, abi::message_bytes> message{};
+    abi::ColorProcessor* processor = nullptr;
+    if (const int status =
+            config.module().space_processor(config.get(), from.c_str(), to.c_str(), &processor, message.data());
+        status != 0)
+        return fail(detail::failure_of(status),
+                    fmt::format("no transform from '{}' to '{}': {}", from, to, message.data()));
+    return processor;
+}
+
+} // namespace
+
+Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
+    if (image.channels != 3 && image.channels != 4)
+        return fail(Failure::usage, fmt::format("a picture of {} channels has no display colours", image.channels),
+                    "it takes RGB or RGBA");
+    if (image.pixels.size() != image.index(0, image.height))
+        return fail(Failure::internal, "the picture's buffer is not of the picture's size");
+    Result<Config> config = Config::open(options.config);
+    if (!config) return pass_on(config);
+
+    DisplayUsed used;
+    Result<Entrance> enter = entrance(*config, options, used.diagnostics);
+    if (!enter) return pass_on(enter);
+    used.source = enter->space;
+    used.display = options.display.empty() ? config->default_display() : options.display;
+    const std::vector<std::string> displays = config->displays();
+    const std::optional<std::string> display = match(used.display, displays);
+    if (!display) return unknown("display", used.display, displays);
+    used.display = *display;
+    used.view = options.view.empty() ? config->default_view(used.display) : options.view;
+    const std::vector<std::string> views = config->views(used.display);
+    const std::optional<std::string> view = match(used.view, views);
+    if (!view) return unknown("view", used.view, views);
+    used.view = *view;
+
+    std::array<char, abi::message_bytes> message{};
+    abi::ColorProcessor* handle = nullptr;
+    if (const int status = config->module().display_processor(config->get(), used.source.c_str(), used.display.c_str(),
+                                                              used.view.c_str(), &handle, message.data());
+        status != 0)
+        return fail(detail::failure_of(status), fmt::format("no transform to the view '{}' of the display '{}': {}",
+                                                            used.view, used.display, message.data()));
+    const Processor to_display(config->module(), handle);
+
+    std::vector<const Processor*> chain{&to_display};
+    std::optional<Processor> to_aces;
+    if (enter->from_aces) {
+        Result<Config> own = Config::open({});
+        if (!own) return pass_on(own);
+        Result<abi::ColorProcessor*> first = space_processor(*own, rec709, interchange);
+        if (!first) return pass_on(first);
+        to_aces.emplace(own->module(), *first);
+        chain.insert(chain.begin(), &*to_aces);
+    }
+    if (Result<void> applied = apply_rows(image, chain, options.threads); !applied) return pass_on(applied);
+    return used;
+}
+
+Result<std::vector<Display>> list_displays(const std::string& path) {
+    Result<Config> config = Config::open(path);
+    if (!config) return pass_on(config);
+    const auto move_to_front = [](std::vector<std::string>& names, const std::string& first) {
+        const auto found = std::find(names.begin(), names.end(), first);
+        if (found != names.end()) std::rotate(names.begin(), found, found + 1);
+    };
+    std::vector<std::string> names = config->displays();
+    move_to_front(names, config->default_display());
+    std::vector<Display> displays;
+    for (const std::string& name : names) {
+        Display display{name, config->views(name)};
+        move_to_front(display.views, config->default_view(name));
+        displays.push_back(std::move(display));
+    }
+    return displays;
+}
+
+Result<std::vector<std::string>> list_spaces(const std::string& path) {
+    Result<Config> config = Config::open(path);
+    if (!config) return pass_on(config);
+    return config->spaces();
+}
+
+Result<void> convert_space(std::span<float> rgb, const std::string& from, const std::string& to,
+                           const std::string& path) {
+    if (rgb.size() % 3 != 0) return fail(Failure::usage, "colours come in threes");
+    Result<Config> config = Config::open(path);
+    if (!config) return pass_on(config);
+    Result<abi::ColorProcessor*> handle = space_processor(*config, from, to);
+    if (!handle) return pass_on(handle);
+    const Processor processor(config->module(), *handle);
+    if (rgb.empty()) return {};
+    return processor.apply(rgb.data(), rgb.size() / 3, 3);
+}
+
+} // namespace gonio::media

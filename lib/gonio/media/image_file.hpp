@@ -1,0 +1,88 @@
+// Picture files in memory: an Image as the bytes of an EXR, PNG, TIFF, Radiance HDR or JPEG file, and back.
+//
+// Bytes, not files: the caller writes them with base/atomic_file.hpp, so that a full disk, a pipe or a limit behaves as
+// for every other output. Values are stored as given, with no colour conversion and no change for alpha; the two
+// integer kinds take [0, 1] onto their whole range, rounded, and what lies outside is cut. Equal input gives equal
+// bytes: no clock, no host name and no thread count gets into them.
+//
+// Everything here opens the module gonio-image.so (see module.hpp) and fails (unsupported) without it. The first call
+// of a process costs about 0.3 s, most of it the loading of OpenImageIO. Safe to call from any thread.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/base/result.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gonio::media {
+
+enum class Pixel { uint8, uint16, half, float32 };
+
+std::string_view to_text(Pixel pixel); // "uint8", "uint16", "half", "float"
+
+// What a format can hold. Answered without the module.
+struct ImageFormat {
+    std::string_view name;                        // "exr"
+    std::string_view title;                       // "OpenEXR"
+    std::span<const std::string_view> extensions; // lower case, without the dot; the first one is the usual one
+    std::span<const Pixel> pixels;                // the first one is the default
+    std::span<const int> channels;                // empty: any number
+    bool attributes;                              // keeps every attribute, not only the common few
+    std::string_view writer;                      // OpenImageIO's name of it
+};
+
+// Every format, in the order in which help texts name them.
+std::span<const ImageFormat> image_formats();
+
+// By name or extension ("exr", ".TIF") or by the end of a path ("out/lamp.png"); nullptr when there is none.
+const ImageFormat* find_image_format(std::string_view name_or_path);
+
+// By the first bytes of a file; nullptr when they are of no format here.
+const ImageFormat* sniff_image_format(std::string_view bytes);
+
+struct ImageAttribute {
+    std::string name;
+    std::variant<std::string, std::vector<float>, std::vector<int>> value;
+};
+
+struct ImageWriteOptions {
+    // As the format's default unless set. Fails (unsupported) when the format has no such pixels.
+    std::optional<Pixel> pixel;
+    // One for each channel; empty: Y, YA, RGB, RGBA for 1 to 4 channels and C0, C1, … for more.
+    std::vector<std::string> channel_names;
+    // "zip", "piz", "none", "dwaa:45", "jpeg:90" as in OpenImageIO; empty: the format's default.
+    std::string compression;
+    // Tags the file where the format can say so: "sRGB", "Linear" (of Rec.709 primaries); empty: no tag.
+    std::string color_space;
+    // OpenEXR keeps all of them. The others keep ImageDescription and what else they know.
+    std::vector<ImageAttribute> attributes;
+    // half only: ±65504 for what is beyond it, instead of a failure.
+    bool saturate = false;
+};
+
+// The bytes of a file of `format`. Fails (unsupported) when the format cannot hold that many channels or such pixels,
+// or when a value does not fit `half` (and saturate is false); (usage) on an empty image, a buffer of another size than
+// the image says, a number of names that is not the number of channels, or an unknown compression of OpenEXR.
+Result<std::string> encode_image(const Image& image, const ImageFormat& format, const ImageWriteOptions& options = {});
+
+struct DecodedImage {
+    Image image;
+    Pixel pixel = Pixel::float32; // as stored; others (32-bit integers, double) count as float32
+    std::vector<std::string> channel_names;
+    std::vector<ImageAttribute> attributes;
+};
+
+// The largest image that decode_image takes: width × height × channels.
+inline constexpr std::size_t max_decoded_values = std::size_t{1} << 28;
+
+// Fails (malformed) on bytes that are no whole file of a format here, and on more than `max_values` of them. A JPEG whose
+// tail is torn may pass, filled up with grey.
+Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values = max_decoded_values);
+
+} // namespace gonio::media

@@ -1,0 +1,139 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/media/detail/open_module.hpp>
+#include <gonio/media/module.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstring>
+#include <dlfcn.h>
+#include <mutex>
+#include <utility>
+
+namespace gonio::media {
+
+namespace {
+
+struct State {
+    std::mutex mutex;
+    std::vector<std::string> folders;
+    const void* image = nullptr;
+    const void* color = nullptr;
+};
+
+State& state() {
+    static State instance;
+    return instance;
+}
+
+std::vector<std::string> search_path(const std::vector<std::string>& first) {
+    std::vector<std::string> folders = first;
+    if (const std::string own = executable_folder(); !own.empty()) {
+        folders.push_back(own);
+        folders.push_back(own + "/" GONIO_MODULES_FROM_EXECUTABLE);
+    }
+    return folders;
+}
+
+// Modules are never closed: their libraries keep threads and tables that outlive any one use.
+Result<const void*> open_once(const void* State::*slot, const detail::ModuleName& name) {
+    State& shared = state();
+    const std::scoped_lock lock(shared.mutex);
+    if (shared.*slot == nullptr) {
+        Result<const void*> table = detail::open_module(name, search_path(shared.folders));
+        if (!table) return table;
+        shared.*slot = *table;
+    }
+    return shared.*slot;
+}
+
+} // namespace
+
+void set_module_folders(std::vector<std::string> folders) {
+    State& shared = state();
+    const std::scoped_lock lock(shared.mutex);
+    shared.folders = std::move(folders);
+}
+
+std::vector<std::string> module_folders() {
+    State& shared = state();
+    const std::scoped_lock lock(shared.mutex);
+    return search_path(shared.folders);
+}
+
+namespace detail {
+
+Result<const void*> open_module(const ModuleName& name, const std::vector<std::string>& folders) {
+    std::string path;
+    for (const std::string& folder : folders) {
+        std::string candidate = folder + '/' + name.file;
+        if (!file_exists(candidate)) continue;
+        path = std::move(candidate);
+        break;
+    }
+    if (path.empty())
+        return fail(
+            Failure::unsupported,
+            fmt::format("the module {} ({}) is missing; looked in {}", name.file, name.library,
+                        folders.empty() ? std::string("no folder") : fmt::format("{}", fmt::join(folders, ", "))),
+            "install gonio again: the module belongs beside the tool or into lib/gonio");
+
+    // RTLD_LOCAL: nobody else shall see the libraries behind the module. No RTLD_DEEPBIND: the sanitizers forbid it,
+    // and a host with its own static libstdc++ exports no symbol that could get in the way.
+    void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr) {
+        const char* const reason = ::dlerror();
+        return fail(Failure::unsupported,
+                    fmt::format("the module {} cannot be loaded: {}", name.file, reason ? reason : "no reason given"),
+                    fmt::format("it needs {} (Debian package {})", name.library, name.package), path);
+    }
+    using Entry = const void* (*)();
+    const auto entry = reinterpret_cast<Entry>(::dlsym(handle, name.entry));
+    const void* const table = entry ? entry() : nullptr;
+    if (table == nullptr) {
+        ::dlclose(handle);
+        return fail(Failure::unsupported, fmt::format("{} is no module of gonio: it has no {}", name.file, name.entry),
+                    "install gonio again", path);
+    }
+    std::uint32_t version = 0;
+    std::memcpy(&version, table, sizeof version); // every table begins with its version
+    if (version != name.version) {
+        ::dlclose(handle);
+        return fail(Failure::unsupported,
+                    fmt::format("the module {} is of another gonio: its interface has version {}, not {}", name.file,
+                                version, name.version),
+                    "install the tool and its modules from one build", path);
+    }
+    return table;
+}
+
+Result<const abi::ImageModule*> image_module() {
+    return open_once(&State::image, image_module_name).map([](const void* table) {
+        return static_cast<const abi::ImageModule*>(table);
+    });
+}
+
+Result<const abi::ColorModule*> color_module() {
+    return open_once(&State::color, color_module_name).map([](const void* table) {
+        return static_cast<const abi::ColorModule*>(table);
+    });
+}
+
+Failure failure_of(int status) {
+    switch (status) {
+    case static_cast<int>(Failure::usage):
+        return Failure::usage;
+    case static_cast<int>(Failure::io):
+        return Failure::io;
+    case static_cast<int>(Failure::malformed):
+        return Failure::malformed;
+    case static_cast<int>(Failure::unsupported):
+        return Failure::unsupported;
+    default:
+        return Failure::internal;
+    }
+}
+
+} // namespace detail
+
+} // namespace gonio::media

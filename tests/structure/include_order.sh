@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Reads every #include of a tree's lib/ and cli/ and says where one breaks the architecture.
+#
+#   include_order.sh ROOT        prints "file:line: what is wrong" for each, and fails when there is one
+#
+# A room includes itself and the rooms before it in `order`; shading is built on base and simd alone. Public headers
+# name no library but GLM and tl::expected; OpenImageIO and OpenColorIO belong to one module each; dlopen to one file;
+# nobody includes <iostream>, whose static constructors every start of the tool would pay for.
+set -euo pipefail
+
+root=${1:?"usage: include_order.sh ROOT"}
+cd "$root"
+[[ -d lib/gonio ]] || { echo "$root has no lib/gonio" >&2; exit 2; }
+
+folders=(lib)
+[[ -d cli ]] && folders+=(cli)
+mapfile -d '' files < <(find "${folders[@]}" -type f \
+    \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.cc' -o -name '*.inc' -o -name '*.ipp' \) -print0 |
+    LC_ALL=C sort -z)
+((${#files[@]})) || { echo "$root has no source file" >&2; exit 2; }
+
+awk -v order='base simd profile web color shading light scene bake preview plot asset measure media' '
+    BEGIN {
+        count = split(order, names, " ")
+        for (i = 1; i <= count; ++i) rank[names[i]] = i
+    }
+    function complain(what) {
+        printf "%s:%d: %s\n", FILENAME, FNR, what
+        bad = 1
+    }
+    FNR == 1 {
+        part_count = split(FILENAME, part, "/")
+        in_lib = part[1] == "lib"
+        room = in_lib && part[2] == "gonio" && part_count > 3 ? part[3] : ""
+        public = in_lib && FILENAME ~ /\.hpp$/ && FILENAME !~ /\/(detail|fit)\// &&
+                 FILENAME !~ /^lib\/gonio\/media\/(image|color)\//
+        ++files
+        if (in_lib && !(room in rank)) complain("lies in no known room")
+    }
+    /^[ \t]*#[ \t]*include[ \t]*[<"]/ {
+        ++includes
+        target = $0
+        sub(/^[ \t]*#[ \t]*include[ \t]*[<"]/, "", target)
+        sub(/[>"].*/, "", target)
+        if (target ~ /(^|\/)\.\.(\/|$)/) complain("includes " target ": no path goes upwards")
+        if (target ~ /^(iostream|fstream)$/) complain("includes <" target ">")
+        if (target ~ /^OpenImageIO\// && FILENAME !~ /^lib\/gonio\/media\/image\//)
+            complain("includes " target ": OpenImageIO belongs to lib/gonio/media/image")
+        if (target ~ /^OpenColorIO\// && FILENAME !~ /^lib\/gonio\/media\/color\//)
+            complain("includes " target ": OpenColorIO belongs to lib/gonio/media/color")
+        if (target == "dlfcn.h" && FILENAME != "lib/gonio/media/module.cpp")
+            complain("includes dlfcn.h: dlopen stands in lib/gonio/media/module.cpp")
+        if (!in_lib) next
+        if (target ~ /^(gonio\/)?cli\//) complain("includes " target ": the library knows nothing of the tool")
+        if (target ~ /^CLI\//) complain("includes " target ": CLI11 belongs to the tool")
+        if (public && target ~ /^(fmt|nlohmann|fast_float|pugixml)[.\/]|^pugixml|^(gtest|gmock|benchmark)\//)
+            complain("includes " target ": a public header names std, GLM and tl::expected only")
+        if (target ~ /^gonio\//) {
+            split(target, to, "/")
+            if (!(to[2] in rank))
+                complain("includes " target ": there is no room " to[2])
+            else if (rank[to[2]] > rank[room])
+                complain("includes " target ": the room " room " stands before " to[2])
+            else if (room == "shading" && to[2] !~ /^(base|simd|shading)$/)
+                complain("includes " target ": shading is built on base and simd alone")
+        }
+    }
+    END {
+        if (!bad) printf "%d includes of %d files keep the order\n", includes, files
+        exit bad
+    }' "${files[@]}"

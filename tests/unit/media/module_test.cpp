@@ -1,0 +1,71 @@
+#include <gonio/media/detail/open_module.hpp>
+#include <gonio/media/module.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gonio::media {
+namespace {
+
+using detail::color_module_name;
+using detail::image_module_name;
+using detail::open_module;
+
+const std::string fakes = GONIO_TEST_FAKE_MODULES;
+
+const Diagnostic& reason(const Result<const void*>& result) {
+    return result.error().diagnostics.back();
+}
+
+TEST(MediaModule, BothOpenFromTheirFolder) {
+    for (const auto& name : {image_module_name, color_module_name}) {
+        const auto table = open_module(name, {"/nonexistent", GONIO_TEST_MODULES});
+        ASSERT_TRUE(table) << reason(table).message;
+        EXPECT_NE(*table, nullptr);
+    }
+}
+
+TEST(MediaModule, AMissingOneIsNamedWithThePlacesThatWereSearched) {
+    const auto table = open_module(image_module_name, {"/nonexistent", "/nowhere/lib"});
+    ASSERT_FALSE(table);
+    EXPECT_EQ(table.error().failure, Failure::unsupported);
+    EXPECT_EQ(reason(table).message,
+              "the module gonio-image.so (OpenImageIO) is missing; looked in /nonexistent, /nowhere/lib");
+    EXPECT_FALSE(reason(table).hint.empty());
+    EXPECT_FALSE(open_module(color_module_name, {}));
+}
+
+TEST(MediaModule, AnotherVersionIsRefused) {
+    const auto table = open_module(image_module_name, {fakes + "/other-version"});
+    ASSERT_FALSE(table);
+    EXPECT_EQ(table.error().failure, Failure::unsupported);
+    EXPECT_EQ(reason(table).message,
+              "the module gonio-image.so is of another gonio: its interface has version 4711, not 1");
+}
+
+TEST(MediaModule, WhatIsNoModuleIsRefused) {
+    // The fake has the image module's function only.
+    const auto other = open_module(color_module_name, {fakes + "/other-version"});
+    ASSERT_FALSE(other);
+    EXPECT_NE(reason(other).message.find("it has no gonio_color_module"), std::string::npos);
+
+    const auto text = open_module(image_module_name, {fakes + "/no-library"});
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().failure, Failure::unsupported);
+    EXPECT_NE(reason(text).message.find("cannot be loaded"), std::string::npos);
+    EXPECT_NE(reason(text).hint.find("libopenimageio"), std::string::npos);
+}
+
+TEST(MediaModule, FoldersSetByTheProgramComeFirst) {
+    set_module_folders({"/first", "/second"});
+    const auto folders = module_folders();
+    ASSERT_GE(folders.size(), 4U);
+    EXPECT_EQ(folders[0], "/first");
+    EXPECT_EQ(folders[1], "/second");
+    EXPECT_NE(folders[3].find("lib"), std::string::npos);
+    set_module_folders({});
+}
+
+} // namespace
+} // namespace gonio::media
