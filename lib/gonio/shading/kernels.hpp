@@ -40,7 +40,8 @@ struct MaterialConstants {
 
     Kind kind = Kind::lambert;
     float albedo[3] = {0.5F, 0.5F, 0.5F}; // of the diffuse part
-    // The rest is read for `frostbite` only; brdf_frostbite.hpp makes it from base colour, smoothness, metal, reflectance.
+    // The rest is read for `frostbite` only; brdf_frostbite.hpp makes it from base colour, smoothness, metal,
+    // reflectance.
     float f0[3] = {0.04F, 0.04F, 0.04F};
     float f90 = 1.0F;
     float linear_roughness = 0.5F; // 1 − smoothness
