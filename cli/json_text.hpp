@@ -18,7 +18,7 @@ inline Json number_or_null(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-inline Json to_json(const Diagnostics& diagnostics) {
+inline Json diagnostics_json(const Diagnostics& diagnostics) {
     Json list = Json::array();
     for (const Diagnostic& diagnostic : diagnostics)
         list.push_back({{"code", diagnostic.code},

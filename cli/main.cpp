@@ -29,12 +29,9 @@ int unknown_command(std::string_view name, Console& console) {
         names.push_back(command->name);
     const std::string_view guess = nearest(name, names);
     return console.fail(
-        {Failure::usage,
-         {{{},
-           Severity::error,
-           {},
-           fmt::format("unknown command '{}'", name),
-           guess.empty() ? "'gonio help' lists the commands" : fmt::format("did you mean '{}'?", guess)}}});
+        fail(Failure::usage, fmt::format("unknown command '{}'", name),
+             guess.empty() ? "'gonio help' lists the commands" : fmt::format("did you mean '{}'?", guess))
+            .value());
 }
 
 // Whether diagnostics are coloured: asked for, or a terminal is there and NO_COLOR is not set (no-color.org).
@@ -63,12 +60,9 @@ int run(std::span<char* const> words, Console& console) {
     const Command* command = find_command(name == "--version" || name == "-V" ? "version" : name);
     if (command == nullptr) {
         if (name.starts_with("-"))
-            return console.fail({Failure::usage,
-                                 {{{},
-                                   Severity::error,
-                                   {},
-                                   fmt::format("unknown option '{}'", name),
-                                   "a command comes first: gonio help"}}});
+            return console.fail(
+                fail(Failure::usage, fmt::format("unknown option '{}'", name), "a command comes first: gonio help")
+                    .value());
         return unknown_command(name, console);
     }
     Result<Arguments> arguments = Arguments::parse(*command, words.subspan(1));

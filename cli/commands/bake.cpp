@@ -74,8 +74,9 @@ Result<Request> parse(const Arguments& arguments) {
     return request;
 }
 
-media::ImageWriteOptions write_options(const Texture& texture) {
+media::ImageWriteOptions write_options(const Texture& texture, media::Pixel pixel) {
     media::ImageWriteOptions options;
+    options.pixel = pixel;
     options.channel_names = {"Y"};
     const auto number = [](double value) { return std::vector<float>{static_cast<float>(value)}; };
     options.attributes = {{"gonio:layout", texture.layout},
@@ -97,12 +98,12 @@ Result<Baked> bake(const Job& job, const Request& request) {
     Result<Texture> texture = bake_latlong(loaded->web, request.bake);
     if (!texture) return pass_on(texture);
     // An 8-bit texture of candela would be white all over: integers hold [0, 1].
-    const media::Pixel pixel = job.format->pixels.front();
-    const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
-    if (integers && request.bake.normalization != Normalization::peak)
+    const bool holds_floats = has_pixel(*job.format, media::Pixel::float32);
+    const media::Pixel pixel = holds_floats ? media::Pixel::float32 : job.format->pixels.front();
+    if (!holds_floats && request.bake.normalization != Normalization::peak)
         return fail(Failure::usage, fmt::format("{} stores values from 0 to 1 only", job.format->title),
                     "add --normalize peak, or write .exr");
-    Result<std::string> bytes = media::encode_image(texture->image, *job.format, write_options(*texture));
+    Result<std::string> bytes = media::encode_image(texture->image, *job.format, write_options(*texture, pixel));
     if (!bytes) return pass_on(bytes);
     Baked baked;
     baked.diagnostics = std::move(loaded->diagnostics);
@@ -152,7 +153,7 @@ int run(const Arguments& arguments, Console& console) {
         if (json || lines) {
             Json report{{"schema", "gonio.bake/1"}, {"output", job.output}};
             report["texture"] = Json::parse(baked->sidecar);
-            report["diagnostics"] = to_json(baked->diagnostics);
+            report["diagnostics"] = diagnostics_json(baked->diagnostics);
             if (lines)
                 console.print(dump(report, -1));
             else

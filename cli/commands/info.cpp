@@ -167,11 +167,23 @@ Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
               {"width_m", facts.opening.width_m},
               {"length_m", facts.opening.length_m},
               {"height_m", facts.opening.height_m}}},
-            {"diagnostics", gonio::cli::to_json(diagnostics)}};
+            {"diagnostics", diagnostics_json(diagnostics)}};
 }
 
 std::string degrees_or_none(const std::optional<double>& angle) {
     return angle ? fmt::format("{:.1f}°", *angle) : std::string("none");
+}
+
+// "disk, 0.12 m", "rectangle, 0.6 × 1.2 m"
+std::string opening_text(const LuminousOpening& opening) {
+    std::string text = to_text(opening.shape);
+    const char* separator = ", ";
+    for (const double size : {opening.width_m, opening.length_m, opening.height_m}) {
+        if (size == 0.0) continue;
+        text += separator + rounded(size);
+        separator = " × ";
+    }
+    return opening.shape == OpeningShape::point ? text : text + " m";
 }
 
 std::string to_text(const Facts& facts) {
@@ -202,14 +214,13 @@ std::string to_text(const Facts& facts) {
     }
     if (facts.input_w)
         line("input", fmt::format("{} W, {} lm/W", rounded(*facts.input_w), rounded(*efficacy(facts), 4)));
-    line("opening", fmt::format("{}, {} × {} × {} m", to_text(facts.opening.shape), rounded(facts.opening.width_m),
-                                rounded(facts.opening.length_m), rounded(facts.opening.height_m)));
+    line("opening", opening_text(facts.opening));
     return text;
 }
 
 // A file that could not be read still has its place in a report of several.
 Json failure_json(const std::string& file, const Error& error) {
-    return {{"schema", "gonio.info/1"}, {"file", file}, {"diagnostics", to_json(error.diagnostics)}};
+    return {{"schema", "gonio.info/1"}, {"file", file}, {"diagnostics", diagnostics_json(error.diagnostics)}};
 }
 
 int run(const Arguments& arguments, Console& console) {

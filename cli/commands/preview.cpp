@@ -13,6 +13,7 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/output.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ constexpr std::array picture_options{
     Option{"--simd", "SET", "instruction set (the widest there is)", "simd"},
     Option{"-j,--jobs", "N", "threads (all processors)"},
 };
-constexpr std::array output_options{
+constexpr std::array picture_output_options{
     Option{"-o,--output", "FILE",
            "the picture: .png and other integer formats through the display transform, .exr as "
            "linear Rec.709 in cd/m2; '-' is standard output (with --to)"},
@@ -58,7 +59,7 @@ constexpr std::array preview_common{
     Option{"-h,--help", "", "this text"},
 };
 constexpr std::array groups{OptionGroup{"light", light_options}, OptionGroup{"picture", picture_options},
-                            OptionGroup{"output", output_options}, json_group,
+                            OptionGroup{"output", picture_output_options}, json_group,
                             OptionGroup{"common options", preview_common}};
 constexpr std::array examples{
     Example{"gonio preview lamp.ies --stage floor -s 512x512 -o lamp.png", "how a measured luminaire lights a room"},
@@ -189,10 +190,6 @@ Result<Request> parse(const Arguments& arguments) {
     return request;
 }
 
-bool holds_integers(const media::ImageFormat& format) {
-    return format.pixels.front() == media::Pixel::uint8 || format.pixels.front() == media::Pixel::uint16;
-}
-
 Result<int> preview(const Arguments& arguments, Console& console) {
     Result<Request> request = parse(arguments);
     if (!request) return pass_on(request);
@@ -209,13 +206,15 @@ Result<int> preview(const Arguments& arguments, Console& console) {
 
     media::ImageWriteOptions write;
     Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
-    if (holds_integers(*request->format)) {
+    const bool linear = has_pixel(*request->format, media::Pixel::float32);
+    if (!linear) {
         expose(*image, exposure);
         Result<media::DisplayUsed> used = media::apply_display(*image, request->display);
         if (!used) return pass_on(used);
         console.say(used->diagnostics);
         write.color_space = "sRGB";
     } else {
+        write.pixel = media::Pixel::float32;
         write.color_space = "Linear";
         write.attributes = {{"gonio:unit", std::string("cd/m2")},
                             {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(exposure.value)}}};
@@ -234,7 +233,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
                           {"stage", request->stage.name},
                           {"exposure_ev100", exposure.value},
                           {"intensity_cd", light->intensity.value},
-                          {"diagnostics", to_json(diagnostics)}};
+                          {"diagnostics", diagnostics_json(diagnostics)}};
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     }
     return 0;

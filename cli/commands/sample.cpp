@@ -115,7 +115,7 @@ Result<int> sample(const Arguments& arguments, Console& console) {
         const Json json{{"schema", "gonio.sample/1"},
                         {"file", files[0]},
                         {"samples", std::move(samples)},
-                        {"diagnostics", to_json(loaded->diagnostics)}};
+                        {"diagnostics", diagnostics_json(loaded->diagnostics)}};
         console.print(dump(json, lines ? -1 : 2));
         return 0;
     }

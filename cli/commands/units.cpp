@@ -91,7 +91,7 @@ Json report(const PhotometricValue& value, const std::string& given_unit, const 
         for (const ConversionStep& step : steps)
             json["steps"].push_back({{"formula", step.formula}, {"value", step.value}, {"unit", step.unit}});
     }
-    json["diagnostics"] = to_json(diagnostics);
+    json["diagnostics"] = diagnostics_json(diagnostics);
     return json;
 }
 

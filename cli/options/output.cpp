@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace gonio::cli {
@@ -32,6 +33,10 @@ Result<const media::ImageFormat*> format_of(const std::optional<std::string>& na
 }
 
 } // namespace
+
+bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
+    return std::find(format.pixels.begin(), format.pixels.end(), pixel) != format.pixels.end();
+}
 
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension) {

@@ -24,6 +24,8 @@ inline constexpr std::array output_options{
 
 inline constexpr OptionGroup output_group{"output", output_options};
 
+bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
+
 // One input and the output that is made of it.
 struct Job {
     std::string input;

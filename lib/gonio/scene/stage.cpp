@@ -22,8 +22,8 @@ Stage floor_stage() {
         {"floor", Plane{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}, FrostbiteMaterial{glm::dvec3(0.35), 0.45, 0.0, 0.5}});
     stage.surfaces.push_back({"wall", Plane{{0.0, 0.9, 0.0}, {0.0, -1.0, 0.0}}, LambertMaterial{glm::dvec3(0.55)}});
     stage.surfaces.push_back(
-        {"sphere", Ball{{0.55, -0.15, 0.32}, 0.32}, FrostbiteMaterial{glm::dvec3(0.55, 0.16, 0.08), 0.72, 0.0, 0.5}});
-    stage.camera = {{-0.9, -4.6, 1.55}, {0.05, 0.4, 1.12}, {0.0, 0.0, 1.0}, 36.0};
+        {"sphere", Ball{{0.42, -0.28, 0.32}, 0.32}, FrostbiteMaterial{glm::dvec3(0.55, 0.16, 0.08), 0.72, 0.0, 0.5}});
+    stage.camera = {{0.0, -4.7, 1.5}, {0.0, 0.4, 1.08}, {0.0, 0.0, 1.0}, 36.0};
     stage.light_position = {0.0, 0.0, 2.6};
     return stage;
 }
