@@ -204,17 +204,18 @@ private:
     }
 
     Result<void> read_tilt() {
-        std::array<double, 2> head{};
-        for (double& value : head)
-            if (Result<void> read = read_tilt_number(value); !read) return read;
-        if (head[0] != 1.0 && head[0] != 2.0 && head[0] != 3.0)
+        double geometry = 0.0;
+        if (Result<void> read = read_tilt_number(geometry); !read) return read;
+        if (geometry != 1.0 && geometry != 2.0 && geometry != 3.0)
             return report_.fail("IES0113", numbers_.token_offset(),
-                                fmt::format("lamp-to-luminaire geometry {}, expected 1, 2 or 3", head[0]));
-        if (!(head[1] >= 1.0 && head[1] <= largest_count) || head[1] != std::floor(head[1]))
+                                fmt::format("lamp-to-luminaire geometry {}, expected 1, 2 or 3", geometry));
+        double announced = 0.0;
+        if (Result<void> read = read_tilt_number(announced); !read) return read;
+        if (!(announced >= 1.0 && announced <= largest_count) || announced != std::floor(announced))
             return report_.fail("IES0114", numbers_.token_offset(),
-                                fmt::format("{} is no number of tilt angles", head[1]));
-        file_.tilt.lamp_to_luminaire_geometry = static_cast<int>(head[0]);
-        const auto count = static_cast<std::size_t>(head[1]);
+                                fmt::format("{} is no number of tilt angles", announced));
+        file_.tilt.lamp_to_luminaire_geometry = static_cast<int>(geometry);
+        const auto count = static_cast<std::size_t>(announced);
         for (std::vector<double>* list : {&file_.tilt.angles_deg, &file_.tilt.factors}) {
             while (list->size() < count) {
                 double value = 0.0;
