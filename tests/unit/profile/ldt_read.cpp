@@ -142,6 +142,8 @@ TEST(LdtRead, ABlankNumberIsZeroUnlessTheFileEnds) {
     EXPECT_EQ(std::get<LdtFile>(blank->file).direct_ratios[2], 0.0);
     expect_error(read(with(lamp(), 35, "  "), true),
                  "lamp:35:1: error[LDT0104]: a blank line for the direct ratio, read as 0");
+    expect_error(read(with(lamp(), 48, "")),
+                 "lamp:48:1: error[LDT0102]: a blank line stands where the gamma angle is expected");
     expect_error(read(with(lamp(), 52, "")),
                  "lamp:53:1: error[LDT0206]: 3 intensities announced (3 gamma angles in 1 stored planes), 2 found");
 }

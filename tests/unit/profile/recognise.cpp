@@ -22,6 +22,8 @@ TEST(Recognise, WhatIsNoText) {
                  "lamp.ldt:1:4: error[PRF0102]: not a photometric file, there is no text in it");
     expect_error(read_profile(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "lamp.ies"),
                  "lamp.ies:1:1: error[PRF0102]: not a photometric file, but a PNG picture");
+    expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
+                 "lamp.ies:1:4: error[PRF0102]: not a photometric file, but a PNG picture");
     expect_error(read_profile(std::string("abc\n\0def", 8), "lamp.ies"),
                  "lamp.ies:2:1: error[PRF0102]: not a photometric file, a text has no control bytes such as this");
     expect_error(read_profile(std::string(5, '\0'), "lamp.ldt"),
