@@ -100,7 +100,6 @@ struct Table {
     std::vector<double> planes_deg; // stored
     std::vector<double> gammas_deg;
     std::vector<double> values; // [plane][gamma]
-    double turn_share = 1.0;    // of a turn that the stored planes span
 
     double at(std::size_t plane, std::size_t gamma) const { return values[plane * gammas_deg.size() + gamma]; }
 
@@ -109,7 +108,7 @@ struct Table {
     double flux(std::size_t first, std::size_t last) const {
         double sum = 0.0;
         const std::size_t cells = planes_deg.size() > 1 ? planes_deg.size() - 1 : 1;
-        const double width = 2.0 * pi * turn_share / static_cast<double>(cells);
+        const double width = 2.0 * pi / static_cast<double>(cells); // the planes that symmetry adds are as these
         for (std::size_t p = 0; p < cells; ++p) {
             const std::size_t q = planes_deg.size() > 1 ? p + 1 : p;
             for (std::size_t g = first; g < last; ++g) {
@@ -132,7 +131,6 @@ Table table_of(const Luminaire& luminaire) {
     Table table;
     const double span = luminaire.symmetry == 2 ? 180.0 : 90.0;
     table.planes_deg = luminaire.symmetry == 1 ? std::vector<double>{0.0} : steps(span, luminaire.plane_step_deg);
-    table.turn_share = luminaire.symmetry == 1 ? 1.0 : span / 360.0;
     table.gammas_deg = steps(luminaire.gamma_end_deg, luminaire.gamma_step_deg);
     for (const double c : table.planes_deg)
         for (const double gamma : table.gammas_deg)

@@ -332,7 +332,7 @@ private:
                     // A list that is one short runs into the next one, which begins a line of its own: the horizontal
                     // angles at one of their usual starts, the candela anywhere.
                     const bool next_list = !vertical || value == 0.0 || value == -90.0 || value == 90.0;
-                    if (next_list && numbers_.token_begins_line() && !list_is_longer(list, count, vertical))
+                    if (next_list && numbers_.token_begins_line() && !list_is_longer(list, vertical))
                         return missing(last);
                     return unsorted(list.back(), value, vertical);
                 }
@@ -348,7 +348,7 @@ private:
     }
 
     // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count.
-    bool list_is_longer(const std::vector<double>& list, std::size_t, bool vertical) const {
+    [[nodiscard]] bool list_is_longer(const std::vector<double>& list, bool vertical) const {
         return !vertical && list.size() < 3 && list.front() > file_.vertical_deg.back();
     }
 

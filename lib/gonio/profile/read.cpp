@@ -10,7 +10,6 @@ namespace gonio {
 
 namespace {
 
-using profile_detail::Line;
 using profile_detail::LineScanner;
 using profile_detail::Report;
 using profile_detail::TextRange;
