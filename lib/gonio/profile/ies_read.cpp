@@ -308,6 +308,7 @@ private:
         if (Result<void> read = read_angle_list(file_.vertical_deg, vertical_count_, true, last); !read) return read;
         places_.last_vertical = last;
         places_.horizontal = numbers_.at_end() ? text_.end : numbers_.token_offset();
+        horizontal_begins_line_ = numbers_.token_begins_line();
         if (Result<void> read = read_angle_list(file_.horizontal_deg, horizontal_count_, false, last); !read)
             return read;
         places_.last_horizontal = last;
@@ -329,11 +330,11 @@ private:
             last = numbers_.token_offset();
             if (!list.empty() && value <= list.back()) {
                 if (value < list.back()) {
+                    if (!vertical && vertical_goes_on()) return more_vertical();
                     // A list that is one short runs into the next one, which begins a line of its own: the horizontal
                     // angles at one of their usual starts, the candela anywhere.
                     const bool next_list = !vertical || value == 0.0 || value == -90.0 || value == 90.0;
-                    if (next_list && numbers_.token_begins_line() && !list_is_longer(list, vertical))
-                        return missing(last);
+                    if (next_list && numbers_.token_begins_line()) return missing(last);
                     return unsorted(list.back(), value, vertical);
                 }
                 const std::string message = fmt::format("angle {} is listed twice", value);
@@ -347,9 +348,17 @@ private:
         return {};
     }
 
-    // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count.
-    [[nodiscard]] bool list_is_longer(const std::vector<double>& list, bool vertical) const {
-        return !vertical && list.size() < 3 && list.front() > file_.vertical_deg.back();
+    // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count. Asked only
+    // when the file does not add up otherwise.
+    [[nodiscard]] bool vertical_goes_on() const {
+        return !horizontal_begins_line_ && !file_.horizontal_deg.empty() &&
+               file_.horizontal_deg.front() > file_.vertical_deg.back();
+    }
+
+    Unexpected more_vertical() {
+        return report_.fail("IES0311", places_.horizontal,
+                            fmt::format("{} vertical angles announced, and the list goes on with {}", vertical_count_,
+                                        file_.horizontal_deg.front()));
     }
 
     Unexpected unsorted(double before, double value, bool vertical) {
@@ -382,9 +391,12 @@ private:
         }
         if (numbers_.exponent_offset() != no_place)
             report_.add("IES0216", numbers_.exponent_offset(), "a number with an exponent");
-        if (!numbers_.at_end())
-            report_.add("IES0214", numbers_.token_offset(),
-                        fmt::format("{} follows the {} candela values announced", quoted(numbers_.token()), count));
+        if (numbers_.at_end()) return {};
+        const std::size_t rest = numbers_.token_offset();
+        double value = 0.0;
+        if (vertical_goes_on() && numbers_.next(value) == Token::number) return more_vertical();
+        report_.add("IES0214", rest,
+                    fmt::format("{} follows the {} candela values announced", quoted(numbers_.token()), count));
         return {};
     }
 
@@ -394,6 +406,7 @@ private:
     TextRange text_;
     IesFile file_;
     TablePlaces places_;
+    bool horizontal_begins_line_ = true;
     std::size_t vertical_count_ = 0;
     std::size_t horizontal_count_ = 0;
 };

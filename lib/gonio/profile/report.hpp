@@ -53,6 +53,7 @@ public:
 private:
     [[nodiscard]] Location locate(std::size_t offset) const;
     void close_counts();
+    void order();
 
     std::string_view bytes_;
     std::string source_;

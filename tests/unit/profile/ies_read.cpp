@@ -288,6 +288,23 @@ TEST(IesRead, ThirtySevenAnnouncedThirtySixFound) {
     expect_error(read(lines), "lamp:10:1: error[IES0204]: 37 vertical angles announced, 36 found");
 }
 
+TEST(IesRead, TooManyAngles) {
+    expect_error(read(with(lamp, 7, "1 1000 1 2 2 1 2 0.1 0.2 0")),
+                 "lamp:9:6: error[IES0311]: 2 vertical angles announced, and the list goes on with 90");
+    TextLines single = without(with(lamp, 10, "0"), 12);
+    single[6] = "1 1000 1 2 1 1 2 0.1 0.2 0"; // would read 90 as the plane and 0, 100 as its candela
+    expect_error(read(single), "lamp:9:6: error[IES0311]: 2 vertical angles announced, and the list goes on with 90");
+}
+
+TEST(IesRead, DiagnosticsStandInTheOrderOfTheFile) {
+    const Result<Profile> profile = read(with(with(with(lamp, 11, "100 -1 0"), 9, "0 45 80"), 6, "TILT= NONE"));
+    ASSERT_TRUE(profile) << said(profile);
+    ASSERT_EQ(profile->diagnostics.size(), 3U) << said(profile);
+    EXPECT_EQ(profile->diagnostics[0].code, "IES0109");
+    EXPECT_EQ(profile->diagnostics[1].code, "IES0305");
+    EXPECT_EQ(profile->diagnostics[2].code, "IES0401");
+}
+
 TEST(IesRead, TooFewCandela) {
     const std::string text = joined(lamp);
     // Without the last line's end: the end of the text is behind its last byte.
