@@ -44,7 +44,9 @@ void Console::note(std::string_view text) const {
 }
 
 int Console::fail(const Error& error) {
-    say(error.diagnostics);
+    // Of an input that is refused only the reason matters; reports in JSON carry everything that was noticed.
+    for (const Diagnostic& diagnostic : error.diagnostics)
+        if (diagnostic.severity == Severity::error) say(diagnostic);
     return static_cast<int>(error.failure);
 }
 

@@ -151,6 +151,10 @@ inline constexpr ProfileCode profile_codes[] = {
      "A table from 90 to 270 degrees, symmetric about the plane 90-270, was defined in LM-63-1995 only. It is read so "
      "in every version."},
 
+    {"IES0311", Severity::error, Severity::error, false, "more vertical angles than announced",
+     "The list of vertical angles seems to go on behind the announced count, in the line where the horizontal angles "
+     "should begin: the fourth number behind TILT is too small, and every value would stand at another angle."},
+
     {"IES0401", Severity::warning, Severity::warning, false, "negative candela",
      "A table whose stray light was subtracted too eagerly has values below zero. They are kept."},
     {"IES0402", Severity::warning, Severity::warning, false, "no light", "Every value of the table is zero."},

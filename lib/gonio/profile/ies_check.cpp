@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 namespace gonio::profile_detail {
 
@@ -80,11 +83,37 @@ void check_horizontal(const IesFile& file, const TablePlaces& places, Report& re
     }
 }
 
+// The signs of width, length and height that code a shape, per edition: '+', '-', '0'. Dimensions that are not negative
+// are a point, a line, a rectangle or a box in all of them.
+bool is_known_shape(const IesFile& file) {
+    const auto sign = [](double value) { return value > 0.0 ? '+' : value < 0.0 ? '-' : '0'; };
+    const std::string signs{sign(file.width), sign(file.length), sign(file.height)};
+    if (signs.find('-') == std::string::npos) return true;
+    const auto is_one = [&](std::initializer_list<std::string_view> known) {
+        return std::find(known.begin(), known.end(), signs) != known.end();
+    };
+    switch (file.version) {
+    case IesVersion::lm63_1986:
+    case IesVersion::lm63_1991: // circle, vertical cylinder, ellipse, ellipsoid
+        return is_one({"-00", "-0+", "-+0", "-++"});
+    case IesVersion::lm63_1995: // circle, sphere, cylinders: vertical, along, across; elliptic cylinders, ellipsoids
+        return is_one({"-00", "-0-", "-0+", "0+-", "+0-", "-++", "+-+", "-+-", "+--"});
+    case IesVersion::lm63_2002:
+    case IesVersion::lm63_2019: // ellipse, vertical cylinder, ellipsoid, cylinders along and across, vertical ellipses
+        return is_one({"--0", "--+", "---", "-+-", "+--", "-0-", "0--"});
+    }
+    return false;
+}
+
 } // namespace
 
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     check_vertical(file, places, report);
     check_horizontal(file, places, report);
+    if (!is_known_shape(file))
+        report.add("IES0219", places.shape,
+                   fmt::format("width {}, length {} and height {} code no shape in {}", file.width, file.length,
+                               file.height, to_text(file.version)));
     if (places.first_negative != no_place) report.add("IES0401", places.first_negative, "a negative candela value");
     const Poles poles = look_at_poles(file.vertical_deg, file.candela);
     if (poles.all_zero) report.add("IES0402", places.candela, "every candela value is zero");

@@ -204,17 +204,18 @@ private:
     }
 
     Result<void> read_tilt() {
-        std::array<double, 2> head{};
-        for (double& value : head)
-            if (Result<void> read = read_tilt_number(value); !read) return read;
-        if (head[0] != 1.0 && head[0] != 2.0 && head[0] != 3.0)
+        double geometry = 0.0;
+        if (Result<void> read = read_tilt_number(geometry); !read) return read;
+        if (geometry != 1.0 && geometry != 2.0 && geometry != 3.0)
             return report_.fail("IES0113", numbers_.token_offset(),
-                                fmt::format("lamp-to-luminaire geometry {}, expected 1, 2 or 3", head[0]));
-        if (!(head[1] >= 1.0 && head[1] <= largest_count) || head[1] != std::floor(head[1]))
+                                fmt::format("lamp-to-luminaire geometry {}, expected 1, 2 or 3", geometry));
+        double announced = 0.0;
+        if (Result<void> read = read_tilt_number(announced); !read) return read;
+        if (!(announced >= 1.0 && announced <= largest_count) || announced != std::floor(announced))
             return report_.fail("IES0114", numbers_.token_offset(),
-                                fmt::format("{} is no number of tilt angles", head[1]));
-        file_.tilt.lamp_to_luminaire_geometry = static_cast<int>(head[0]);
-        const auto count = static_cast<std::size_t>(head[1]);
+                                fmt::format("{} is no number of tilt angles", announced));
+        file_.tilt.lamp_to_luminaire_geometry = static_cast<int>(geometry);
+        const auto count = static_cast<std::size_t>(announced);
         for (std::vector<double>* list : {&file_.tilt.angles_deg, &file_.tilt.factors}) {
             while (list->size() < count) {
                 double value = 0.0;
@@ -307,6 +308,7 @@ private:
         if (Result<void> read = read_angle_list(file_.vertical_deg, vertical_count_, true, last); !read) return read;
         places_.last_vertical = last;
         places_.horizontal = numbers_.at_end() ? text_.end : numbers_.token_offset();
+        horizontal_begins_line_ = numbers_.token_begins_line();
         if (Result<void> read = read_angle_list(file_.horizontal_deg, horizontal_count_, false, last); !read)
             return read;
         places_.last_horizontal = last;
@@ -328,11 +330,11 @@ private:
             last = numbers_.token_offset();
             if (!list.empty() && value <= list.back()) {
                 if (value < list.back()) {
+                    if (!vertical && vertical_goes_on()) return more_vertical();
                     // A list that is one short runs into the next one, which begins a line of its own: the horizontal
                     // angles at one of their usual starts, the candela anywhere.
                     const bool next_list = !vertical || value == 0.0 || value == -90.0 || value == 90.0;
-                    if (next_list && numbers_.token_begins_line() && !list_is_longer(list, count, vertical))
-                        return missing(last);
+                    if (next_list && numbers_.token_begins_line()) return missing(last);
                     return unsorted(list.back(), value, vertical);
                 }
                 const std::string message = fmt::format("angle {} is listed twice", value);
@@ -346,9 +348,17 @@ private:
         return {};
     }
 
-    // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count.
-    bool list_is_longer(const std::vector<double>& list, std::size_t, bool vertical) const {
-        return !vertical && list.size() < 3 && list.front() > file_.vertical_deg.back();
+    // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count. Asked only
+    // when the file does not add up otherwise.
+    [[nodiscard]] bool vertical_goes_on() const {
+        return !horizontal_begins_line_ && !file_.horizontal_deg.empty() &&
+               file_.horizontal_deg.front() > file_.vertical_deg.back();
+    }
+
+    Unexpected more_vertical() {
+        return report_.fail("IES0311", places_.horizontal,
+                            fmt::format("{} vertical angles announced, and the list goes on with {}", vertical_count_,
+                                        file_.horizontal_deg.front()));
     }
 
     Unexpected unsorted(double before, double value, bool vertical) {
@@ -381,9 +391,12 @@ private:
         }
         if (numbers_.exponent_offset() != no_place)
             report_.add("IES0216", numbers_.exponent_offset(), "a number with an exponent");
-        if (!numbers_.at_end())
-            report_.add("IES0214", numbers_.token_offset(),
-                        fmt::format("{} follows the {} candela values announced", quoted(numbers_.token()), count));
+        if (numbers_.at_end()) return {};
+        const std::size_t rest = numbers_.token_offset();
+        double value = 0.0;
+        if (vertical_goes_on() && numbers_.next(value) == Token::number) return more_vertical();
+        report_.add("IES0214", rest,
+                    fmt::format("{} follows the {} candela values announced", quoted(numbers_.token()), count));
         return {};
     }
 
@@ -393,6 +406,7 @@ private:
     TextRange text_;
     IesFile file_;
     TablePlaces places_;
+    bool horizontal_begins_line_ = true;
     std::size_t vertical_count_ = 0;
     std::size_t horizontal_count_ = 0;
 };

@@ -193,6 +193,14 @@ private:
         return true;
     }
 
+    // An angle is not 0 for being blank: every value of the table would stand in another direction.
+    Result<void> angle_of(const Line& line, double& value, std::string_view what) {
+        if (trim(line.text).empty())
+            return report_.fail("LDT0102", line.offset,
+                                fmt::format("a blank line stands where the {} is expected", what));
+        return number_of(line, value, what);
+    }
+
     Result<void> read_planes() {
         const auto count = static_cast<std::size_t>(file_.plane_count);
         const auto missing = [&](std::size_t offset) {
@@ -203,7 +211,7 @@ private:
             Line line;
             if (!table_line(line)) return missing(text_.end);
             double value = 0.0;
-            if (Result<void> read = number_of(line, value, "angle of a C-plane"); !read) return read;
+            if (Result<void> read = angle_of(line, value, "angle of a C-plane"); !read) return read;
             if (file_.planes_deg.empty()) places_.horizontal = number_offset_;
             if (!file_.planes_deg.empty() && value <= file_.planes_deg.back()) {
                 if (value == 0.0 || (value == 90.0 && file_.planes_deg.back() != 90.0)) return missing(number_offset_);
@@ -229,7 +237,7 @@ private:
             Line line;
             if (!table_line(line)) return missing(text_.end);
             double value = 0.0;
-            if (Result<void> read = number_of(line, value, "gamma angle"); !read) return read;
+            if (Result<void> read = angle_of(line, value, "gamma angle"); !read) return read;
             if (file_.gammas_deg.empty()) places_.vertical = number_offset_;
             places_.last_vertical = number_offset_;
             const double before = file_.gammas_deg.empty() ? -1.0 : file_.gammas_deg.back();

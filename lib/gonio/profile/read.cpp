@@ -10,7 +10,6 @@ namespace gonio {
 
 namespace {
 
-using profile_detail::Line;
 using profile_detail::LineScanner;
 using profile_detail::Report;
 using profile_detail::TextRange;
@@ -24,11 +23,12 @@ bool is_line_end(char c) {
 // Takes marks, Ctrl-Z and NUL padding away from both ends; fails on what is no text.
 Result<TextRange> find_text(std::string_view bytes, Report& report) {
     TextRange text{0, bytes.size()};
-    if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE"))
-        return report.fail("PRF0106", 0, "the text is UTF-16", "save it as UTF-8");
     if (bytes.starts_with(utf8_mark)) report.add("PRF0104", 0, "the file begins with a byte order mark");
     while (bytes.substr(text.begin).starts_with(utf8_mark))
         text.begin += utf8_mark.size();
+    const std::string_view begins = bytes.substr(text.begin);
+    if (begins.starts_with("\xFE\xFF") || begins.starts_with("\xFF\xFE"))
+        return report.fail("PRF0106", text.begin, "the text is UTF-16", "save it as UTF-8");
     while (text.end > text.begin && bytes[text.end - 1] == '\0')
         --text.end;
     const bool nothing =
@@ -43,7 +43,8 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
         if (c == 0 || head)
             return report.fail("PRF0102", i, "not a photometric file, a text has no control bytes such as this");
     }
-    if (bytes.starts_with("\x89PNG")) return report.fail("PRF0102", 0, "not a photometric file, but a PNG picture");
+    if (begins.starts_with("\x89PNG"))
+        return report.fail("PRF0102", text.begin, "not a photometric file, but a PNG picture");
     const auto is_data = [](char c) {
         return !profile_detail::is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A';
     };

@@ -2,7 +2,9 @@
 //
 // Tolerant by default: what can be understood without a guess is read and a diagnostic says what was odd. `strict`
 // turns the departures from the standard into errors. A count that a file announces is never allocated before that
-// many values have been seen. Fails with `malformed`, and every diagnostic carries file, line and column.
+// many values have been seen. Fails with `malformed`, or `unsupported` (TM-33, TILT factors in another file); every
+// diagnostic has a code of gonio/profile/codes.hpp and carries file, line and column (whole-file remarks: line 0).
+// Cost: about 2 ns a byte for IES, 4 for EULUMDAT.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -39,8 +39,16 @@ void Report::add(Code code, std::size_t offset, std::string message, std::string
     repeats_.push_back(0);
 }
 
-Unexpected Report::fail(Code code, std::size_t offset, std::string message, std::string hint, Failure failure) {
+// In the order of the file, what concerns the whole of it first.
+void Report::order() {
     close_counts();
+    std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.location.line, a.location.column) < std::pair(b.location.line, b.location.column);
+    });
+}
+
+Unexpected Report::fail(Code code, std::size_t offset, std::string message, std::string hint, Failure failure) {
+    order();
     diagnostics_.push_back(
         {std::string(code.entry->code), Severity::error, locate(offset), std::move(message), std::move(hint)});
     return Unexpected(Error{failure, std::move(diagnostics_)});
@@ -48,14 +56,14 @@ Unexpected Report::fail(Code code, std::size_t offset, std::string message, std:
 
 Unexpected Report::failure() {
     // The reason of an Error is its last error: warnings that came later move before it.
-    close_counts();
+    order();
     std::stable_partition(diagnostics_.begin(), diagnostics_.end(),
                           [](const Diagnostic& d) { return d.severity != Severity::error; });
     return Unexpected(Error{Failure::malformed, std::move(diagnostics_)});
 }
 
 Diagnostics Report::take() {
-    close_counts();
+    order();
     return std::move(diagnostics_);
 }
 

@@ -40,19 +40,20 @@ public:
                     Failure failure = Failure::malformed);
 
     // Whether something said so far is an error, which happens under `strict` only.
-    bool has_error() const { return has_error_; }
+    [[nodiscard]] bool has_error() const { return has_error_; }
 
     // The failure made of what was said; for has_error().
     Unexpected failure();
 
     Diagnostics take();
 
-    bool strict() const { return strict_; }
-    std::string_view bytes() const { return bytes_; }
+    [[nodiscard]] bool strict() const { return strict_; }
+    [[nodiscard]] std::string_view bytes() const { return bytes_; }
 
 private:
-    Location locate(std::size_t offset) const;
+    [[nodiscard]] Location locate(std::size_t offset) const;
     void close_counts();
+    void order();
 
     std::string_view bytes_;
     std::string source_;

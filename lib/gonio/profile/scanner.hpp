@@ -32,9 +32,9 @@ public:
     // Reads `bytes` from `begin` on, up to `end`.
     LineScanner(std::string_view bytes, std::size_t begin, std::size_t end) : bytes_(bytes), next_(begin), end_(end) {}
 
-    bool at_end() const { return next_ >= end_; }
-    std::size_t offset() const { return next_; } // where the next line begins
-    Line next();                                 // an empty line at the end
+    [[nodiscard]] bool at_end() const { return next_ >= end_; }
+    [[nodiscard]] std::size_t offset() const { return next_; } // where the next line begins
+    Line next();                                               // an empty line at the end
 
 private:
     std::string_view bytes_;
@@ -77,11 +77,14 @@ public:
         return at_ == end_;
     }
 
-    std::size_t token_offset() const { return static_cast<std::size_t>(token_ - first_); }
-    std::string_view token() const; // the text of the token that was read last, shortened to what a message can hold
-    bool token_begins_line() const;
-    std::size_t exponent_offset() const { return exponent_; } // of the first number with an exponent, or −1
-    std::size_t remaining_bytes() const { return static_cast<std::size_t>(end_ - at_); }
+    [[nodiscard]] std::size_t token_offset() const { return static_cast<std::size_t>(token_ - first_); }
+    [[nodiscard]] std::string_view
+    token() const; // the text of the token that was read last, shortened to what a message can hold
+    [[nodiscard]] bool token_begins_line() const;
+    [[nodiscard]] std::size_t exponent_offset() const {
+        return exponent_;
+    } // of the first number with an exponent, or −1
+    [[nodiscard]] std::size_t remaining_bytes() const { return static_cast<std::size_t>(end_ - at_); }
 
 private:
     static bool is_separator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }

@@ -1,0 +1,32 @@
+#include <gonio/base/parallel.hpp>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+namespace gonio {
+namespace {
+
+TEST(ThreadsParallel, EveryPieceRunsOnce) {
+    for (const unsigned threads : {0U, 1U, 2U, 7U}) {
+        std::vector<int> runs(1000, 0);
+        parallel_for(runs.size(), threads, [&](std::size_t i) { ++runs[i]; });
+        EXPECT_EQ(runs, std::vector<int>(1000, 1)) << threads;
+    }
+    parallel_for(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(ThreadsParallel, AnExceptionReachesTheCallerAndStopsTheRest) {
+    std::atomic<int> runs{0};
+    const auto work = [&](std::size_t i) {
+        ++runs;
+        if (i == 3) throw std::runtime_error("three");
+    };
+    EXPECT_THROW(parallel_for(1000000, 4, work), std::runtime_error);
+    EXPECT_LT(runs.load(), 1000000);
+}
+
+} // namespace
+} // namespace gonio

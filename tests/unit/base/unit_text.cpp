@@ -1,0 +1,65 @@
+#include <gonio/base/nearest.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <numbers>
+
+namespace gonio {
+namespace {
+
+TEST(UnitText, ReadsNumbersWithUnits) {
+    EXPECT_DOUBLE_EQ(parse_amount("800lm")->in_base_units(), 800.0);
+    EXPECT_DOUBLE_EQ(parse_amount("+2.5klm")->in_base_units(), 2500.0);
+    EXPECT_DOUBLE_EQ(parse_amount("1e3lm")->in_base_units(), 1000.0);
+    EXPECT_DOUBLE_EQ(parse_amount("5ev")->number, 5.0); // not an exponent
+    EXPECT_DOUBLE_EQ(parse_amount("6ft")->in_base_units(), 1.8288);
+    EXPECT_DOUBLE_EQ(parse_amount("180deg")->in_base_units(), std::numbers::pi);
+    EXPECT_DOUBLE_EQ(parse_amount("1cd/m2")->in_base_units(), 1.0);
+    EXPECT_NEAR(parse_amount("1fc")->in_base_units(), 10.763910416709722, 1e-14);
+    EXPECT_NEAR(parse_amount("1fL")->in_base_units(), 3.4262590996353905, 1e-14);
+}
+
+TEST(UnitText, RefusesWhatIsNoAmount) {
+    for (const char* text :
+         {"", "lm", "800", "800 lm", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm", "+-5lm"})
+        EXPECT_FALSE(parse_amount(text)) << text;
+    const auto error = parse_amount("800luu");
+    ASSERT_FALSE(error);
+    EXPECT_EQ(error.error().failure, Failure::usage);
+    EXPECT_EQ(parse_amount("800lM").error().diagnostics.back().hint, "did you mean 'lm'?");
+}
+
+TEST(UnitText, ChecksTheDimension) {
+    const auto radius = parse_amount("3lm", Dimension::length, "the radius");
+    ASSERT_FALSE(radius);
+    EXPECT_NE(radius.error().diagnostics.back().message.find("is a luminous flux"), std::string::npos);
+    EXPECT_DOUBLE_EQ(*parse_amount("3cm", Dimension::length, "the radius"), 0.03);
+}
+
+TEST(UnitText, ShortestTextReadsBack) {
+    for (const double value : {0.1, 1.0 / 3.0, 22515.81858718617, 1e300, 5e-324, -0.0, 123456789.0})
+        EXPECT_EQ(*parse_number(shortest(value)), value);
+}
+
+TEST(UnitText, EveryUnitReadsBackFromItsSymbol) {
+    for (const Unit& unit : all_units()) {
+        const auto amount = parse_amount("2" + std::string(unit.symbol));
+        ASSERT_TRUE(amount) << unit.symbol;
+        EXPECT_EQ(amount->unit, &unit);
+    }
+}
+
+TEST(Nearest, FindsTyposAndKeepsQuietOtherwise) {
+    constexpr std::array<std::string_view, 4> names{"units", "info", "sample", "preview"};
+    EXPECT_EQ(nearest("untis", names), "units");
+    EXPECT_EQ(nearest("prevew", names), "preview");
+    EXPECT_EQ(nearest("INFO", names), "info");
+    EXPECT_EQ(nearest("frobnicate", names), "");
+    EXPECT_EQ(nearest("", names), "");
+}
+
+} // namespace
+} // namespace gonio

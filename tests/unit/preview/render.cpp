@@ -1,0 +1,149 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/preview/exposure.hpp>
+#include <gonio/preview/render.hpp>
+
+#include "../web/webs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio {
+namespace {
+
+Light light_of(const char* shape, const char* intensity, glm::dvec3 position) {
+    Diagnostics diagnostics;
+    LightDescription description;
+    description.shape = parse_shape(shape).value();
+    description.intensity = parse_photometric_value(intensity).value();
+    description.position = position;
+    return resolve_light(description, diagnostics).value();
+}
+
+Stage matte_floor(double albedo) {
+    Stage stage;
+    stage.surfaces.push_back({"floor", Plane{}, LambertMaterial{glm::dvec3(albedo)}});
+    stage.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40.0};
+    return stage;
+}
+
+// A Lambertian floor under a light shows albedo/π · E: the closed form at each pixel's own point.
+TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
+    const Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 33;
+    options.height = 21;
+    const CameraRays rays(stage.camera, options.width, options.height);
+    for (const char* shape : {"point", "sphere:r=20cm"}) {
+        // The spherical light hangs behind the camera, which would see it otherwise.
+        const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
+        const Image image = render(stage, light, stage.camera, options).value();
+        for (int y = 0; y < options.height; ++y)
+            for (int x = 0; x < options.width; ++x) {
+                const glm::dvec3 point = first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position;
+                const glm::dvec3 to_light = glm::dvec3(0.3, -0.2, 6.0) - point;
+                const double d = glm::length(to_light);
+                const double lux = 1000.0 * to_light.z / (d * d * d);
+                EXPECT_NEAR(image.at(x, y)[1], 0.4 / std::numbers::pi * lux, 1e-5 * lux) << shape;
+            }
+    }
+}
+
+TEST(ThreadsPreview, ColoursKeepTheLuminance) {
+    const Stage stage = matte_floor(0.5);
+    Light light = light_of("point", "1000cd", {0, 0, 4});
+    RenderOptions options;
+    options.width = 9;
+    options.height = 9;
+    options.shadows = false;
+    const Image white = render(stage, light, stage.camera, options).value();
+    light.color = parse_light_color("#ffb060").value();
+    const Image warm = render(stage, light, stage.camera, options).value();
+    const auto y = [](const float* rgb) { return glm::dot(glm::dvec3(rgb[0], rgb[1], rgb[2]), rec709_luminance); };
+    EXPECT_NEAR(y(warm.at(4, 4)), y(white.at(4, 4)), 1e-6 * y(white.at(4, 4)));
+    EXPECT_GT(warm.at(4, 4)[0], warm.at(4, 4)[2]);
+}
+
+Light measured_light() {
+    Diagnostics diagnostics;
+    LightDescription description;
+    description.shape =
+        ProfileShape{"test.ies", std::make_shared<const Web>(test::random_web(Symmetry::none, test::steps(0, 360, 25),
+                                                                              test::steps(0, 90, 19), 11))};
+    description.position = {0, 0, 2.6};
+    return resolve_light(description, diagnostics).value();
+}
+
+TEST(ThreadsPreview, ThreadsChangeNothing) {
+    const Stage stage = make_stage("floor").value();
+    for (const Light& light : {measured_light(), light_of("sphere:r=10cm", "800lm", {0, 0, 2.2})}) {
+        RenderOptions options;
+        options.width = 150;
+        options.height = 100;
+        options.threads = 1;
+        const Image one = render(stage, light, stage.camera, options).value();
+        options.threads = 7;
+        EXPECT_EQ(render(stage, light, stage.camera, options).value().pixels, one.pixels);
+    }
+}
+
+TEST(ThreadsPreview, InstructionSetsAgree) {
+    const Stage stage = make_stage("floor").value();
+    for (const Light& light : {measured_light(), light_of("sphere:r=10cm", "800lm", {0, 0, 2.2})}) {
+        RenderOptions options;
+        options.width = 96;
+        options.height = 96;
+        options.instruction_set = simd::InstructionSet::scalar;
+        const Image scalar = render(stage, light, stage.camera, options).value();
+        const float top = *std::max_element(scalar.pixels.begin(), scalar.pixels.end());
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            options.instruction_set = set;
+            const Image other = render(stage, light, stage.camera, options).value();
+            for (std::size_t i = 0; i < other.pixels.size(); ++i)
+                ASSERT_NEAR(other.pixels[i], scalar.pixels[i], 1e-4F * top) << simd::to_text(set);
+        }
+    }
+}
+
+TEST(ThreadsPreview, NothingIsEverNotANumber) {
+    const Stage stage = make_stage("floor").value();
+    // Inside the ball, in the floor, behind the wall, on the camera, far away.
+    for (const glm::dvec3 position : {glm::dvec3(0.42, -0.28, 0.32), glm::dvec3(0, 0, 0), glm::dvec3(0, 5, 1),
+                                      stage.camera.position, glm::dvec3(0, 0, 1e6)}) {
+        for (const char* shape : {"point", "sphere:r=1um", "sphere:r=3m"}) {
+            if (!parse_shape(shape)) continue;
+            RenderOptions options;
+            options.width = 40;
+            options.height = 40;
+            const Image image = render(stage, light_of(shape, "800lm", position), stage.camera, options).value();
+            for (const float value : image.pixels)
+                ASSERT_TRUE(std::isfinite(value) && value >= 0.0F) << shape;
+        }
+    }
+}
+
+TEST(Preview, RefusesSizes) {
+    const Stage stage = matte_floor(0.5);
+    const Light light = light_of("point", "1cd", {0, 0, 1});
+    for (const auto& [width, height] : {std::pair{0, 5}, {5, 0}, {-1, 5}, {20000, 5}}) {
+        RenderOptions options;
+        options.width = width;
+        options.height = height;
+        EXPECT_FALSE(render(stage, light, stage.camera, options));
+    }
+}
+
+TEST(Exposure, BringsTheBrightPartNearWhite) {
+    Image image(10, 10, 3);
+    std::fill(image.pixels.begin(), image.pixels.end(), 50.0F);
+    const Ev100 ev = auto_exposure(image);
+    expose(image, ev);
+    EXPECT_NEAR(image.pixels[0], 0.9, 1e-6);
+    EXPECT_EQ(auto_exposure(Image(4, 4, 3)).value, 0.0);
+    EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
+}
+
+} // namespace
+} // namespace gonio

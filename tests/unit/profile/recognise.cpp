@@ -1,0 +1,80 @@
+// What kind of file it is, and what is none.
+#include <gonio/profile/codes.hpp>
+#include <gonio/profile/read.hpp>
+
+#include "expect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace gonio;
+using namespace gonio::test;
+
+const std::string ies = "IESNA91\nTILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n100 80 0\n";
+
+TEST(Recognise, WhatIsNoText) {
+    expect_error(read_profile("", "lamp.ies"), "lamp.ies: error[PRF0101]: the file is empty");
+    expect_error(read_profile(" \r\n\t\n", "lamp.ldt"), "lamp.ldt: error[PRF0101]: the file is empty");
+    expect_error(read_profile("\xEF\xBB\xBF", "lamp.ldt"),
+                 "lamp.ldt:1:4: error[PRF0102]: not a photometric file, there is no text in it");
+    expect_error(read_profile(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "lamp.ies"),
+                 "lamp.ies:1:1: error[PRF0102]: not a photometric file, but a PNG picture");
+    expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
+                 "lamp.ies:1:4: error[PRF0102]: not a photometric file, but a PNG picture");
+    expect_error(read_profile(std::string("abc\n\0def", 8), "lamp.ies"),
+                 "lamp.ies:2:1: error[PRF0102]: not a photometric file, a text has no control bytes such as this");
+    expect_error(read_profile(std::string(5, '\0'), "lamp.ldt"),
+                 "lamp.ldt:1:1: error[PRF0102]: not a photometric file, there is no text in it");
+    expect_error(read_profile(std::string("\xFF\xFEI\0E\0", 6), "lamp.ies"),
+                 "lamp.ies:1:1: error[PRF0106]: the text is UTF-16");
+    expect_error(read_profile("hello\nworld\n", "lamp"), "lamp:1:1: error[PRF0103]: neither IES nor EULUMDAT");
+    expect_error(read_profile("<?xml version=\"1.0\"?><IESTM33-22/>", "lamp.xml"),
+                 "lamp.xml:1:1: error[PRF0107]: TM-33 is not read yet", Failure::unsupported);
+}
+
+TEST(Recognise, TheBytesBeforeTheName) {
+    const Result<Profile> misnamed = read_profile(ies, "lamp.ldt");
+    ASSERT_TRUE(misnamed) << said(misnamed);
+    EXPECT_TRUE(std::holds_alternative<IesFile>(misnamed->file));
+    // Neither the one nor the other: the name decides, and the reader says what is missing.
+    expect_error(read_profile("hello\n", "lamp.IES"),
+                 "lamp.IES:2:1: error[IES0108]: the text ends without a line TILT=NONE or TILT=INCLUDE");
+    expect_error(read_profile("hello\n", "lamp.ldt"),
+                 "lamp.ldt:2:1: error[LDT0101]: the file ends where the type of luminaire is expected");
+    // No version line, but TILT=.
+    EXPECT_TRUE(read_profile(ies.substr(8), "-"));
+}
+
+TEST(Recognise, MarksAndEnds) {
+    const Result<Profile> marked = read_profile("\xEF\xBB\xBF" + ies, "lamp");
+    expect_says(marked, "lamp:1:1: warning[PRF0104]: the file begins with a byte order mark");
+    EXPECT_EQ(std::get<IesFile>(marked->file).version_line, "IESNA91");
+    expect_silent(read_profile(ies + "\x1A", "lamp"));
+    expect_silent(read_profile(ies + '\x1A' + std::string(10, '\0'), "lamp"));
+    expect_says(read_profile(ies + "\x1A more", "lamp"),
+                "lamp:8:3: warning[PRF0105]: data behind Ctrl-Z, the end of text");
+}
+
+TEST(Recognise, AFileThatIsNotThereIsAnIoFailure) {
+    const Result<Profile> read = read_profile_file("/nonexistent/lamp.ies");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().failure, Failure::io);
+}
+
+TEST(ProfileCodes, AreUniqueAndExplained) {
+    std::set<std::string_view> seen;
+    for (const ProfileCode& code : profile_codes) {
+        EXPECT_TRUE(seen.insert(code.code).second) << code.code;
+        EXPECT_EQ(code.code.size(), 7U) << code.code;
+        EXPECT_FALSE(code.title.empty()) << code.code;
+        EXPECT_EQ(code.explanation.back(), '.') << code.code;
+        EXPECT_EQ(find_profile_code(code.code), &code);
+        EXPECT_GE(code.strict_severity, code.severity) << code.code;
+    }
+    EXPECT_EQ(find_profile_code("IES9999"), nullptr);
+}
+
+} // namespace

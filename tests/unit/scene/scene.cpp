@@ -1,0 +1,112 @@
+#include <gonio/scene/camera.hpp>
+#include <gonio/scene/material.hpp>
+#include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gonio {
+namespace {
+
+TEST(Camera, LooksAtItsTarget) {
+    const Camera camera{{1, 2, 3}, {4, 5, 6}, {0, 0, 1}, 40.0};
+    const CameraRays rays(camera, 640, 480);
+    const glm::dvec3 expected = glm::normalize(camera.target - camera.position);
+    const glm::dvec3 got = rays.ray(320, 240).direction;
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(got[i], expected[i], 1e-14);
+    // The top and bottom edges are the field of view apart.
+    const double angle = std::acos(glm::dot(rays.ray(320, 0).direction, rays.ray(320, 480).direction));
+    EXPECT_NEAR(angle * 180.0 / std::numbers::pi, 40.0, 1e-10);
+    EXPECT_GT(rays.ray(320, 0).direction.z, rays.ray(320, 480).direction.z);
+}
+
+TEST(Stage, FloorIsHitWhereItShould) {
+    const Stage stage = make_stage("floor").value();
+    EXPECT_FALSE(make_stage("flor"));
+    const auto down = first_hit(stage, {{-1, 0, 3}, {0, 0, -1}});
+    ASSERT_TRUE(down);
+    EXPECT_EQ(stage.surfaces[down->surface].name, "floor");
+    EXPECT_NEAR(down->distance, 3.0, 1e-15);
+    EXPECT_FALSE(first_hit(stage, {{0, 0, 1}, glm::normalize(glm::dvec3(0, -1, 1))}));
+    // Surface normals look back along the ray.
+    for (double x = -1.5; x < 1.5; x += 0.1) {
+        const auto hit =
+            first_hit(stage, {stage.camera.position, glm::normalize(glm::dvec3(x, 0.0, 0.4) - stage.camera.position)});
+        ASSERT_TRUE(hit);
+        EXPECT_LT(glm::dot(hit->normal, hit->position - stage.camera.position), 0.0);
+        EXPECT_NEAR(glm::length(hit->normal), 1.0, 1e-14);
+    }
+}
+
+TEST(Occlusion, CapOverlapHasItsLimits) {
+    const double quarter = std::numbers::pi / 2;
+    EXPECT_EQ(cap_overlap(0.2, 0.3, 0.6), 0.0);
+    EXPECT_NEAR(cap_overlap(0.2, 0.3, 0.05), 2.0 * std::numbers::pi * (1.0 - std::cos(0.2)), 1e-15);
+    // Two hemispheres whose axes are d apart share a lune of angle π − d.
+    EXPECT_NEAR(cap_overlap(quarter, quarter, 0.7), 2.0 * (std::numbers::pi - 0.7), 1e-14);
+}
+
+TEST(Occlusion, CapOverlapAgreesWithCounting) {
+    struct Case {
+        double a, b, d;
+    };
+    for (const Case c : {Case{0.5, 0.7, 0.6}, Case{1.2, 0.4, 1.3}, Case{0.9, 0.9, 0.3}, Case{0.02, 0.03, 0.04}}) {
+        // Directions of the first cap, evenly in solid angle; how many lie in the second.
+        const int rings = 2000;
+        const int around = 2000;
+        long inside = 0;
+        for (int i = 0; i < rings; ++i) {
+            const double s2 = std::sin(0.5 * c.a) * std::sin(0.5 * c.a) * (i + 0.5) / rings; // sin²(θ/2)
+            const double cos_theta = 1.0 - 2.0 * s2;
+            const double sin_theta = 2.0 * std::sqrt(s2 * (1.0 - s2));
+            for (int k = 0; k < around; ++k) {
+                const double phi = 2.0 * std::numbers::pi * (k + 0.5) / around;
+                inside +=
+                    cos_theta * std::cos(c.d) + sin_theta * std::cos(phi) * std::sin(c.d) >= std::cos(c.b) ? 1 : 0;
+            }
+        }
+        const double cap = 4.0 * std::numbers::pi * std::sin(0.5 * c.a) * std::sin(0.5 * c.a);
+        const double counted = cap * static_cast<double>(inside) / (double(rings) * around);
+        EXPECT_NEAR(cap_overlap(c.a, c.b, c.d), counted, 2e-3 * counted) << c.a << ' ' << c.b << ' ' << c.d;
+    }
+}
+
+TEST(Occlusion, PlanarAndSphericalFormsMeet) {
+    const double a = 0.999e-3;
+    const double scale = 1.002; // across the switch at 1e-3
+    EXPECT_NEAR(cap_overlap(a * scale, a * scale, a * scale), scale * scale * cap_overlap(a, a, a), 1e-6 * a * a);
+}
+
+TEST(Occlusion, ABallCastsAShadow) {
+    Stage stage;
+    stage.surfaces.push_back({"floor", Plane{}, LambertMaterial{}});
+    stage.surfaces.push_back({"ball", Ball{{0, 0, 1}, 0.25}, LambertMaterial{}});
+    EXPECT_EQ(visible_share(stage, 0, {0, 0, 0}, {0, 0, 3}, 0.0), 0.0);
+    EXPECT_EQ(visible_share(stage, 0, {2, 0, 0}, {0, 0, 3}, 0.0), 1.0);
+    EXPECT_EQ(visible_share(stage, 0, {0, 0, 0}, {0, 0, 0.5}, 0.0), 1.0);  // the light is before the ball
+    EXPECT_EQ(visible_share(stage, 1, {0, 0, 1.25}, {0, 0, 3}, 0.0), 1.0); // not on itself
+    // Behind the centre of a light twice as wide as the ball, the ball covers its own solid angle.
+    const double light = std::asin(1.0 / 3.0);
+    const double ball = std::asin(0.25);
+    const double share = std::pow(std::sin(0.5 * ball) / std::sin(0.5 * light), 2);
+    EXPECT_NEAR(visible_share(stage, 0, {0, 0, 0}, {0, 0, 3}, 1.0), 1.0 - share, 1e-12);
+}
+
+TEST(Material, GrammarAndItsErrors) {
+    const auto frostbite =
+        std::get<FrostbiteMaterial>(parse_material("frostbite:base=rgb(0.1,0.2,0.3),metal=1").value());
+    EXPECT_EQ(frostbite.base, glm::dvec3(0.1, 0.2, 0.3));
+    EXPECT_EQ(frostbite.metal, 1.0);
+    EXPECT_EQ(frostbite.smoothness, 0.6);
+    EXPECT_EQ(std::get<LambertMaterial>(parse_material("lambert").value()).albedo, glm::dvec3(0.5));
+    for (const char* text : {"", "lambert:albedo=2", "lambert:base=1", "lambert:albedo", "lambert:albedo=x",
+                             "frostbite:metal=-0.1", "frostbite:smoothness=1.01", "frostbyte"})
+        EXPECT_FALSE(parse_material(text)) << text;
+}
+
+} // namespace
+} // namespace gonio

@@ -1,0 +1,161 @@
+#include <gonio/profile/read.hpp>
+#include <gonio/web/integrate.hpp>
+#include <gonio/web/resolve.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gonio {
+namespace {
+
+Profile ies(IesVersion version, std::vector<double> planes, std::vector<double> candela) {
+    IesFile file;
+    file.version = version;
+    file.vertical_deg = {0, 90};
+    file.horizontal_deg = std::move(planes);
+    file.candela = std::move(candela);
+    return {"test.ies", file, {}};
+}
+
+bool has_code(const Diagnostics& diagnostics, std::string_view code) {
+    for (const Diagnostic& diagnostic : diagnostics)
+        if (diagnostic.code == code) return true;
+    return false;
+}
+
+TEST(Resolve, AppliesEveryFactorOnce) {
+    Profile profile = ies(IesVersion::lm63_1991, {0}, {100, 50});
+    auto& file = std::get<IesFile>(profile.file);
+    file.candela_multiplier = 2.0;
+    file.ballast_factor = 0.9;
+    file.field_12 = 0.95;
+    EXPECT_DOUBLE_EQ(resolve_web(profile)->web.candela(0, 0), 100 * 2.0 * 0.9 * 0.95);
+}
+
+TEST(Resolve, TheTwelfthFieldIsAFactorOnlyInItsEditions) {
+    for (const IesVersion version : {IesVersion::lm63_1986, IesVersion::lm63_1991}) {
+        Profile profile = ies(version, {0}, {100, 50});
+        std::get<IesFile>(profile.file).field_12 = 1.1;
+        EXPECT_DOUBLE_EQ(resolve_web(profile)->web.candela(0, 0), 110.00000000000001);
+    }
+    for (const IesVersion version : {IesVersion::lm63_1995, IesVersion::lm63_2002, IesVersion::lm63_2019}) {
+        Profile profile = ies(version, {0}, {100, 50});
+        std::get<IesFile>(profile.file).field_12 = 1.1;
+        const auto resolved = resolve_web(profile);
+        EXPECT_DOUBLE_EQ(resolved->web.candela(0, 0), 100.0);
+        EXPECT_EQ(has_code(resolved->diagnostics, "WEB0104"), version != IesVersion::lm63_2019);
+    }
+}
+
+TEST(Resolve, TiltAppliesAtTheAskedAngle) {
+    Profile profile = ies(IesVersion::lm63_2002, {0}, {100, 50});
+    auto& file = std::get<IesFile>(profile.file);
+    file.tilt_keyword = "INCLUDE";
+    file.tilt = {1, {0, 90}, {1.0, 0.8}};
+    EXPECT_DOUBLE_EQ(resolve_web(profile)->web.candela(0, 0), 100.0);
+    EXPECT_DOUBLE_EQ(resolve_web(profile, {1, 45.0})->web.candela(0, 0), 90.0);
+    EXPECT_DOUBLE_EQ(resolve_web(profile, {1, 120.0})->web.candela(0, 0), 80.0);
+}
+
+TEST(Resolve, ReadsSymmetryFromTheAngles) {
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0}, {1, 1}))->web.stored_symmetry(), Symmetry::axial);
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 90}, {1, 1, 1, 1}))->web.stored_symmetry(),
+              Symmetry::quadrant);
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 90, 180}, {1, 1, 1, 1, 1, 1}))->web.stored_symmetry(),
+              Symmetry::bilateral_0_180);
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {90, 180, 270}, {1, 1, 1, 1, 1, 1}))->web.stored_symmetry(),
+              Symmetry::bilateral_90_270);
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 180, 360}, {1, 1, 1, 1, 1, 1}))->web.stored_symmetry(),
+              Symmetry::none);
+    EXPECT_TRUE(has_code(resolve_web(ies(IesVersion::lm63_2002, {205}, {1, 1}))->diagnostics, "WEB0103"));
+}
+
+TEST(Resolve, ClosesAMissingLastPlaneAndNoWiderGap) {
+    const auto closed = resolve_web(ies(IesVersion::lm63_2002, {0, 90, 180, 270}, {1, 1, 2, 2, 3, 3, 4, 4}));
+    EXPECT_TRUE(has_code(closed->diagnostics, "WEB0101"));
+    EXPECT_DOUBLE_EQ(closed->web.candela(315, 45), 2.5);
+    const auto open = resolve_web(ies(IesVersion::lm63_2002, {0, 30, 60, 120}, {1, 1, 2, 2, 3, 3, 4, 4}));
+    EXPECT_TRUE(has_code(open->diagnostics, "WEB0102"));
+    EXPECT_EQ(open->web.candela(200, 45), 0.0);
+}
+
+TEST(Resolve, KeepsNegativeIntensitiesAndSaysSo) {
+    const auto resolved = resolve_web(ies(IesVersion::lm63_2002, {0}, {100, -1}));
+    EXPECT_TRUE(has_code(resolved->diagnostics, "WEB0105"));
+    EXPECT_DOUBLE_EQ(resolved->web.candela(0, 90), -1.0);
+    EXPECT_TRUE(has_code(resolve_web(ies(IesVersion::lm63_2002, {0}, {0, 0}))->diagnostics, "WEB0106"));
+}
+
+TEST(Resolve, AbsolutePhotometryDeclaresNoFlux) {
+    Profile profile = ies(IesVersion::lm63_2002, {0}, {100, 50});
+    EXPECT_FALSE(declared_flux_lm(profile));
+    std::get<IesFile>(profile.file).lumens_per_lamp = 500;
+    std::get<IesFile>(profile.file).lamp_count = 2;
+    EXPECT_DOUBLE_EQ(*declared_flux_lm(profile), 1000.0);
+}
+
+// An EULUMDAT table of 24 planes with a light that has the symmetry, stored in each way that Isym allows.
+Profile ldt(int symmetry) {
+    LdtFile file;
+    file.symmetry = symmetry;
+    file.plane_count = 24;
+    for (int i = 0; i < 24; ++i)
+        file.planes_deg.push_back(15.0 * i);
+    file.gammas_deg = {0, 45, 90};
+    file.lamp_sets = {{1, "LED", 2000.0, "", "", 20.0}, {-1, "LED", 500.0, "", "", 5.0}};
+    const auto add = [&](double c) {
+        const double r = c * 3.14159265358979323846 / 180.0;
+        // Symmetric in C0–C180 for Isym 2, in C90–C270 for 3, in both for 4, in none for 0.
+        const double value = symmetry == 2   ? 100 + 20 * std::cos(r)
+                             : symmetry == 3 ? 100 + 20 * std::sin(r)
+                             : symmetry == 4 ? 100 + 20 * std::cos(2 * r)
+                             : symmetry == 1 ? 100
+                                             : 100 + 20 * std::cos(r) + 10 * std::sin(r);
+        for (const double share : {1.0, 0.5, 0.0})
+            file.candela_per_klm.push_back(share * value);
+    };
+    const int first = symmetry == 3 ? 6 : 0;
+    const int count = symmetry == 0 ? 24 : symmetry == 1 ? 1 : symmetry == 4 ? 7 : 13;
+    for (int i = 0; i < count; ++i)
+        add(15.0 * (first + i));
+    return {"test.ldt", file, {}};
+}
+
+TEST(Resolve, EveryIsymMeansTheSameAsItsFullTable) {
+    for (const int symmetry : {0, 1, 2, 3, 4}) {
+        const auto resolved = resolve_web(ldt(symmetry));
+        ASSERT_TRUE(resolved) << symmetry;
+        for (int i = 0; i < 24; ++i) {
+            const double c = 15.0 * i;
+            const double r = c * 3.14159265358979323846 / 180.0;
+            const double value = symmetry == 2   ? 100 + 20 * std::cos(r)
+                                 : symmetry == 3 ? 100 + 20 * std::sin(r)
+                                 : symmetry == 4 ? 100 + 20 * std::cos(2 * r)
+                                 : symmetry == 1 ? 100
+                                                 : 100 + 20 * std::cos(r) + 10 * std::sin(r);
+            // cd/klm × 2000 lm of lamp set 1
+            EXPECT_NEAR(resolved->web.candela(c, 0), 2.0 * value, 1e-9) << symmetry << " at " << c;
+        }
+    }
+}
+
+TEST(Resolve, LampSetsAreAlternatives) {
+    EXPECT_NEAR(resolve_web(ldt(1), {2, 0.0})->web.candela(0, 0), 50.0, 1e-12);
+    EXPECT_DOUBLE_EQ(*declared_flux_lm(ldt(1)), 2000.0);
+    EXPECT_FALSE(declared_flux_lm(ldt(1), {2, 0.0})); // a negative lamp count: absolute
+    const auto missing = resolve_web(ldt(1), {3, 0.0});
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().failure, Failure::usage);
+}
+
+TEST(Resolve, OtherPhotometriesAreRefusedByName) {
+    Profile profile = ies(IesVersion::lm63_2002, {0}, {1, 1});
+    std::get<IesFile>(profile.file).photometry = Photometry::b;
+    const auto resolved = resolve_web(profile);
+    ASSERT_FALSE(resolved);
+    EXPECT_EQ(resolved.error().failure, Failure::unsupported);
+}
+
+} // namespace
+} // namespace gonio
