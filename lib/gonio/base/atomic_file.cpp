@@ -176,6 +176,14 @@ bool file_exists(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0;
 }
 
+bool is_newer(const std::string& path, const std::string& other) {
+    struct stat a {};
+    struct stat b {};
+    if (::stat(path.c_str(), &a) != 0 || ::stat(other.c_str(), &b) != 0) return true;
+    if (a.st_mtim.tv_sec != b.st_mtim.tv_sec) return a.st_mtim.tv_sec > b.st_mtim.tv_sec;
+    return a.st_mtim.tv_nsec > b.st_mtim.tv_nsec;
+}
+
 std::string executable_folder() {
     std::array<char, PATH_MAX> buffer{};
     const ssize_t length = ::readlink("/proc/self/exe", buffer.data(), buffer.size());

@@ -33,6 +33,9 @@ Result<void> write_standard_output(std::string_view bytes);
 // Whether something exists at `path` (links followed).
 bool file_exists(const std::string& path);
 
+// Whether `path` was changed after `other`; true when either cannot be asked.
+bool is_newer(const std::string& path, const std::string& other);
+
 // The folder that holds the running executable; empty when the system does not tell.
 std::string executable_folder();
 

@@ -101,6 +101,15 @@ struct LdtFile {
     std::vector<double> candela_per_klm; // [stored plane][gamma]; which planes are stored follows from Isym
 };
 
+// How many of `plane_count` planes over 0–360° a EULUMDAT table stores under the symmetry 0 … 4: all, one, half and
+// one, half and one, a quarter and one.
+constexpr int stored_plane_count(int symmetry, int plane_count) {
+    if (symmetry == 1) return 1;
+    if (symmetry == 2 || symmetry == 3) return plane_count / 2 + 1;
+    if (symmetry == 4) return plane_count / 4 + 1;
+    return plane_count;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct Profile {

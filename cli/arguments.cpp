@@ -1,0 +1,108 @@
+#include "arguments.hpp"
+
+#include <gonio/base/nearest.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gonio::cli {
+
+namespace {
+
+std::vector<const Option*> options_of(const Command& command) {
+    std::vector<const Option*> all;
+    for (const OptionGroup& group : command.groups)
+        for (const Option& option : group.options)
+            all.push_back(&option);
+    return all;
+}
+
+// The sentence for what CLI11 refused.
+Unexpected refused(const Command& command, const CLI::ParseError& error, const CLI::App& app) {
+    const std::string see = fmt::format("see 'gonio {} --help'", command.name);
+    for (const std::string& word : app.remaining()) {
+        if (!word.starts_with("-")) continue;
+        std::vector<std::string_view> known;
+        for (const Option* option : options_of(command))
+            for (const std::string_view name : spellings(*option))
+                known.push_back(name);
+        const std::string bare = word.substr(0, word.find('='));
+        const std::string_view guess = bare.size() > 2 ? nearest(bare, known) : std::string_view();
+        return fail(Failure::usage, fmt::format("unknown option '{}'", bare),
+                    guess.empty() ? see : fmt::format("did you mean '{}'?", guess));
+    }
+    return fail(Failure::usage, error.what(), see);
+}
+
+} // namespace
+
+std::vector<std::string_view> spellings(const Option& option) {
+    std::vector<std::string_view> names;
+    std::string_view rest = option.names;
+    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
+        names.push_back(rest.substr(0, comma));
+        rest.remove_prefix(comma + 1);
+    }
+    names.push_back(rest);
+    return names;
+}
+
+Result<Arguments> Arguments::parse(const Command& command, std::span<char* const> words) {
+    Arguments arguments;
+    const std::vector<const Option*> options = options_of(command);
+    arguments.given_.resize(options.size());
+
+    CLI::App app;
+    app.set_help_flag();
+    std::vector<CLI::Option*> handles;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        Given& given = arguments.given_[i];
+        given.name = spellings(*options[i]).back();
+        const std::string names(options[i]->names);
+        if (options[i]->value.empty()) {
+            handles.push_back(app.add_flag(names));
+        } else {
+            handles.push_back(app.add_option(names, given.values)
+                                  ->type_size(1)
+                                  ->expected(1)
+                                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+        }
+    }
+    app.add_option("words", arguments.positional_)->expected(-1);
+
+    // CLI11 takes the words in reverse.
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    try {
+        app.parse(std::move(reversed));
+    } catch (const CLI::ParseError& error) {
+        return refused(command, error, app);
+    }
+    for (std::size_t i = 0; i < options.size(); ++i)
+        arguments.given_[i].present = handles[i]->count() > 0;
+    return arguments;
+}
+
+const Arguments::Given& Arguments::find(std::string_view name) const {
+    static const Given nothing;
+    const auto found =
+        std::find_if(given_.begin(), given_.end(), [&](const Given& given) { return given.name == name; });
+    return found == given_.end() ? nothing : *found;
+}
+
+bool Arguments::has(std::string_view name) const {
+    return find(name).present;
+}
+
+std::optional<std::string> Arguments::value(std::string_view name) const {
+    const Given& given = find(name);
+    if (given.values.empty()) return std::nullopt;
+    return given.values.back();
+}
+
+std::vector<std::string> Arguments::values(std::string_view name) const {
+    return find(name).values;
+}
+
+} // namespace gonio::cli

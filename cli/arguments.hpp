@@ -1,0 +1,48 @@
+// The parsed words behind a command's name.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include "command.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::cli {
+
+class Arguments {
+public:
+    // Fails (usage) on an unknown option (naming the nearest) and on an option without its value.
+    static Result<Arguments> parse(const Command& command, std::span<char* const> words);
+
+    // Whether a switch or option was given, by its last name: "--json".
+    bool has(std::string_view name) const;
+
+    // The value of an option; the last one where it was repeated.
+    std::optional<std::string> value(std::string_view name) const;
+
+    // All values of an option in their order.
+    std::vector<std::string> values(std::string_view name) const;
+
+    const std::vector<std::string>& positional() const { return positional_; }
+
+private:
+    struct Given {
+        std::string_view name;
+        std::vector<std::string> values;
+        bool present = false;
+    };
+
+    const Given& find(std::string_view name) const;
+
+    std::vector<Given> given_;
+    std::vector<std::string> positional_;
+};
+
+// The spellings of an option: "-o", "--output".
+std::vector<std::string_view> spellings(const Option& option);
+
+} // namespace gonio::cli

@@ -1,0 +1,259 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/kind_text.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/light/light_color.hpp>
+#include <gonio/media/display.hpp>
+#include <gonio/media/image_file.hpp>
+#include <gonio/preview/exposure.hpp>
+#include <gonio/preview/render.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../json_text.hpp"
+#include "../options/common.hpp"
+#include "../options/output.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array light_options{
+    Option{"--shape", "SHAPE", "the light's shape, where no FILE is given", "shapes"},
+    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt, 300lx@2m; a profile's own when not given"},
+    Option{"--color", "COLOR", "of the light: d65, #ffd9a0, rgb(1,0.8,0.6); or auto, always, never for messages"},
+    Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it)"},
+    Option{"--direction", "X,Y,Z", "along which it shines (0,0,-1)"},
+    Option{"--up", "X,Y,Z", "where C90 of a profile points (0,1,0)"},
+    Option{"--rotate", "ANGLE", "turns the light about its direction, C0 towards C90: 90deg"},
+    Option{"--range", "LENGTH", "distance at which the light is windowed to nothing (none)"},
+};
+constexpr std::array picture_options{
+    Option{"--stage", "STAGE", "what the light is shown on (floor)", "stages"},
+    Option{"--material", "MATERIAL", "of the sphere on the stage", "materials"},
+    Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
+    Option{"--exposure", "EV", "exposure value: 8ev (automatic)"},
+    Option{"--no-shadows", "", "let the light through the sphere"},
+    Option{"--display", "NAME", "display of the OpenColorIO configuration"},
+    Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
+    Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
+    Option{"--simd", "SET", "instruction set (the widest there is)", "simd"},
+    Option{"-j,--jobs", "N", "threads (all processors)"},
+};
+constexpr std::array picture_output_options{
+    Option{"-o,--output", "FILE",
+           "the picture: .png and other integer formats through the display transform, .exr as "
+           "linear Rec.709 in cd/m2; '-' is standard output (with --to)"},
+    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+    Option{"-n,--dry-run", "", "check everything, render nothing"},
+};
+constexpr std::array preview_common{
+    Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-h,--help", "", "this text"},
+};
+constexpr std::array groups{OptionGroup{"light", light_options}, OptionGroup{"picture", picture_options},
+                            OptionGroup{"output", picture_output_options}, json_group,
+                            OptionGroup{"common options", preview_common}};
+constexpr std::array examples{
+    Example{"gonio preview lamp.ies --stage floor -s 512x512 -o lamp.png", "how a measured luminaire lights a room"},
+    Example{"gonio preview --shape sphere:r=10cm --intensity 800lm -o bulb.png", "a globe"},
+    Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
+};
+
+struct Request {
+    LightDescription light;
+    Stage stage;
+    RenderOptions render;
+    std::optional<Ev100> exposure; // nothing: automatic
+    media::DisplayOptions display;
+    std::string output;
+    const media::ImageFormat* format = nullptr;
+};
+
+Result<void> read_light(const Arguments& arguments, Request& request) {
+    const std::vector<std::string>& files = arguments.positional();
+    const auto shape_text = arguments.value("--shape");
+    if (files.size() > 1) return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()));
+    if (files.empty() && !shape_text)
+        return fail(Failure::usage, "no light is given",
+                    "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
+    if (!files.empty() && shape_text)
+        return fail(Failure::usage, "a profile and --shape are both given", "a preview shows one light");
+    LightDescription& light = request.light;
+    Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
+    if (!shape) return pass_on(shape);
+    light.shape = *shape;
+    light.name = kind_of(light.shape);
+    light.position = request.stage.light_position;
+    if (const auto text = arguments.value("--intensity")) {
+        Result<PhotometricValue> value = parse_photometric_value(*text);
+        if (!value) return pass_on(value);
+        light.intensity = *value;
+    }
+    const auto color = arguments.value("--color");
+    if (color && *color != "auto" && *color != "always" && *color != "never") {
+        Result<glm::dvec3> rgb = parse_light_color(*color);
+        if (!rgb) return pass_on(rgb);
+        light.color = *rgb;
+    }
+    struct Vector {
+        const char* option;
+        glm::dvec3* target;
+    };
+    for (const Vector& vector :
+         {Vector{"--position", &light.position}, Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
+        const auto text = arguments.value(vector.option);
+        if (!text) continue;
+        Result<glm::dvec3> parsed = parse_vector(*text, vector.option);
+        if (!parsed) return pass_on(parsed);
+        *vector.target = *parsed;
+    }
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        light.rotation = Radians(*angle);
+    }
+    if (const auto text = arguments.value("--range")) {
+        Result<double> meters = parse_amount(*text, Dimension::length, "--range");
+        if (!meters) return pass_on(meters);
+        light.range = Meters(*meters);
+    }
+    return {};
+}
+
+Result<void> read_picture(const Arguments& arguments, Request& request) {
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        request.render.width = size->width;
+        request.render.height = size->height;
+    }
+    if (const auto text = arguments.value("--material")) {
+        Result<Material> material = parse_material(*text);
+        if (!material) return pass_on(material);
+        for (Surface& surface : request.stage.surfaces)
+            if (std::holds_alternative<Ball>(surface.geometry)) surface.material = *material;
+    }
+    const std::string exposure = arguments.value("--exposure").value_or("auto");
+    if (exposure != "auto") {
+        Result<double> ev = parse_amount(exposure, Dimension::luminance_ev, "--exposure");
+        if (!ev) return pass_on(ev);
+        request.exposure = Ev100(*ev);
+    }
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    Result<simd::InstructionSet> set = instruction_set(arguments);
+    if (!set) return pass_on(set);
+    request.render.threads = *threads;
+    request.render.instruction_set = *set;
+    request.render.shadows = !arguments.has("--no-shadows");
+    // The library never reads the environment; the tool hands $OCIO on.
+    const char* const config = std::getenv("OCIO");
+    request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
+    request.display.display = arguments.value("--display").value_or("");
+    request.display.view = arguments.value("--view").value_or("");
+    request.display.threads = *threads;
+    return {};
+}
+
+Result<void> read_output(const Arguments& arguments, Request& request) {
+    const auto output = arguments.value("--output");
+    if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
+    const auto named = arguments.value("--to");
+    request.output = *output;
+    request.format = media::find_image_format(named ? *named : *output);
+    if (request.format != nullptr) return {};
+    std::vector<std::string_view> names;
+    for (const media::ImageFormat& known : media::image_formats())
+        names.push_back(known.name);
+    if (named) return unknown_name("picture format", *named, names);
+    return fail(Failure::usage, fmt::format("the name '{}' does not tell a picture format", *output),
+                "end it in .png or .exr, or add --to");
+}
+
+Result<Request> parse(const Arguments& arguments) {
+    Request request;
+    Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
+    if (!stage) return pass_on(stage);
+    request.stage = std::move(*stage);
+    Result<void> read = read_light(arguments, request);
+    if (read) read = read_picture(arguments, request);
+    if (read) read = read_output(arguments, request);
+    if (!read) return pass_on(read);
+    return request;
+}
+
+Result<int> preview(const Arguments& arguments, Console& console) {
+    Result<Request> request = parse(arguments);
+    if (!request) return pass_on(request);
+    Diagnostics diagnostics;
+    Result<Light> light = resolve_light(request->light, diagnostics);
+    if (!light) return pass_on(light);
+    console.say(diagnostics);
+    if (arguments.has("--dry-run")) {
+        console.print(fmt::format("{}\n", request->output));
+        return 0;
+    }
+    Result<Image> image = render(request->stage, *light, request->stage.camera, request->render);
+    if (!image) return pass_on(image);
+
+    media::ImageWriteOptions write;
+    Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    const bool linear = has_pixel(*request->format, media::Pixel::float32);
+    if (!linear) {
+        expose(*image, exposure);
+        Result<media::DisplayUsed> used = media::apply_display(*image, request->display);
+        if (!used) return pass_on(used);
+        console.say(used->diagnostics);
+        write.color_space = "sRGB";
+    } else {
+        write.pixel = media::Pixel::float32;
+        write.color_space = "Linear";
+        write.attributes = {{"gonio:unit", std::string("cd/m2")},
+                            {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(exposure.value)}}};
+    }
+    Result<std::string> bytes = media::encode_image(*image, *request->format, write);
+    if (!bytes) return pass_on(bytes);
+    const Result<void> written =
+        request->output == "-" ? write_standard_output(*bytes) : write_file(request->output, *bytes);
+    if (!written) return Unexpected(written.error());
+
+    if (arguments.has("--json") || arguments.has("--jsonl")) {
+        const Json report{{"schema", "gonio.preview/1"},
+                          {"output", request->output},
+                          {"width", image->width},
+                          {"height", image->height},
+                          {"stage", request->stage.name},
+                          {"exposure_ev100", exposure.value},
+                          {"intensity_cd", light->intensity.value},
+                          {"diagnostics", diagnostics_json(diagnostics)}};
+        console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
+    }
+    return 0;
+}
+
+int run(const Arguments& arguments, Console& console) {
+    const Result<int> status = preview(arguments, console);
+    return status ? *status : console.fail(status.error());
+}
+
+} // namespace
+
+extern const Command preview_command;
+const Command preview_command{"preview",
+                              "a picture of how a light falls on a stage",
+                              "[FILE] --stage STAGE -s WxH -o OUT",
+                              "FILE is an IES or EULUMDAT profile; other lights are given by --shape.",
+                              groups,
+                              examples,
+                              run,
+                              true};
+
+} // namespace gonio::cli

@@ -1,0 +1,68 @@
+#include "console.hpp"
+
+#include <gonio/base/atomic_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace gonio::cli {
+
+namespace {
+
+void write_error_line(const std::string& text) {
+    // Nowhere is left to report a failure of standard error.
+    (void)std::fputs((text + "\n").c_str(), stderr);
+}
+
+// Colours the word of the severity, as compilers do.
+std::string colored(std::string text, Severity severity) {
+    const char* const code = severity == Severity::error ? "1;31" : severity == Severity::warning ? "1;35" : "1;36";
+    const std::string word = to_text(severity);
+    const std::size_t at = text.find(word);
+    if (at != std::string::npos) text.replace(at, word.size(), fmt::format("\x1b[{}m{}\x1b[0m", code, word));
+    return text;
+}
+
+} // namespace
+
+void Console::say(const Diagnostic& diagnostic) {
+    if (quiet_ && diagnostic.severity != Severity::error) return;
+    const std::string text = to_text(diagnostic);
+    write_error_line(color_ ? colored(text, diagnostic.severity) : text);
+}
+
+void Console::say(const Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics)
+        say(diagnostic);
+}
+
+void Console::note(std::string_view text) const {
+    if (!quiet_) write_error_line(std::string(text));
+}
+
+int Console::fail(const Error& error) {
+    say(error.diagnostics);
+    return static_cast<int>(error.failure);
+}
+
+int Console::finish(int status) {
+    const Result<void> written = write_standard_output(output_);
+    output_.clear();
+    return written ? status : worse(status, fail(written.error()));
+}
+
+bool Console::output_is_terminal() {
+    return ::isatty(STDOUT_FILENO) == 1;
+}
+bool Console::errors_are_terminal() {
+    return ::isatty(STDERR_FILENO) == 1;
+}
+
+int worse(int status, int other) {
+    return std::max(status, other);
+}
+
+} // namespace gonio::cli

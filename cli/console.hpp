@@ -1,0 +1,45 @@
+// What a command says: results to standard output, collected and written at the end, diagnostics to standard error.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace gonio::cli {
+
+class Console {
+public:
+    // Adds to the result.
+    void print(std::string_view text) { output_ += text; }
+
+    // Writes a diagnostic to standard error; notes and warnings only unless quiet.
+    void say(const Diagnostic& diagnostic);
+    void say(const Diagnostics& diagnostics);
+
+    // One line to standard error, unless quiet.
+    void note(std::string_view text) const;
+
+    // Says why, and returns the exit status of the failure.
+    int fail(const Error& error);
+
+    // Writes the result out; returns `status`, or 3 and a diagnostic when it cannot be written and `status` is lower.
+    int finish(int status);
+
+    void set_quiet(bool quiet) { quiet_ = quiet; }
+    void set_color(bool color) { color_ = color; }
+
+    // Whether standard output is a terminal.
+    static bool output_is_terminal();
+    static bool errors_are_terminal();
+
+private:
+    std::string output_;
+    bool quiet_ = false;
+    bool color_ = false;
+};
+
+// The higher exit status wins in a batch.
+int worse(int status, int other);
+
+} // namespace gonio::cli

@@ -1,0 +1,39 @@
+// JSON reports: key order as written, numbers that read back as the same doubles.
+#pragma once
+
+#include <gonio/base/diagnostics.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace gonio::cli {
+
+using Json = nlohmann::ordered_json;
+
+// A number that is there, or null. Not finite counts as not there: JSON has no such numbers.
+inline Json number_or_null(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+inline Json diagnostics_json(const Diagnostics& diagnostics) {
+    Json list = Json::array();
+    for (const Diagnostic& diagnostic : diagnostics)
+        list.push_back({{"code", diagnostic.code},
+                        {"severity", to_text(diagnostic.severity)},
+                        {"file", diagnostic.location.file},
+                        {"line", diagnostic.location.line},
+                        {"column", diagnostic.location.column},
+                        {"message", diagnostic.message},
+                        {"hint", diagnostic.hint}});
+    return list;
+}
+
+// Text of a file need not be UTF-8: what is not becomes a replacement character instead of a failure.
+inline std::string dump(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,25 @@
+// Options that every command has, and those of every command that reports.
+#pragma once
+
+#include "../command.hpp"
+
+#include <array>
+
+namespace gonio::cli {
+
+inline constexpr std::array common_options{
+    Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"--color", "WHEN", "colour diagnostics: auto, always, never"},
+    Option{"-h,--help", "", "this text"},
+};
+
+inline constexpr OptionGroup common_group{"common options", common_options};
+
+inline constexpr std::array json_options{
+    Option{"--json", "", "one JSON object; an array for several inputs"},
+    Option{"--jsonl", "", "one JSON object a line"},
+};
+
+inline constexpr OptionGroup json_group{"report", json_options};
+
+} // namespace gonio::cli

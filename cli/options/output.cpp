@@ -1,0 +1,80 @@
+#include "output.hpp"
+
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/kind_text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace gonio::cli {
+
+namespace {
+
+std::string stem_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+Result<const media::ImageFormat*> format_of(const std::optional<std::string>& named, const std::string& output) {
+    const media::ImageFormat* format = media::find_image_format(named ? *named : output);
+    if (format != nullptr) return format;
+    std::vector<std::string_view> names;
+    for (const media::ImageFormat& known : media::image_formats())
+        names.push_back(known.name);
+    if (named) return unknown_name("picture format", *named, names);
+    if (output == "-")
+        return fail(Failure::usage, "standard output has no name that tells the format", "add --to exr or --to png");
+    return fail(Failure::usage, fmt::format("the name '{}' does not tell a picture format", output),
+                "end it in .exr or .png, or add --to");
+}
+
+} // namespace
+
+bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
+    return std::find(format.pixels.begin(), format.pixels.end(), pixel) != format.pixels.end();
+}
+
+Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
+                                      std::string_view extension) {
+    const auto file = arguments.value("--output");
+    const auto folder = arguments.value("--output-dir");
+    const auto named = arguments.value("--to");
+    if (file && folder)
+        return fail(Failure::usage, "-o and -O are both given", "-o writes one file, -O a folder of them");
+    if (!file && !folder)
+        return fail(Failure::usage, "no output is given", "use -o FILE, or -O DIR for several inputs");
+    if (file && inputs.size() > 1)
+        return fail(Failure::usage, fmt::format("-o names one output, but there are {} inputs", inputs.size()),
+                    "use -O DIR");
+    std::vector<Job> jobs;
+    std::set<std::string> taken;
+    for (const std::string& input : inputs) {
+        Job job;
+        job.input = input;
+        job.output = file ? *file
+                          : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input),
+                                        named ? *named : std::string(extension));
+        Result<const media::ImageFormat*> format = format_of(named, job.output);
+        if (!format) return pass_on(format);
+        job.format = *format;
+        if (folder) {
+            if (!taken.insert(job.output).second)
+                return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),
+                            "give them different names, or write them to different folders");
+            const bool exists = file_exists(job.output);
+            if (exists && arguments.has("--update") && !arguments.has("--overwrite"))
+                job.skip = input != "-" && !is_newer(input, job.output);
+            else if (exists && !arguments.has("--overwrite"))
+                return fail(Failure::usage, fmt::format("'{}' exists", job.output),
+                            "add --overwrite, or -u to write only what is out of date");
+        }
+        jobs.push_back(std::move(job));
+    }
+    return jobs;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,43 @@
+// Where results of a file-writing command go: -o FILE for one, -O DIR for many.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/media/image_file.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array output_options{
+    Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
+    Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
+    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+    Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
+    Option{"--overwrite", "", "with -O: replace what exists"},
+    Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+};
+
+inline constexpr OptionGroup output_group{"output", output_options};
+
+bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
+
+// One input and the output that is made of it.
+struct Job {
+    std::string input;
+    std::string output; // "-" is standard output
+    const media::ImageFormat* format = nullptr;
+    bool skip = false; // -u: the output is up to date
+};
+
+// Pairs inputs with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or neither given,
+// -o stands beside several inputs, a format is unknown, two inputs would write the same output, or an output exists and
+// may not be replaced.
+Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
+                                      std::string_view extension);
+
+} // namespace gonio::cli

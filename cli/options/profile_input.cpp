@@ -1,0 +1,79 @@
+#include "profile_input.hpp"
+
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iterator>
+#include <utility>
+
+namespace gonio::cli {
+
+Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
+    ProfileInputOptions options;
+    if (const auto format = arguments.value("--from")) {
+        if (*format == "ies")
+            options.read.format = ProfileFormat::ies;
+        else if (*format == "ldt")
+            options.read.format = ProfileFormat::ldt;
+        else
+            return unknown_name("format", *format, std::array<std::string_view, 2>{"ies", "ldt"});
+    }
+    options.read.strict = arguments.has("--strict");
+    if (const auto text = arguments.value("--lamp-set")) {
+        const char* const end = text->data() + text->size();
+        const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
+        if (error != std::errc() || stop != end || options.resolve.lamp_set < 1)
+            return fail(Failure::usage, fmt::format("--lamp-set takes a number from 1, not '{}'", *text));
+    }
+    if (const auto text = arguments.value("--tilt")) {
+        Result<double> tilt = parse_amount(*text, Dimension::angle, "--tilt");
+        if (!tilt) return pass_on(tilt);
+        options.resolve.tilt_deg = to_degrees(Radians(*tilt));
+    }
+    return options;
+}
+
+Result<std::vector<std::string>> input_files(const Arguments& arguments) {
+    std::vector<std::string> files;
+    for (const std::string& word : arguments.positional()) {
+        if (!word.starts_with("@")) {
+            files.push_back(word);
+            continue;
+        }
+        Result<std::string> list = read_file(word.substr(1));
+        if (!list) return pass_on(list);
+        std::string_view rest = *list;
+        while (!rest.empty()) {
+            const std::size_t end = rest.find('\n');
+            std::string_view line = rest.substr(0, end);
+            if (line.ends_with('\r')) line.remove_suffix(1);
+            if (!line.empty()) files.emplace_back(line);
+            rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+        }
+    }
+    if (files.empty()) return fail(Failure::usage, "no input file is given", "name one, or '-' for standard input");
+    return files;
+}
+
+Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
+    Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+    if (!bytes) return pass_on(bytes);
+    Result<Profile> profile = read_profile(*bytes, file, options.read);
+    if (!profile) return pass_on(profile);
+    Diagnostics diagnostics = profile->diagnostics;
+    Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);
+    if (!resolved) {
+        Error error = std::move(resolved.error());
+        error.diagnostics.insert(error.diagnostics.begin(), diagnostics.begin(), diagnostics.end());
+        return Unexpected(std::move(error));
+    }
+    diagnostics.insert(diagnostics.end(), std::make_move_iterator(resolved->diagnostics.begin()),
+                       std::make_move_iterator(resolved->diagnostics.end()));
+    return LoadedProfile{std::move(*bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,47 @@
+// Input profiles: files, standard input, lists of files; and how to read them.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/profile/read.hpp>
+#include <gonio/web/resolve.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array profile_input_options{
+    Option{"--from", "FORMAT", "read as ies or ldt instead of recognising the format", "formats"},
+    Option{"--lamp-set", "N", "EULUMDAT: take this one of the alternative lamp sets (1)"},
+    Option{"--tilt", "DEG", "IES with TILT=INCLUDE: the lamp's mounting tilt, for example 30deg (0deg)"},
+    Option{"--strict", "", "refuse what departs from the standard"},
+};
+
+inline constexpr OptionGroup profile_input_group{"input", profile_input_options};
+
+struct ProfileInputOptions {
+    ReadOptions read;
+    ResolveOptions resolve;
+};
+
+Result<ProfileInputOptions> profile_input(const Arguments& arguments);
+
+// The positional words with every @LIST replaced by the file names it holds, one a line. Fails (io) when a list cannot
+// be read and (usage) when there is no word at all.
+Result<std::vector<std::string>> input_files(const Arguments& arguments);
+
+// A file with its bytes, as read and as resolved; "-" is standard input.
+struct LoadedProfile {
+    std::string bytes;
+    Profile profile;
+    Web web;
+    Diagnostics diagnostics; // of reading and resolving
+};
+
+Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options);
+
+} // namespace gonio::cli

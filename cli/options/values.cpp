@@ -1,0 +1,70 @@
+#include "values.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+namespace gonio::cli {
+
+namespace {
+
+std::optional<int> parse_count(std::string_view text) {
+    int value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || text.empty() || value < 0) return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+Result<PixelSize> parse_size(std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross != std::string_view::npos) {
+        const std::optional<int> width = parse_count(text.substr(0, cross));
+        const std::optional<int> height = parse_count(text.substr(cross + 1));
+        if (width && height) return PixelSize{*width, *height};
+    }
+    return fail(Failure::usage, fmt::format("'{}' is no size", text), "write WIDTHxHEIGHT, for example 512x256");
+}
+
+Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {
+    glm::dvec3 vector(0.0);
+    std::string_view rest = text;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = rest.find(',');
+        const std::optional<double> number = parse_number(rest.substr(0, comma));
+        if (!number || (comma == std::string_view::npos) != (axis == 2))
+            return fail(Failure::usage, fmt::format("{} takes three numbers, not '{}'", what, text),
+                        "write x,y,z, for example 0,0,2.5");
+        vector[axis] = *number;
+        if (axis < 2) rest.remove_prefix(comma + 1);
+    }
+    return vector;
+}
+
+Result<unsigned> thread_count(const Arguments& arguments) {
+    const std::optional<std::string> text = arguments.value("--jobs");
+    if (!text) return 0U;
+    const std::optional<int> count = parse_count(*text);
+    if (!count || *count > 1024)
+        return fail(Failure::usage, fmt::format("-j takes a number of threads, not '{}'", *text));
+    return static_cast<unsigned>(*count);
+}
+
+Result<simd::InstructionSet> instruction_set(const Arguments& arguments) {
+    const std::optional<std::string> text = arguments.value("--simd");
+    if (!text) return simd::best_available();
+    const std::optional<simd::InstructionSet> set = simd::parse_instruction_set(*text);
+    if (!set) return unknown_name("instruction set", *text, simd::instruction_set_names());
+    if (!simd::available(*set))
+        return fail(Failure::unsupported, fmt::format("this machine cannot run '{}' code", *text),
+                    fmt::format("the best it can is {}", simd::to_text(simd::best_available())));
+    return *set;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,11 @@
+// SHA-256 of bytes (FIPS 180-4), as 64 lower-case hexadecimal digits: names the content that an asset was made from.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+std::string sha256(std::string_view bytes);
+
+} // namespace gonio

@@ -1,0 +1,37 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/preview/exposure.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace gonio {
+
+Nits white_luminance(Ev100 ev) {
+    return Nits(1.2 * std::exp2(ev.value));
+}
+
+Ev100 auto_exposure(const Image& rgb_nits) {
+    std::vector<double> luminances;
+    luminances.reserve(rgb_nits.pixels.size() / 3);
+    for (std::size_t i = 0; i + 2 < rgb_nits.pixels.size(); i += 3) {
+        const glm::dvec3 rgb(rgb_nits.pixels[i], rgb_nits.pixels[i + 1], rgb_nits.pixels[i + 2]);
+        const double y = glm::dot(rgb, rec709_luminance);
+        if (y > 0.0) luminances.push_back(y);
+    }
+    if (luminances.empty()) return Ev100(0.0);
+    const std::size_t rank = (luminances.size() - 1) * 98 / 100;
+    std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
+    return Ev100(std::log2(luminances[rank] / (1.2 * 0.9)));
+}
+
+void expose(Image& image, Ev100 ev) {
+    const auto scale = static_cast<float>(1.0 / white_luminance(ev).value);
+    for (float& value : image.pixels)
+        value *= scale;
+}
+
+} // namespace gonio

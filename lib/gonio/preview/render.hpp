@@ -1,0 +1,31 @@
+// The preview: one light on a stage, as a picture in scene-linear luminance.
+//
+// Noise-free: every pixel is an exact evaluation of the light at its surface point, pixels on outlines and hard shadow
+// edges are the mean of 4×4 such points. Tiles run on all threads; the picture does not depend on how many.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/stage.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+namespace gonio {
+
+// Greatest width and height of a picture.
+inline constexpr int max_picture_size = 16384;
+
+struct RenderOptions {
+    int width = 512;
+    int height = 512;
+    bool shadows = true;
+    unsigned threads = 0; // 0 = as many as there are
+    // Pictures of different sets agree to 1e-4 of the picture's greatest luminance.
+    simd::InstructionSet instruction_set = simd::best_available();
+};
+
+// Three channels, linear Rec.709, in cd/m². A spherical light is seen itself where the camera sees it. Fails (usage) on
+// a size outside [1, max_picture_size].
+Result<Image> render(const Stage& stage, const Light& light, const Camera& camera, const RenderOptions& options = {});
+
+} // namespace gonio

@@ -1,0 +1,245 @@
+// The diagnostic codes of the profile room: what `gonio explain CODE` says and what the readers may emit.
+//
+// A code is stable: it is never given another meaning and never used again once retired. PRF…: any photometric file,
+// IES…: LM-63, LDT…: EULUMDAT. The second pair of digits groups them: 01 the text, 02 numbers and counts, 03 angles,
+// 04 what the table says.
+#pragma once
+
+#include <gonio/base/diagnostics.hpp>
+
+#include <string_view>
+
+namespace gonio {
+
+struct ProfileCode {
+    std::string_view code;
+    Severity severity;        // in the tolerant reading, the default
+    Severity strict_severity; // with ReadOptions::strict
+    bool strict_only;         // not reported at all by the tolerant reading
+    std::string_view title;
+    std::string_view explanation;
+};
+
+inline constexpr ProfileCode profile_codes[] = {
+    {"PRF0101", Severity::error, Severity::error, false, "empty file", "The file holds nothing, or blanks alone."},
+    {"PRF0102", Severity::error, Severity::error, false, "not a photometric file",
+     "IES and EULUMDAT files are text. Control bytes mean something else under a photometric name: a picture, an "
+     "archive, a resource fork that a copy left behind."},
+    {"PRF0103", Severity::error, Severity::error, false, "format not recognised",
+     "An IES file names its version in the first line or has a TILT= line; a EULUMDAT file has numbers in lines 2 to "
+     "7. This text has neither, and the file's name does not tell."},
+    {"PRF0104", Severity::warning, Severity::warning, false, "byte order mark",
+     "The text begins with the three bytes of a UTF-8 byte order mark. Both formats ask for plain text; many readers "
+     "fail to recognise the first line behind such a mark. It is ignored."},
+    {"PRF0105", Severity::warning, Severity::warning, false, "data after Ctrl-Z",
+     "Ctrl-Z (byte 26) ends a text in the DOS tradition. What follows it is ignored."},
+    {"PRF0106", Severity::error, Severity::error, false, "UTF-16 text",
+     "The file begins with a UTF-16 byte order mark. Both formats are defined over single bytes: save it as UTF-8 or "
+     "in the code page of its language."},
+    {"PRF0107", Severity::error, Severity::error, false, "TM-33 is not read yet",
+     "The file is XML of the IES TM-33 kind. This version of gonio reads IES LM-63 and EULUMDAT."},
+
+    {"IES0101", Severity::warning, Severity::warning, false, "unusual spelling of the version line",
+     "The standards write IESNA91, IESNA:LM-63-1995, IESNA:LM-63-2002 and IES:LM-63-2019, without blanks around. "
+     "Other spellings of the same years are understood; other programs may refuse them."},
+    {"IES0102", Severity::warning, Severity::warning, false, "unknown version",
+     "The first line claims LM-63 but names no version that gonio knows. The file is read as LM-63-2002: the twelfth "
+     "number is no factor, and dimensions follow the codes of 2002."},
+    {"IES0103", Severity::warning, Severity::warning, false, "no version line",
+     "Files of LM-63-1986 have no version line, and this one is read as such: the twelfth number is a factor. A newer "
+     "file that lost its first line means something else by it."},
+    {"IES0104", Severity::warning, Severity::warning, false, "line without a keyword",
+     "From 1991 on every line before TILT= begins with a keyword in brackets. The line is kept as a label."},
+    {"IES0105", Severity::warning, Severity::warning, false, "[MORE] continues nothing",
+     "[MORE] continues the keyword before it, and there is none. It is kept as a keyword of its own."},
+    {"IES0106", Severity::warning, Severity::warning, false, "required keyword missing",
+     "LM-63-2002 and later require [TEST], [TESTLAB], [ISSUEDATE] and [MANUFAC]."},
+    {"IES0107", Severity::warning, Severity::warning, true, "line too long",
+     "LM-63-2002 allows 256 characters in a line, LM-63-1995 and before 132, line ends included. Some readers "
+     "cut longer lines."},
+    {"IES0108", Severity::error, Severity::error, false, "no TILT= line",
+     "A line TILT=NONE, TILT=INCLUDE or TILT=FILE separates the keywords from the numbers; without it the numbers "
+     "cannot be told from text."},
+    {"IES0109", Severity::warning, Severity::warning, false, "blanks in the TILT line",
+     "The line should be TILT=NONE, TILT=INCLUDE or TILT=FILE from its first column and without blanks; several "
+     "programs find it only so."},
+    {"IES0110", Severity::warning, Severity::error, false, "TILT line not in capitals",
+     "The standard writes TILT, NONE and INCLUDE in capitals."},
+    {"IES0111", Severity::error, Severity::error, false, "TILT factors in another file",
+     "The factors for a tilted lamp are in a file of their own, which gonio does not read yet. Put them into this "
+     "file as TILT=INCLUDE, or TILT=NONE when the light is only used as it was measured."},
+    {"IES0112", Severity::error, Severity::error, false, "TILT file in LM-63-2019",
+     "LM-63-2019 allows TILT=NONE and TILT=INCLUDE only."},
+    {"IES0113", Severity::error, Severity::error, false, "lamp geometry out of range",
+     "Behind TILT=INCLUDE stands the lamp-to-luminaire geometry, which is 1, 2 or 3."},
+    {"IES0114", Severity::error, Severity::error, false, "TILT table broken",
+     "TILT=INCLUDE announces a number of tilt angles; as many ascending angles and as many factors must follow."},
+
+    {"IES0201", Severity::error, Severity::error, false, "not a number",
+     "From the line after TILT= on the file holds numbers only, separated by blanks, commas or line ends. A decimal "
+     "comma is never read as one in IES: a comma separates."},
+    {"IES0202", Severity::error, Severity::error, false, "not a finite number",
+     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"IES0203", Severity::error, Severity::error, false, "not a whole number in range",
+     "Counts and codes are whole numbers; counts of angles are at least 1. 37.0 is read as 37."},
+    {"IES0204", Severity::error, Severity::error, false, "vertical angles missing",
+     "The fourth number behind TILT announces how many vertical angles follow, and fewer do: the file is cut off, or "
+     "the count is wrong."},
+    {"IES0205", Severity::error, Severity::error, false, "horizontal angles missing",
+     "The fifth number behind TILT announces how many horizontal angles follow, and fewer do: the file is cut off, or "
+     "the count is wrong."},
+    {"IES0206", Severity::error, Severity::error, false, "candela values missing",
+     "There must be one value for every vertical angle in every horizontal plane: the file is cut off, or a count is "
+     "wrong."},
+    {"IES0207", Severity::error, Severity::error, false, "header numbers missing",
+     "Thirteen numbers stand between TILT and the angles: lamps, lumens per lamp, multiplier, counts of vertical and "
+     "horizontal angles, photometric type, unit, width, length, height, ballast factor, a field whose meaning depends "
+     "on the version, and input watts."},
+    {"IES0208", Severity::error, Severity::error, false, "unknown photometric type",
+     "The sixth number behind TILT is 1 for type C, 2 for type B, 3 for type A."},
+    {"IES0209", Severity::error, Severity::error, false, "unknown unit of length",
+     "The seventh number behind TILT is 1 for feet, 2 for metres."},
+    {"IES0210", Severity::warning, Severity::error, false, "lumens neither positive nor -1",
+     "Lumens per lamp are positive, or -1 in absolute photometry. Any other value is read as absolute."},
+    {"IES0211", Severity::error, Severity::error, false, "candela multiplier not positive",
+     "The multiplier scales the whole table; zero or less leaves no light to speak of."},
+    {"IES0212", Severity::warning, Severity::warning, false, "ballast factor not positive",
+     "The ballast factor scales the whole table and is near 1 in real luminaires."},
+    {"IES0213", Severity::warning, Severity::warning, false, "field 12 has no such value",
+     "The twelfth number is a ballast-lamp factor up to 1991, reserved and 1 in 1995 and 2002, and the file "
+     "generation type in 2019 (1, or 1.00001 to 1.11110). Here it is neither; it is kept, and from 1995 on it is no "
+     "factor."},
+    {"IES0214", Severity::warning, Severity::warning, false, "text after the table",
+     "The announced values were all read and something follows. Either it is a remark, or a count is wrong."},
+    {"IES0215", Severity::warning, Severity::warning, false, "number of lamps not positive",
+     "A luminaire has at least one lamp. The count does not change the candela values."},
+    {"IES0216", Severity::warning, Severity::warning, true, "number with an exponent",
+     "LM-63 writes plain decimals; some readers stop at an exponent. The value is read."},
+    {"IES0217", Severity::warning, Severity::warning, true, "count with a decimal point",
+     "LM-63 writes counts and codes as integers; some readers refuse 37.0. The value is read."},
+    {"IES0218", Severity::warning, Severity::warning, false, "negative input watts",
+     "The input power in watts cannot be negative. It is kept as written."},
+    {"IES0219", Severity::warning, Severity::error, false, "unknown shape of the luminous opening",
+     "The signs of width, length and height code the shape of the luminous opening, by a table that differs between "
+     "versions. This combination is in none of them for this version; it is taken as a box of these dimensions."},
+
+    {"IES0301", Severity::error, Severity::error, false, "vertical angles not ascending",
+     "Vertical angles are listed from the lowest to the highest. A count that is wrong also shows like this, because "
+     "the next list is then read too early or too late."},
+    {"IES0302", Severity::error, Severity::error, false, "horizontal angles not ascending",
+     "Horizontal angles are listed from the lowest to the highest. A count that is wrong also shows like this, "
+     "because the lists around it are then read too early or too late."},
+    {"IES0303", Severity::warning, Severity::warning, false, "vertical angle repeated",
+     "Two values are given for the same vertical angle; between them the light jumps."},
+    {"IES0304", Severity::warning, Severity::warning, false, "horizontal angle repeated",
+     "Two planes are given for the same horizontal angle; between them the light jumps."},
+    {"IES0305", Severity::warning, Severity::warning, false, "vertical range unusual",
+     "Type C runs from 0 or 90 to 90 or 180 degrees, types A and B from -90 or 0 to 90. Directions outside the listed "
+     "angles get no light."},
+    {"IES0306", Severity::warning, Severity::warning, false, "horizontal range unusual",
+     "Type C runs from 0 to 0, 90, 180 or 360 degrees (in 1995 also from 90 to 270), types A and B from -90 or 0 to "
+     "90. Directions that no symmetry reaches get no light."},
+    {"IES0307", Severity::error, Severity::error, false, "angle out of range",
+     "No direction has such an angle: vertical angles lie in 0 to 180 degrees in type C and in -90 to 90 in types A "
+     "and B; horizontal angles span one turn at most."},
+    {"IES0308", Severity::warning, Severity::warning, false, "single plane not at 0",
+     "A file with one plane is the same all around; its horizontal angle should be 0 and is not used."},
+    {"IES0309", Severity::warning, Severity::warning, false, "no plane at 360 degrees",
+     "A table around the full turn ends with the plane at 360 degrees, equal to the one at 0. It is missing and the "
+     "gap is as wide as a step, so the turn is closed with the plane at 0."},
+    {"IES0310", Severity::warning, Severity::warning, false, "planes from 90 to 270 degrees",
+     "A table from 90 to 270 degrees, symmetric about the plane 90-270, was defined in LM-63-1995 only. It is read so "
+     "in every version."},
+
+    {"IES0401", Severity::warning, Severity::warning, false, "negative candela",
+     "A table whose stray light was subtracted too eagerly has values below zero. They are kept."},
+    {"IES0402", Severity::warning, Severity::warning, false, "no light", "Every value of the table is zero."},
+    {"IES0403", Severity::warning, Severity::warning, false, "planes disagree at the pole",
+     "All planes of type C meet at nadir (0 degrees) and zenith (180 degrees), where there is one intensity. Here they "
+     "differ by more than a thousandth of the peak; each plane keeps its own value."},
+    {"IES0404", Severity::warning, Severity::warning, false, "planes at 0 and 360 degrees differ",
+     "They are the same plane, and differ by more than a thousandth of the peak. Both are kept: the light jumps "
+     "there."},
+
+    {"LDT0101", Severity::error, Severity::error, false, "file ends in its head",
+     "A EULUMDAT file has 26 lines, six for each set of lamps, ten direct ratios, and then the table."},
+    {"LDT0102", Severity::error, Severity::error, false, "not a number",
+     "This line must hold one number. A decimal comma is read as a point."},
+    {"LDT0103", Severity::error, Severity::error, false, "not a finite number",
+     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"LDT0104", Severity::warning, Severity::error, false, "blank line for a number",
+     "A number is expected in this line and it is blank. It is read as 0."},
+    {"LDT0105", Severity::warning, Severity::warning, false, "decimal comma",
+     "EULUMDAT writes a decimal point. The comma is read as one; other programs read the number only up to it."},
+    {"LDT0106", Severity::warning, Severity::warning, false, "text field too long",
+     "EULUMDAT allows 78 characters in a text, 24 for a lamp's type, 16 for its colour and 6 for its colour "
+     "rendering, 8 for the file's name. The text is kept whole."},
+
+    {"LDT0201", Severity::error, Severity::error, false, "not a whole number in range",
+     "Counts and codes are whole numbers; there is at least one plane, one angle and one set of lamps."},
+    {"LDT0202", Severity::error, Severity::error, false, "unknown symmetry",
+     "Line 3 is 0 without symmetry, 1 about the vertical axis, 2 to plane C0-C180, 3 to plane C90-C270, 4 to both."},
+    {"LDT0203", Severity::warning, Severity::error, false, "unknown type of luminaire",
+     "Line 2 is 1 for a point source with symmetry about the vertical axis, 2 for a linear luminaire, 3 for a point "
+     "source with another symmetry; some programs write 0."},
+    {"LDT0204", Severity::error, Severity::error, false, "C-planes missing",
+     "Line 4 announces how many C-planes there are over the full turn; all their angles are listed, also of the "
+     "planes that symmetry leaves out of the table."},
+    {"LDT0205", Severity::error, Severity::error, false, "gamma angles missing",
+     "Line 6 announces how many gamma angles are listed, and fewer are."},
+    {"LDT0206", Severity::error, Severity::error, false, "intensities missing",
+     "The table has one value for every gamma angle in every plane that the symmetry stores."},
+    {"LDT0207", Severity::warning, Severity::warning, false, "text after the table",
+     "The announced values were all read and something follows. Either it is a remark, or a count is wrong."},
+    {"LDT0208", Severity::warning, Severity::error, false, "symmetric planes written out",
+     "Line 3 announces a symmetry, by which some planes are left out of the table, and yet the table holds all of "
+     "them. It is read as it stands, plane by plane."},
+    {"LDT0209", Severity::warning, Severity::warning, false, "plane count does not fit the symmetry",
+     "A symmetry to one plane needs an even number of planes, to both a multiple of four, else the planes of "
+     "symmetry are not among those stored."},
+    {"LDT0210", Severity::warning, Severity::warning, false, "no lamps in a set",
+     "The number of lamps in a set is positive, or negative in absolute photometry."},
+
+    {"LDT0301", Severity::error, Severity::error, false, "C-planes not ascending",
+     "C-planes are listed from the lowest angle to the highest. A wrong count or a missing line also shows like this."},
+    {"LDT0302", Severity::error, Severity::error, false, "gamma angles not ascending",
+     "Gamma angles are listed from the lowest to the highest. A wrong count or a missing line also shows like this."},
+    {"LDT0303", Severity::warning, Severity::warning, false, "C-plane repeated",
+     "Two planes are given at the same angle; between them the light jumps."},
+    {"LDT0304", Severity::warning, Severity::warning, false, "gamma angle repeated",
+     "Two values are given for the same gamma angle; between them the light jumps."},
+    {"LDT0305", Severity::warning, Severity::warning, false, "C-plane distance does not fit",
+     "Line 5 is the distance between C-planes, 0 when they are not equidistant. The listed angles say otherwise, and "
+     "they are used."},
+    {"LDT0306", Severity::warning, Severity::warning, false, "gamma distance does not fit",
+     "Line 7 is the distance between gamma angles, 0 when they are not equidistant. The listed angles say otherwise, "
+     "and they are used."},
+    {"LDT0307", Severity::error, Severity::error, false, "angle out of range",
+     "C-planes lie in 0 to 360 degrees, gamma angles in 0 to 180."},
+    {"LDT0308", Severity::warning, Severity::warning, false, "gamma range unusual",
+     "Gamma angles run from 0 or 90 to 90 or 180 degrees. Directions outside the listed angles get no light."},
+
+    {"LDT0401", Severity::warning, Severity::warning, false, "negative intensity",
+     "A table whose stray light was subtracted too eagerly has values below zero. They are kept."},
+    {"LDT0402", Severity::warning, Severity::warning, false, "no light", "Every value of the table is zero."},
+    {"LDT0403", Severity::warning, Severity::warning, false, "planes disagree at the pole",
+     "All planes meet at nadir (0 degrees) and zenith (180 degrees), where there is one intensity. Here they differ by "
+     "more than a thousandth of the peak; each plane keeps its own value."},
+    {"LDT0404", Severity::warning, Severity::warning, false, "direct ratios all zero",
+     "The ten direct ratios are for the utilisation-factor method and can be computed from the table."},
+    {"LDT0405", Severity::warning, Severity::warning, false, "light output ratio is zero",
+     "Line 23 is the share of the lamps' flux that leaves the luminaire, 100 in absolute photometry."},
+    {"LDT0406", Severity::note, Severity::note, false, "conversion factor is not 1",
+     "Line 24 is a factor on the intensities that depends on the measurement."},
+    {"LDT0407", Severity::note, Severity::note, false, "tilted during measurement",
+     "Line 25 is the luminaire's tilt while it was measured, of importance for road luminaires. Nothing is turned."},
+};
+
+// nullptr when there is no such code.
+constexpr const ProfileCode* find_profile_code(std::string_view code) {
+    for (const ProfileCode& entry : profile_codes)
+        if (entry.code == code) return &entry;
+    return nullptr;
+}
+
+} // namespace gonio

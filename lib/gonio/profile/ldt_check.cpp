@@ -1,0 +1,32 @@
+// What is odd about a EULUMDAT table that could be read.
+#include <gonio/profile/parse.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gonio::profile_detail {
+
+void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report) {
+    const double first = file.gammas_deg.front();
+    const double last = file.gammas_deg.back();
+    const bool begins = first == 0.0 || first == 90.0;
+    if (!begins || (last != 90.0 && last != 180.0))
+        report.add("LDT0308", begins ? places.last_vertical : places.vertical,
+                   fmt::format("gamma angles from {} to {}, there is no light outside them", first, last));
+    if (places.first_negative != no_place) report.add("LDT0401", places.first_negative, "a negative intensity");
+    const Poles poles = look_at_poles(file.gammas_deg, file.candela_per_klm);
+    if (poles.all_zero) report.add("LDT0402", places.candela, "every intensity is zero");
+    if (poles.nadir_differs || poles.zenith_differs)
+        report.add("LDT0403", places.candela,
+                   fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
+    const std::vector<double>& ratios = file.direct_ratios;
+    if (std::all_of(ratios.begin(), ratios.end(), [](double r) { return r == 0.0; }))
+        report.add("LDT0404", no_place, "the ten direct ratios are zero");
+    if (file.light_output_ratio_percent == 0.0) report.add("LDT0405", no_place, "the light output ratio is zero");
+    if (file.conversion_factor != 1.0)
+        report.add("LDT0406", no_place, fmt::format("the conversion factor is {}", file.conversion_factor));
+    if (file.tilt_deg != 0.0) report.add("LDT0407", no_place, fmt::format("measured with a tilt of {}", file.tilt_deg));
+}
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,68 @@
+#include <gonio/profile/report.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace gonio::profile_detail {
+
+Report::Report(std::string_view bytes, std::string source, bool strict)
+    : bytes_(bytes), source_(std::move(source)), strict_(strict) {}
+
+// A line ends with CR LF, LF or CR, whichever comes: all three occur within one file.
+Location Report::locate(std::size_t offset) const {
+    if (offset == no_place) return {source_, 0, 0};
+    offset = std::min(offset, bytes_.size());
+    std::uint32_t line = 1;
+    std::size_t line_start = 0;
+    for (std::size_t i = 0; i < offset; ++i) {
+        const bool cr_of_crlf = bytes_[i] == '\r' && i + 1 < bytes_.size() && bytes_[i + 1] == '\n';
+        if (bytes_[i] == '\n' || (bytes_[i] == '\r' && !cr_of_crlf)) {
+            ++line;
+            line_start = i + 1;
+        }
+    }
+    return {source_, line, static_cast<std::uint32_t>(offset - line_start + 1)};
+}
+
+void Report::add(Code code, std::size_t offset, std::string message, std::string hint) {
+    if (code.entry->strict_only && !strict_) return;
+    const auto said = std::find_if(diagnostics_.begin(), diagnostics_.end(),
+                                   [&](const Diagnostic& d) { return d.code == code.entry->code; });
+    if (said != diagnostics_.end()) {
+        ++repeats_[static_cast<std::size_t>(said - diagnostics_.begin())];
+        return;
+    }
+    const Severity severity = strict_ ? code.entry->strict_severity : code.entry->severity;
+    has_error_ = has_error_ || severity == Severity::error;
+    diagnostics_.push_back(
+        {std::string(code.entry->code), severity, locate(offset), std::move(message), std::move(hint)});
+    repeats_.push_back(0);
+}
+
+Unexpected Report::fail(Code code, std::size_t offset, std::string message, std::string hint, Failure failure) {
+    close_counts();
+    diagnostics_.push_back(
+        {std::string(code.entry->code), Severity::error, locate(offset), std::move(message), std::move(hint)});
+    return Unexpected(Error{failure, std::move(diagnostics_)});
+}
+
+Unexpected Report::failure() {
+    // The reason of an Error is its last error: warnings that came later move before it.
+    close_counts();
+    std::stable_partition(diagnostics_.begin(), diagnostics_.end(),
+                          [](const Diagnostic& d) { return d.severity != Severity::error; });
+    return Unexpected(Error{Failure::malformed, std::move(diagnostics_)});
+}
+
+Diagnostics Report::take() {
+    close_counts();
+    return std::move(diagnostics_);
+}
+
+void Report::close_counts() {
+    for (std::size_t i = 0; i < diagnostics_.size() && i < repeats_.size(); ++i)
+        if (repeats_[i] > 0) diagnostics_[i].message += " (and " + std::to_string(repeats_[i]) + " more)";
+    repeats_.assign(diagnostics_.size(), 0);
+}
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,65 @@
+// Report: what a reader has to say about one file, with the place of each thing. Internal to the profile room.
+//
+// A reader works with byte offsets; line and column are found when something is said. Of each code only the first
+// occurrence is kept and the others are counted: a file with ten thousand negative values is one sentence.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/profile/codes.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::profile_detail {
+
+// A code of the table, checked at compile time.
+struct Code {
+    const ProfileCode* entry;
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
+    consteval Code(const char* text) : entry(find_profile_code(text)) {
+        if (entry == nullptr) throw "no such diagnostic code"; // not a constant expression: refused by the compiler
+    }
+};
+
+// "the whole file": no line and column are given.
+inline constexpr std::size_t no_place = static_cast<std::size_t>(-1);
+
+class Report {
+public:
+    // `bytes` is the whole file, byte order mark included; offsets count from its start.
+    Report(std::string_view bytes, std::string source, bool strict);
+
+    // Says it with the severity that the table gives to the code.
+    void add(Code code, std::size_t offset, std::string message, std::string hint = {});
+
+    // Says it and returns the failure of the whole reading, with everything said before.
+    Unexpected fail(Code code, std::size_t offset, std::string message, std::string hint = {},
+                    Failure failure = Failure::malformed);
+
+    // Whether something said so far is an error, which happens under `strict` only.
+    bool has_error() const { return has_error_; }
+
+    // The failure made of what was said; for has_error().
+    Unexpected failure();
+
+    Diagnostics take();
+
+    bool strict() const { return strict_; }
+    std::string_view bytes() const { return bytes_; }
+
+private:
+    Location locate(std::size_t offset) const;
+    void close_counts();
+
+    std::string_view bytes_;
+    std::string source_;
+    Diagnostics diagnostics_;
+    std::vector<std::size_t> repeats_; // per diagnostic
+    bool strict_;
+    bool has_error_ = false;
+};
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,139 @@
+#include <gonio/profile/scanner.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <system_error>
+
+namespace gonio::profile_detail {
+
+namespace {
+
+constexpr char to_capital(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// from_chars reports overflow and underflow alike. The place of the first digit that is not zero, plus the exponent,
+// tells which it was. `text` is a well-formed number.
+bool is_underflow(std::string_view text) {
+    const std::size_t e = text.find_first_of("eE");
+    const std::string_view mantissa = text.substr(0, e);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const std::size_t first = mantissa.find_first_of("123456789");
+    if (first == std::string_view::npos) return true;
+    const auto place = static_cast<long long>(point) - static_cast<long long>(first);
+    long long exponent = 0;
+    if (e != std::string_view::npos) {
+        std::string_view digits = text.substr(e + 1);
+        if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+        if (read.ec == std::errc::result_out_of_range) return !digits.empty() && digits.front() == '-';
+    }
+    return exponent < -place;
+}
+
+} // namespace
+
+std::string_view trim_left(std::string_view text) {
+    while (!text.empty() && is_blank(text.front()))
+        text.remove_prefix(1);
+    return text;
+}
+
+std::string_view trim(std::string_view text) {
+    text = trim_left(text);
+    while (!text.empty() && is_blank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+bool starts_with_any_case(std::string_view text, std::string_view capitals) {
+    return text.size() >= capitals.size() && std::equal(capitals.begin(), capitals.end(), text.begin(),
+                                                        [](char a, char b) { return a == to_capital(b); });
+}
+
+bool equals_any_case(std::string_view text, std::string_view capitals) {
+    return text.size() == capitals.size() && starts_with_any_case(text, capitals);
+}
+
+Line LineScanner::next() {
+    const std::size_t begin = std::min(next_, end_);
+    std::size_t at = begin;
+    while (at < end_ && bytes_[at] != '\n' && bytes_[at] != '\r')
+        ++at;
+    next_ = at;
+    if (at < end_) ++next_;
+    if (next_ < end_ && bytes_[at] == '\r' && bytes_[next_] == '\n') ++next_;
+    return {bytes_.substr(begin, at - begin), begin};
+}
+
+Token scan_number(std::string_view text, double& value, bool& plain) {
+    std::string_view rest = text;
+    if (!rest.empty() && rest.front() == '+') {
+        rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() == '-') return Token::not_number;
+    }
+    std::string_view magnitude = rest;
+    if (!magnitude.empty() && magnitude.front() == '-') magnitude.remove_prefix(1);
+    // from_chars also takes "inf" and "nan", and "infinity"; a number begins with a digit or a point.
+    if (magnitude.empty() || !(is_digit(magnitude.front()) || magnitude.front() == '.')) {
+        for (const std::string_view word : {"INF", "NAN", "INFINITY"})
+            if (equals_any_case(magnitude, word)) return Token::not_finite;
+        return Token::not_number;
+    }
+    double read = 0.0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), read);
+    if (error == std::errc::invalid_argument || end != rest.data() + rest.size()) return Token::not_number;
+    if (error == std::errc::result_out_of_range) {
+        if (!is_underflow(magnitude)) return Token::not_finite;
+        read = rest.front() == '-' ? -0.0 : 0.0;
+    }
+    if (rest.find_first_of("eE") != std::string_view::npos) plain = false;
+    value = read;
+    return Token::number;
+}
+
+std::string quoted(std::string_view text) {
+    std::string result = "'";
+    for (const char c : text)
+        if (c >= ' ' && c <= '~')
+            result += c;
+        else
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    return result + "'";
+}
+
+Token NumberScanner::next_slow(double& value) {
+    const char* p = at_;
+    while (p != end_ && !is_separator(*p))
+        ++p;
+    bool plain = true;
+    const Token token = scan_number({at_, static_cast<std::size_t>(p - at_)}, value, plain);
+    if (token == Token::number) at_ = p;
+    if (!plain && exponent_ == static_cast<std::size_t>(-1)) exponent_ = token_offset();
+    return token;
+}
+
+std::string_view NumberScanner::token() const {
+    constexpr std::ptrdiff_t longest = 40;
+    const char* p = token_;
+    while (p != end_ && !is_separator(*p) && p - token_ < longest)
+        ++p;
+    return {token_, static_cast<std::size_t>(p - token_)};
+}
+
+bool NumberScanner::token_begins_line() const {
+    const char* p = token_;
+    while (p != first_ && is_blank(p[-1]))
+        --p;
+    return p == first_ || p[-1] == '\n' || p[-1] == '\r';
+}
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,21 @@
+#include <gonio/base/frame.hpp>
+#include <gonio/scene/camera.hpp>
+
+#include <cmath>
+
+namespace gonio {
+
+CameraRays::CameraRays(const Camera& camera, int width, int height) : origin_(camera.position) {
+    const Frame frame = aimed_frame(camera.position, camera.target - camera.position, camera.up);
+    const double half_height = std::tan(0.5 * degrees(camera.vertical_fov_deg).value);
+    const double pixel = 2.0 * half_height / height;
+    right_ = frame.x * pixel;
+    down_ = -frame.y * pixel;
+    corner_ = -frame.z - 0.5 * width * right_ - 0.5 * height * down_;
+}
+
+Ray CameraRays::ray(double x, double y) const {
+    return {origin_, glm::normalize(corner_ + x * right_ + y * down_)};
+}
+
+} // namespace gonio

@@ -1,0 +1,63 @@
+// Irradiance from a uniform sphere, exact with horizon clipping.
+//
+// E/L [sr] is the irradiance [lx] per luminance [nt], in [0, π]. Write s = r/d = sinσ for the sphere's angular radius,
+// κ = cosσ, c = n·l for the cosine of its centre. Above the horizon (c ≥ s) the sphere is a point: π s² c. Below
+// (c ≤ −s) nothing is seen. Between them, with w = √((s−c)(s+c)),
+//
+//     E/L = s² c·atan2(w, −κc) − κw + atan2(w, κ)
+//
+// which is the cap's contour integral (cap arc and horizon arc) without the azimuths; it needs no angle of c and has no
+// 0/0 on the axis. It is stationary in w, so rounding in s−c does no harm. The last two terms cancel for small
+// spheres and are joined as (atan τ − τ) + τ s² with τ = w/κ. README.md derives it.
+#pragma once
+
+#include <gonio/shading/direction.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <numbers>
+
+namespace gonio::shading {
+
+// E/L where the horizon cuts the sphere: |c| ≤ s ≤ 1, κ = √(1−s²) from a form that does not cancel at s = 1.
+template<class S>
+GONIO_FORCE_INLINE S irradiance_straddling_cap(S s, S kappa, S c) {
+    const S w = simd::sqrt(simd::max((s - c) * (s + c), S(0)));
+    const S phi = simd::atan2(w, -kappa * c);
+    const S larger = simd::max(w, kappa);
+    const S tau = simd::min(w, kappa) * reciprocal_or_zero(larger);
+    const S excess = simd::atan_excess(tau);
+    const S narrow = simd::mul_add(tau, s * s, excess);
+    const S wide = (S(std::numbers::pi / 2.0) - kappa * w) - (tau + excess);
+    return simd::mul_add(s * s * c, phi, simd::select(w <= kappa, narrow, wide));
+}
+
+// E/L [sr] of a sphere of radius r at `to_center` from the receiver, whose unit normal is `normal`. d < r: π. On the
+// surface π(1 + n·l)/2; d = r = 0 gives 0. Any finite input; r < 0 counts as |r|.
+template<class S>
+GONIO_FORCE_INLINE S irradiance_sphere(const Direction<S>& to_center, S radius) {
+    constexpr double pi = std::numbers::pi;
+    const S c = to_center.n_dot_l;
+    const S scaled_radius = radius * to_center.scale;
+    const S s = simd::min(simd::abs(scaled_radius) * to_center.inverse_distance, S(1));
+    const S above = S(pi) * s * s * simd::max(c, S(0));
+
+    // What follows is for packets that the horizon cuts, or that come so near that s is 1 within rounding or beyond.
+    const vec3<S> p = to_center.scaled;
+    const S distance_square = dot(p, p);
+    const auto near = distance_square * S(1.0 - 1e-5) <= scaled_radius * scaled_radius;
+    const auto straddling = simd::abs(c) < s;
+    if (!simd::any(simd::either(near, straddling))) return above;
+
+    const S gap = simd::difference_of_squares(p.x, p.y, p.z, scaled_radius); // d² − r², to the last digit
+    const S kappa = simd::sqrt(simd::max(gap, S(0))) * to_center.inverse_distance;
+    const S cut = simd::max(irradiance_straddling_cap(s, kappa, c), S(0));
+    const S outside = simd::select(straddling, cut, above);
+    return simd::min(simd::select(gap < S(0), S(pi), outside), S(pi));
+}
+
+template<class S>
+GONIO_FORCE_INLINE S irradiance_sphere(vec3<S> to_center, S radius, vec3<S> normal) {
+    return irradiance_sphere(direction(to_center, normal), radius);
+}
+
+} // namespace gonio::shading

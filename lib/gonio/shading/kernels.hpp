@@ -1,0 +1,68 @@
+// Shading of many surface points by one light, on the widest unit that the machine has.
+//
+// Everything is float and in structures of arrays; positions in metres, directions of unit length, one frame for all.
+// Units: candela, luminance in cd/m² (nt), illuminance in lx. Results are finite and not negative for any finite
+// input: light on the point, point inside the sphere, n·v ≤ 0, coordinates up to the largest float. Nothing fails,
+// allocates or throws; calls are independent of each other and may run on any thread. Cost: see README.md.
+//
+// The formulas stand in shade.hpp, once for float, double and packs; the double ones are the truth these are tested by.
+#pragma once
+
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::shading {
+
+// `count` need not be a multiple of anything; arrays need no alignment.
+struct Surfaces {
+    const float* position[3] = {}; // [m]
+    const float* normal[3] = {};   // unit
+    const float* view[3] = {};     // unit, from the surface towards the eye; not read for Lambert, may be null there
+    std::size_t count = 0;
+};
+
+struct LightConstants {
+    enum class Kind : std::uint8_t { punctual, sphere };
+
+    Kind kind = Kind::punctual;
+    float position[3] = {}; // [m], of the centre
+    float radius = 0.0F;    // sphere [m], ≥ 0; not read for punctual
+    // sphere: luminance of the three channels [nt]; punctual: weights of a colour whose luminance Y is 1. All ≥ 0.
+    float color[3] = {1.0F, 1.0F, 1.0F};
+    const float* intensity_cd = nullptr; // punctual: towards each surface point, ≥ 0, `count` of them; else not read
+    float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window
+};
+
+struct MaterialConstants {
+    enum class Kind : std::uint8_t { lambert, frostbite };
+
+    Kind kind = Kind::lambert;
+    float albedo[3] = {0.5F, 0.5F, 0.5F}; // of the diffuse part
+    // The rest is read for `frostbite` only; brdf_frostbite.hpp makes it from base colour, smoothness, metal,
+    // reflectance.
+    float f0[3] = {0.04F, 0.04F, 0.04F};
+    float f90 = 1.0F;
+    float linear_roughness = 0.5F; // 1 − smoothness
+    float alpha = 0.25F;           // what enters D and V; taken as at least minimum_alpha
+};
+
+struct Kernels {
+    simd::InstructionSet set;
+    const char* name; // of the set
+    std::size_t lanes;
+
+    // Outgoing luminance [nt] of the three channels towards the eye, one per surface point; `rgb` is overwritten and
+    // must not overlap the input.
+    void (*shade)(const Surfaces&, const LightConstants&, const MaterialConstants&, float* const rgb[3]);
+
+    // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
+    // in sr, times the window) for a sphere.
+    void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
+};
+
+// The kernels of `set`, or the scalar ones where simd::available(set) is false.
+const Kernels& kernels(simd::InstructionSet set);
+
+} // namespace gonio::shading

@@ -1,0 +1,158 @@
+// The bodies of the kernels, for one scalar: shade.hpp over arrays. Included by kernels_<set>.cpp and by nothing else.
+//
+// Only templates with S in their name may be instantiated from here: what is compiled for a wide instruction set must
+// not be a function that other files could call.
+#pragma once
+
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading::detail {
+
+// One packet of the arrays: full, or the first `count` lanes with the last of them repeated.
+template<class S>
+struct Packet {
+    std::size_t first;
+    std::size_t count;
+
+    GONIO_FORCE_INLINE S load(const float* from) const {
+        S value;
+        if (count == simd::Traits<S>::lanes) {
+            simd::load(from + first, value);
+        } else {
+            simd::load_partial(from + first, count, value);
+        }
+        return value;
+    }
+    GONIO_FORCE_INLINE vec3<S> load(const float* const from[3]) const {
+        return {load(from[0]), load(from[1]), load(from[2])};
+    }
+    GONIO_FORCE_INLINE void store(S value, float* to) const {
+        if (count == simd::Traits<S>::lanes) {
+            simd::store(value, to + first);
+        } else {
+            simd::store_partial(value, to + first, count);
+        }
+    }
+};
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> broadcast(const float (&v)[3]) {
+    return {S(v[0]), S(v[1]), S(v[2])};
+}
+
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, PunctualLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(0), S(from.inverse_range)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, SphereLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(from.radius), S(from.inverse_range)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
+    to = {broadcast<S>(from.albedo)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Frostbite<S>& to) {
+    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.f90), S(from.linear_roughness), S(from.alpha)};
+}
+
+template<class S>
+GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
+    light.intensity_cd = packet.load(from.intensity_cd);
+}
+template<class S>
+GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/,
+                                  SphereLight<S>& /*light*/) {}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Frostbite<S>& /*reads*/) {
+    return packet.load(surfaces.view);
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& /*packet*/, const Surfaces& /*surfaces*/,
+                                     const Lambert<S>& /*reads none*/) {
+    return {S(0), S(0), S(0)};
+}
+
+template<class S, class Work>
+GONIO_FORCE_INLINE void for_each_packet(std::size_t count, const Work& work) {
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    std::size_t first = 0;
+    for (; first + lanes <= count; first += lanes)
+        work(Packet<S>{first, lanes});
+    if (first < count) work(Packet<S>{first, count - first});
+}
+
+template<class S, class Light, class Material>
+void shade_batch(const Surfaces& surfaces, const LightConstants& light_constants,
+                 const MaterialConstants& material_constants, float* const rgb[3]) {
+    Light light;
+    Material material;
+    constants(light_constants, light);
+    constants(material_constants, material);
+    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    load_view(packet, surfaces, material)};
+        per_point(packet, light_constants, light);
+        const vec3<S> luminance = shade(point, light, material);
+        packet.store(luminance.x, rgb[0]);
+        packet.store(luminance.y, rgb[1]);
+        packet.store(luminance.z, rgb[2]);
+    });
+}
+
+template<class S, class Light>
+void irradiance_batch(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    Light light;
+    constants(light_constants, light);
+    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal), {S(0), S(0), S(0)}};
+        per_point(packet, light_constants, light);
+        packet.store(illuminance(point, light), lx);
+    });
+}
+
+template<class S, class Light>
+void shade_material(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
+                    float* const rgb[3]) {
+    switch (material.kind) {
+    case MaterialConstants::Kind::lambert:
+        return shade_batch<S, Light, Lambert<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::frostbite:
+        return shade_batch<S, Light, Frostbite<S>>(surfaces, light, material, rgb);
+    }
+}
+
+template<class S>
+void shade_any(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
+               float* const rgb[3]) {
+    switch (light.kind) {
+    case LightConstants::Kind::punctual:
+        return shade_material<S, PunctualLight<S>>(surfaces, light, material, rgb);
+    case LightConstants::Kind::sphere:
+        return shade_material<S, SphereLight<S>>(surfaces, light, material, rgb);
+    }
+}
+
+template<class S>
+void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
+    switch (light.kind) {
+    case LightConstants::Kind::punctual:
+        return irradiance_batch<S, PunctualLight<S>>(surfaces, light, lx);
+    case LightConstants::Kind::sphere:
+        return irradiance_batch<S, SphereLight<S>>(surfaces, light, lx);
+    }
+}
+
+// The tables, each in the file that is compiled for its set.
+extern const Kernels kernels_scalar;
+extern const Kernels kernels_sse2;
+extern const Kernels kernels_avx2;
+extern const Kernels kernels_avx512;
+extern const Kernels kernels_neon;
+
+} // namespace gonio::shading::detail

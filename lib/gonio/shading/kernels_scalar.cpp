@@ -1,0 +1,8 @@
+#include <gonio/shading/kernels_impl.hpp>
+
+namespace gonio::shading::detail {
+
+constinit const Kernels kernels_scalar{simd::InstructionSet::scalar, "scalar", 1, shade_any<float>,
+                                       irradiance_any<float>};
+
+} // namespace gonio::shading::detail

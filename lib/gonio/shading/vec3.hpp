@@ -1,0 +1,52 @@
+// vec3<S>: three numbers of a scalar S: float, double or a pack. GLM is the public vocabulary and rejects packs.
+#pragma once
+
+#include <gonio/simd/pack.hpp>
+
+namespace gonio::shading {
+
+template<class S>
+struct vec3 {
+    S x, y, z;
+
+    GONIO_FORCE_INLINE friend vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    GONIO_FORCE_INLINE friend vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    GONIO_FORCE_INLINE friend vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    GONIO_FORCE_INLINE friend vec3 operator*(vec3 a, S s) { return {a.x * s, a.y * s, a.z * s}; }
+};
+
+template<class S>
+GONIO_FORCE_INLINE S dot(vec3<S> a, vec3<S> b) {
+    return simd::mul_add(a.x, b.x, simd::mul_add(a.y, b.y, a.z * b.z));
+}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> cross(vec3<S> a, vec3<S> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template<class S>
+GONIO_FORCE_INLINE S length(vec3<S> a) {
+    return simd::sqrt(dot(a, a));
+}
+
+// The magnitude of the component that has the largest.
+template<class S>
+GONIO_FORCE_INLINE S largest_component(vec3<S> a) {
+    return simd::max(simd::abs(a.x), simd::max(simd::abs(a.y), simd::abs(a.z)));
+}
+
+// 1/x, and 0 where x is 0.
+template<class S>
+GONIO_FORCE_INLINE S reciprocal_or_zero(S x) {
+    const auto zero = x == S(0);
+    return simd::select(zero, S(0), S(1) / simd::select(zero, S(1), x));
+}
+
+// The zero vector where the length is 0; no overflow for |a| up to about 1e19 (float).
+template<class S>
+GONIO_FORCE_INLINE vec3<S> normalized(vec3<S> a) {
+    return a * reciprocal_or_zero(length(a));
+}
+
+} // namespace gonio::shading

@@ -1,0 +1,103 @@
+// The bodies of array_math.hpp for one scalar. Included by kernels_math_<set>.cpp and by nothing else.
+#pragma once
+
+#include <gonio/simd/array_math.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <cstddef>
+
+namespace gonio::simd::detail {
+
+template<class S, class Function>
+void map(const float* x, float* result, std::size_t count) {
+    constexpr std::size_t lanes = Traits<S>::lanes;
+    std::size_t i = 0;
+    S a;
+    for (; i + lanes <= count; i += lanes) {
+        load(x + i, a);
+        store(Function::of(a), result + i);
+    }
+    if (i < count) {
+        load_partial(x + i, count - i, a);
+        store_partial(Function::of(a), result + i, count - i);
+    }
+}
+
+template<class S, class Function>
+void map(const float* x, const float* y, float* result, std::size_t count) {
+    constexpr std::size_t lanes = Traits<S>::lanes;
+    std::size_t i = 0;
+    S a, b;
+    for (; i + lanes <= count; i += lanes) {
+        load(x + i, a);
+        load(y + i, b);
+        store(Function::of(a, b), result + i);
+    }
+    if (i < count) {
+        load_partial(x + i, count - i, a);
+        load_partial(y + i, count - i, b);
+        store_partial(Function::of(a, b), result + i, count - i);
+    }
+}
+
+#define GONIO_UNARY(name)                                                                                              \
+    template<class S>                                                                                                  \
+    struct name##_function {                                                                                           \
+        GONIO_FORCE_INLINE static S of(S x) { return simd::name(x); }                                                  \
+    };
+#define GONIO_BINARY(name)                                                                                             \
+    template<class S>                                                                                                  \
+    struct name##_function {                                                                                           \
+        GONIO_FORCE_INLINE static S of(S a, S b) { return simd::name(a, b); }                                          \
+    };
+GONIO_UNARY(sqrt)
+GONIO_UNARY(exp2)
+GONIO_UNARY(log2)
+GONIO_UNARY(sin)
+GONIO_UNARY(cos)
+GONIO_UNARY(asin)
+GONIO_UNARY(acos)
+GONIO_UNARY(atan)
+GONIO_UNARY(atan_excess)
+GONIO_UNARY(reciprocal_power_of_two)
+GONIO_BINARY(min)
+GONIO_BINARY(max)
+GONIO_BINARY(atan2)
+GONIO_BINARY(pow)
+GONIO_BINARY(copysign)
+#undef GONIO_UNARY
+#undef GONIO_BINARY
+
+template<class S>
+struct difference_of_squares_function {
+    GONIO_FORCE_INLINE static S of(S x, S r) { return simd::difference_of_squares(x, S(0.25), S(0.5), r); }
+};
+
+template<class S>
+constexpr ArrayMath array_math_of(InstructionSet set) {
+    return {set,
+            map<S, sqrt_function<S>>,
+            map<S, exp2_function<S>>,
+            map<S, log2_function<S>>,
+            map<S, sin_function<S>>,
+            map<S, cos_function<S>>,
+            map<S, asin_function<S>>,
+            map<S, acos_function<S>>,
+            map<S, atan_function<S>>,
+            map<S, atan_excess_function<S>>,
+            map<S, reciprocal_power_of_two_function<S>>,
+            map<S, min_function<S>>,
+            map<S, max_function<S>>,
+            map<S, atan2_function<S>>,
+            map<S, pow_function<S>>,
+            map<S, copysign_function<S>>,
+            map<S, difference_of_squares_function<S>>};
+}
+
+extern const ArrayMath array_math_scalar;
+extern const ArrayMath array_math_sse2;
+extern const ArrayMath array_math_avx2;
+extern const ArrayMath array_math_avx512;
+extern const ArrayMath array_math_neon;
+
+} // namespace gonio::simd::detail

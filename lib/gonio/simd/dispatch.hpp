@@ -1,0 +1,35 @@
+// Instruction sets at run time: which there are, which this machine has, and their names.
+//
+// The library is built for the least processor of its architecture; what needs more lies in source files of its own
+// and is reached through function pointers only after asking here. Nothing fails, nothing allocates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace gonio::simd {
+
+// `avx2` includes FMA; `avx512` means F, DQ, BW and VL. Ascending preference within an architecture.
+enum class InstructionSet : std::uint8_t { scalar, sse2, neon, avx2, avx512 };
+
+// "scalar", "sse2", "neon", "avx2", "avx512": the names that `--simd` takes.
+const char* to_text(InstructionSet set);
+
+// The set of that name; nothing when there is none. Says nothing about this machine: ask `available`.
+std::optional<InstructionSet> parse_instruction_set(std::string_view name);
+
+// Every name that parse_instruction_set takes, in the order of the enumeration.
+std::span<const std::string_view> instruction_set_names();
+
+// Whether this build has code for `set` and this machine (processor and system) runs it. `scalar` always is.
+bool available(InstructionSet set);
+
+// The available sets, `scalar` first, the widest last.
+std::span<const InstructionSet> available_sets();
+
+// The last of available_sets().
+InstructionSet best_available();
+
+} // namespace gonio::simd

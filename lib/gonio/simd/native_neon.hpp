@@ -1,0 +1,38 @@
+// What vector extensions cannot say, in intrinsics of 64-bit Arm, where NEON is always there.
+#pragma once
+
+#include <arm_neon.h>
+#include <cstddef>
+
+namespace gonio::simd {
+
+struct neon {
+    static constexpr std::size_t lanes = 4;
+};
+
+template<class Isa>
+struct Native;
+
+template<>
+struct Native<neon> {
+    using real = float32x4_t;
+    using half_double = float64x2_t;
+    GONIO_FORCE_INLINE static real sqrt(real x) { return vsqrtq_f32(x); }
+    // Not vminq and vmaxq, which hand a NaN on whichever side it stands.
+    GONIO_FORCE_INLINE static real min(real a, real b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
+    GONIO_FORCE_INLINE static real max(real a, real b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
+    GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return vfmaq_f32(c, a, b); }
+    // Bit i is the sign of lane i.
+    GONIO_FORCE_INLINE static int sign_bits(real x) {
+        const int32x4_t shifts = {0, 1, 2, 3};
+        return static_cast<int>(vaddvq_u32(vshlq_u32(vshrq_n_u32(vreinterpretq_u32_f32(x), 31), shifts)));
+    }
+    static constexpr int all_sign_bits = 0xF;
+    GONIO_FORCE_INLINE static half_double low(real x) { return vcvt_f64_f32(vget_low_f32(x)); }
+    GONIO_FORCE_INLINE static half_double high(real x) { return vcvt_high_f64_f32(x); }
+    GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
+        return vcombine_f32(vcvt_f32_f64(low), vcvt_f32_f64(high));
+    }
+};
+
+} // namespace gonio::simd

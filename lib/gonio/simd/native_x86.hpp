@@ -1,0 +1,80 @@
+// What vector extensions cannot say, in x86 intrinsics. Each part exists only where its instruction set is enabled for
+// the file being compiled, so that no other file can use it by accident.
+#pragma once
+
+#include <cstddef>
+#include <immintrin.h>
+
+namespace gonio::simd {
+
+struct sse2 {
+    static constexpr std::size_t lanes = 4;
+};
+struct avx2 {
+    static constexpr std::size_t lanes = 8;
+};
+struct avx512 {
+    static constexpr std::size_t lanes = 16;
+};
+
+template<class Isa>
+struct Native;
+
+#if defined(__SSE2__)
+template<>
+struct Native<sse2> {
+    using real = __m128;
+    using half_double = __m128d;
+    GONIO_FORCE_INLINE static real sqrt(real x) { return _mm_sqrt_ps(x); }
+    GONIO_FORCE_INLINE static real min(real a, real b) { return _mm_min_ps(a, b); }
+    GONIO_FORCE_INLINE static real max(real a, real b) { return _mm_max_ps(a, b); }
+    GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
+    GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm_movemask_ps(x); }
+    static constexpr int all_sign_bits = 0xF;
+    GONIO_FORCE_INLINE static half_double low(real x) { return _mm_cvtps_pd(x); }
+    GONIO_FORCE_INLINE static half_double high(real x) { return _mm_cvtps_pd(_mm_movehl_ps(x, x)); }
+    GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
+        return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+    }
+};
+#endif
+
+#if defined(__AVX2__) && defined(__FMA__)
+template<>
+struct Native<avx2> {
+    using real = __m256;
+    using half_double = __m256d;
+    GONIO_FORCE_INLINE static real sqrt(real x) { return _mm256_sqrt_ps(x); }
+    GONIO_FORCE_INLINE static real min(real a, real b) { return _mm256_min_ps(a, b); }
+    GONIO_FORCE_INLINE static real max(real a, real b) { return _mm256_max_ps(a, b); }
+    GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm256_fmadd_ps(a, b, c); }
+    GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm256_movemask_ps(x); }
+    static constexpr int all_sign_bits = 0xFF;
+    GONIO_FORCE_INLINE static half_double low(real x) { return _mm256_cvtps_pd(_mm256_castps256_ps128(x)); }
+    GONIO_FORCE_INLINE static half_double high(real x) { return _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1)); }
+    GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
+    }
+};
+#endif
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+template<>
+struct Native<avx512> {
+    using real = __m512;
+    using half_double = __m512d;
+    GONIO_FORCE_INLINE static real sqrt(real x) { return _mm512_sqrt_ps(x); }
+    GONIO_FORCE_INLINE static real min(real a, real b) { return _mm512_min_ps(a, b); }
+    GONIO_FORCE_INLINE static real max(real a, real b) { return _mm512_max_ps(a, b); }
+    GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm512_fmadd_ps(a, b, c); }
+    GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm512_movepi32_mask(_mm512_castps_si512(x)); }
+    static constexpr int all_sign_bits = 0xFFFF;
+    GONIO_FORCE_INLINE static half_double low(real x) { return _mm512_cvtps_pd(_mm512_castps512_ps256(x)); }
+    GONIO_FORCE_INLINE static half_double high(real x) { return _mm512_cvtps_pd(_mm512_extractf32x8_ps(x, 1)); }
+    GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
+        return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(low)), _mm512_cvtpd_ps(high), 1);
+    }
+};
+#endif
+
+} // namespace gonio::simd

@@ -1,0 +1,185 @@
+// pack<float, Isa>: as many floats as one register of an instruction set holds, with the arithmetic of a float.
+//
+// `Isa` is a type (sse2, avx2, avx512, neon), so that it stands in the mangled name of every template that uses the
+// pack: code of one set can never be taken for that of another. Everything is inlined; nothing fails or allocates.
+// The names of scalar.hpp mean the same here, lane by lane.
+#pragma once
+
+#include <gonio/simd/scalar.hpp>
+#if defined(__x86_64__)
+#include <gonio/simd/native_x86.hpp>
+#elif defined(__aarch64__)
+#include <gonio/simd/native_neon.hpp>
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::simd {
+
+// Per lane all bits set (true) or none.
+template<class Isa>
+struct mask {
+    typedef std::int32_t vector [[gnu::vector_size(sizeof(std::int32_t) * Isa::lanes)]];
+    vector m;
+};
+
+template<class S, class Isa>
+struct pack;
+
+template<class Isa>
+struct pack<float, Isa> {
+    using isa = Isa;
+    using native = Native<Isa>;
+    typedef float vector [[gnu::vector_size(sizeof(float) * Isa::lanes)]];
+    static constexpr std::size_t lanes = Isa::lanes;
+
+    vector v;
+
+    pack() = default;
+    GONIO_FORCE_INLINE pack(vector lanes_of) : v(lanes_of) {}
+    // The same number in each lane; a double is rounded to float.
+    template<class T>
+    requires(RealScalar<T> || __is_same(T, int)) GONIO_FORCE_INLINE explicit pack(T number)
+        : v(vector{} + static_cast<float>(number)) {}
+
+    GONIO_FORCE_INLINE friend pack operator+(pack a, pack b) { return pack(a.v + b.v); }
+    GONIO_FORCE_INLINE friend pack operator-(pack a, pack b) { return pack(a.v - b.v); }
+    GONIO_FORCE_INLINE friend pack operator*(pack a, pack b) { return pack(a.v * b.v); }
+    GONIO_FORCE_INLINE friend pack operator/(pack a, pack b) { return pack(a.v / b.v); }
+    GONIO_FORCE_INLINE friend pack operator-(pack a) { return pack(-a.v); }
+
+    GONIO_FORCE_INLINE friend mask<Isa> operator<(pack a, pack b) { return {a.v < b.v}; }
+    GONIO_FORCE_INLINE friend mask<Isa> operator<=(pack a, pack b) { return {a.v <= b.v}; }
+    GONIO_FORCE_INLINE friend mask<Isa> operator>(pack a, pack b) { return {a.v > b.v}; }
+    GONIO_FORCE_INLINE friend mask<Isa> operator>=(pack a, pack b) { return {a.v >= b.v}; }
+    GONIO_FORCE_INLINE friend mask<Isa> operator==(pack a, pack b) { return {a.v == b.v}; }
+};
+
+template<class Isa>
+struct Traits<pack<float, Isa>> {
+    using value = float;
+    using mask = simd::mask<Isa>;
+    using integer = typename simd::mask<Isa>::vector;
+    static constexpr std::size_t lanes = Isa::lanes;
+};
+
+template<class Isa>
+GONIO_FORCE_INLINE mask<Isa> both(mask<Isa> a, mask<Isa> b) {
+    return {a.m & b.m};
+}
+template<class Isa>
+GONIO_FORCE_INLINE mask<Isa> either(mask<Isa> a, mask<Isa> b) {
+    return {a.m | b.m};
+}
+template<class Isa>
+GONIO_FORCE_INLINE mask<Isa> operator!(mask<Isa> a) {
+    return {~a.m};
+}
+template<class Isa>
+GONIO_FORCE_INLINE bool any(mask<Isa> a) {
+    using vector = typename pack<float, Isa>::vector;
+    return Native<Isa>::sign_bits(reinterpret_cast<vector>(a.m)) != 0;
+}
+template<class Isa>
+GONIO_FORCE_INLINE bool all(mask<Isa> a) {
+    using vector = typename pack<float, Isa>::vector;
+    return Native<Isa>::sign_bits(reinterpret_cast<vector>(a.m)) == Native<Isa>::all_sign_bits;
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> select(mask<Isa> condition, pack<float, Isa> if_true, pack<float, Isa> if_false) {
+    return pack<float, Isa>(condition.m ? if_true.v : if_false.v);
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> min(pack<float, Isa> a, pack<float, Isa> b) {
+    return pack<float, Isa>(Native<Isa>::min(a.v, b.v));
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> max(pack<float, Isa> a, pack<float, Isa> b) {
+    return pack<float, Isa>(Native<Isa>::max(a.v, b.v));
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> sqrt(pack<float, Isa> x) {
+    return pack<float, Isa>(Native<Isa>::sqrt(x.v));
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> mul_add(pack<float, Isa> a, pack<float, Isa> b, pack<float, Isa> c) {
+    return pack<float, Isa>(Native<Isa>::mul_add(a.v, b.v, c.v));
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE typename mask<Isa>::vector bits(pack<float, Isa> x) {
+    return reinterpret_cast<typename mask<Isa>::vector>(x.v);
+}
+template<class Isa>
+GONIO_FORCE_INLINE void from_bits(typename mask<Isa>::vector integers, pack<float, Isa>& x) {
+    x.v = reinterpret_cast<typename pack<float, Isa>::vector>(integers);
+}
+template<class Isa>
+GONIO_FORCE_INLINE void to_real(typename mask<Isa>::vector integers, pack<float, Isa>& x) {
+    x.v = __builtin_convertvector(integers, typename pack<float, Isa>::vector);
+}
+template<class Isa>
+GONIO_FORCE_INLINE void is_nonzero(typename mask<Isa>::vector integers, mask<Isa>& result) {
+    result.m = integers != 0;
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> abs(pack<float, Isa> x) {
+    pack<float, Isa> result;
+    from_bits(bits(x) & 0x7FFFFFFF, result);
+    return result;
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> copysign(pack<float, Isa> x, pack<float, Isa> sign) {
+    pack<float, Isa> result;
+    from_bits((bits(x) & 0x7FFFFFFF) | (bits(sign) & ~0x7FFFFFFF), result);
+    return result;
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> difference_of_squares(pack<float, Isa> x, pack<float, Isa> y, pack<float, Isa> z,
+                                                          pack<float, Isa> r) {
+    using N = Native<Isa>;
+    const auto formula = [](auto dx, auto dy, auto dz, auto dr) __attribute__((always_inline)) {
+        return (dx * dx - dr * dr) + dy * dy + dz * dz;
+    };
+    return pack<float, Isa>(N::narrow(formula(N::low(x.v), N::low(y.v), N::low(z.v), N::low(r.v)),
+                                      formula(N::high(x.v), N::high(y.v), N::high(z.v), N::high(r.v))));
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE pack<float, Isa> reciprocal_power_of_two(pack<float, Isa> x) {
+    using integers = typename mask<Isa>::vector;
+    const integers exponent = bits(x) & 0x7F800000;
+    const integers highest = integers{} + (253 << 23);
+    pack<float, Isa> result;
+    from_bits((254 << 23) - (exponent > highest ? highest : exponent), result);
+    return result;
+}
+
+template<class Isa>
+GONIO_FORCE_INLINE void load(const float* from, pack<float, Isa>& to) {
+    __builtin_memcpy(&to.v, from, sizeof(to.v));
+}
+template<class Isa>
+GONIO_FORCE_INLINE void store(pack<float, Isa> from, float* to) {
+    __builtin_memcpy(to, &from.v, sizeof(from.v));
+}
+template<class Isa>
+GONIO_FORCE_INLINE void load_partial(const float* from, std::size_t count, pack<float, Isa>& to) {
+    float buffer[Isa::lanes];
+    for (std::size_t i = 0; i < Isa::lanes; ++i)
+        buffer[i] = from[i < count ? i : count - 1];
+    load(&buffer[0], to);
+}
+template<class Isa>
+GONIO_FORCE_INLINE void store_partial(pack<float, Isa> from, float* to, std::size_t count) {
+    float buffer[Isa::lanes];
+    store(from, &buffer[0]);
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = buffer[i];
+}
+
+} // namespace gonio::simd

@@ -1,0 +1,168 @@
+// The vocabulary that templates of the shading core are written in, for one float or one double.
+//
+// pack.hpp overloads the same names for packs. Written `simd::sqrt(x)`, a template reads the same for all three.
+// Comparisons of floats give bool, of packs a mask; both are combined with `both`, `either`, `!` and asked with `any`
+// and `all`. No std:: function stands here: an inline one, compiled for a wide instruction set, could be the copy that
+// the linker keeps for every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#define GONIO_FORCE_INLINE [[gnu::always_inline]] inline
+
+namespace gonio::simd {
+
+template<class S>
+struct Traits; // value: the type of one lane; mask; integer: the same number of 32-bit integers; lanes
+
+template<>
+struct Traits<float> {
+    using value = float;
+    using mask = bool;
+    using integer = std::int32_t;
+    static constexpr std::size_t lanes = 1;
+};
+
+template<>
+struct Traits<double> {
+    using value = double;
+    using mask = bool;
+    static constexpr std::size_t lanes = 1;
+};
+
+template<class S>
+using value_of = typename Traits<S>::value;
+template<class S>
+using mask_of = typename Traits<S>::mask;
+template<class S>
+using integer_of = typename Traits<S>::integer;
+
+template<class T>
+concept RealScalar = __is_same(T, float) || __is_same(T, double);
+
+template<RealScalar T>
+GONIO_FORCE_INLINE T select(bool condition, T if_true, T if_false) {
+    return condition ? if_true : if_false;
+}
+GONIO_FORCE_INLINE bool both(bool a, bool b) {
+    return a && b;
+}
+GONIO_FORCE_INLINE bool either(bool a, bool b) {
+    return a || b;
+}
+GONIO_FORCE_INLINE bool any(bool condition) {
+    return condition;
+}
+GONIO_FORCE_INLINE bool all(bool condition) {
+    return condition;
+}
+
+// Where a or b is NaN: b. So max(x, 0) turns a NaN into 0.
+template<RealScalar T>
+GONIO_FORCE_INLINE T min(T a, T b) {
+    return a < b ? a : b;
+}
+template<RealScalar T>
+GONIO_FORCE_INLINE T max(T a, T b) {
+    return a > b ? a : b;
+}
+
+GONIO_FORCE_INLINE float abs(float x) {
+    return __builtin_fabsf(x);
+}
+GONIO_FORCE_INLINE double abs(double x) {
+    return __builtin_fabs(x);
+}
+
+// Correctly rounded; NaN below 0.
+GONIO_FORCE_INLINE float sqrt(float x) {
+    return __builtin_sqrtf(x);
+}
+GONIO_FORCE_INLINE double sqrt(double x) {
+    return __builtin_sqrt(x);
+}
+
+// a·b + c, rounded once where the instruction set has it (avx2, avx512, neon) and twice elsewhere: for speed, never for
+// an exact remainder.
+template<RealScalar T>
+GONIO_FORCE_INLINE T mul_add(T a, T b, T c) {
+    return a * b + c;
+}
+
+// The magnitude of x with the sign bit of `sign`.
+GONIO_FORCE_INLINE float copysign(float x, float sign) {
+    return __builtin_copysignf(x, sign);
+}
+GONIO_FORCE_INLINE double copysign(double x, double sign) {
+    return __builtin_copysign(x, sign);
+}
+
+// x² + y² + z² − r² without cancellation: formed in double for floats, with an error of 2⁻⁵² of r² at most; in doubled
+// precision for double (T. J. Dekker, Numerische Mathematik 18, 1971).
+GONIO_FORCE_INLINE float difference_of_squares(float x, float y, float z, float r) {
+    const double dx = x, dy = y, dz = z, dr = r;
+    return static_cast<float>((dx * dx - dr * dr) + dy * dy + dz * dz);
+}
+GONIO_FORCE_INLINE double difference_of_squares(double x, double y, double z, double r) {
+    const double products[4] = {x * x, -(r * r), y * y, z * z};
+    double low = (__builtin_fma(x, x, -products[0]) - __builtin_fma(r, r, products[1])) +
+                 (__builtin_fma(y, y, -products[2]) + __builtin_fma(z, z, -products[3]));
+    double high = products[0];
+    for (int i = 1; i < 4; ++i) {
+        const double sum = high + products[i];
+        const double part = sum - high;
+        low += (high - (sum - part)) + (products[i] - part);
+        high = sum;
+    }
+    return high + low;
+}
+
+// The power of two p with 1 ≤ x·p < 2. For 0 and what is smaller than the least normal number the largest power of two,
+// for the top binade the least normal one (x·p < 4). Multiplying by it is exact. x ≥ 0, finite.
+GONIO_FORCE_INLINE float reciprocal_power_of_two(float x) {
+    constexpr std::int32_t exponent_bits = 0x7F800000;
+    std::int32_t exponent = __builtin_bit_cast(std::int32_t, x) & exponent_bits;
+    if (exponent > (253 << 23)) exponent = 253 << 23;
+    return __builtin_bit_cast(float, (254 << 23) - exponent);
+}
+GONIO_FORCE_INLINE double reciprocal_power_of_two(double x) {
+    constexpr std::int64_t exponent_bits = 0x7FF0000000000000;
+    std::int64_t exponent = __builtin_bit_cast(std::int64_t, x) & exponent_bits;
+    if (exponent > (std::int64_t{2045} << 52)) exponent = std::int64_t{2045} << 52;
+    return __builtin_bit_cast(double, (std::int64_t{2046} << 52) - exponent);
+}
+
+// Loads and stores; the partial ones take the first `count` (1 … lanes) and repeat the last of them in the other lanes.
+template<RealScalar T>
+GONIO_FORCE_INLINE void load(const T* from, T& to) {
+    to = *from;
+}
+template<RealScalar T>
+GONIO_FORCE_INLINE void load_partial(const T* from, std::size_t /*count*/, T& to) {
+    to = *from;
+}
+template<RealScalar T>
+GONIO_FORCE_INLINE void store(T from, T* to) {
+    *to = from;
+}
+template<RealScalar T>
+GONIO_FORCE_INLINE void store_partial(T from, T* to, std::size_t /*count*/) {
+    *to = from;
+}
+
+// Integers of the width of float, for the bit work in math.hpp.
+GONIO_FORCE_INLINE std::int32_t bits(float x) {
+    return __builtin_bit_cast(std::int32_t, x);
+}
+GONIO_FORCE_INLINE void from_bits(std::int32_t integer, float& x) {
+    x = __builtin_bit_cast(float, integer);
+}
+GONIO_FORCE_INLINE void to_real(std::int32_t integer, float& x) {
+    x = static_cast<float>(integer);
+}
+GONIO_FORCE_INLINE void is_nonzero(std::int32_t integer, bool& mask) {
+    mask = integer != 0;
+}
+
+} // namespace gonio::simd

@@ -1,0 +1,86 @@
+#include <gonio/web/integrate.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+
+namespace gonio {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// How much of the circle one stored plane interval stands for.
+double mirror_count(Symmetry stored) {
+    switch (stored) {
+    case Symmetry::quadrant:
+        return 4.0;
+    case Symmetry::bilateral_0_180:
+    case Symmetry::bilateral_90_270:
+        return 2.0;
+    case Symmetry::axial:
+    case Symmetry::none:
+        break;
+    }
+    return 1.0;
+}
+
+// Sums plane integrals over C: each is linear in C between planes, so the trapezoid rule is exact.
+template<class PlaneIntegral>
+Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
+    const std::span<const double> planes = web.planes_deg();
+    if (web.stored_symmetry() == Symmetry::axial) return Lumens(2.0 * std::numbers::pi * plane_integral(web.column(0)));
+    double sum = 0.0;
+    double before = plane_integral(web.column(0));
+    for (std::size_t i = 1; i < planes.size(); ++i) {
+        const double here = plane_integral(web.column(i));
+        sum += 0.5 * (before + here) * (planes[i] - planes[i - 1]) * radians_per_degree;
+        before = here;
+    }
+    return Lumens(sum * mirror_count(web.stored_symmetry()));
+}
+
+} // namespace
+
+double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high) {
+    // With m the middle, h the half width, w̄ the mean and δ half the rise:
+    //   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
+    // the bracket h²/3(1 − h²/10(1 − h²/28(1 − h²/54))) for small h, where it cancels.
+    const double m = 0.5 * (gamma_low + gamma_high);
+    const double h = 0.5 * (gamma_high - gamma_low);
+    const double h2 = h * h;
+    const double bracket =
+        h < 0.5 ? h2 / 3.0 * (1.0 - h2 / 10.0 * (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0))))
+                : std::sin(h) / h - std::cos(h);
+    const double mean = 0.5 * (w_low + w_high);
+    const double half_rise = 0.5 * (w_high - w_low);
+    return 2.0 * (mean * std::sin(m) * std::sin(h) + half_rise * std::cos(m) * bracket);
+}
+
+Lumens flux(const Web& web) {
+    const std::span<const double> gammas = web.gammas_deg();
+    return over_planes(web, [&](std::span<const double> column) {
+        double sum = 0.0;
+        for (std::size_t j = 1; j < gammas.size(); ++j)
+            sum += integrate_linear_sin(gammas[j - 1] * radians_per_degree, gammas[j] * radians_per_degree,
+                                        column[j - 1], column[j]);
+        return sum;
+    });
+}
+
+Lumens zonal_flux(const Web& web) {
+    const std::span<const double> gammas = web.gammas_deg();
+    return over_planes(web, [&](std::span<const double> column) {
+        double sum = 0.0;
+        for (std::size_t j = 1; j < gammas.size(); ++j) {
+            // cosγ₁ − cosγ₂ = 2 sin m sin h
+            const double m = 0.5 * (gammas[j - 1] + gammas[j]) * radians_per_degree;
+            const double h = 0.5 * (gammas[j] - gammas[j - 1]) * radians_per_degree;
+            sum += 0.5 * (column[j - 1] + column[j]) * 2.0 * std::sin(m) * std::sin(h);
+        }
+        return sum;
+    });
+}
+
+} // namespace gonio

@@ -1,0 +1,21 @@
+// Luminous flux of a Web: the exact integral of its interpolant, and the industry's zonal rule.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/web/web.hpp>
+
+namespace gonio {
+
+// Φ = ∬ I dω of the interpolant (linear in C and γ between the table's angles, 0 outside), cell by cell in closed form.
+// Accurate to a few ulp of the sum of |contributions| at any cell size.
+Lumens flux(const Web& web);
+
+// Σ mean(I₁, I₂)·(cosγ₁ − cosγ₂)·ΔC, the trapezoid rule in C: what photometric software prints (IES LM-46, LM-79).
+// Differs from flux() by the curvature of cosγ within a cell.
+Lumens zonal_flux(const Web& web);
+
+// ∫ of w(γ) sinγ over [gamma_low, gamma_high], for w linear from w_low to w_high over that interval [radians].
+// Free of cancellation for narrow intervals; the building block of flux() and of texture means.
+double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high);
+
+} // namespace gonio

@@ -1,0 +1,213 @@
+#include <gonio/web/resolve.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gonio {
+
+namespace {
+
+struct Table {
+    Symmetry stored = Symmetry::none;
+    std::vector<double> planes_deg;
+    std::vector<double> gammas_deg;
+    std::vector<double> candela; // [plane][gamma], before `factor`
+};
+
+void warn(Diagnostics& diagnostics, const Profile& profile, const char* code, std::string message,
+          std::string hint = {}) {
+    diagnostics.push_back({code, Severity::warning, {profile.source, 0, 0}, std::move(message), std::move(hint)});
+}
+
+void append_column(std::vector<double>& to, const std::vector<double>& from, std::size_t plane, std::size_t rows) {
+    const auto first = from.begin() + static_cast<std::ptrdiff_t>(plane * rows);
+    to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(rows));
+}
+
+// Drops planes and γ rows that repeat the angle before them; the first of a pair stays.
+Table without_duplicates(const Table& table) {
+    const auto repeats = [](const std::vector<double>& angles, std::size_t i) {
+        return i > 0 && angles[i] == angles[i - 1];
+    };
+    Table out;
+    out.stored = table.stored;
+    const std::size_t rows = table.gammas_deg.size();
+    for (std::size_t j = 0; j < rows; ++j)
+        if (!repeats(table.gammas_deg, j)) out.gammas_deg.push_back(table.gammas_deg[j]);
+    for (std::size_t i = 0; i < table.planes_deg.size(); ++i) {
+        if (repeats(table.planes_deg, i)) continue;
+        out.planes_deg.push_back(table.planes_deg[i]);
+        for (std::size_t j = 0; j < rows; ++j)
+            if (!repeats(table.gammas_deg, j)) out.candela.push_back(table.candela[i * rows + j]);
+    }
+    return out;
+}
+
+// A full table lists C0 and 360°; many writers leave the last plane out. Only a gap of one step is taken for that.
+void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnostics) {
+    const std::size_t n = table.planes_deg.size();
+    if (table.stored != Symmetry::none || n < 2) return;
+    const double span = table.planes_deg.back() - table.planes_deg.front();
+    if (span >= 360.0 - 1e-9) return;
+    double widest = 0.0;
+    for (std::size_t i = 1; i < n; ++i)
+        widest = std::max(widest, table.planes_deg[i] - table.planes_deg[i - 1]);
+    const double gap = 360.0 - span;
+    if (gap <= widest * (1.0 + 1e-6)) {
+        table.planes_deg.push_back(table.planes_deg.front() + 360.0);
+        append_column(table.candela, table.candela, 0, table.gammas_deg.size());
+        if (std::holds_alternative<IesFile>(profile.file))
+            warn(diagnostics, profile, "WEB0101",
+                 fmt::format("no C-plane at {}°: closed with the plane at {}°", table.planes_deg.back(),
+                             table.planes_deg.front()));
+    } else {
+        warn(diagnostics, profile, "WEB0102",
+             fmt::format("C-planes cover only {}° to {}°: dark elsewhere", table.planes_deg.front(),
+                         table.planes_deg.back()));
+    }
+}
+
+bool near_deg(double a, double b) {
+    return std::abs(a - b) <= 1e-6;
+}
+
+Symmetry symmetry_of_ies_planes(const std::vector<double>& planes) {
+    if (planes.size() == 1) return Symmetry::axial;
+    if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 90.0)) return Symmetry::quadrant;
+    if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 180.0)) return Symmetry::bilateral_0_180;
+    if (near_deg(planes.front(), 90.0) && near_deg(planes.back(), 270.0)) return Symmetry::bilateral_90_270;
+    return Symmetry::none;
+}
+
+// TILT's factor at a mounting tilt: linear between the listed angles, the nearest end beyond them.
+double tilt_factor(const IesTilt& tilt, double tilt_deg) {
+    if (tilt.angles_deg.empty() || tilt.factors.size() != tilt.angles_deg.size()) return 1.0;
+    const auto above = std::upper_bound(tilt.angles_deg.begin(), tilt.angles_deg.end(), tilt_deg);
+    if (above == tilt.angles_deg.begin()) return tilt.factors.front();
+    if (above == tilt.angles_deg.end()) return tilt.factors.back();
+    const auto i = static_cast<std::size_t>(above - tilt.angles_deg.begin());
+    const double weight = (tilt_deg - tilt.angles_deg[i - 1]) / (tilt.angles_deg[i] - tilt.angles_deg[i - 1]);
+    return tilt.factors[i - 1] + weight * (tilt.factors[i] - tilt.factors[i - 1]);
+}
+
+Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& profile, const ResolveOptions& options,
+                                          Diagnostics& diagnostics) {
+    if (file.photometry != Photometry::c)
+        return fail(Failure::unsupported,
+                    fmt::format("photometry type {} is read but not evaluated yet, only type C is",
+                                file.photometry == Photometry::a ? 'A' : 'B'),
+                    {}, profile.source);
+    Table table{symmetry_of_ies_planes(file.horizontal_deg), file.horizontal_deg, file.vertical_deg, file.candela};
+    if (table.stored == Symmetry::axial && table.planes_deg.front() != 0.0)
+        warn(diagnostics, profile, "WEB0103",
+             fmt::format("the only C-plane is at {}°: taken for every C", table.planes_deg.front()));
+
+    double factor = file.candela_multiplier * file.ballast_factor * tilt_factor(file.tilt, options.tilt_deg);
+    const bool field_12_is_factor = file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
+    if (field_12_is_factor) {
+        factor *= file.field_12;
+    } else if (file.field_12 != 1.0 && file.version != IesVersion::lm63_2019) {
+        warn(diagnostics, profile, "WEB0104",
+             fmt::format("the 12th field is {}, but {} reserves it as 1: not applied", file.field_12,
+                         to_text(file.version)),
+             "if the luminaire comes out too bright or too dark, this is why");
+    }
+    return std::pair{std::move(table), factor};
+}
+
+Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& profile, const ResolveOptions& options) {
+    if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
+        return fail(Failure::usage,
+                    fmt::format("there is no lamp set {}, the file has {}", options.lamp_set, file.lamp_sets.size()),
+                    {}, profile.source);
+    const LdtLampSet& lamps = file.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
+
+    Table table;
+    table.gammas_deg = file.gammas_deg;
+    table.candela = file.candela_per_klm;
+    const std::size_t stored = file.candela_per_klm.size() / std::max<std::size_t>(1, file.gammas_deg.size());
+    std::size_t first = 0; // index of the first stored plane among the Mc listed ones
+    switch (file.symmetry) {
+    case 1:
+        table.stored = Symmetry::axial;
+        break;
+    case 2:
+        table.stored = Symmetry::bilateral_0_180;
+        break;
+    case 3:
+        table.stored = Symmetry::bilateral_90_270;
+        while (first < file.planes_deg.size() && file.planes_deg[first] < 90.0 - 1e-6)
+            ++first;
+        break;
+    case 4:
+        table.stored = Symmetry::quadrant;
+        break;
+    default:
+        table.stored = Symmetry::none;
+        break;
+    }
+    if (table.stored == Symmetry::axial) {
+        table.planes_deg = {0.0};
+    } else {
+        if (first + stored > file.planes_deg.size())
+            return fail(Failure::malformed,
+                        fmt::format("symmetry {} stores {} planes from plane {}, but only {} are listed", file.symmetry,
+                                    stored, first + 1, file.planes_deg.size()),
+                        {}, profile.source);
+        const auto begin = file.planes_deg.begin() + static_cast<std::ptrdiff_t>(first);
+        table.planes_deg.assign(begin, begin + static_cast<std::ptrdiff_t>(stored));
+    }
+    return std::pair{std::move(table), lamps.flux_lm / 1000.0 * file.conversion_factor};
+}
+
+} // namespace
+
+Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options) {
+    Diagnostics diagnostics;
+    const auto* ies = std::get_if<IesFile>(&profile.file);
+    auto read = ies != nullptr ? table_of(*ies, profile, options, diagnostics)
+                               : table_of(std::get<LdtFile>(profile.file), profile, options);
+    if (!read) return pass_on(read);
+    auto& [raw, factor] = *read;
+    Table table = without_duplicates(raw);
+    close_the_circle(table, profile, diagnostics);
+
+    std::size_t negative = 0;
+    for (double& cd : table.candela) {
+        cd *= factor;
+        negative += cd < 0.0 ? 1 : 0;
+    }
+    if (negative > 0)
+        warn(diagnostics, profile, "WEB0105", fmt::format("{} intensities are negative: kept as they are", negative),
+             "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
+    if (std::all_of(table.candela.begin(), table.candela.end(), [](double cd) { return cd == 0.0; }))
+        warn(diagnostics, profile, "WEB0106", "every intensity is 0: this luminaire emits no light");
+
+    Result<Web> web =
+        Web::create(table.stored, std::move(table.planes_deg), std::move(table.gammas_deg), std::move(table.candela));
+    if (!web) {
+        for (Diagnostic& diagnostic : web.error().diagnostics)
+            diagnostic.location.file = profile.source;
+        return pass_on(web);
+    }
+    return ResolvedWeb{std::move(*web), std::move(diagnostics)};
+}
+
+std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options) {
+    if (const auto* ies = std::get_if<IesFile>(&profile.file)) {
+        if (ies->lumens_per_lamp <= 0.0) return std::nullopt;
+        return ies->lumens_per_lamp * ies->lamp_count;
+    }
+    const auto& ldt = std::get<LdtFile>(profile.file);
+    if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > ldt.lamp_sets.size()) return std::nullopt;
+    const LdtLampSet& lamps = ldt.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
+    if (lamps.lamp_count < 0) return std::nullopt;
+    return lamps.flux_lm;
+}
+
+} // namespace gonio

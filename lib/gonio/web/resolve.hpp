@@ -1,0 +1,33 @@
+// Profile → Web: what the file means, decided once.
+//
+// Applied: candela multiplier, ballast factor, the 12th field where its edition makes it a factor (1986, 1991), TILT at
+// the asked mounting tilt, EULUMDAT's cd/klm × flux of the lamp set × conversion factor. Symmetry is read from the
+// angles (IES) or Isym (EULUMDAT) and kept. A missing 360° plane is closed when the gap is one step.
+#pragma once
+
+#include <gonio/profile/profile.hpp>
+#include <gonio/web/web.hpp>
+
+#include <optional>
+
+namespace gonio {
+
+struct ResolveOptions {
+    int lamp_set = 1;      // EULUMDAT: which of the alternative lamp sets, from 1
+    double tilt_deg = 0.0; // IES with TILT=INCLUDE: the mounting tilt whose factor applies
+};
+
+// A web, and what was noticed on the way (appended to the profile's own diagnostics by the caller).
+struct ResolvedWeb {
+    Web web;
+    Diagnostics diagnostics;
+};
+
+// Fails: unsupported on photometry types A and B, malformed where the angles make no web, usage on a lamp set that the
+// file does not have.
+Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options = {});
+
+// Lumens of the lamps as the file declares them; nothing for absolute photometry, where there is no such number.
+std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options = {});
+
+} // namespace gonio
