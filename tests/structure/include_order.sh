@@ -42,7 +42,8 @@ awk -v order='base simd profile web color shading light scene bake preview plot 
         target = $0
         sub(/^[ \t]*#[ \t]*include[ \t]*[<"]/, "", target)
         sub(/[>"].*/, "", target)
-        if (target ~ /(^|\/)\.\.(\/|$)/) complain("includes " target ": no path goes upwards")
+        if (in_lib && target ~ /(^|\/)\.\.(\/|$)/) complain("includes " target ": no path goes upwards")
+        if (target ~ /\.\.\/lib\//) complain("includes " target ": the include root is lib/")
         if (target ~ /^(iostream|fstream)$/) complain("includes <" target ">")
         if (target ~ /^OpenImageIO\// && FILENAME !~ /^lib\/gonio\/media\/image\//)
             complain("includes " target ": OpenImageIO belongs to lib/gonio/media/image")

@@ -41,6 +41,7 @@ fault lib/gonio/shading/a.hpp '#include <gonio/web/web.hpp>' 'includes gonio/web
 fault lib/gonio/web/a.cpp '#include <gonio/cellar/x.hpp>' 'includes gonio/cellar/x.hpp: there is no room cellar'
 fault lib/gonio/web/a.cpp '#include <cli/options.hpp>' 'includes cli/options.hpp: the library knows'
 fault lib/gonio/web/a.cpp '#include "../../../cli/options.hpp"' 'includes ../../../cli/options.hpp: no path'
+fault cli/commands/a.cpp '#include "../../lib/gonio/web/web.hpp"' 'includes ../../lib/gonio/web/web.hpp: the include root'
 fault lib/gonio/web/a.cpp '#include <CLI/CLI.hpp>' 'includes CLI/CLI.hpp: CLI11'
 fault lib/gonio/web/a.hpp '#include <fmt/format.h>' 'includes fmt/format.h: a public header'
 fault lib/gonio/web/a.hpp '#include <nlohmann/json.hpp>' 'includes nlohmann/json.hpp: a public header'

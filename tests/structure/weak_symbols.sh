@@ -14,9 +14,9 @@ failures=0
 objects=0
 symbols=0
 while IFS= read -r -d '' object; do
-    name=${object##*/}
-    tag=${name#kernels_}
-    tag=${tag%%[!a-z0-9]*}
+    # kernels_avx2.cpp.o, kernels_math_avx2.cpp.o
+    [[ ${object##*/} =~ _(sse2|avx2|avx512|neon)[^a-z0-9] ]]
+    tag=${BASH_REMATCH[1]}
     objects=$((objects + 1))
     while read -r type symbol; do
         [[ $type == [WVuwv] ]] || continue
@@ -29,8 +29,8 @@ while IFS= read -r -d '' object; do
             failures=$((failures + 1))
         fi
     done < <(nm --defined-only --format=posix "$object" | awk '{ print $2, $1 }')
-done < <(find "$build" -type f \( -name 'kernels_sse2*.o' -o -name 'kernels_avx2*.o' -o -name 'kernels_avx512*.o' \
-    -o -name 'kernels_neon*.o' \) -print0 | LC_ALL=C sort -z)
+done < <(find "$build" -type f -regextype posix-extended \
+    -regex '.*/kernels_([a-z0-9_]+_)?(sse2|avx2|avx512|neon)[^a-z0-9][^/]*\.o' -print0 | LC_ALL=C sort -z)
 
 if ((objects == 0)); then
     echo "no kernels_*.o of an instruction set under $build"

@@ -39,7 +39,7 @@ namespace gonio { inline float shared(float x) { return x + x; } float entry(flo
 CODE
 expect fail 'an untagged inline function' 'gonio::shared(float)'
 
-object kernels_avx512.cpp.o << 'CODE'
+object kernels_math_avx512.cpp.o << 'CODE'
 namespace gonio::simd { struct avx2 {}; }
 namespace gonio { template<class I> float f(float x) { return x; } float e(float x) { return f<simd::avx2>(x); } }
 CODE

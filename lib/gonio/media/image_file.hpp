@@ -81,8 +81,8 @@ struct DecodedImage {
 // The largest image that decode_image takes: width × height × channels.
 inline constexpr std::size_t max_decoded_values = std::size_t{1} << 28;
 
-// Fails (malformed) on bytes that are no whole file of a format here, and on more than `max_values` of them. A JPEG whose
-// tail is torn may pass, filled up with grey.
+// Fails (malformed) on bytes that are no whole file of a format here, and on more than `max_values` of them. A JPEG
+// whose tail is torn may pass, filled up with grey.
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values = max_decoded_values);
 
 } // namespace gonio::media

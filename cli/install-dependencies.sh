@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that gonio is built with; only those that are missing, and nothing when none is.
+#
+#   cli/install-dependencies.sh           what building the library and the tool needs
+#   cli/install-dependencies.sh --tests   … and running tests/run.sh
+#   cli/install-dependencies.sh --ci      … and running .ci/run (clang, its sanitizers, clang-tidy, clang-format)
+#
+# Needs root or sudo, and only when something is missing.
+set -euo pipefail
+
+packages=(
+    g++ cmake ninja-build pkg-config ccache
+    libopenimageio-dev libopencolorio-dev
+    libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev
+)
+test_packages=(libgtest-dev)
+ci_packages=(clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14)
+
+for argument in "$@"; do
+    case $argument in
+    --tests) packages+=("${test_packages[@]}") ;;
+    --ci) packages+=("${test_packages[@]}" "${ci_packages[@]}") ;;
+    -h | --help)
+        sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+        exit 0
+        ;;
+    *)
+        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --ci)" >&2
+        exit 2
+        ;;
+    esac
+done
+
+if ! command -v dpkg-query > /dev/null; then
+    echo "install-dependencies.sh: this is no Debian; install the counterparts of: ${packages[*]}" >&2
+    exit 5
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    state=$(dpkg-query --show --showformat '${db:Status-Abbrev}' "$package" 2> /dev/null || true)
+    [[ $state == ii* ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+    if ! command -v sudo > /dev/null; then
+        echo "install-dependencies.sh: run as root: apt-get install --no-install-recommends ${missing[*]}" >&2
+        exit 3
+    fi
+    as_root=(sudo)
+fi
+echo "installing: ${missing[*]}" >&2
+# apt's report goes to stderr; the variables reach apt through sudo only on its own command line.
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=120 -o Acquire::Retries=3)
+"${apt[@]}" update >&2
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}" < /dev/null >&2
