@@ -37,8 +37,9 @@ template<class S>
 GONIO_FORCE_INLINE S irradiance_sphere(const Direction<S>& to_center, S radius) {
     constexpr double pi = std::numbers::pi;
     const S c = to_center.n_dot_l;
-    const S scaled_radius = radius * to_center.scale;
-    const S s = simd::min(simd::abs(scaled_radius) * to_center.inverse_distance, S(1));
+    // The scaled distance is below 7: a larger radius makes no difference and could overflow.
+    const S scaled_radius = simd::min(simd::abs(radius) * to_center.scale, S(8));
+    const S s = simd::min(scaled_radius * to_center.inverse_distance, S(1));
     const S above = S(pi) * s * s * simd::max(c, S(0));
 
     // What follows is for packets that the horizon cuts, or that come so near that s is 1 within rounding or beyond.

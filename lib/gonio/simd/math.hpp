@@ -77,8 +77,8 @@ template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan_excess(S x) {
     const S t = x * x;
     return x * t *
-           detail::polynomial(t, -0.333331525F, 0.199937731F, -0.142110556F, 0.106660046F, -0.0755221471F,
-                              0.0432118662F, -0.0163679309F, 0.00292069302F);
+           detail::polynomial(t, -0.333333313F, 0.199997559F, -0.142789081F, 0.11036396F, -0.0866695791F, 0.0627121776F,
+                              -0.0361159481F, 0.0136559475F, -0.00242356909F);
 }
 GONIO_FORCE_INLINE double atan_excess(double x) {
     if (x > 0.25) return __builtin_atan(x) - x;

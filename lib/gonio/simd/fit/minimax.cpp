@@ -101,10 +101,12 @@ void fit(const char* name, const Function& target, const Function& weight, Real 
 int main() {
     const Real tiny = 1e-5L;
     const auto root = [](Real t) { return std::sqrt(t); };
+    const auto atan_excess = [&](Real t) {
+        return t < 1e-6L ? -1.0L / 3 + t / 5 - t * t / 7 : (std::atan(root(t)) / root(t) - 1) / t;
+    };
     fit(
-        "atan, x=sqrt t in [0,1]: x + x t P(t)",
-        [&](Real t) { return t < tiny ? -1.0L / 3 + t / 5 : (std::atan(root(t)) / root(t) - 1) / t; },
-        [&](Real t) { return t < tiny ? tiny : t * root(t) / std::atan(root(t)); }, 0, 1, 8);
+        "atan, x=sqrt t in [0,1]: x + x t P(t), relative to x t P(t)", atan_excess,
+        [&](Real t) { return -1 / atan_excess(t); }, 0, 1, 9);
     fit(
         "asin, x=sqrt t in [0,1/2]: x + x t P(t)",
         [&](Real t) { return t < tiny ? 1.0L / 6 + 3 * t / 40 : (std::asin(root(t)) / root(t) - 1) / t; },

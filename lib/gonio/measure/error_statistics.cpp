@@ -1,0 +1,31 @@
+#include <gonio/measure/error_statistics.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace gonio::measure {
+
+Spread spread_of(std::span<const double> errors) {
+    if (errors.empty()) return {};
+    std::vector<double> sorted(errors.begin(), errors.end());
+    for (double& error : sorted)
+        if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+    std::sort(sorted.begin(), sorted.end());
+    // Nearest rank: the smallest value that at least that share of all is not above.
+    const auto rank = [&](std::size_t percent) { return sorted[(percent * sorted.size() + 99) / 100 - 1]; };
+    return {rank(50), rank(95), sorted.back(), sorted.size()};
+}
+
+ErrorStatistics compare(std::span<const double> values, std::span<const double> truth, double relative_floor) {
+    std::vector<double> absolute;
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < std::min(values.size(), truth.size()); ++i) {
+        absolute.push_back(std::fabs(values[i] - truth[i]));
+        if (truth[i] > relative_floor) relative.push_back(absolute.back() / truth[i]);
+    }
+    return {spread_of(absolute), spread_of(relative)};
+}
+
+} // namespace gonio::measure

@@ -1,0 +1,39 @@
+// Poses of a receiver before a sphere light, to measure methods on.
+//
+// The sphere has radius 1 and lies at the origin: E/L depends on d/r and angles only, and one light with many receivers
+// is what the kernels take. All numbers are floats, so that every precision is given the same pose; normals are of unit
+// length within rounding to float.
+#pragma once
+
+#include <gonio/shading/kernels.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gonio::measure {
+
+// above, straddling, below: by the receiver's horizon, 1.01 ≤ d/r ≤ 30. near: d/r − 1 from 1e-6 to 0.1, any tilt.
+// far: d/r from 30 to 1e6, half of them grazing.
+enum class Stratum : std::uint8_t { above, straddling, below, near, far };
+inline constexpr std::size_t stratum_count = 5;
+
+const char* to_text(Stratum stratum);
+
+struct SphereCases {
+    std::array<std::vector<float>, 3> position;
+    std::array<std::vector<float>, 3> normal;
+    std::vector<Stratum> stratum;
+
+    std::size_t size() const { return stratum.size(); }
+    // Views into this object.
+    shading::Surfaces surfaces() const;
+    // The light that they all see: radius 1, at the origin, luminance 1 nt.
+    static shading::LightConstants light();
+};
+
+// `count` poses, the strata in turn; the same for the same seed on every machine.
+SphereCases sphere_cases(std::size_t count, std::uint64_t seed);
+
+} // namespace gonio::measure

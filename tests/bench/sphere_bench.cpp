@@ -1,0 +1,114 @@
+// Google Benchmark of the sphere kernels, one instruction set beside the other.
+//
+// How to read it: times swing with the machine, ratios within one run hold. The baseline is the `scalar` row of the
+// same group (the plain float code, compiled for the least processor); divide its time by another row's.
+// `items_per_second` counts surface points.
+#include <gonio/measure/sphere_cases.hpp>
+#include <gonio/measure/sphere_methods.hpp>
+#include <gonio/shading/kernels.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gonio;
+using measure::SphereCases;
+using measure::Stratum;
+using shading::LightConstants;
+using shading::MaterialConstants;
+
+constexpr std::size_t points = 4096; // stays in the second-level cache
+
+// Poses of one stratum, or of all mixed where `mixed`.
+SphereCases poses(Stratum stratum, bool mixed) {
+    SphereCases all = measure::sphere_cases(mixed ? points : points * measure::stratum_count, 3);
+    if (mixed) return all;
+    SphereCases some;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all.stratum[i] != stratum) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            some.position[k].push_back(all.position[k][i]);
+            some.normal[k].push_back(all.normal[k][i]);
+        }
+        some.stratum.push_back(stratum);
+    }
+    return some;
+}
+
+void irradiance(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases) {
+    std::vector<float> lx(cases.size());
+    const LightConstants light = SphereCases::light();
+    for (auto _ : state) {
+        kernels.irradiance(cases.surfaces(), light, lx.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
+}
+
+void shade(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases,
+           LightConstants::Kind light_kind, MaterialConstants::Kind material_kind) {
+    std::vector<float> rgb(3 * cases.size());
+    std::vector<float> candela(cases.size(), 100.0F);
+    float* const out[3] = {rgb.data(), rgb.data() + cases.size(), rgb.data() + 2 * cases.size()};
+    LightConstants light = SphereCases::light();
+    light.kind = light_kind;
+    light.intensity_cd = candela.data();
+    MaterialConstants material;
+    material.kind = material_kind;
+    shading::Surfaces surfaces = cases.surfaces();
+    std::copy(std::begin(surfaces.normal), std::end(surfaces.normal), std::begin(surfaces.view));
+    for (auto _ : state) {
+        kernels.shade(surfaces, light, material, out);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
+}
+
+void named_method(benchmark::State& state, const measure::SphereMethod& method, const SphereCases& cases) {
+    std::vector<float> lx(cases.size());
+    for (auto _ : state) {
+        method.evaluate(cases, lx);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    static const SphereCases above = poses(Stratum::above, false);
+    static const SphereCases straddling = poses(Stratum::straddling, false);
+    static const SphereCases mixed = poses(Stratum::above, true);
+    for (const simd::InstructionSet set : simd::available_sets()) {
+        const shading::Kernels& kernels = shading::kernels(set);
+        const std::string name = kernels.name;
+        const auto add = [&](const std::string& group, auto&&... arguments) {
+            benchmark::RegisterBenchmark((group + "/" + name).c_str(), arguments...);
+        };
+        add("irradiance/above", [&](benchmark::State& s) { irradiance(s, kernels, above); });
+        add("irradiance/straddling", [&](benchmark::State& s) { irradiance(s, kernels, straddling); });
+        add("irradiance/mixed", [&](benchmark::State& s) { irradiance(s, kernels, mixed); });
+        add("shade/point-lambert", [&](benchmark::State& s) {
+            shade(s, kernels, above, LightConstants::Kind::punctual, MaterialConstants::Kind::lambert);
+        });
+        add("shade/point-frostbite", [&](benchmark::State& s) {
+            shade(s, kernels, above, LightConstants::Kind::punctual, MaterialConstants::Kind::frostbite);
+        });
+        add("shade/sphere-frostbite", [&](benchmark::State& s) {
+            shade(s, kernels, mixed, LightConstants::Kind::sphere, MaterialConstants::Kind::frostbite);
+        });
+    }
+    static const std::vector<measure::SphereMethod> methods = measure::sphere_methods();
+    for (const measure::SphereMethod& method : methods)
+        benchmark::RegisterBenchmark(("method/" + method.name + "/" + method.precision).c_str(),
+                                     [&](benchmark::State& s) { named_method(s, method, mixed); });
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
