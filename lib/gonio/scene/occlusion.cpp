@@ -26,6 +26,15 @@ double lens_area(double a, double b, double d) {
     return a * a * (from_a - 0.5 * std::sin(2.0 * from_a)) + b * b * (from_b - 0.5 * std::sin(2.0 * from_b));
 }
 
+// The angle opposite side x of a spherical triangle with sides x, y, z, by its half: keeps its digits in small
+// triangles, where the law of cosines loses them.
+double triangle_angle(double x, double y, double z) {
+    const double s = 0.5 * (x + y + z);
+    const double up = std::max(std::sin(s - y) * std::sin(s - z), 0.0);
+    const double down = std::max(std::sin(s) * std::sin(s - x), 0.0);
+    return 2.0 * std::atan2(std::sqrt(up), std::sqrt(down));
+}
+
 double angle_between(const glm::dvec3& p, const glm::dvec3& q) {
     return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
 }
@@ -36,10 +45,10 @@ double cap_overlap(double a, double b, double d) {
     const double small = std::min(a, b);
     if (d >= a + b) return 0.0;
     if (d <= std::abs(a - b)) return cap_area(small);
-    if (std::max(a, b) < 1e-3) return std::min(lens_area(a, b, d), cap_area(small));
-    const double at_crossing = safe_acos((std::cos(d) - std::cos(a) * std::cos(b)) / (std::sin(a) * std::sin(b)));
-    const double at_a = safe_acos((std::cos(b) - std::cos(d) * std::cos(a)) / (std::sin(d) * std::sin(a)));
-    const double at_b = safe_acos((std::cos(a) - std::cos(d) * std::cos(b)) / (std::sin(d) * std::sin(b)));
+    if (std::max(a, b) < 1e-4) return std::min(lens_area(a, b, d), cap_area(small));
+    const double at_crossing = triangle_angle(d, a, b);
+    const double at_a = triangle_angle(b, d, a);
+    const double at_b = triangle_angle(a, d, b);
     const double area = 2.0 * (std::numbers::pi - at_crossing - at_a * std::cos(a) - at_b * std::cos(b));
     return std::clamp(area, 0.0, cap_area(small));
 }

@@ -17,7 +17,7 @@ double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& poin
                      double light_radius);
 
 // Solid angle common to two caps of half angles a and b ∈ [0, π/2] whose axes are d ∈ [0, π] apart [sr].
-// Closed form of the two overlapping circular segments on the sphere (Mazonka 2012); planar lens below 1e-3 rad,
+// Closed form of the two overlapping circular segments on the sphere (Mazonka 2012); planar lens below 1e-4 rad,
 // where the spherical form cancels.
 double cap_overlap(double a, double b, double d);
 

@@ -46,13 +46,14 @@ Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
 double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high) {
     // With m the middle, h the half width, w̄ the mean and δ half the rise:
     //   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
-    // the bracket h²/3(1 − h²/10(1 − h²/28(1 − h²/54))) for small h, where it cancels.
+    // the bracket as a series for small h, where it cancels; at h = ½ its next term is 1e-17 of it.
     const double m = 0.5 * (gamma_low + gamma_high);
     const double h = 0.5 * (gamma_high - gamma_low);
     const double h2 = h * h;
-    const double bracket =
-        h < 0.5 ? h2 / 3.0 * (1.0 - h2 / 10.0 * (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0))))
-                : std::sin(h) / h - std::cos(h);
+    const double series =
+        1.0 -
+        h2 / 10.0 * (1.0 - h2 / 28.0 * (1.0 - h2 / 54.0 * (1.0 - h2 / 88.0 * (1.0 - h2 / 130.0 * (1.0 - h2 / 180.0)))));
+    const double bracket = h < 0.5 ? h2 / 3.0 * series : std::sin(h) / h - std::cos(h);
     const double mean = 0.5 * (w_low + w_high);
     const double half_rise = 0.5 * (w_high - w_low);
     return 2.0 * (mean * std::sin(m) * std::sin(h) + half_rise * std::cos(m) * bracket);

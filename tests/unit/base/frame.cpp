@@ -1,6 +1,7 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/base/quantity.hpp>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -6,6 +6,7 @@
 
 #include "../web/webs.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>

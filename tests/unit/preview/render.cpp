@@ -4,6 +4,7 @@
 
 #include "../web/webs.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>

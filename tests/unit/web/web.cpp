@@ -39,7 +39,7 @@ TEST(Web, IsDarkOutsideItsAngles) {
     EXPECT_EQ(sector.candela(269, 45), 1.0);
     EXPECT_EQ(sector.candela(271, 45), 0.0);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(web.candela(nan, 45), 1.5);
+    EXPECT_EQ(web.candela(nan, 45), 0.0);
     EXPECT_EQ(web.candela(0, nan), 0.0);
     EXPECT_EQ(sector.candela(nan, 45), 0.0);
 }
