@@ -120,6 +120,22 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& pr
     return std::pair{std::move(table), factor};
 }
 
+// Isym 3: the stored planes are Mc1 = 3Mc/4 + 1 to Mc2 = Mc1 + Mc/2 (Stockmar 1990), which is C270 over C0 to C90.
+// Their mirror images in the C90–C270 plane are C270 over C180 to C90: the web's planes, backwards.
+void take_planes_from_c270(const LdtFile& file, std::size_t stored, Table& table) {
+    const std::size_t rows = file.gammas_deg.size();
+    const std::size_t count = file.planes_deg.size();
+    std::size_t first = 0;
+    while (first + 1 < count && file.planes_deg[first] < 270.0 - 1e-6)
+        ++first;
+    table.candela.clear();
+    for (std::size_t i = stored; i-- > 0;) {
+        const double c = file.planes_deg[(first + i) % count];
+        table.planes_deg.push_back(std::fmod(540.0 - c, 360.0));
+        append_column(table.candela, file.candela_per_klm, i, rows);
+    }
+}
+
 Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& profile, const ResolveOptions& options) {
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
         return fail(Failure::usage,
@@ -131,36 +147,24 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
     table.gammas_deg = file.gammas_deg;
     table.candela = file.candela_per_klm;
     const std::size_t stored = file.candela_per_klm.size() / std::max<std::size_t>(1, file.gammas_deg.size());
-    std::size_t first = 0; // index of the first stored plane among the Mc listed ones
     switch (file.symmetry) {
-    case 1:
-        table.stored = Symmetry::axial;
-        break;
-    case 2:
-        table.stored = Symmetry::bilateral_0_180;
-        break;
-    case 3:
-        table.stored = Symmetry::bilateral_90_270;
-        while (first < file.planes_deg.size() && file.planes_deg[first] < 90.0 - 1e-6)
-            ++first;
-        break;
-    case 4:
-        table.stored = Symmetry::quadrant;
-        break;
-    default:
-        table.stored = Symmetry::none;
-        break;
+    case 1: table.stored = Symmetry::axial; break;
+    case 2: table.stored = Symmetry::bilateral_0_180; break;
+    case 3: table.stored = Symmetry::bilateral_90_270; break;
+    case 4: table.stored = Symmetry::quadrant; break;
+    default: table.stored = Symmetry::none; break;
     }
     if (table.stored == Symmetry::axial) {
         table.planes_deg = {0.0};
+    } else if (stored > file.planes_deg.size()) {
+        return fail(Failure::malformed,
+                    fmt::format("symmetry {} stores {} planes, but only {} are listed", file.symmetry, stored,
+                                file.planes_deg.size()),
+                    {}, profile.source);
+    } else if (table.stored == Symmetry::bilateral_90_270) {
+        take_planes_from_c270(file, stored, table);
     } else {
-        if (first + stored > file.planes_deg.size())
-            return fail(Failure::malformed,
-                        fmt::format("symmetry {} stores {} planes from plane {}, but only {} are listed", file.symmetry,
-                                    stored, first + 1, file.planes_deg.size()),
-                        {}, profile.source);
-        const auto begin = file.planes_deg.begin() + static_cast<std::ptrdiff_t>(first);
-        table.planes_deg.assign(begin, begin + static_cast<std::ptrdiff_t>(stored));
+        table.planes_deg.assign(file.planes_deg.begin(), file.planes_deg.begin() + static_cast<std::ptrdiff_t>(stored));
     }
     return std::pair{std::move(table), lamps.flux_lm / 1000.0 * file.conversion_factor};
 }

@@ -115,7 +115,7 @@ Profile ldt(int symmetry) {
         for (const double share : {1.0, 0.5, 0.0})
             file.candela_per_klm.push_back(share * value);
     };
-    const int first = symmetry == 3 ? 6 : 0;
+    const int first = symmetry == 3 ? 18 : 0; // C270 over C0 to C90
     const int count = symmetry == 0 ? 24 : symmetry == 1 ? 1 : symmetry == 4 ? 7 : 13;
     for (int i = 0; i < count; ++i)
         add(15.0 * (first + i));
