@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ostream>
 #include <string>
 
 namespace gonio::media {
@@ -69,6 +70,11 @@ struct Stored {
     int channels;
     float tolerance;
 };
+
+// ctest shows this beside the test's name; gtest would print the bytes of the pointer.
+void PrintTo(const Stored& stored, std::ostream* out) {
+    *out << stored.format << ' ' << to_text(stored.pixel) << " x " << stored.channels;
+}
 
 class ImageFileStored : public ImageFile, public ::testing::WithParamInterface<Stored> {};
 
