@@ -200,7 +200,8 @@ TEST_P(SphereKernels, SameAtAnyScale) {
     for (const float scale : {0x1p-100F, 0x1p-20F, 0x1p30F, 0x1p100F}) {
         auto scaled = cases;
         for (auto& component : scaled.position)
-            for (float& p : component) p *= scale;
+            for (float& p : component)
+                p *= scale;
         auto light = gonio::measure::SphereCases::light();
         light.radius = scale;
         std::vector<float> lx(cases.size());
