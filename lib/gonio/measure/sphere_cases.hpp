@@ -26,9 +26,9 @@ struct SphereCases {
     std::array<std::vector<float>, 3> normal;
     std::vector<Stratum> stratum;
 
-    std::size_t size() const { return stratum.size(); }
+    [[nodiscard]] std::size_t size() const { return stratum.size(); }
     // Views into this object.
-    shading::Surfaces surfaces() const;
+    [[nodiscard]] shading::Surfaces surfaces() const;
     // The light that they all see: radius 1, at the origin, luminance 1 nt.
     static shading::LightConstants light();
 };

@@ -9,27 +9,26 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"scalar", "sse2", "neon", "avx2", "avx512"};
 
+// What every machine of the architecture has.
+#if defined(__x86_64__)
+constexpr InstructionSet architecture_baseline = InstructionSet::sse2;
+#elif defined(__aarch64__)
+constexpr InstructionSet architecture_baseline = InstructionSet::neon;
+#else
+constexpr InstructionSet architecture_baseline = InstructionSet::scalar;
+#endif
+
 // What the processor has and the system saves on a context switch; the compiler's run-time asks both.
 bool machine_has(InstructionSet set) {
-    switch (set) {
-    case InstructionSet::scalar:
-        return true;
+    if (set == InstructionSet::scalar || set == architecture_baseline) return true;
 #if defined(__x86_64__)
-    case InstructionSet::sse2:
-        return true;
-    case InstructionSet::avx2:
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case InstructionSet::avx512:
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-               machine_has(InstructionSet::avx2);
-#elif defined(__aarch64__)
-    case InstructionSet::neon:
-        return true;
+    const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (set == InstructionSet::avx2) return has_avx2;
+    if (set == InstructionSet::avx512)
+        return has_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
 #endif
-    default:
-        return false;
-    }
+    return false;
 }
 
 struct Available {

@@ -183,7 +183,7 @@ GONIO_FORCE_INLINE S exp2(S x) {
     const integer_of<S> n = bits(shifted) - 0x4B400000;
     const integer_of<S> half = n >> 1;
     const S result = power * detail::power_of_two<S>(half) * detail::power_of_two<S>(n - half);
-    return select(x == x, result, x);
+    return select(x == x, result, x); // NOLINT(misc-redundant-expression): false for a NaN
 }
 GONIO_FORCE_INLINE double exp2(double x) {
     return __builtin_exp2(x);

@@ -20,7 +20,7 @@ namespace gonio::simd {
 // Per lane all bits set (true) or none.
 template<class Isa>
 struct mask {
-    typedef std::int32_t vector [[gnu::vector_size(sizeof(std::int32_t) * Isa::lanes)]];
+    using vector [[gnu::vector_size(sizeof(std::int32_t) * Isa::lanes)]] = std::int32_t;
     vector m;
 };
 
@@ -31,7 +31,7 @@ template<class Isa>
 struct pack<float, Isa> {
     using isa = Isa;
     using native = Native<Isa>;
-    typedef float vector [[gnu::vector_size(sizeof(float) * Isa::lanes)]];
+    using vector [[gnu::vector_size(sizeof(float) * Isa::lanes)]] = float;
     static constexpr std::size_t lanes = Isa::lanes;
 
     vector v;
