@@ -33,7 +33,11 @@ Unexpected refused(const Command& command, const CLI::ParseError& error, const C
         return fail(Failure::usage, fmt::format("unknown option '{}'", bare),
                     guess.empty() ? see : fmt::format("did you mean '{}'?", guess));
     }
-    return fail(Failure::usage, error.what(), see);
+    // CLI11 says "--shape: 1 required TEXT missing".
+    const std::string_view said = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return fail(Failure::usage, fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
+    return fail(Failure::usage, std::string(said), see);
 }
 
 } // namespace
@@ -67,6 +71,7 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
             handles.push_back(app.add_option(names, given.values)
                                   ->type_size(1)
                                   ->expected(1)
+                                  ->allow_extra_args(false)
                                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
         }
     }

@@ -55,10 +55,13 @@ Result<KindText> parse_kind_text(std::string_view text) {
     return parsed;
 }
 
-Unexpected unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
+Unexpected unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known,
+                        std::string_view of) {
     const std::string_view guess = nearest(name, known);
     const std::string all = fmt::format("there are: {}", fmt::join(known, ", "));
-    return fail(Failure::usage, fmt::format("unknown {} '{}'", what, name),
+    std::string message = fmt::format("unknown {} '{}'", what, name);
+    if (!of.empty()) message += fmt::format(" of '{}'", of);
+    return fail(Failure::usage, std::move(message),
                 guess.empty() ? all : fmt::format("did you mean '{}'? {}", guess, all));
 }
 
@@ -67,7 +70,7 @@ Result<void> only_keys(const KindText& text, std::span<const std::string_view> k
         if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
         if (known.empty())
             return fail(Failure::usage, fmt::format("'{}' takes no keys, but '{}' is given", text.kind, entry.key));
-        return unknown_name(fmt::format("key of '{}'", text.kind), entry.key, known);
+        return unknown_name("key", entry.key, known, text.kind);
     }
     return {};
 }

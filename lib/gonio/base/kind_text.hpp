@@ -31,7 +31,8 @@ Result<KindText> parse_kind_text(std::string_view text);
 // Fails (usage) when an entry's key is not one of `known`, naming the nearest and all there are.
 Result<void> only_keys(const KindText& text, std::span<const std::string_view> known);
 
-// "unknown WHAT 'NAME'" with the nearest of `known` and all of them in the hint.
-Unexpected unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known);
+// "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'", with the nearest of `known` and all of them in the hint.
+Unexpected unknown_name(std::string_view what, std::string_view name, std::span<const std::string_view> known,
+                        std::string_view of = {});
 
 } // namespace gonio

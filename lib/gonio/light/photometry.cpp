@@ -50,8 +50,12 @@ Result<Emitter> emitter_of(const Shape& shape) {
     return emitter;
 }
 
+// A step that several answers share is said once.
 void note(ConversionSteps* steps, std::string formula, double value, const char* unit) {
-    if (steps != nullptr) steps->push_back({std::move(formula), value, unit});
+    if (steps == nullptr) return;
+    for (const ConversionStep& step : *steps)
+        if (step.formula == formula) return;
+    steps->push_back({std::move(formula), value, unit});
 }
 
 Unexpected luminance_refused(const Emitter& emitter) {
@@ -230,13 +234,17 @@ Result<double> express(const Shape& shape, Candelas intensity, const Photometric
         if (Result<void> outside = check_distance(emitter, unit); !outside) return pass_on(outside);
         const double d = unit.distance->value;
         base = base * emitter.axial_share / (d * d);
-        note(steps, emitter.axial_share == 1.0 ? "E = I/d²" : "E = I(γ=0)/d²", base, "lx");
+        note(steps, fmt::format("E = {}/d², d = {} m", emitter.axial_share == 1.0 ? "I" : "I(γ=0)", rounded(d)), base,
+             "lx");
     }
     if (dimension == Dimension::luminance_ev || dimension == Dimension::illuminance_ev) {
         if (!(base > 0.0)) return fail(Failure::usage, fmt::format("no light has no {}", dimension_name(dimension)));
         base = dimension == Dimension::luminance_ev ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
-        note(steps, dimension == Dimension::luminance_ev ? "EV = log2(L) + 3" : "EV = log2(E/2.5)", base,
-             unit.unit->symbol.data());
+        note(steps,
+             dimension == Dimension::luminance_ev
+                 ? std::string("EV = log2(L) + 3")
+                 : fmt::format("EV = log2(E/2.5), d = {} m", rounded(unit.distance->value)),
+             base, unit.unit->symbol.data());
     }
     const double number = base / unit.unit->base_per_unit;
     if (!std::isfinite(number))

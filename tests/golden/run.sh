@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Runs the commands of a transcript and compares what they print with what stands there.
+#
+#   tests/golden/run.sh GONIO FILE            fails and shows the difference
+#   tests/golden/run.sh GONIO FILE --update   rewrites FILE with what is printed now
+#
+# FILE is a transcript, or Markdown whose blocks fenced with ```console are transcripts. In a transcript a line
+# "$ COMMAND" is a command for bash; below it stand the lines of its standard output, then those of its standard error
+# behind "! ", then "[exit N]" where N is not 0. Commands run one after the other in one new folder that holds a link to
+# profiles/, with the tool as `gonio`; its name in the folder of the machine never shows.
+set -euo pipefail
+
+gonio=$(realpath "$1")
+file=$(realpath "$2")
+update=${3:-}
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin" "$work/here"
+ln -s "$gonio" "$work/bin/gonio"
+ln -s "$root/profiles" "$work/here/profiles"
+export PATH="$work/bin:$PATH" NO_COLOR=1 LC_ALL=C.UTF-8
+unset OCIO
+
+inside=0
+markdown=0
+[[ $file == *.md ]] && markdown=1
+skipping=0 # the old output of a command that has been run
+run() {
+    local status=0
+    (cd "$work/here" && bash -c "$1") > "$work/out" 2> "$work/err" < /dev/null || status=$?
+    cat "$work/out"
+    # A last line without a newline would swallow what follows.
+    [[ -s $work/out && $(tail -c 1 "$work/out" | wc -l) -eq 0 ]] && echo
+    sed 's/^/! /' "$work/err"
+    ((status == 0)) || echo "[exit $status]"
+}
+
+while IFS= read -r line || [[ -n $line ]]; do
+    if ((markdown)); then
+        if [[ $line == '```console' ]]; then
+            inside=1 skipping=0
+        elif [[ $line == '```'* ]]; then
+            inside=0 skipping=0
+        fi
+        ((inside)) || { printf '%s\n' "$line"; continue; }
+        [[ $line == '```console' ]] && { printf '%s\n' "$line"; continue; }
+    fi
+    if [[ $line == '$ '* ]]; then
+        printf '%s\n' "$line"
+        run "${line#'$ '}"
+        skipping=1
+    elif [[ $line == '#'* && $markdown == 0 ]]; then
+        printf '%s\n' "$line" # a comment between commands
+        skipping=0
+    elif ((!skipping)) || [[ -z $line && $markdown == 0 ]]; then
+        printf '%s\n' "$line"
+    fi
+done < "$file" > "$work/now"
+
+if [[ $update == --update ]]; then
+    cp "$work/now" "$file"
+    exit 0
+fi
+diff -u --label expected --label printed "$file" "$work/now" || {
+    echo "the output differs from $(basename "$file"); where the new one is right: $0 GONIO FILE --update" >&2
+    exit 1
+}
