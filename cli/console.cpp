@@ -43,6 +43,10 @@ void Console::note(std::string_view text) const {
     if (!quiet_) write_error_line(std::string(text));
 }
 
+void Console::remark(std::string_view text) const {
+    if (verbose_) write_error_line(std::string(text));
+}
+
 int Console::fail(const Error& error) {
     // Of an input that is refused only the reason matters; reports in JSON carry everything that was noticed.
     for (const Diagnostic& diagnostic : error.diagnostics)

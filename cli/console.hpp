@@ -20,6 +20,9 @@ public:
     // One line to standard error, unless quiet.
     void note(std::string_view text) const;
 
+    // One line to standard error when verbose.
+    void remark(std::string_view text) const;
+
     // Says why, and returns the exit status of the failure.
     int fail(const Error& error);
 
@@ -27,6 +30,7 @@ public:
     int finish(int status);
 
     void set_quiet(bool quiet) { quiet_ = quiet; }
+    void set_verbose(bool verbose) { verbose_ = verbose; }
     void set_color(bool color) { color_ = color; }
 
     // Whether standard output is a terminal.
@@ -36,6 +40,7 @@ public:
 private:
     std::string output_;
     bool quiet_ = false;
+    bool verbose_ = false;
     bool color_ = false;
 };
 

@@ -15,6 +15,7 @@
 #include "../options/common.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,7 @@ constexpr std::array picture_output_options{
 };
 constexpr std::array preview_common{
     Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "say what is done and how long it takes"},
     Option{"-h,--help", "", "this text"},
 };
 constexpr std::array groups{OptionGroup{"light", light_options}, OptionGroup{"picture", picture_options},
@@ -201,11 +203,16 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         console.print(fmt::format("{}\n", request->output));
         return 0;
     }
+    const Stopwatch rendering;
     Result<Image> image = render(request->stage, *light, request->stage.camera, request->render);
     if (!image) return pass_on(image);
+    console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", image->width, image->height,
+                               rendering.milliseconds(), simd::to_text(request->render.instruction_set)));
 
     media::ImageWriteOptions write;
-    Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    const Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    console.remark(fmt::format("exposure EV100 {:.2f}", exposure.value));
+    const Stopwatch encoding;
     const bool linear = has_pixel(*request->format, media::Pixel::float32);
     if (!linear) {
         expose(*image, exposure);
@@ -221,6 +228,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     }
     Result<std::string> bytes = media::encode_image(*image, *request->format, write);
     if (!bytes) return pass_on(bytes);
+    console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     const Result<void> written =
         request->output == "-" ? write_standard_output(*bytes) : write_file(request->output, *bytes);
     if (!written) return Unexpected(written.error());
