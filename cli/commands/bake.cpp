@@ -135,6 +135,7 @@ int run(const Arguments& arguments, Console& console) {
 
     const bool lines = arguments.has("--jsonl");
     const bool json = arguments.has("--json");
+    if ((json || lines) && jobs->front().output == "-") return console.fail(both_to_standard_output().value());
     Json reports = Json::array();
     int status = 0;
     std::size_t failed = 0;

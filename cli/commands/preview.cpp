@@ -170,6 +170,7 @@ Result<void> read_output(const Arguments& arguments, Request& request) {
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     const auto named = arguments.value("--to");
     request.output = *output;
+    if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
     request.format = media::find_image_format(named ? *named : *output);
     if (request.format != nullptr) return {};
     std::vector<std::string_view> names;
