@@ -12,7 +12,9 @@ void copy(const glm::dvec3& from, float (&to)[3]) {
         to[i] = static_cast<float>(from[i]);
 }
 
-void copy(const shading::vec3<double>& from, float (&to)[3]) { copy(glm::dvec3(from.x, from.y, from.z), to); }
+void copy(const shading::vec3<double>& from, float (&to)[3]) {
+    copy(glm::dvec3(from.x, from.y, from.z), to);
+}
 
 shading::MaterialConstants constants_of(const LambertMaterial& material) {
     shading::MaterialConstants constants;

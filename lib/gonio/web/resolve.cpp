@@ -148,11 +148,21 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
     table.candela = file.candela_per_klm;
     const std::size_t stored = file.candela_per_klm.size() / std::max<std::size_t>(1, file.gammas_deg.size());
     switch (file.symmetry) {
-    case 1: table.stored = Symmetry::axial; break;
-    case 2: table.stored = Symmetry::bilateral_0_180; break;
-    case 3: table.stored = Symmetry::bilateral_90_270; break;
-    case 4: table.stored = Symmetry::quadrant; break;
-    default: table.stored = Symmetry::none; break;
+    case 1:
+        table.stored = Symmetry::axial;
+        break;
+    case 2:
+        table.stored = Symmetry::bilateral_0_180;
+        break;
+    case 3:
+        table.stored = Symmetry::bilateral_90_270;
+        break;
+    case 4:
+        table.stored = Symmetry::quadrant;
+        break;
+    default:
+        table.stored = Symmetry::none;
+        break;
     }
     if (table.stored == Symmetry::axial) {
         table.planes_deg = {0.0};
