@@ -14,8 +14,8 @@ public:
     void print(std::string_view text) { output_ += text; }
 
     // Writes a diagnostic to standard error; notes and warnings only unless quiet.
-    void say(const Diagnostic& diagnostic);
-    void say(const Diagnostics& diagnostics);
+    void say(const Diagnostic& diagnostic) const;
+    void say(const Diagnostics& diagnostics) const;
 
     // One line to standard error, unless quiet.
     void note(std::string_view text) const;
@@ -24,7 +24,7 @@ public:
     void remark(std::string_view text) const;
 
     // Says why, and returns the exit status of the failure.
-    int fail(const Error& error);
+    int fail(const Error& error) const;
 
     // Writes the result out; returns `status`, or 3 and a diagnostic when it cannot be written and `status` is lower.
     int finish(int status);
