@@ -13,12 +13,35 @@
 
 namespace gonio {
 
-// Emits the same intensity in every direction; has no size, so no luminance.
-struct PointShape {};
+// Punctual shapes emit from a point and have no luminance. A mask multiplies their intensity by a web over its peak.
 
-// A Lambertian sphere: the same luminance from everywhere and in every direction.
-struct SphereShape {
-    Meters radius; // > 0
+// Emits the same intensity in every direction.
+struct PointShape {
+    std::string mask_file;           // empty: none
+    std::shared_ptr<const Web> mask; // nullptr until load_profile() has read the file
+};
+
+// How the intensity of a spot falls from 1 at the inner to 0 at the outer half angle. Linear and smoothstep run over
+// the cosine or over the angle; `frostbite` squares the linear one over the cosine, as glTF and Filament do.
+enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, smoothstep_angle };
+
+const char* to_text(Falloff falloff); // "smoothstep-cos"
+
+// 0 ≤ inner ≤ outer ≤ π/2, half angles from the axis; inner = outer is `hard`.
+struct SpotShape {
+    Radians outer;
+    Radians inner;
+    Falloff falloff = Falloff::frostbite;
+    std::string mask_file;
+    std::shared_ptr<const Web> mask;
+};
+
+// The same intensity inside a right pyramid; full apex angles in (0, π), `horizontal` about Y (its width runs along X).
+struct FrustumShape {
+    Radians horizontal;
+    Radians vertical;
+    std::string mask_file;
+    std::shared_ptr<const Web> mask;
 };
 
 // A measured luminaire: a point that emits by its web.
@@ -27,7 +50,38 @@ struct ProfileShape {
     std::shared_ptr<const Web> web; // nullptr until load_profile() has read the file
 };
 
-using Shape = std::variant<PointShape, SphereShape, ProfileShape>;
+// Area shapes are Lambertian: the same luminance in every direction that they emit to.
+
+struct SphereShape {
+    Meters radius; // > 0
+};
+
+// Emits along its direction; with two_sided also against it.
+struct DiskShape {
+    Meters radius; // > 0
+    bool two_sided = false;
+};
+
+// `width` along X, `height` along Y.
+struct RectShape {
+    Meters width;  // > 0
+    Meters height; // > 0
+    bool two_sided = false;
+};
+
+// A capsule: a cylinder of `length` along X without its caps, and a hemisphere at each end.
+struct TubeShape {
+    Meters radius; // > 0
+    Meters length; // > 0
+};
+
+// A uniform disk at infinity.
+struct SunShape {
+    Radians diameter; // angular, in (0, π]
+};
+
+using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, RectShape,
+                           TubeShape, SunShape>;
 
 // A kind of shape, as `gonio list shapes` shows it.
 struct ShapeKind {
@@ -38,12 +92,22 @@ struct ShapeKind {
 
 std::span<const ShapeKind> shape_kinds();
 
-// Fails (usage) on an unknown kind or key, a missing one, a length that is not greater than 0. Reads no file.
+// Angles and lengths carry their units; "cone", the full outer angle of a spot, stands for "outer". Fails (usage) on an
+// unknown kind, key or falloff, a missing key, a length or an angle outside what its shape says. Reads no file. The
+// name of a mask's file ends at a comma, that of "ies:FILE" does not.
 Result<Shape> parse_shape(std::string_view text);
 
-// Reads the file of a ProfileShape and resolves its web; other shapes are left alone. What was noticed is appended to
-// `diagnostics`.
+// Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are there already,
+// are left alone. What was noticed is appended to `diagnostics`. Fails as read_profile_file() and resolve_web() do.
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics);
+
+// The mask of a shape: its file (nullptr: none) and its web (nullptr: none, or not loaded). Points into the shape.
+struct Mask {
+    const std::string* file = nullptr;
+    const Web* web = nullptr;
+};
+
+Mask mask_of(const Shape& shape);
 
 const char* kind_of(const Shape& shape); // "sphere"
 
