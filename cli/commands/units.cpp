@@ -38,8 +38,20 @@ struct Answer {
 
 // What there is to say about a shape when nothing was asked for.
 std::vector<std::string> usual_units(const Shape& shape) {
-    if (std::holds_alternative<SphereShape>(shape)) return {"lm", "cd", "nt", "ev"};
-    return {"lm", "cd", "lx@1m"};
+    struct Usual {
+        static std::vector<std::string> punctual() { return {"lm", "cd", "lx@1m"}; }
+        static std::vector<std::string> area() { return {"lm", "cd", "nt", "ev"}; }
+        std::vector<std::string> operator()(const PointShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const SpotShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const FrustumShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const ProfileShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const SphereShape&) const { return area(); }
+        std::vector<std::string> operator()(const DiskShape&) const { return area(); }
+        std::vector<std::string> operator()(const RectShape&) const { return area(); }
+        std::vector<std::string> operator()(const TubeShape&) const { return area(); }
+        std::vector<std::string> operator()(const SunShape&) const { return {"lx", "nt", "ev"}; }
+    };
+    return std::visit(Usual{}, shape);
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -52,14 +64,53 @@ std::vector<std::string> split_at_commas(std::string_view text) {
     return parts;
 }
 
+// The shortest degrees that are this angle: 40, where converting back gives 40.00000000000001.
+double tidy_degrees(Radians angle) {
+    const double exact = to_degrees(angle);
+    const double tidy = parse_number(rounded(exact, 15)).value_or(exact);
+    return degrees(tidy) == angle ? tidy : exact;
+}
+
+// The keys of each shape's grammar, with their units.
+struct DescribeShape {
+    Json& json;
+
+    void operator()(const PointShape&) const {}
+    void operator()(const SpotShape& spot) const {
+        json["outer_deg"] = tidy_degrees(spot.outer);
+        json["inner_deg"] = tidy_degrees(spot.inner);
+        json["falloff"] = to_text(spot.falloff);
+    }
+    void operator()(const FrustumShape& frustum) const {
+        json["h_deg"] = tidy_degrees(frustum.horizontal);
+        json["v_deg"] = tidy_degrees(frustum.vertical);
+    }
+    void operator()(const ProfileShape& profile) const {
+        json["file"] = profile.file;
+        json["flux_lm"] = flux(*profile.web).value;
+        json["peak_cd"] = peak(*profile.web).intensity.value;
+    }
+    void operator()(const SphereShape& sphere) const { json["r_m"] = sphere.radius.value; }
+    void operator()(const DiskShape& disk) const {
+        json["r_m"] = disk.radius.value;
+        json["two_sided"] = disk.two_sided;
+    }
+    void operator()(const RectShape& rect) const {
+        json["w_m"] = rect.width.value;
+        json["h_m"] = rect.height.value;
+        json["two_sided"] = rect.two_sided;
+    }
+    void operator()(const TubeShape& tube) const {
+        json["r_m"] = tube.radius.value;
+        json["l_m"] = tube.length.value;
+    }
+    void operator()(const SunShape& sun) const { json["angle_deg"] = tidy_degrees(sun.diameter); }
+};
+
 Json shape_json(const Shape& shape) {
     Json json{{"kind", kind_of(shape)}};
-    if (const auto* sphere = std::get_if<SphereShape>(&shape)) json["r_m"] = sphere->radius.value;
-    if (const auto* profile = std::get_if<ProfileShape>(&shape)) {
-        json["file"] = profile->file;
-        json["flux_lm"] = flux(*profile->web).value;
-        json["peak_cd"] = peak(*profile->web).intensity.value;
-    }
+    std::visit(DescribeShape{json}, shape);
+    if (const Mask mask = mask_of(shape); mask.file != nullptr) json["mask"] = *mask.file;
     return json;
 }
 
@@ -115,13 +166,13 @@ Result<int> convert(const Arguments& arguments, Console& console) {
     if (wanted.empty()) wanted = usual_units(*shape);
 
     ConversionSteps steps;
-    Result<Candelas> intensity = intensity_of(*shape, *value, &steps);
-    if (!intensity) return pass_on(intensity);
+    Result<Emission> emission = emission_of(*shape, *value, &steps);
+    if (!emission) return pass_on(emission);
     std::vector<Answer> answers;
     for (const std::string& text : wanted) {
         Result<PhotometricUnit> unit = parse_photometric_unit(text);
         if (!unit) return pass_on(unit);
-        Result<double> number = express(*shape, *intensity, *unit, &steps);
+        Result<double> number = express(*shape, *emission, *unit, &steps);
         if (!number) return pass_on(number);
         answers.push_back({*unit, *number});
     }

@@ -1,7 +1,10 @@
 #include <gonio/light/light.hpp>
+#include <gonio/light/lobe.hpp>
 #include <gonio/web/metrics.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace gonio {
@@ -12,12 +15,42 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Intensity over Light::intensity towards a direction of the light's frame, without web or mask.
+struct Share {
+    const glm::dvec3& local;
+
+    double across() const { return std::hypot(local.x, local.y); }
+    double facing(bool two_sided) const {
+        const double cos_theta = -local.z / glm::length(local);
+        return two_sided ? std::abs(cos_theta) : std::max(cos_theta, 0.0);
+    }
+
+    double operator()(const PointShape&) const { return 1.0; }
+    double operator()(const SpotShape& spot) const { return lobe(spot, Radians(std::atan2(across(), -local.z))); }
+    double operator()(const FrustumShape& frustum) const { return lobe(frustum, local); }
+    double operator()(const ProfileShape&) const { return 1.0; }
+    double operator()(const SphereShape&) const { return 1.0; }
+    double operator()(const DiskShape& disk) const { return facing(disk.two_sided); }
+    double operator()(const RectShape& rect) const { return facing(rect.two_sided); }
+    double operator()(const TubeShape& tube) const {
+        // The shadow of a capsule: 2 r l sin ψ + π r², ψ from its axis.
+        const double sin_psi = std::hypot(local.y, local.z) / glm::length(local);
+        const double side = 2.0 * tube.length.value;
+        const double caps = std::numbers::pi * tube.radius.value;
+        return (side * sin_psi + caps) / (side + caps);
+    }
+    double operator()(const SunShape&) const { return 0.0; }
+};
+
 } // namespace
 
 Candelas Light::intensity_towards(const glm::dvec3& direction) const {
+    const glm::dvec3 local = frame.to_local(direction);
     if (const auto* profile = std::get_if<ProfileShape>(&shape))
-        return Candelas(web_scale * profile->web->candela(frame.to_local(direction)));
-    return intensity;
+        return Candelas(web_scale * profile->web->candela(local));
+    const double share = std::visit(Share{local}, shape);
+    const Web* const mask = share > 0.0 ? mask_of(shape).web : nullptr;
+    return intensity * (mask != nullptr ? share * web_scale * mask->candela(local) : share);
 }
 
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics) {
@@ -46,19 +79,18 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (!description.intensity) {
         if (profile == nullptr)
             return fail(Failure::usage, std::string("a ") + kind_of(light.shape) + " light needs an intensity",
-                        "give for example 800lm");
+                        std::holds_alternative<SunShape>(light.shape) ? "give for example 100klx"
+                                                                      : "give for example 800lm");
         light.intensity = peak(*profile->web).intensity;
         return light;
     }
-    Result<Candelas> intensity = intensity_of(light.shape, *description.intensity);
-    if (!intensity) return pass_on(intensity);
-    light.intensity = *intensity;
-    if (profile != nullptr) light.web_scale = *intensity / peak(*profile->web).intensity;
-    if (std::holds_alternative<SphereShape>(light.shape)) {
-        const Result<double> nits = express(light.shape, *intensity, {find_unit("nt"), std::nullopt});
-        if (!nits) return Unexpected(nits.error());
-        light.luminance = Nits(*nits);
-    }
+    Result<Emission> emission = emission_of(light.shape, *description.intensity);
+    if (!emission) return pass_on(emission);
+    light.intensity = emission->intensity;
+    light.luminance = emission->luminance;
+    light.illuminance = emission->illuminance;
+    if (profile != nullptr) light.web_scale = light.intensity / peak(*profile->web).intensity;
+    if (const Web* mask = mask_of(light.shape).web) light.web_scale = 1.0 / peak(*mask).intensity.value;
     return light;
 }
 

@@ -27,21 +27,25 @@ struct LightDescription {
 
 struct Light {
     std::string name;
-    Shape shape;            // profiles loaded
-    Frame frame;            // Z = −direction; γ = 0 of a web is −Z, C0 is X, C90 is Y
-    glm::dvec3 color;       // linear Rec.709 of luminance 1
-    Candelas intensity;     // along the direction; a web: its peak as scaled
-    Nits luminance;         // of a sphere, 0 for shapes without area
-    double web_scale = 1.0; // factor on the web's candela
+    Shape shape;        // profiles and masks loaded
+    Frame frame;        // Z = −direction; γ = 0 of a web is −Z, C0 is X, C90 is Y; a rectangle's width, a tube's
+                        // axis and the horizontal of a frustum run along X
+    glm::dvec3 color;   // linear Rec.709 of luminance 1
+    Candelas intensity; // along the direction, before a mask; a web: its peak as scaled; 0 for the sun
+    Nits luminance;     // of area shapes and the sun, 0 for punctual ones
+    Lux illuminance;    // of the sun on a plane across its direction, 0 for the others
+    double web_scale = 1.0; // factor on the candela of a web (to those emitted) or of a mask (to 1 at its peak)
     std::optional<Meters> range;
 
-    // Intensity towards a world direction (from the light to the receiver) of any length > 0.
+    // Intensity towards a world direction (from the light to the receiver) of any length > 0: lobe, mask and web of a
+    // punctual shape; of an area shape, its luminance times the area that it shows to a receiver far away; 0 for the
+    // sun. A disk and a rectangle emit behind them only when two-sided.
     Candelas intensity_towards(const glm::dvec3& direction) const;
 };
 
-// Loads the profile where there is one; what was noticed is appended to `diagnostics`. Fails as load_profile and
-// intensity_of do, and (usage) on a position that is not finite, a zero direction, a range that is not greater than 0,
-// a shape without an intensity.
+// Loads the profile or the mask where there is one; what was noticed is appended to `diagnostics`. Fails as
+// load_profile and emission_of do, and (usage) on a position that is not finite, a zero direction, a range that is not
+// greater than 0, a shape without an intensity.
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics);
 
 } // namespace gonio

@@ -1,3 +1,6 @@
+#include <gonio/light/facing.hpp>
+#include <gonio/light/lobe.hpp>
+#include <gonio/light/masked_flux.hpp>
 #include <gonio/light/photometry.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
@@ -14,41 +17,160 @@ namespace {
 
 using std::numbers::pi;
 
-// The constants of a shape between its intensity and everything else.
-struct Emitter {
-    double flux_per_candela = 4.0 * pi;    // Φ/I [sr]
-    const char* flux_formula = "Φ = 4π I"; //
-    std::optional<double> projected_area;  // I/L [m²], nothing where luminance has no meaning
-    const char* area_formula = "";         //
-    std::string no_luminance;              // why not, and what would help
-    double axial_share = 1.0;              // intensity towards the receiver of an illuminance, over I
-    double nearest_m = 0.0;                // a distance below this is inside the shape
+// A constant between two quantities of a shape, and what it says.
+struct Factor {
+    double value = 0.0;
+    std::string formula; // "Φ = 4π I"
 };
 
-Result<Emitter> emitter_of(const Shape& shape) {
-    Emitter emitter;
-    if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
-        const double r = sphere->radius.value;
-        emitter.projected_area = pi * r * r;
-        emitter.area_formula = "I = π r² L";
-        emitter.nearest_m = r;
+// Everything of a shape that needs no search: its strength (the intensity before a mask; the sun's illuminance) over
+// its other quantities, except for the flux and the illuminance at a distance.
+struct Emitter {
+    bool at_infinity = false;
+    std::optional<Factor> luminance; // strength/L, nothing where luminance has no meaning
+    const char* no_luminance = "";   // why not
+    const char* strength = "I";      // its symbol
+    double axial_share = 1.0;        // intensity along the direction (a web: along γ = 0) over the strength
+    double peak_cd = 0.0;            // of the web or the mask
+    double nearest_m = 0.0;          // a distance below this is inside the shape
+};
+
+constexpr const char* point_has_no_area = "a point has no area, so no luminance";
+
+struct MakeEmitter {
+    static Result<Emitter> punctual(const std::string& mask_file, const Web* mask) {
+        Emitter emitter;
+        emitter.no_luminance = point_has_no_area;
+        if (mask == nullptr) {
+            if (!mask_file.empty()) return fail(Failure::internal, "the mask of this shape was not loaded");
+            return emitter;
+        }
+        emitter.peak_cd = peak(*mask).intensity.value;
+        if (!(emitter.peak_cd > 0.0))
+            return fail(Failure::usage, "this mask lets no light through, so nothing can be scaled to it", {},
+                        mask_file);
+        emitter.axial_share = mask->candela(0.0, 0.0) / emitter.peak_cd;
+        emitter.strength = "I₀";
         return emitter;
     }
-    if (const auto* profile = std::get_if<ProfileShape>(&shape)) {
-        if (!profile->web) return fail(Failure::internal, "the profile of this shape was not loaded");
-        const Candelas top = peak(*profile->web).intensity;
-        if (!(top.value > 0.0))
+    static Emitter area(double projected_m2, const char* formula, double nearest_m = 0.0) {
+        Emitter emitter;
+        emitter.luminance = Factor{projected_m2, formula};
+        emitter.nearest_m = nearest_m;
+        return emitter;
+    }
+
+    Result<Emitter> operator()(const PointShape& point) const { return punctual(point.mask_file, point.mask.get()); }
+    Result<Emitter> operator()(const SpotShape& spot) const { return punctual(spot.mask_file, spot.mask.get()); }
+    Result<Emitter> operator()(const FrustumShape& frustum) const {
+        return punctual(frustum.mask_file, frustum.mask.get());
+    }
+    Result<Emitter> operator()(const ProfileShape& profile) const {
+        if (!profile.web) return fail(Failure::internal, "the profile of this shape was not loaded");
+        Emitter emitter;
+        emitter.peak_cd = peak(*profile.web).intensity.value;
+        if (!(emitter.peak_cd > 0.0))
             return fail(Failure::usage, "this profile emits no light, so nothing can be scaled to it", {},
-                        profile->file);
-        emitter.flux_per_candela = flux(*profile->web).value / top.value;
-        emitter.flux_formula = "Φ = (Φ_web / I_peak) I";
-        emitter.axial_share = profile->web->candela(0.0, 0.0) / top.value;
+                        profile.file);
+        emitter.axial_share = profile.web->candela(0.0, 0.0) / emitter.peak_cd;
         emitter.no_luminance = "a profile is a point that emits by direction: it has no area, so no luminance";
         return emitter;
     }
-    emitter.no_luminance = "a point has no area, so no luminance";
-    return emitter;
+    Result<Emitter> operator()(const SphereShape& sphere) const {
+        const double r = sphere.radius.value;
+        return area(pi * r * r, "I = π r² L", r);
+    }
+    Result<Emitter> operator()(const DiskShape& disk) const {
+        const double r = disk.radius.value;
+        return area(pi * r * r, "I = π r² L");
+    }
+    Result<Emitter> operator()(const RectShape& rect) const {
+        return area(rect.width.value * rect.height.value, "I = w h L");
+    }
+    Result<Emitter> operator()(const TubeShape& tube) const {
+        const double r = tube.radius.value;
+        return area(r * (2.0 * tube.length.value + pi * r), "I = (2 r l + π r²) L", r);
+    }
+    Result<Emitter> operator()(const SunShape& sun) const {
+        const double s = std::sin(0.5 * sun.diameter.value);
+        Emitter emitter;
+        emitter.at_infinity = true;
+        emitter.strength = "E";
+        emitter.luminance = Factor{pi * s * s, "E = π sin²(δ/2) L"};
+        return emitter;
+    }
+};
+
+Result<Emitter> emitter_of(const Shape& shape) {
+    return std::visit(MakeEmitter{}, shape);
 }
+
+// Φ over the strength. Costs an integration where there is a web.
+struct FluxFactor {
+    const Shape& shape;
+    const Emitter& emitter;
+
+    Factor masked(const char* formula, const Web& mask) const {
+        return {masked_solid_angle(shape, mask).value, formula};
+    }
+    static Factor sided(bool two_sided) { return two_sided ? Factor{2.0 * pi, "Φ = 2π I"} : Factor{pi, "Φ = π I"}; }
+
+    Factor operator()(const PointShape& point) const {
+        if (point.mask) return masked("Φ = (∬ mask dω) I₀", *point.mask);
+        return {4.0 * pi, "Φ = 4π I"};
+    }
+    Factor operator()(const SpotShape& spot) const {
+        if (spot.mask) return masked("Φ = (∬ lobe · mask dω) I₀", *spot.mask);
+        return {lobe_solid_angle(spot).value, flux_formula(spot)};
+    }
+    Factor operator()(const FrustumShape& frustum) const {
+        if (frustum.mask) return masked("Φ = (∬ mask dω inside the pyramid) I₀", *frustum.mask);
+        return {lobe_solid_angle(frustum).value, "Φ = 4 asin(sin(h/2) sin(v/2)) I"};
+    }
+    Factor operator()(const ProfileShape& profile) const {
+        return {flux(*profile.web).value / emitter.peak_cd, "Φ = (Φ_web / I_peak) I"};
+    }
+    Factor operator()(const SphereShape&) const { return {4.0 * pi, "Φ = 4π I"}; }
+    Factor operator()(const DiskShape& disk) const { return sided(disk.two_sided); }
+    Factor operator()(const RectShape& rect) const { return sided(rect.two_sided); }
+    Factor operator()(const TubeShape& tube) const {
+        const double r = tube.radius.value;
+        const double l = tube.length.value;
+        return {2.0 * pi * pi * (l + 2.0 * r) / (2.0 * l + pi * r), "Φ = π (2π r l + 4π r²)/(2 r l + π r²) I"};
+    }
+    Factor operator()(const SunShape&) const { return {}; } // refused before
+};
+
+// E over the strength for a facing receiver at distance d.
+struct FacingFactor {
+    const Emitter& emitter;
+    Meters distance;
+
+    Factor punctual(const char* axial) const {
+        const double d = distance.value;
+        return {emitter.axial_share / (d * d), fmt::format("E = {}/d²", axial)};
+    }
+    template<class Area>
+    Factor area(const Area& shape, const char* formula) const {
+        return {facing_illuminance(shape, distance) / emitter.luminance->value, formula};
+    }
+    const char* behind_mask() const { return emitter.axial_share == 1.0 ? emitter.strength : "mask(γ=0) I₀"; }
+
+    Factor operator()(const PointShape&) const { return punctual(behind_mask()); }
+    Factor operator()(const SpotShape&) const { return punctual(behind_mask()); }
+    Factor operator()(const FrustumShape&) const { return punctual(behind_mask()); }
+    Factor operator()(const ProfileShape&) const { return punctual(emitter.axial_share == 1.0 ? "I" : "I(γ=0)"); }
+    Factor operator()(const SphereShape&) const { return punctual("I"); }
+    Factor operator()(const DiskShape& disk) const { return area(disk, "E = I/(d² + r²)"); }
+    Factor operator()(const RectShape& rect) const {
+        return area(rect, "E = 2 [A/√(1+A²) atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))] L, A = w/2d, B = h/2d");
+    }
+    Factor operator()(const TubeShape& tube) const {
+        return area(tube, "E = 2 [(r/d) atan(z/κd) + (r²d h + r z √(D²−r²) sin h)/D³] L, κ = √(1−r²/d²), z = l/2, "
+                          "D² = d²+z², h = atan2(Dκ, zr/d)");
+    }
+    Factor operator()(const SunShape&) const { return {1.0, "E = E"}; } // has no distance
+};
 
 // A step that several answers share is said once.
 void note(ConversionSteps* steps, std::string formula, double value, const char* unit) {
@@ -58,193 +180,186 @@ void note(ConversionSteps* steps, std::string formula, double value, const char*
     steps->push_back({std::move(formula), value, unit});
 }
 
+bool inverse_square_is_exact(const Shape& shape) {
+    return !std::holds_alternative<DiskShape>(shape) && !std::holds_alternative<RectShape>(shape) &&
+           !std::holds_alternative<TubeShape>(shape);
+}
+
+void note_inverse_square(ConversionSteps* steps, const Shape& shape, double intensity, double lux, Meters distance) {
+    if (steps == nullptr || inverse_square_is_exact(shape) || !(lux > 0.0)) return;
+    const double d = distance.value;
+    const double estimate = intensity / (d * d);
+    note(steps, fmt::format("I/d², the inverse square, d = {} m", rounded(d)), estimate, "lx");
+    note(steps, fmt::format("(I/d²)/E − 1, its error, d = {} m", rounded(d)), 100.0 * (estimate / lux - 1.0), "%");
+}
+
 Unexpected luminance_refused(const Emitter& emitter) {
     return fail(Failure::usage, emitter.no_luminance, "give it a size, for example --shape sphere:r=1cm");
 }
 
-Result<void> check_distance(const Emitter& emitter, const PhotometricUnit& unit) {
+Unexpected sun_refused(const char* quantity) {
+    return fail(Failure::usage, fmt::format("the sun is infinitely far away, so it has no {}", quantity),
+                "its amount is an illuminance or a luminance: lx, evlx, fc, nt, ev or fL");
+}
+
+// E over the strength, once the distance makes sense for the shape.
+Result<Factor> illuminance_factor(const Shape& shape, const Emitter& emitter, const PhotometricUnit& unit) {
+    if (emitter.at_infinity) {
+        if (unit.distance)
+            return fail(Failure::usage, "the sun is infinitely far away, so its illuminance takes no distance",
+                        fmt::format("write {} alone", unit.unit->symbol));
+        return std::visit(FacingFactor{emitter, Meters(0.0)}, shape);
+    }
+    if (!unit.distance)
+        return fail(Failure::usage,
+                    fmt::format("an illuminance in {} needs the distance of the receiver", unit.unit->symbol),
+                    fmt::format("write for example {}@2m", unit.unit->symbol));
     if (unit.distance->value < emitter.nearest_m)
         return fail(Failure::usage,
-                    fmt::format("a distance of {} m is inside the sphere of radius {} m", unit.distance->value,
-                                emitter.nearest_m),
+                    fmt::format("a distance of {} m is inside the {} of radius {} m", unit.distance->value,
+                                kind_of(shape), emitter.nearest_m),
                     "the distance counts from the centre");
-    return {};
+    return std::visit(FacingFactor{emitter, *unit.distance}, shape);
 }
 
-bool photometric(Dimension dimension) {
-    switch (dimension) {
-    case Dimension::luminous_flux:
-    case Dimension::luminous_intensity:
-    case Dimension::illuminance:
-    case Dimension::illuminance_ev:
-    case Dimension::luminance:
-    case Dimension::luminance_ev:
-        return true;
-    default:
-        return false;
-    }
+bool is_flux(Dimension dimension) {
+    return dimension == Dimension::luminous_flux || dimension == Dimension::power;
+}
+bool is_luminance(Dimension dimension) {
+    return dimension == Dimension::luminance || dimension == Dimension::luminance_ev;
 }
 
-bool needs_distance(Dimension dimension) {
-    return dimension == Dimension::illuminance || dimension == Dimension::illuminance_ev;
+Emission emission_of_strength(const Emitter& emitter, double strength) {
+    Emission emission;
+    if (emitter.at_infinity)
+        emission.illuminance = Lux(strength);
+    else
+        emission.intensity = Candelas(strength);
+    if (emitter.luminance) emission.luminance = Nits(strength / emitter.luminance->value);
+    return emission;
 }
 
-Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std::string_view> text) {
-    if (!needs_distance(unit.dimension)) {
-        if (text)
-            return fail(Failure::usage, fmt::format("'{}' takes no distance, but '@{}' is given", unit.symbol, *text));
-        return std::optional<Meters>();
-    }
-    if (!text)
-        return fail(Failure::usage, fmt::format("an illuminance in {} needs the distance of the receiver", unit.symbol),
-                    fmt::format("write for example {}@2m", unit.symbol));
-    Result<double> meters = parse_amount(*text, Dimension::length, "the distance of an illuminance");
-    if (!meters) return pass_on(meters);
-    if (!(*meters > 0.0))
-        return fail(Failure::usage,
-                    fmt::format("the distance of an illuminance must be greater than 0, not {}", *text));
-    return std::optional<Meters>(Meters(*meters));
-}
-
-// "90lm/W" or a bare number.
-Result<double> parse_efficacy(std::string_view text) {
-    std::string_view number = text;
-    if (number.ends_with("lm/W")) number.remove_suffix(4);
-    const std::optional<double> value = parse_number(number);
-    if (!value || !(*value > 0.0) || *value > 683.01)
-        return fail(Failure::usage, fmt::format("'{}' is no luminous efficacy", text),
-                    "write for example 60W@90lm/W; no light exceeds 683 lm/W");
-    return *value;
-}
-
-} // namespace
-
-Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
-    const std::size_t at = text.find('@');
-    const std::string_view symbol = text.substr(0, at);
-    const Unit* unit = find_unit(symbol);
-    if (unit == nullptr) {
-        std::string with_number("1");
-        with_number += symbol;
-        Result<Amount> amount = parse_amount(with_number);
-        if (amount) return fail(Failure::internal, "a unit was found that does not exist");
-        return fail(Failure::usage, fmt::format("unknown unit '{}'", symbol), amount.error().diagnostics.back().hint);
-    }
-    if (!photometric(unit->dimension))
-        return fail(Failure::usage,
-                    fmt::format("'{}' is a unit of {}, not of light", symbol, dimension_name(unit->dimension)),
-                    "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft or fL");
-    const auto distance_text = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
-    Result<std::optional<Meters>> distance = parse_distance(*unit, distance_text);
-    if (!distance) return pass_on(distance);
-    return PhotometricUnit{unit, *distance};
-}
-
-Result<PhotometricValue> parse_photometric_value(std::string_view text) {
-    const std::size_t at = text.find('@');
-    Result<Amount> amount = parse_amount(text.substr(0, at));
-    if (!amount) return pass_on(amount);
-    const Unit& unit = *amount->unit;
-    const auto behind_at = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
-
-    const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
-    if (!logarithmic && amount->number < 0.0)
-        return fail(Failure::usage, fmt::format("'{}' is negative: there is no negative light", text));
-    PhotometricValue value{amount->number, {&unit, std::nullopt}, std::nullopt};
-    if (unit.dimension == Dimension::power) {
-        if (!behind_at)
-            return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
-                        fmt::format("write for example {}@90lm/W", text));
-        Result<double> efficacy = parse_efficacy(*behind_at);
-        if (!efficacy) return pass_on(efficacy);
-        value.efficacy_lm_per_w = *efficacy;
-        return value;
-    }
-    if (!photometric(unit.dimension))
-        return fail(Failure::usage,
-                    fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
-                    "give lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY");
-    Result<std::optional<Meters>> distance = parse_distance(unit, behind_at);
-    if (!distance) return pass_on(distance);
-    value.unit.distance = *distance;
-    return value;
-}
-
-Result<Candelas> intensity_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps) {
-    Result<Emitter> made = emitter_of(shape);
-    if (!made) return pass_on(made);
-    const Emitter& emitter = *made;
+Result<double> strength_of(const Shape& shape, const Emitter& emitter, const PhotometricValue& value,
+                           ConversionSteps* steps) {
     const double base = value.number * value.unit.unit->base_per_unit;
     const Dimension dimension = value.unit.unit->dimension;
+    const char* const strength_unit = emitter.at_infinity ? "lx" : "cd";
+    const auto say = [&](const std::string& formula, double strength) {
+        note(steps, fmt::format("{} from {}", emitter.strength, formula), strength, strength_unit);
+        return strength;
+    };
 
-    if (dimension == Dimension::luminous_intensity) return Candelas(base);
-    if (dimension == Dimension::luminous_flux || dimension == Dimension::power) {
+    if (dimension == Dimension::luminous_intensity) {
+        if (emitter.at_infinity) return sun_refused("intensity");
+        if (mask_of(shape).web == nullptr || emitter.axial_share == 1.0) return base;
+        if (!(emitter.axial_share > 0.0))
+            return fail(Failure::usage, "this mask lets nothing through along γ = 0, so no intensity there can set it",
+                        "give its flux instead");
+        return say("I = mask(γ=0) I₀", base / emitter.axial_share);
+    }
+    if (is_flux(dimension)) {
+        if (emitter.at_infinity) return sun_refused("flux");
         double lumens = base;
         if (value.efficacy_lm_per_w) {
             lumens *= *value.efficacy_lm_per_w;
             note(steps, fmt::format("Φ = P · {} lm/W", *value.efficacy_lm_per_w), lumens, "lm");
         }
-        if (!(emitter.flux_per_candela > 0.0))
+        const Factor factor = std::visit(FluxFactor{shape, emitter}, shape);
+        if (!(factor.value > 0.0))
             return fail(Failure::usage,
-                        "the flux of this profile is not greater than 0, so it cannot be scaled to one");
-        const double intensity = lumens / emitter.flux_per_candela;
-        note(steps, fmt::format("I from {}", emitter.flux_formula), intensity, "cd");
-        return Candelas(intensity);
+                        std::holds_alternative<ProfileShape>(shape)
+                            ? "the flux of this profile is not greater than 0, so it cannot be scaled to one"
+                            : "this shape lets no flux through, so it cannot be scaled to one");
+        return say(factor.formula, lumens / factor.value);
     }
-    if (dimension == Dimension::luminance || dimension == Dimension::luminance_ev) {
-        if (!emitter.projected_area) return luminance_refused(emitter);
+    if (is_luminance(dimension)) {
+        if (!emitter.luminance) return luminance_refused(emitter);
         double nits = base;
         if (dimension == Dimension::luminance_ev) {
             nits = luminance(Ev100(base)).value;
             note(steps, "L = 2^(EV−3)", nits, "nt");
         }
-        const double intensity = nits * *emitter.projected_area;
-        note(steps, emitter.area_formula, intensity, "cd");
-        return Candelas(intensity);
+        const double strength = nits * emitter.luminance->value;
+        note(steps, emitter.luminance->formula, strength, strength_unit);
+        return strength;
     }
-    if (Result<void> outside = check_distance(emitter, value.unit); !outside) return pass_on(outside);
+    Result<Factor> factor = illuminance_factor(shape, emitter, value.unit);
+    if (!factor) return pass_on(factor);
     double lux = base;
     if (dimension == Dimension::illuminance_ev) {
         lux = illuminance(EvLux(base)).value;
         note(steps, "E = 2.5 · 2^EV", lux, "lx");
     }
+    if (emitter.at_infinity) return lux;
     if (!(emitter.axial_share > 0.0))
-        return fail(Failure::usage, "this profile emits nothing along γ = 0, so no illuminance there can set it",
-                    "give its flux or its peak intensity instead");
-    const double d = value.unit.distance->value;
-    const double intensity = lux * d * d / emitter.axial_share;
-    note(steps, emitter.axial_share == 1.0 ? "I = E d²" : "I_peak = E d² I_peak/I(γ=0)", intensity, "cd");
-    return Candelas(intensity);
+        return fail(Failure::usage,
+                    std::holds_alternative<ProfileShape>(shape)
+                        ? "this profile emits nothing along γ = 0, so no illuminance there can set it"
+                        : "this mask lets nothing through along γ = 0, so no illuminance there can set it",
+                    std::holds_alternative<ProfileShape>(shape) ? "give its flux or its peak intensity instead"
+                                                                : "give its flux instead");
+    const double intensity = lux / factor->value;
+    if (factor->formula == "E = I/d²")
+        note(steps, "I = E d²", intensity, "cd");
+    else
+        say(factor->formula, intensity);
+    note_inverse_square(steps, shape, intensity, lux, *value.unit.distance);
+    return intensity;
 }
 
-Result<double> express(const Shape& shape, Candelas intensity, const PhotometricUnit& unit, ConversionSteps* steps) {
+} // namespace
+
+Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps) {
+    Result<Emitter> emitter = emitter_of(shape);
+    if (!emitter) return pass_on(emitter);
+    Result<double> strength = strength_of(shape, *emitter, value, steps);
+    if (!strength) return pass_on(strength);
+    const Emission emission = emission_of_strength(*emitter, *strength);
+    if (!std::isfinite(*strength) || !std::isfinite(emission.luminance.value))
+        return fail(Failure::usage, fmt::format("{} {} of this shape are too much for a number", value.number,
+                                                value.unit.unit->symbol));
+    return emission;
+}
+
+Result<double> express(const Shape& shape, const Emission& emission, const PhotometricUnit& unit,
+                       ConversionSteps* steps) {
     Result<Emitter> made = emitter_of(shape);
     if (!made) return pass_on(made);
     const Emitter& emitter = *made;
     const Dimension dimension = unit.unit->dimension;
-    double base = intensity.value;
-    if (dimension == Dimension::luminous_flux) {
-        base *= emitter.flux_per_candela;
-        note(steps, emitter.flux_formula, base, "lm");
-    } else if (dimension == Dimension::luminance || dimension == Dimension::luminance_ev) {
-        if (!emitter.projected_area) return luminance_refused(emitter);
-        base /= *emitter.projected_area;
-        note(steps, fmt::format("L from {}", emitter.area_formula), base, "nt");
-    } else if (dimension == Dimension::illuminance || dimension == Dimension::illuminance_ev) {
-        if (Result<void> outside = check_distance(emitter, unit); !outside) return pass_on(outside);
-        const double d = unit.distance->value;
-        base = base * emitter.axial_share / (d * d);
-        note(steps, fmt::format("E = {}/d², d = {} m", emitter.axial_share == 1.0 ? "I" : "I(γ=0)", rounded(d)), base,
-             "lx");
+    const double strength = emitter.at_infinity ? emission.illuminance.value : emission.intensity.value;
+    double base = strength;
+    if (dimension == Dimension::luminous_intensity) {
+        if (emitter.at_infinity) return sun_refused("intensity");
+        if (mask_of(shape).web != nullptr && emitter.axial_share != 1.0) {
+            base *= emitter.axial_share;
+            note(steps, "I = mask(γ=0) I₀", base, "cd");
+        }
+    } else if (is_flux(dimension)) {
+        if (emitter.at_infinity) return sun_refused("flux");
+        const Factor factor = std::visit(FluxFactor{shape, emitter}, shape);
+        base *= factor.value;
+        note(steps, factor.formula, base, "lm");
+    } else if (is_luminance(dimension)) {
+        if (!emitter.luminance) return luminance_refused(emitter);
+        base = emission.luminance.value;
+        note(steps, fmt::format("L from {}", emitter.luminance->formula), base, "nt");
+    } else {
+        Result<Factor> factor = illuminance_factor(shape, emitter, unit);
+        if (!factor) return pass_on(factor);
+        base *= factor->value;
+        if (unit.distance) {
+            note(steps, fmt::format("{}, d = {} m", factor->formula, rounded(unit.distance->value)), base, "lx");
+            note_inverse_square(steps, shape, strength, base, *unit.distance);
+        }
     }
     if (dimension == Dimension::luminance_ev || dimension == Dimension::illuminance_ev) {
         if (!(base > 0.0)) return fail(Failure::usage, fmt::format("no light has no {}", dimension_name(dimension)));
-        base = dimension == Dimension::luminance_ev ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
-        note(steps,
-             dimension == Dimension::luminance_ev
-                 ? std::string("EV = log2(L) + 3")
-                 : fmt::format("EV = log2(E/2.5), d = {} m", rounded(unit.distance->value)),
-             base, unit.unit->symbol.data());
+        const bool of_luminance = dimension == Dimension::luminance_ev;
+        base = of_luminance ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
+        std::string formula = of_luminance ? "EV = log2(L) + 3" : "EV = log2(E/2.5)";
+        if (unit.distance) formula += fmt::format(", d = {} m", rounded(unit.distance->value));
+        note(steps, std::move(formula), base, unit.unit->symbol.data());
     }
     const double number = base / unit.unit->base_per_unit;
     if (!std::isfinite(number))

@@ -1,43 +1,27 @@
 // Photometric conversion: what a flux, an intensity, an illuminance or a luminance of a shape means in the others.
 //
-// Everything goes through the intensity along the shape's direction (a web: its peak):
-//   point    Φ = 4π I
-//   sphere   Φ = 4π I,  I = π r² L
-//   web      Φ = (flux of the web / its peak) I
-// E at distance d on a receiver that faces the light is I/d² for these three, exactly, the sphere included (Lambert).
-// A web's E is taken along γ = 0.
+//   point, spot, frustum   Φ = Ω I, Ω the solid angle of the lobe (gonio/light/lobe.hpp), 4π for a point
+//     with a mask          Φ = ∬ lobe · mask dω I₀ (gonio/light/masked_flux.hpp), I₀ the intensity where both are 1
+//   web                    Φ = (flux of the web / its peak) I, I its peak
+//   sphere                 Φ = 4π² r² L,  I = π r² L
+//   disk, rectangle        Φ = π A L, twice that when two-sided,  I = A L
+//   tube                   Φ = π (2π r l + 4π r²) L,  I = (2 r l + π r²) L from the side
+//   sun                    E = π sin²(δ/2) L; no flux, no intensity
+// "cd" is the intensity along the shape's direction as emitted, mask and all (a web: its peak, a tube: from the side).
+// "lx@d" is the illuminance of a receiver that faces the light at distance d from its centre along its direction,
+// exact for the shape (gonio/light/facing.hpp); a web's is taken along γ = 0. The sun's "lx" is on a plane across its
+// direction and takes no distance. Disks and rectangles have cd, lx and nt per side.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
-#include <gonio/base/unit_text.hpp>
+#include <gonio/light/photometric_value.hpp>
 #include <gonio/light/shape.hpp>
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gonio {
-
-// A photometric unit; an illuminance also says at what distance from the light's centre.
-struct PhotometricUnit {
-    const Unit* unit = nullptr;
-    std::optional<Meters> distance;
-};
-
-struct PhotometricValue {
-    double number = 0.0;
-    PhotometricUnit unit;
-    std::optional<double> efficacy_lm_per_w; // of a value in watts
-};
-
-// "nt", "lx@2m", "evlx@30cm". Fails (usage) on units of other dimensions, on an illuminance without a distance and on
-// a distance that is not greater than 0.
-Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
-
-// "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts.
-Result<PhotometricValue> parse_photometric_value(std::string_view text);
 
 // One line of the way from the given value to the asked one.
 struct ConversionStep {
@@ -48,13 +32,20 @@ struct ConversionStep {
 
 using ConversionSteps = std::vector<ConversionStep>;
 
-// The intensity along the shape's direction. `steps`, where given, receives what was done. A ProfileShape must be
-// loaded. Fails (usage) where the pair has no meaning: nits of a point, a distance inside the sphere, candela of a dark
-// web.
-Result<Candelas> intensity_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps = nullptr);
+// How much light a shape emits, in the quantities that it has; the others are 0.
+struct Emission {
+    Candelas intensity; // of all but the sun: along the direction before a mask; a web's peak, a tube's from the side
+    Nits luminance;     // of area shapes and the sun
+    Lux illuminance;    // of the sun, on a plane across its direction
+};
 
-// The number of `unit`s that an intensity is for this shape. Fails as above, and on the exposure value of 0.
-Result<double> express(const Shape& shape, Candelas intensity, const PhotometricUnit& unit,
+// `steps`, where given, receives what was done. Profiles and masks must be loaded. Fails (usage) where the pair has no
+// meaning: nits of a point, lumens of the sun, a distance inside the shape or none, candela of a dark web or mask.
+Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps = nullptr);
+
+// The number of `unit`s that an emission of this shape is. Fails as above, and on the exposure value of 0. Where the
+// inverse square is not exact, `steps` also receive its value and its relative error.
+Result<double> express(const Shape& shape, const Emission& emission, const PhotometricUnit& unit,
                        ConversionSteps* steps = nullptr);
 
 } // namespace gonio

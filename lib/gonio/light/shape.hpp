@@ -17,7 +17,7 @@ namespace gonio {
 
 // Emits the same intensity in every direction.
 struct PointShape {
-    std::string mask_file; // empty: none
+    std::string mask_file;           // empty: none
     std::shared_ptr<const Web> mask; // nullptr until load_profile() has read the file
 };
 
@@ -80,8 +80,8 @@ struct SunShape {
     Radians diameter; // angular, in (0, π]
 };
 
-using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, RectShape, TubeShape,
-                           SunShape>;
+using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, RectShape,
+                           TubeShape, SunShape>;
 
 // A kind of shape, as `gonio list shapes` shows it.
 struct ShapeKind {
@@ -92,12 +92,22 @@ struct ShapeKind {
 
 std::span<const ShapeKind> shape_kinds();
 
-// Fails (usage) on an unknown kind or key, a missing one, a length that is not greater than 0. Reads no file.
+// Angles and lengths carry their units; "cone", the full outer angle of a spot, stands for "outer". Fails (usage) on an
+// unknown kind, key or falloff, a missing key, a length or an angle outside what its shape says. Reads no file. The
+// name of a mask's file ends at a comma, that of "ies:FILE" does not.
 Result<Shape> parse_shape(std::string_view text);
 
-// Reads the file of a ProfileShape and resolves its web; other shapes are left alone. What was noticed is appended to
-// `diagnostics`.
+// Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are there already,
+// are left alone. What was noticed is appended to `diagnostics`. Fails as read_profile_file() and resolve_web() do.
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics);
+
+// The mask of a shape: its file (nullptr: none) and its web (nullptr: none, or not loaded). Points into the shape.
+struct Mask {
+    const std::string* file = nullptr;
+    const Web* web = nullptr;
+};
+
+Mask mask_of(const Shape& shape);
 
 const char* kind_of(const Shape& shape); // "sphere"
 

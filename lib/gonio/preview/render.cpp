@@ -179,6 +179,10 @@ Result<Image> render(const Stage& stage, const Light& light, const Camera& camer
         return fail(Failure::usage,
                     fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
                     fmt::format("each side may have 1 to {} pixels", max_picture_size));
+    if (!has_kernel(light.shape))
+        return fail(Failure::unsupported,
+                    fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),
+                    "point, spot, frustum, ies and sphere are");
     Image image(options.width, options.height, 3);
     const Renderer renderer(stage, light, camera, options);
     const int across = (options.width + tile_size - 1) / tile_size;

@@ -25,7 +25,7 @@ struct RenderOptions {
 };
 
 // Three channels, linear Rec.709, in cd/m². A spherical light is seen itself where the camera sees it. Fails (usage) on
-// a size outside [1, max_picture_size].
+// a size outside [1, max_picture_size], (unsupported) on a disk, rectangle, tube or sun.
 Result<Image> render(const Stage& stage, const Light& light, const Camera& camera, const RenderOptions& options = {});
 
 } // namespace gonio

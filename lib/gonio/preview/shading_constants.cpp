@@ -12,7 +12,9 @@ void copy(const glm::dvec3& from, float (&to)[3]) {
         to[i] = static_cast<float>(from[i]);
 }
 
-void copy(const shading::vec3<double>& from, float (&to)[3]) { copy(glm::dvec3(from.x, from.y, from.z), to); }
+void copy(const shading::vec3<double>& from, float (&to)[3]) {
+    copy(glm::dvec3(from.x, from.y, from.z), to);
+}
 
 shading::MaterialConstants constants_of(const LambertMaterial& material) {
     shading::MaterialConstants constants;
@@ -35,6 +37,21 @@ shading::MaterialConstants constants_of(const FrostbiteMaterial& material) {
 }
 
 } // namespace
+
+bool has_kernel(const Shape& shape) {
+    struct Known {
+        bool operator()(const PointShape&) const { return true; }
+        bool operator()(const SpotShape&) const { return true; }
+        bool operator()(const FrustumShape&) const { return true; }
+        bool operator()(const ProfileShape&) const { return true; }
+        bool operator()(const SphereShape&) const { return true; }
+        bool operator()(const DiskShape&) const { return false; }
+        bool operator()(const RectShape&) const { return false; }
+        bool operator()(const TubeShape&) const { return false; }
+        bool operator()(const SunShape&) const { return false; }
+    };
+    return std::visit(Known{}, shape);
+}
 
 shading::LightConstants light_constants(const Light& light) {
     shading::LightConstants constants;

@@ -7,7 +7,10 @@
 
 namespace gonio {
 
-// intensity_cd is left to the caller, who has one for each surface point.
+// Whether the kernels know this shape: point, spot, frustum, ies and sphere.
+bool has_kernel(const Shape& shape);
+
+// Of a shape that has a kernel. intensity_cd is left to the caller, who has one for each surface point.
 shading::LightConstants light_constants(const Light& light);
 
 shading::MaterialConstants material_constants(const Material& material);

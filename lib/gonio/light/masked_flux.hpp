@@ -1,0 +1,20 @@
+// Flux of a punctual shape behind a mask: ∬ lobe · mask dω, for which there is no closed form.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/light/shape.hpp>
+#include <gonio/web/web.hpp>
+
+namespace gonio {
+
+// Φ/I of a point, spot or frustum of intensity I behind `mask` over its peak, which must be greater than 0; 0 for other
+// shapes. The mask is the web's interpolant, frame as everywhere: γ = 0 along the axis, C0 along X.
+//
+// A point is the exact flux of the web. A spot does not depend on C: the C-integral of the web is linear in γ between
+// its angles, and each piece between those and the edges of the lobe is integrated by Gauss–Legendre rules of 16 nodes
+// (in closed form where the lobe is even). A frustum is integrated exactly in γ up to its face and by Gauss–Legendre
+// rules in C between all azimuths at which its outline turns or crosses the grid, halved until they agree. Relative
+// error below 1e-12 for a web without negative values; no randomness, no threads. Cost: 10 µs to 10 ms.
+Steradians masked_solid_angle(const Shape& shape, const Web& mask);
+
+} // namespace gonio

@@ -1,0 +1,108 @@
+#include <gonio/light/photometric_value.hpp>
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace gonio {
+
+namespace {
+
+bool photometric(Dimension dimension) {
+    switch (dimension) {
+    case Dimension::luminous_flux:
+    case Dimension::luminous_intensity:
+    case Dimension::illuminance:
+    case Dimension::illuminance_ev:
+    case Dimension::luminance:
+    case Dimension::luminance_ev:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool needs_distance(Dimension dimension) {
+    return dimension == Dimension::illuminance || dimension == Dimension::illuminance_ev;
+}
+
+Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std::string_view> text) {
+    if (!needs_distance(unit.dimension)) {
+        if (text)
+            return fail(Failure::usage, fmt::format("'{}' takes no distance, but '@{}' is given", unit.symbol, *text));
+        return std::optional<Meters>();
+    }
+    if (!text) return std::optional<Meters>();
+    Result<double> meters = parse_amount(*text, Dimension::length, "the distance of an illuminance");
+    if (!meters) return pass_on(meters);
+    if (!(*meters > 0.0))
+        return fail(Failure::usage,
+                    fmt::format("the distance of an illuminance must be greater than 0, not {}", *text));
+    return std::optional<Meters>(Meters(*meters));
+}
+
+// "90lm/W" or a bare number.
+Result<double> parse_efficacy(std::string_view text) {
+    std::string_view number = text;
+    if (number.ends_with("lm/W")) number.remove_suffix(4);
+    const std::optional<double> value = parse_number(number);
+    if (!value || !(*value > 0.0) || *value > 683.01)
+        return fail(Failure::usage, fmt::format("'{}' is no luminous efficacy", text),
+                    "write for example 60W@90lm/W; no light exceeds 683 lm/W");
+    return *value;
+}
+
+} // namespace
+
+Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
+    const std::size_t at = text.find('@');
+    const std::string_view symbol = text.substr(0, at);
+    const Unit* unit = find_unit(symbol);
+    if (unit == nullptr) {
+        std::string with_number("1");
+        with_number += symbol;
+        Result<Amount> amount = parse_amount(with_number);
+        if (amount) return fail(Failure::internal, "a unit was found that does not exist");
+        return fail(Failure::usage, fmt::format("unknown unit '{}'", symbol), amount.error().diagnostics.back().hint);
+    }
+    if (!photometric(unit->dimension))
+        return fail(Failure::usage,
+                    fmt::format("'{}' is a unit of {}, not of light", symbol, dimension_name(unit->dimension)),
+                    "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft or fL");
+    const auto distance_text = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
+    Result<std::optional<Meters>> distance = parse_distance(*unit, distance_text);
+    if (!distance) return pass_on(distance);
+    return PhotometricUnit{unit, *distance};
+}
+
+Result<PhotometricValue> parse_photometric_value(std::string_view text) {
+    const std::size_t at = text.find('@');
+    Result<Amount> amount = parse_amount(text.substr(0, at));
+    if (!amount) return pass_on(amount);
+    const Unit& unit = *amount->unit;
+    const auto behind_at = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
+
+    const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
+    if (!logarithmic && amount->number < 0.0)
+        return fail(Failure::usage, fmt::format("'{}' is negative: there is no negative light", text));
+    PhotometricValue value{amount->number, {&unit, std::nullopt}, std::nullopt};
+    if (unit.dimension == Dimension::power) {
+        if (!behind_at)
+            return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
+                        fmt::format("write for example {}@90lm/W", text));
+        Result<double> efficacy = parse_efficacy(*behind_at);
+        if (!efficacy) return pass_on(efficacy);
+        value.efficacy_lm_per_w = *efficacy;
+        return value;
+    }
+    if (!photometric(unit.dimension))
+        return fail(Failure::usage,
+                    fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
+                    "give lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY");
+    Result<std::optional<Meters>> distance = parse_distance(unit, behind_at);
+    if (!distance) return pass_on(distance);
+    value.unit.distance = *distance;
+    return value;
+}
+
+} // namespace gonio
