@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace gonio {
@@ -27,29 +27,6 @@ constexpr std::array method_names{
 // Summed one after the other; a block's sum does not depend on the number of threads.
 constexpr std::size_t lights_in_block = 4096;
 constexpr double farthest = 1e100; // [m]; differences and their products stay far from overflow
-constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
-
-// Where something happened for the first time, in the order of receivers, and how often.
-struct Occurrence {
-    std::size_t receiver = nowhere;
-    std::size_t light = nowhere;
-    std::size_t count = 0;
-
-    void add(std::size_t at_receiver, std::size_t at_light) {
-        if (count++ == 0) {
-            receiver = at_receiver;
-            light = at_light;
-        }
-    }
-    void add(const Occurrence& other) {
-        if (std::pair(other.receiver, other.light) < std::pair(receiver, light)) {
-            receiver = other.receiver;
-            light = other.light;
-        }
-        count += other.count;
-    }
-};
-
 struct Sums {
     double illuminance_lx = 0.0;
     ProbeLuminance luminance;
@@ -61,39 +38,12 @@ struct Sums {
     }
 };
 
-struct Remarks {
-    Occurrence at_light;
-    Occurrence inside;
-};
-
 bool in_range(const glm::dvec3& position) {
     return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
 }
 
 std::string others(std::size_t count) {
     return count > 1 ? fmt::format(" (and {} more such pairs of point and light)", count - 1) : std::string();
-}
-
-Diagnostics to_diagnostics(const Remarks& remarks, std::span<const Light> lights) {
-    Diagnostics diagnostics;
-    if (remarks.at_light.count > 0)
-        diagnostics.push_back(
-            {{},
-             Severity::warning,
-             {},
-             fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
-                         remarks.at_light.receiver + 1, lights[remarks.at_light.light].name,
-                         others(remarks.at_light.count)),
-             {}});
-    if (remarks.inside.count > 0)
-        diagnostics.push_back({{},
-                               Severity::note,
-                               {},
-                               fmt::format("point {} lies inside '{}', which lights it from everywhere{}",
-                                           remarks.inside.receiver + 1, lights[remarks.inside.light].name,
-                                           others(remarks.inside.count)),
-                               {}});
-    return diagnostics;
 }
 
 } // namespace
@@ -115,6 +65,18 @@ Result<IrradianceMethod> parse_irradiance_method(std::string_view name) {
         names.push_back(known.name);
     }
     return unknown_name("method", name, names);
+}
+
+void ProbeOccurrence::add(const ProbeOccurrence& others, std::size_t offset) {
+    if (others.count == 0) return;
+    const std::pair theirs(others.receiver + offset, others.light);
+    if (count == 0 || theirs < std::pair(receiver, light)) std::tie(receiver, light) = theirs;
+    count += others.count;
+}
+
+void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
+    on_light.add(others.on_light, offset);
+    inside.add(others.inside, offset);
 }
 
 std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
@@ -171,7 +133,7 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
     const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
     const std::size_t groups = (receivers.size() - 1) / group + 1;
     std::vector<Sums> sums(receivers.size() * blocks);
-    std::vector<Remarks> remarks(groups * blocks);
+    std::vector<ProbeRemarks> remarks(groups * blocks);
     parallel_for(groups * blocks, options.threads, [&](std::size_t task) {
         const std::size_t block = task % blocks;
         const std::size_t first = task / blocks * group;
@@ -185,8 +147,8 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
                 if (options.parts) result.parts_lx[r * lights.size() + l] = share.illuminance_lx;
                 if (surface)
                     sum.add({0.0, detail::luminance_of(lights[l], receivers[r].position, normals[r], *surface, share)});
-                if (share.remark == detail::ProbeRemark::at_light) remarks[task].at_light.add(r, l);
-                if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add(r, l);
+                if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
+                if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
             }
             sums[r * blocks + block] = sum;
         }
@@ -198,13 +160,31 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         result.illuminance_lx[r] = sum.illuminance_lx;
         if (surface) result.luminance[r] = sum.luminance;
     }
-    Remarks all;
-    for (const Remarks& of_task : remarks) {
-        all.at_light.add(of_task.at_light);
-        all.inside.add(of_task.inside);
-    }
-    result.diagnostics = to_diagnostics(all, lights);
+    for (const ProbeRemarks& of_task : remarks)
+        result.remarks.add(of_task);
     return result;
+}
+
+Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {
+    Diagnostics diagnostics;
+    if (remarks.on_light.count > 0)
+        diagnostics.push_back(
+            {{},
+             Severity::warning,
+             {},
+             fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
+                         remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
+                         others(remarks.on_light.count)),
+             {}});
+    if (remarks.inside.count > 0)
+        diagnostics.push_back({{},
+                               Severity::note,
+                               {},
+                               fmt::format("point {} lies inside '{}', which lights it from everywhere{}",
+                                           remarks.inside.receiver + 1, lights[remarks.inside.light].name,
+                                           others(remarks.inside.count)),
+                               {}});
+    return diagnostics;
 }
 
 Spread spread(std::span<const double> values) {

@@ -66,12 +66,28 @@ struct ProbeLuminance {
     Nits specular;
 };
 
+// Something about pairs of a receiver and a light: how many, and the first in the order of receivers.
+struct ProbeOccurrence {
+    std::size_t count = 0;
+    std::size_t receiver = 0;
+    std::size_t light = 0;
+
+    // `others` counts its receivers from `offset`.
+    void add(const ProbeOccurrence& others, std::size_t offset = 0);
+};
+
+struct ProbeRemarks {
+    ProbeOccurrence on_light; // the receiver lies on a light without size, which has no direction from there: 0
+    ProbeOccurrence inside;   // the receiver lies inside a sphere or tube: E = π L
+
+    void add(const ProbeRemarks& others, std::size_t offset = 0);
+};
+
 struct ProbeResult {
     std::vector<double> illuminance_lx;    // one a receiver
     std::vector<double> parts_lx;          // [receiver][light]; empty unless asked for
     std::vector<ProbeLuminance> luminance; // one a receiver; empty unless asked for
-    // A note where receivers lie inside a sphere or tube (E = π L), a warning where they lie on a punctual light (0).
-    Diagnostics diagnostics;
+    ProbeRemarks remarks;
 };
 
 // Lambert: E·albedo/π. Frostbite: punctual lights, spheres and suns alone, with the exact method alone.
@@ -79,6 +95,9 @@ struct ProbeResult {
 // luminance that is not computed yet.
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options = {});
+
+// A warning for receivers on a light, a note for those inside one; points count from 1.
+Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights);
 
 // The least, mean and greatest of values; all 0 for none.
 struct Spread {
