@@ -73,7 +73,7 @@ GONIO_FORCE_INLINE double disk_straddling(const DiskParts<double>& d) {
     const double half = simd::atan2(simd::sqrt((d.m - d.k) * (d.m + d.k)), -d.k);
     const double t0 = middle - half;
     const double t1 = middle + half;
-    const auto j = [&](double t) {
+    const auto j = [&](double t) __attribute__((always_inline)) {
         const double slope = simd::sin(t) / (1.0 + beta * simd::cos(t));
         return slope * atan_ratio(beta * slope);
     };

@@ -141,10 +141,10 @@ GONIO_FORCE_INLINE void walk_end(OutlineWalk& walk, const EndCircle& end, bool f
     const double reach = simd::atan2(simd::sqrt(simd::max((m - k) * (m + k), 0.0)), -k);
     const double hidden = pi - reach;
     const double h = end.half;
-    const auto arc = [&](double from, double to) {
+    const auto arc = [&](double from, double to) __attribute__((always_inline)) {
         walk.sum += cap_arc(end.sine, end.cosine, end.n_axis, end.n_u, end.n_v, from, to);
     };
-    const auto at = [&](double phi) {
+    const auto at = [&](double phi) __attribute__((always_inline)) {
         const vec3<double> round = end.u * simd::cos(phi) + end.v * simd::sin(phi);
         return end.offset + (round * end.cosine - end.axis * end.sine) * end.radius;
     };
@@ -196,7 +196,7 @@ GONIO_FORCE_INLINE double tube_straddling(const TubeParts<double>& t) {
     const double half = 0.5 * t.l;
 
     OutlineWalk walk{{t.d, t.z0 + half, 0.0}};
-    const auto tangent_offset = [&](double end, double side) {
+    const auto tangent_offset = [&](double end, double side) __attribute__((always_inline)) {
         return vec3<double>{-t.r * s, end, side * t.r * kappa};
     };
     const double cos0 = simd::sqrt(simd::max(t.gap2 + t.z0 * t.z0, 0.0)) / d0;
