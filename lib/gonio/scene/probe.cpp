@@ -168,22 +168,21 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {
     Diagnostics diagnostics;
     if (remarks.on_light.count > 0)
+        diagnostics.push_back({{},
+                               Severity::warning,
+                               {},
+                               fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
+                                           remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
+                                           others(remarks.on_light.count)),
+                               {}});
+    if (remarks.inside.count > 0)
         diagnostics.push_back(
             {{},
-             Severity::warning,
+             Severity::note,
              {},
-             fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
-                         remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
-                         others(remarks.on_light.count)),
+             fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
+                         lights[remarks.inside.light].name, others(remarks.inside.count)),
              {}});
-    if (remarks.inside.count > 0)
-        diagnostics.push_back({{},
-                               Severity::note,
-                               {},
-                               fmt::format("point {} lies inside '{}', which lights it from everywhere{}",
-                                           remarks.inside.receiver + 1, lights[remarks.inside.light].name,
-                                           others(remarks.inside.count)),
-                               {}});
     return diagnostics;
 }
 
