@@ -1,7 +1,6 @@
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/light/light.hpp>
-#include <gonio/light/light_color.hpp>
 #include <gonio/media/display.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/preview/exposure.hpp>
@@ -13,8 +12,10 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -25,16 +26,6 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array light_options{
-    Option{"--shape", "SHAPE", "the light's shape, where no FILE is given", "shapes"},
-    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt, 300lx@2m; a profile's own when not given"},
-    Option{"--color", "COLOR", "of the light: d65, #ffd9a0, rgb(1,0.8,0.6); or auto, always, never for messages"},
-    Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it)"},
-    Option{"--direction", "X,Y,Z", "along which it shines (0,0,-1)"},
-    Option{"--up", "X,Y,Z", "where C90 of a profile points (0,1,0)"},
-    Option{"--rotate", "ANGLE", "turns the light about its direction, C0 towards C90: 90deg"},
-    Option{"--range", "LENGTH", "distance at which the light is windowed to nothing (none)"},
-};
 constexpr std::array picture_options{
     Option{"--stage", "STAGE", "what the light is shown on (floor)", "stages"},
     Option{"--material", "MATERIAL", "of the sphere on the stage", "materials"},
@@ -56,9 +47,10 @@ constexpr std::array picture_output_options{
 };
 constexpr std::array preview_common{
     Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "say what is done and how long it takes"},
     Option{"-h,--help", "", "this text"},
 };
-constexpr std::array groups{OptionGroup{"light", light_options}, OptionGroup{"picture", picture_options},
+constexpr std::array groups{light_group, OptionGroup{"picture", picture_options},
                             OptionGroup{"output", picture_output_options}, json_group,
                             OptionGroup{"common options", preview_common}};
 constexpr std::array examples{
@@ -76,57 +68,6 @@ struct Request {
     std::string output;
     const media::ImageFormat* format = nullptr;
 };
-
-Result<void> read_light(const Arguments& arguments, Request& request) {
-    const std::vector<std::string>& files = arguments.positional();
-    const auto shape_text = arguments.value("--shape");
-    if (files.size() > 1) return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()));
-    if (files.empty() && !shape_text)
-        return fail(Failure::usage, "no light is given",
-                    "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
-    if (!files.empty() && shape_text)
-        return fail(Failure::usage, "a profile and --shape are both given", "a preview shows one light");
-    LightDescription& light = request.light;
-    Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
-    if (!shape) return pass_on(shape);
-    light.shape = *shape;
-    light.name = kind_of(light.shape);
-    light.position = request.stage.light_position;
-    if (const auto text = arguments.value("--intensity")) {
-        Result<PhotometricValue> value = parse_photometric_value(*text);
-        if (!value) return pass_on(value);
-        light.intensity = *value;
-    }
-    const auto color = arguments.value("--color");
-    if (color && *color != "auto" && *color != "always" && *color != "never") {
-        Result<glm::dvec3> rgb = parse_light_color(*color);
-        if (!rgb) return pass_on(rgb);
-        light.color = *rgb;
-    }
-    struct Vector {
-        const char* option;
-        glm::dvec3* target;
-    };
-    for (const Vector& vector :
-         {Vector{"--position", &light.position}, Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
-        const auto text = arguments.value(vector.option);
-        if (!text) continue;
-        Result<glm::dvec3> parsed = parse_vector(*text, vector.option);
-        if (!parsed) return pass_on(parsed);
-        *vector.target = *parsed;
-    }
-    if (const auto text = arguments.value("--rotate")) {
-        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
-        if (!angle) return pass_on(angle);
-        light.rotation = Radians(*angle);
-    }
-    if (const auto text = arguments.value("--range")) {
-        Result<double> meters = parse_amount(*text, Dimension::length, "--range");
-        if (!meters) return pass_on(meters);
-        light.range = Meters(*meters);
-    }
-    return {};
-}
 
 Result<void> read_picture(const Arguments& arguments, Request& request) {
     if (const auto text = arguments.value("--size")) {
@@ -168,6 +109,7 @@ Result<void> read_output(const Arguments& arguments, Request& request) {
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     const auto named = arguments.value("--to");
     request.output = *output;
+    if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
     request.format = media::find_image_format(named ? *named : *output);
     if (request.format != nullptr) return {};
     std::vector<std::string_view> names;
@@ -183,8 +125,10 @@ Result<Request> parse(const Arguments& arguments) {
     Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    Result<void> read = read_light(arguments, request);
-    if (read) read = read_picture(arguments, request);
+    Result<LightDescription> light = light_input(arguments, request.stage.light_position);
+    if (!light) return pass_on(light);
+    request.light = std::move(*light);
+    Result<void> read = read_picture(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
     return request;
@@ -201,11 +145,16 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         console.print(fmt::format("{}\n", request->output));
         return 0;
     }
+    const Stopwatch rendering;
     Result<Image> image = render(request->stage, *light, request->stage.camera, request->render);
     if (!image) return pass_on(image);
+    console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", image->width, image->height,
+                               rendering.milliseconds(), simd::to_text(request->render.instruction_set)));
 
     media::ImageWriteOptions write;
-    Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    const Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    console.remark(fmt::format("exposure EV100 {:.2f}", exposure.value));
+    const Stopwatch encoding;
     const bool linear = has_pixel(*request->format, media::Pixel::float32);
     if (!linear) {
         expose(*image, exposure);
@@ -221,6 +170,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     }
     Result<std::string> bytes = media::encode_image(*image, *request->format, write);
     if (!bytes) return pass_on(bytes);
+    console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     const Result<void> written =
         request->output == "-" ? write_standard_output(*bytes) : write_file(request->output, *bytes);
     if (!written) return Unexpected(written.error());

@@ -24,15 +24,22 @@ struct Surfaces {
 };
 
 struct LightConstants {
-    enum class Kind : std::uint8_t { punctual, sphere };
+    enum class Kind : std::uint8_t { punctual, sphere, disk, rectangle, tube };
 
     Kind kind = Kind::punctual;
     float position[3] = {}; // [m], of the centre
-    float radius = 0.0F;    // sphere [m], ≥ 0; not read for punctual
-    // sphere: luminance of the three channels [nt]; punctual: weights of a colour whose luminance Y is 1. All ≥ 0.
+    float radius = 0.0F;    // sphere, disk, tube [m], ≥ 0
+    // Area lights: luminance of the three channels [nt]; punctual: weights of a colour whose luminance Y is 1. All ≥ 0.
     float color[3] = {1.0F, 1.0F, 1.0F};
     const float* intensity_cd = nullptr; // punctual: towards each surface point, ≥ 0, `count` of them; else not read
     float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window
+    // The rest is read by disk, rectangle and tube only.
+    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where disk and rectangle emit to; along the tube
+    float width_direction[3] = {1.0F, 0.0F, 0.0F}; // rectangle: unit, perpendicular to the axis
+    float width = 0.0F;                            // rectangle [m], along width_direction
+    float height = 0.0F;                           // rectangle [m], across it
+    float length = 0.0F;                           // tube [m], of the cylinder without its round ends
+    bool two_sided = false;                        // disk, rectangle: emit to both sides, the luminance on each
 };
 
 struct MaterialConstants {
@@ -58,7 +65,7 @@ struct Kernels {
     void (*shade)(const Surfaces&, const LightConstants&, const MaterialConstants&, float* const rgb[3]);
 
     // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
-    // in sr, times the window) for a sphere.
+    // in sr, times the window) for an area light.
     void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
 };
 

@@ -6,6 +6,7 @@
 
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/shading/shade_area.hpp>
 
 #include <cstddef>
 
@@ -52,6 +53,29 @@ GONIO_FORCE_INLINE void constants(const LightConstants& from, SphereLight<S>& to
     to = {broadcast<S>(from.position), broadcast<S>(from.color), S(from.radius), S(from.inverse_range)};
 }
 template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, DiskLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color),
+          broadcast<S>(from.axis),     S(from.radius),
+          S(from.inverse_range),       from.two_sided};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, RectangleLight<S>& to) {
+    to = {broadcast<S>(from.position),
+          broadcast<S>(from.color),
+          broadcast<S>(from.axis),
+          broadcast<S>(from.width_direction),
+          S(from.width),
+          S(from.height),
+          S(from.inverse_range),
+          from.two_sided};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, TubeLight<S>& to) {
+    to = {
+        broadcast<S>(from.position), broadcast<S>(from.color), broadcast<S>(from.axis), S(from.radius), S(from.length),
+        S(from.inverse_range)};
+}
+template<class S>
 GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
     to = {broadcast<S>(from.albedo)};
 }
@@ -64,9 +88,8 @@ template<class S>
 GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
     light.intensity_cd = packet.load(from.intensity_cd);
 }
-template<class S>
-GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/,
-                                  SphereLight<S>& /*light*/) {}
+template<class S, class AreaLight>
+GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/, AreaLight& /*light*/) {}
 
 template<class S>
 GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Frostbite<S>& /*reads*/) {
@@ -135,6 +158,12 @@ void shade_any(const Surfaces& surfaces, const LightConstants& light, const Mate
         return shade_material<S, PunctualLight<S>>(surfaces, light, material, rgb);
     case LightConstants::Kind::sphere:
         return shade_material<S, SphereLight<S>>(surfaces, light, material, rgb);
+    case LightConstants::Kind::disk:
+        return shade_material<S, DiskLight<S>>(surfaces, light, material, rgb);
+    case LightConstants::Kind::rectangle:
+        return shade_material<S, RectangleLight<S>>(surfaces, light, material, rgb);
+    case LightConstants::Kind::tube:
+        return shade_material<S, TubeLight<S>>(surfaces, light, material, rgb);
     }
 }
 
@@ -145,6 +174,12 @@ void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float
         return irradiance_batch<S, PunctualLight<S>>(surfaces, light, lx);
     case LightConstants::Kind::sphere:
         return irradiance_batch<S, SphereLight<S>>(surfaces, light, lx);
+    case LightConstants::Kind::disk:
+        return irradiance_batch<S, DiskLight<S>>(surfaces, light, lx);
+    case LightConstants::Kind::rectangle:
+        return irradiance_batch<S, RectangleLight<S>>(surfaces, light, lx);
+    case LightConstants::Kind::tube:
+        return irradiance_batch<S, TubeLight<S>>(surfaces, light, lx);
     }
 }
 

@@ -36,6 +36,12 @@ GONIO_FORCE_INLINE S largest_component(vec3<S> a) {
     return simd::max(simd::abs(a.x), simd::max(simd::abs(a.y), simd::abs(a.z)));
 }
 
+template<class S>
+GONIO_FORCE_INLINE vec3<S> select(simd::mask_of<S> condition, vec3<S> if_true, vec3<S> if_false) {
+    return {simd::select(condition, if_true.x, if_false.x), simd::select(condition, if_true.y, if_false.y),
+            simd::select(condition, if_true.z, if_false.z)};
+}
+
 // 1/x, and 0 where x is 0.
 template<class S>
 GONIO_FORCE_INLINE S reciprocal_or_zero(S x) {

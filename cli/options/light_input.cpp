@@ -1,0 +1,79 @@
+#include "light_input.hpp"
+
+#include <gonio/base/unit_text.hpp>
+#include <gonio/light/light_color.hpp>
+
+#include "values.hpp"
+
+#include <fmt/format.h>
+
+namespace gonio::cli {
+
+namespace {
+
+bool is_about_messages(std::string_view color) {
+    return color == "auto" || color == "always" || color == "never";
+}
+
+} // namespace
+
+Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position) {
+    const std::vector<std::string>& files = arguments.positional();
+    const auto shape_text = arguments.value("--shape");
+    if (files.size() > 1) return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()));
+    if (files.empty() && !shape_text)
+        return fail(Failure::usage, "no light is given",
+                    "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
+    if (!files.empty() && shape_text)
+        return fail(Failure::usage, "a profile and --shape are both given", "one light is wanted");
+    LightDescription light;
+    Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
+    if (!shape) return pass_on(shape);
+    light.shape = *shape;
+    light.name = kind_of(light.shape);
+    light.position = default_position;
+    if (const auto text = arguments.value("--intensity")) {
+        Result<PhotometricValue> value = parse_photometric_value(*text);
+        if (!value) return pass_on(value);
+        light.intensity = *value;
+    }
+    const auto color = arguments.value("--color");
+    if (color && !is_about_messages(*color)) {
+        Result<glm::dvec3> rgb = parse_light_color(*color);
+        if (!rgb) return pass_on(rgb);
+        light.color = *rgb;
+    }
+    struct Vector {
+        const char* option;
+        glm::dvec3* target;
+    };
+    for (const Vector& vector :
+         {Vector{"--position", &light.position}, Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
+        const auto text = arguments.value(vector.option);
+        if (!text) continue;
+        Result<glm::dvec3> parsed = parse_vector(*text, vector.option);
+        if (!parsed) return pass_on(parsed);
+        *vector.target = *parsed;
+    }
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        light.rotation = Radians(*angle);
+    }
+    if (const auto text = arguments.value("--range")) {
+        Result<double> meters = parse_amount(*text, Dimension::length, "--range");
+        if (!meters) return pass_on(meters);
+        light.range = Meters(*meters);
+    }
+    return light;
+}
+
+std::string_view given_light_option(const Arguments& arguments) {
+    for (const Option& option : light_options) {
+        const auto value = arguments.value(option.names);
+        if (value && !(option.names == "--color" && is_about_messages(*value))) return option.names;
+    }
+    return {};
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,34 @@
+// One light from the command line: a profile, or a shape, with its amount, colour and place.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+
+namespace gonio::cli {
+
+inline constexpr std::array light_options{
+    Option{"--shape", "SHAPE", "the light's shape, where no FILE is given", "shapes"},
+    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt, 300lx@2m; a profile's own when not given"},
+    Option{"--color", "COLOR", "of the light: d65, #ffd9a0, rgb(1,0.8,0.6); or auto, always, never for messages"},
+    Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it; of probe: 0,0,0)"},
+    Option{"--direction", "X,Y,Z", "along which it shines (0,0,-1)"},
+    Option{"--up", "X,Y,Z", "where C90 of a profile points (0,1,0)"},
+    Option{"--rotate", "ANGLE", "turns the light about its direction, C0 towards C90: 90deg"},
+    Option{"--range", "LENGTH", "distance at which the light is windowed to nothing (none)"},
+};
+
+inline constexpr OptionGroup light_group{"light", light_options};
+
+// The light of the positional FILE or --shape. Reads no file. Fails (usage) when there is none or both, and on what the
+// options cannot mean.
+Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position);
+
+// The first of light_options, other than a --color that is about messages, that is given: "--shape"; empty for none.
+std::string_view given_light_option(const Arguments& arguments);
+
+} // namespace gonio::cli

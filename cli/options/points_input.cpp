@@ -1,0 +1,222 @@
+#include "points_input.hpp"
+
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include "values.hpp"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> column_names{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::size_t absent = static_cast<std::size_t>(-1);
+
+struct Field {
+    std::string_view text; // without blanks around it
+    std::uint32_t column;  // of its first character, from 1
+};
+
+bool blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+std::vector<Field> fields_of(std::string_view line) {
+    std::vector<Field> fields;
+    std::size_t start = 0;
+    for (;;) {
+        const std::size_t comma = std::min(line.find(',', start), line.size());
+        std::size_t first = start;
+        std::size_t last = comma;
+        while (first < last && blank(line[first]))
+            ++first;
+        while (last > first && blank(line[last - 1]))
+            --last;
+        fields.push_back({line.substr(first, last - first), static_cast<std::uint32_t>(first + 1)});
+        if (comma == line.size()) return fields;
+        start = comma + 1;
+    }
+}
+
+Unexpected malformed(const std::string& source, std::uint32_t line, std::uint32_t column, std::string message,
+                     std::string hint = {}) {
+    Error error{Failure::malformed, {}};
+    error.diagnostics.push_back({{}, Severity::error, {source, line, column}, std::move(message), std::move(hint)});
+    return Unexpected(std::move(error));
+}
+
+// Which field of a line is x, y, z, nx, ny, nz.
+struct Columns {
+    std::array<std::size_t, 6> at{0, 1, 2, 3, 4, 5};
+    bool named = false;
+
+    bool have_normal(std::size_t fields) const { return named ? at[3] != absent : fields == 6; }
+};
+
+Result<Columns> read_header(const std::vector<Field>& fields, const std::string& source, std::uint32_t line) {
+    Columns columns;
+    columns.named = true;
+    columns.at.fill(absent);
+    for (std::size_t f = 0; f < fields.size(); ++f)
+        for (std::size_t c = 0; c < column_names.size(); ++c) {
+            if (fields[f].text != column_names[c]) continue;
+            if (columns.at[c] != absent)
+                return malformed(source, line, fields[f].column, fmt::format("two columns are named '{}'", fields[f].text));
+            columns.at[c] = f;
+        }
+    const std::size_t normals = static_cast<std::size_t>(
+        std::count_if(columns.at.begin() + 3, columns.at.end(), [](std::size_t f) { return f != absent; }));
+    for (std::size_t c = 0; c < column_names.size(); ++c)
+        if (columns.at[c] == absent && (c < 3 || normals > 0))
+            return malformed(source, line, 1, fmt::format("no column is named '{}'", column_names[c]),
+                             "columns are x,y,z or x,y,z,nx,ny,nz");
+    return columns;
+}
+
+Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& columns, const std::string& source,
+                          std::uint32_t line, const glm::dvec3& default_normal) {
+    if (!columns.named && fields.size() != 3 && fields.size() != 6)
+        return malformed(source, line, 1, fmt::format("{} values where 3 or 6 are wanted", fields.size()),
+                         "write x,y,z or x,y,z,nx,ny,nz");
+    const bool with_normal = columns.have_normal(fields.size());
+    std::array<double, 6> values{};
+    for (std::size_t c = 0; c < (with_normal ? 6U : 3U); ++c) {
+        if (columns.at[c] >= fields.size())
+            return malformed(source, line, 1, fmt::format("there is no value for '{}'", column_names[c]));
+        const Field& field = fields[columns.at[c]];
+        const std::optional<double> number = parse_number(field.text);
+        if (!number)
+            return malformed(source, line, field.column, fmt::format("'{}' is no number", field.text));
+        values[c] = *number;
+    }
+    const Receiver receiver{{values[0], values[1], values[2]},
+                            with_normal ? glm::dvec3(values[3], values[4], values[5]) : default_normal};
+    if (!unit_vector(receiver.normal))
+        return malformed(source, line, fields[columns.at[3]].column, "the normal is zero");
+    return receiver;
+}
+
+// "O:U:V:NxM".
+Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec3>& normal) {
+    std::array<std::string_view, 4> parts;
+    std::string_view rest = text;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const std::size_t colon = rest.find(':');
+        if ((colon == std::string_view::npos) != (p == 3))
+            return fail(Failure::usage, fmt::format("--grid does not take '{}'", text),
+                        "write CORNER:EDGE:EDGE:NxM, for example -2,-2,0:4,0,0:0,4,0:21x21");
+        parts[p] = rest.substr(0, colon);
+        if (p < 3) rest.remove_prefix(colon + 1);
+    }
+    std::array<glm::dvec3, 3> vectors;
+    for (std::size_t p = 0; p < vectors.size(); ++p) {
+        Result<glm::dvec3> vector =
+            parse_vector(parts[p], std::array{"the corner of --grid", "the edge U of --grid", "the edge V of --grid"}[p]);
+        if (!vector) return pass_on(vector);
+        vectors[p] = *vector;
+    }
+    Result<PixelSize> size = parse_size(parts[3]);
+    if (!size) {
+        error_hint(size.error(), "the number of points of --grid is written NxM, for example 21x21");
+        return pass_on(size);
+    }
+    if (size->width < 1 || size->height < 1 ||
+        static_cast<std::size_t>(size->width) > max_points / static_cast<std::size_t>(size->height))
+        return fail(Failure::usage, fmt::format("a grid of {} points is out of range", parts[3]),
+                    fmt::format("it may have 1 to {}", max_points));
+    const auto& [corner, u, v] = vectors;
+    const std::optional<glm::dvec3> upright = unit_vector(glm::cross(u, v));
+    if (!normal && !upright)
+        return fail(Failure::usage, "the edges of --grid span no area, so it has no normal", "add --normal X,Y,Z");
+
+    Points points;
+    points.grid = GridSize{size->width, size->height};
+    points.receivers.reserve(static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height));
+    for (int j = 0; j < size->height; ++j)
+        for (int i = 0; i < size->width; ++i)
+            points.receivers.push_back(
+                {corner + u * ((i + 0.5) / size->width) + v * ((j + 0.5) / size->height), normal ? *normal : *upright});
+    return points;
+}
+
+} // namespace
+
+Result<std::vector<Receiver>> parse_points(std::string_view text, const std::string& source,
+                                           const glm::dvec3& default_normal) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark
+    std::vector<Receiver> receivers;
+    Columns columns;
+    bool first = true;
+    for (std::uint32_t line = 1; !text.empty(); ++line) {
+        const std::size_t end = text.find('\n');
+        const std::string_view row = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        const std::vector<Field> fields = fields_of(row);
+        if ((fields.size() == 1 && fields[0].text.empty()) || fields[0].text.starts_with('#')) continue;
+        const bool letters = !fields[0].text.empty() && !parse_number(fields[0].text) &&
+                             std::isalpha(static_cast<unsigned char>(fields[0].text.front())) != 0;
+        if (std::exchange(first, false) && letters) {
+            Result<Columns> header = read_header(fields, source, line);
+            if (!header) return pass_on(header);
+            columns = *header;
+            continue;
+        }
+        Result<Receiver> receiver = read_row(fields, columns, source, line, default_normal);
+        if (!receiver) return pass_on(receiver);
+        if (receivers.size() == max_points)
+            return malformed(source, line, 1, fmt::format("there are more than {} points", max_points));
+        receivers.push_back(*receiver);
+    }
+    if (receivers.empty()) return malformed(source, 0, 0, "there are no points in it");
+    return receivers;
+}
+
+Result<Points> points_input(const Arguments& arguments) {
+    const std::vector<std::string> at = arguments.values("--at");
+    const auto file = arguments.value("--points");
+    const auto grid = arguments.value("--grid");
+    const int ways = (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0);
+    if (ways != 1)
+        return fail(Failure::usage,
+                    ways == 0 ? "no point is given" : "points are given in more than one way", "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
+
+    std::vector<glm::dvec3> normals;
+    for (const std::string& text : arguments.values("--normal")) {
+        Result<glm::dvec3> normal = parse_vector(text, "--normal");
+        if (!normal) return pass_on(normal);
+        if (!unit_vector(*normal)) return fail(Failure::usage, "--normal is zero", "it says which way the surface looks");
+        normals.push_back(*normal);
+    }
+    if (normals.size() > 1 && normals.size() != at.size())
+        return fail(Failure::usage,
+                    fmt::format("{} normals are given for {} points", normals.size(),
+                                at.empty() ? std::string("a table or grid of") : std::to_string(at.size())),
+                    "give one for all, or one for each --at");
+    const glm::dvec3 default_normal = normals.empty() ? Receiver().normal : normals.front();
+    if (grid) return parse_grid(*grid, normals.empty() ? std::nullopt : std::optional(normals.front()));
+
+    Points points;
+    if (file) {
+        Result<std::string> text = *file == "-" ? read_standard_input() : read_file(*file);
+        if (!text) return pass_on(text);
+        Result<std::vector<Receiver>> receivers = parse_points(*text, *file, default_normal);
+        if (!receivers) return pass_on(receivers);
+        points.receivers = std::move(*receivers);
+        return points;
+    }
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        Result<glm::dvec3> position = parse_vector(at[i], "--at");
+        if (!position) return pass_on(position);
+        points.receivers.push_back({*position, normals.size() > 1 ? normals[i] : default_normal});
+    }
+    return points;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,49 @@
+// The points that a command probes: named one by one, from a table, or on a grid.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/scene/probe.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array points_options{
+    Option{"--at", "X,Y,Z", "a point in metres; may be given several times"},
+    Option{"--normal", "X,Y,Z", "of the surface there (0,0,1; of a grid: U x V); one for all or one for each --at"},
+    Option{"--points", "FILE", "points from a CSV file, '-' for standard input: x,y,z or x,y,z,nx,ny,nz a line"},
+    Option{"--grid", "O:U:V:NxM", "N by M points on a rectangle: its corner O, its edges U and V, for example "
+                                  "-2,-2,0:4,0,0:0,4,0:21x21; each in the middle of its cell"},
+};
+
+inline constexpr OptionGroup points_group{"points", points_options};
+
+// At most this many points of one run.
+inline constexpr std::size_t max_points = std::size_t{1} << 24;
+
+struct GridSize {
+    int across = 0; // along U
+    int along = 0;  // along V
+};
+
+struct Points {
+    std::vector<Receiver> receivers; // of a grid: along U first
+    std::optional<GridSize> grid;
+};
+
+// Fails: usage unless points are given in exactly one of the three ways, or a normal is zero; io and malformed (with
+// line and column) on the file.
+Result<Points> points_input(const Arguments& arguments);
+
+// Points of CSV text that `source` names in messages. The first line may name columns: x, y, z, and nx, ny, nz or none
+// of them, in any order, among others that are left alone. Empty lines and lines that begin with # are left out.
+Result<std::vector<Receiver>> parse_points(std::string_view text, const std::string& source,
+                                           const glm::dvec3& default_normal);
+
+} // namespace gonio::cli

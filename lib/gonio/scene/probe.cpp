@@ -1,0 +1,200 @@
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/parallel.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/probe.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::array method_names{
+    IrradianceMethodName{IrradianceMethod::exact, "exact", "closed forms with horizon clipping, no distance guard"},
+    IrradianceMethodName{IrradianceMethod::frostbite, "frostbite",
+                         "Lagarde and de Rousiers 2014: its approximation of each shape, guard max(d2, 1 cm2)"},
+    IrradianceMethodName{IrradianceMethod::ue4, "ue4",
+                         "Karis 2013: spheres as points, tubes as lines, other shapes as points, guard d2 + 1 cm2"},
+    IrradianceMethodName{IrradianceMethod::point, "point", "every light as a point (the five-times rule)"},
+};
+
+// Summed one after the other; a block's sum does not depend on the number of threads.
+constexpr std::size_t lights_in_block = 4096;
+constexpr double farthest = 1e100; // [m]; differences and their products stay far from overflow
+struct Sums {
+    double illuminance_lx = 0.0;
+    ProbeLuminance luminance;
+
+    void add(const Sums& other) {
+        illuminance_lx += other.illuminance_lx;
+        luminance.diffuse = luminance.diffuse + other.luminance.diffuse;
+        luminance.specular = luminance.specular + other.luminance.specular;
+    }
+};
+
+bool in_range(const glm::dvec3& position) {
+    return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
+}
+
+std::string others(std::size_t count) {
+    return count > 1 ? fmt::format(" (and {} more such pairs of point and light)", count - 1) : std::string();
+}
+
+} // namespace
+
+std::span<const IrradianceMethodName> irradiance_methods() {
+    return method_names;
+}
+
+std::string_view to_text(IrradianceMethod method) {
+    const auto found = std::find_if(method_names.begin(), method_names.end(),
+                                    [&](const IrradianceMethodName& name) { return name.method == method; });
+    return found == method_names.end() ? std::string_view() : found->name;
+}
+
+Result<IrradianceMethod> parse_irradiance_method(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const IrradianceMethodName& known : method_names) {
+        if (known.name == name) return known.method;
+        names.push_back(known.name);
+    }
+    return unknown_name("method", name, names);
+}
+
+void ProbeOccurrence::add(const ProbeOccurrence& others, std::size_t offset) {
+    if (others.count == 0) return;
+    const std::pair theirs(others.receiver + offset, others.light);
+    if (count == 0 || theirs < std::pair(receiver, light)) std::tie(receiver, light) = theirs;
+    count += others.count;
+}
+
+void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
+    on_light.add(others.on_light, offset);
+    inside.add(others.inside, offset);
+}
+
+std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
+    const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    if (!std::isfinite(vector.x) || !std::isfinite(vector.y) || !std::isfinite(vector.z) || !(largest > 0.0))
+        return std::nullopt;
+    // A division: the reciprocal of a denormal number overflows.
+    const glm::dvec3 scaled(vector.x / largest, vector.y / largest, vector.z / largest);
+    return scaled / glm::length(scaled);
+}
+
+Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
+                          const ProbeOptions& options) {
+    std::vector<glm::dvec3> normals;
+    normals.reserve(receivers.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const std::optional<glm::dvec3> normal = unit_vector(receivers[i].normal);
+        if (!normal) return fail(Failure::usage, fmt::format("the normal of point {} is zero or not finite", i + 1));
+        if (!in_range(receivers[i].position))
+            return fail(Failure::usage, fmt::format("the position of point {} is out of range", i + 1),
+                        fmt::format("coordinates reach to {} m", farthest));
+        normals.push_back(*normal);
+    }
+    for (const Light& light : lights) {
+        if (!in_range(light.frame.origin))
+            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+                        fmt::format("coordinates reach to {} m", farthest));
+        if (options.view && !detail::has_luminance(light.shape, options.view->material))
+            return fail(Failure::unsupported,
+                        fmt::format("the luminance that '{}', a {}, gives this material is not computed yet",
+                                    light.name, kind_of(light.shape)),
+                        "its illuminance is exact, and so is the luminance of lambert");
+    }
+    std::optional<detail::ProbeSurface> surface;
+    if (options.view) {
+        const std::optional<glm::dvec3> view = unit_vector(options.view->direction);
+        if (!view) return fail(Failure::usage, "the view is zero or not finite");
+        if (options.method != IrradianceMethod::exact &&
+            !std::holds_alternative<LambertMaterial>(options.view->material))
+            return fail(Failure::unsupported,
+                        fmt::format("the luminance of this material is not computed by '{}'", to_text(options.method)),
+                        "use the method exact, or lambert");
+        surface = detail::ProbeSurface{options.view->material, *view};
+    }
+
+    ProbeResult result;
+    result.illuminance_lx.resize(receivers.size());
+    if (options.parts) result.parts_lx.resize(receivers.size() * lights.size());
+    if (surface) result.luminance.resize(receivers.size());
+    if (receivers.empty() || lights.empty()) return result;
+
+    // A task is one block of lights for a few receivers; with several blocks their sums are joined in order afterwards.
+    const std::size_t blocks = (lights.size() - 1) / lights_in_block + 1;
+    const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
+    const std::size_t groups = (receivers.size() - 1) / group + 1;
+    std::vector<Sums> sums(receivers.size() * blocks);
+    std::vector<ProbeRemarks> remarks(groups * blocks);
+    parallel_for(groups * blocks, options.threads, [&](std::size_t task) {
+        const std::size_t block = task % blocks;
+        const std::size_t first = task / blocks * group;
+        const std::size_t last_light = std::min(lights.size(), (block + 1) * lights_in_block);
+        for (std::size_t r = first; r < std::min(receivers.size(), first + group); ++r) {
+            Sums sum;
+            for (std::size_t l = block * lights_in_block; l < last_light; ++l) {
+                const detail::ProbeShare share =
+                    detail::illuminance_of(lights[l], receivers[r].position, normals[r], options.method);
+                sum.illuminance_lx += share.illuminance_lx;
+                if (options.parts) result.parts_lx[r * lights.size() + l] = share.illuminance_lx;
+                if (surface)
+                    sum.add({0.0, detail::luminance_of(lights[l], receivers[r].position, normals[r], *surface, share)});
+                if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
+                if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
+            }
+            sums[r * blocks + block] = sum;
+        }
+    });
+    for (std::size_t r = 0; r < receivers.size(); ++r) {
+        Sums sum;
+        for (std::size_t block = 0; block < blocks; ++block)
+            sum.add(sums[r * blocks + block]);
+        result.illuminance_lx[r] = sum.illuminance_lx;
+        if (surface) result.luminance[r] = sum.luminance;
+    }
+    for (const ProbeRemarks& of_task : remarks)
+        result.remarks.add(of_task);
+    return result;
+}
+
+Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {
+    Diagnostics diagnostics;
+    if (remarks.on_light.count > 0)
+        diagnostics.push_back({{},
+                               Severity::warning,
+                               {},
+                               fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
+                                           remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
+                                           others(remarks.on_light.count)),
+                               {}});
+    if (remarks.inside.count > 0)
+        diagnostics.push_back(
+            {{},
+             Severity::note,
+             {},
+             fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
+                         lights[remarks.inside.light].name, others(remarks.inside.count)),
+             {}});
+    return diagnostics;
+}
+
+Spread spread(std::span<const double> values) {
+    if (values.empty()) return {};
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    // The mean of shares of the greatest cannot overflow, nor leave the interval by more than rounding.
+    double sum = 0.0;
+    for (const double value : values)
+        sum += *greatest > 0.0 ? value / *greatest : 0.0;
+    const double mean = *greatest * (sum / static_cast<double>(values.size()));
+    return {*least, std::clamp(mean, *least, *greatest), *greatest};
+}
+
+} // namespace gonio

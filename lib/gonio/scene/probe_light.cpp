@@ -1,0 +1,219 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/shading/irradiance_disk.hpp>
+#include <gonio/shading/irradiance_rectangle.hpp>
+#include <gonio/shading/irradiance_sphere_named.hpp>
+#include <gonio/shading/irradiance_tube.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio::detail {
+
+namespace {
+
+using Vec = shading::vec3<double>;
+
+Vec vec(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+// A sum or product of finite terms ≥ 0, whatever overflow made of it; NaN becomes 0.
+double bounded(double lx) {
+    return simd::min(simd::max(lx, 0.0), shading::illuminance_ceiling);
+}
+
+double inverse_range(const Light& light) {
+    return light.range ? 1.0 / light.range->value : 0.0;
+}
+
+double window(const Light& light, const Vec& to_center) {
+    return light.range ? shading::window_squared(shading::length(to_center), inverse_range(light)) : 1.0;
+}
+
+double luminance_y(const glm::dvec3& rgb) {
+    return glm::dot(rgb, rec709_luminance);
+}
+
+// E/L of each area shape by each method; `c` is the way from the receiver to the centre.
+struct AreaIrradiance {
+    const Frame& frame;
+    Vec c;
+    Vec n;
+    IrradianceMethod method;
+
+    double operator()(const SphereShape& s) const {
+        const double r = s.radius.value;
+        switch (method) {
+        case IrradianceMethod::frostbite:
+            return shading::irradiance_sphere_frostbite(c, r, n);
+        case IrradianceMethod::ue4:
+            return shading::irradiance_sphere_point(c, r, n);
+        default:
+            return shading::irradiance_sphere(c, r, n);
+        }
+    }
+    double operator()(const DiskShape& s) const {
+        const double front = one_side(s, vec(-frame.z));
+        return s.two_sided ? front + one_side(s, vec(frame.z)) : front;
+    }
+    double operator()(const RectShape& s) const {
+        const double front = one_side(s, vec(-frame.z));
+        return s.two_sided ? front + one_side(s, vec(frame.z)) : front;
+    }
+    double operator()(const TubeShape& s) const {
+        const double r = s.radius.value;
+        const double l = s.length.value;
+        switch (method) {
+        case IrradianceMethod::frostbite:
+            return shading::irradiance_tube_frostbite(c, vec(frame.x), r, l, n);
+        case IrradianceMethod::ue4:
+            return shading::irradiance_tube_ue4(c, vec(frame.x), r, l, n);
+        default:
+            return shading::irradiance_tube(c, vec(frame.x), r, l, n);
+        }
+    }
+    template<class Punctual>
+    double operator()(const Punctual& /*shape*/) const {
+        return 0.0;
+    }
+
+private:
+    double one_side(const DiskShape& s, const Vec& axis) const {
+        if (method == IrradianceMethod::frostbite)
+            return shading::irradiance_disk_frostbite(c, axis, s.radius.value, n);
+        return shading::irradiance_disk(c, axis, s.radius.value, n);
+    }
+    double one_side(const RectShape& s, const Vec& axis) const {
+        const double w = s.width.value;
+        const double h = s.height.value;
+        if (method == IrradianceMethod::frostbite)
+            return shading::irradiance_rectangle_frostbite(c, axis, vec(frame.x), w, h, n);
+        return shading::irradiance_rectangle(c, axis, vec(frame.x), w, h, n);
+    }
+};
+
+bool punctual(const Shape& shape) {
+    return !std::holds_alternative<SphereShape>(shape) && !std::holds_alternative<DiskShape>(shape) &&
+           !std::holds_alternative<RectShape>(shape) && !std::holds_alternative<TubeShape>(shape) &&
+           !std::holds_alternative<SunShape>(shape);
+}
+
+// Whether the light is taken as a point: it is one, it is asked for, or the method has no form of its shape.
+bool as_point(const Shape& shape, IrradianceMethod method) {
+    if (punctual(shape) || method == IrradianceMethod::point) return true;
+    return method == IrradianceMethod::ue4 &&
+           (std::holds_alternative<DiskShape>(shape) || std::holds_alternative<RectShape>(shape));
+}
+
+// 1/d² with the guard of 1 cm that the method has.
+double inverse_square(double inverse_distance, IrradianceMethod method) {
+    constexpr double most = 1.0 / (0.01 * 0.01);
+    const double unguarded = inverse_distance * inverse_distance;
+    if (method == IrradianceMethod::frostbite) return std::min(unguarded, most);
+    if (method != IrradianceMethod::ue4) return unguarded;
+    return std::isfinite(unguarded) ? unguarded / (1.0 + unguarded / most) : most;
+}
+
+ProbeShare of_point(const Light& light, const Vec& to_light, const Vec& normal, IrradianceMethod method) {
+    const shading::Direction<double> d = shading::direction(to_light, normal);
+    if (d.inverse_distance == 0.0) return {0.0, ProbeRemark::at_light};
+    if (!(d.n_dot_l > 0.0)) return {};
+    const double cd = light.intensity_towards(-glm::dvec3(to_light.x, to_light.y, to_light.z)).value;
+    return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light)),
+            ProbeRemark::none};
+}
+
+// A uniform cap of half angle δ/2 around the direction that the sun stands in, with the receiver's horizon.
+double of_sun(const SunShape& sun, const Frame& frame, const glm::dvec3& normal) {
+    const double s = std::sin(0.5 * sun.diameter.value);
+    const double c = glm::dot(normal, frame.z);
+    if (c >= s) return std::numbers::pi * s * s * c;
+    if (c <= -s) return 0.0;
+    return std::max(shading::irradiance_straddling_cap(s, std::max(std::cos(0.5 * sun.diameter.value), 0.0), c), 0.0);
+}
+
+bool is_inside(const Shape& shape, const Frame& frame, const glm::dvec3& to_center) {
+    if (const auto* sphere = std::get_if<SphereShape>(&shape)) return glm::length(to_center) < sphere->radius.value;
+    const auto* tube = std::get_if<TubeShape>(&shape);
+    if (tube == nullptr) return false;
+    const double along = glm::dot(to_center, frame.x);
+    const double half = 0.5 * tube->length.value;
+    return glm::length(to_center - std::clamp(along, -half, half) * frame.x) < tube->radius.value;
+}
+
+// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
+double sun_radius(const SunShape& sun) {
+    return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
+}
+
+shading::Frostbite<double> core_material(const FrostbiteMaterial& m) {
+    return shading::frostbite_material(vec(m.base), m.smoothness, m.metal, m.reflectance);
+}
+
+} // namespace
+
+ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                          IrradianceMethod method) {
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
+        const double lx = method == IrradianceMethod::exact ? light.luminance.value * of_sun(*sun, light.frame, normal)
+                                                            : light.illuminance.value * glm::dot(normal, light.frame.z);
+        return {bounded(lx), ProbeRemark::none};
+    }
+    const glm::dvec3 to_center = light.frame.origin - position;
+    if (as_point(light.shape, method)) return of_point(light, vec(to_center), vec(normal), method);
+    const bool inside = is_inside(light.shape, light.frame, to_center);
+    const double e_over_l =
+        inside && method == IrradianceMethod::exact
+            ? std::numbers::pi
+            : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
+    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center))),
+            inside ? ProbeRemark::inside : ProbeRemark::none};
+}
+
+bool has_luminance(const Shape& shape, const Material& material) {
+    return std::holds_alternative<LambertMaterial>(material) || punctual(shape) ||
+           std::holds_alternative<SphereShape>(shape) || std::holds_alternative<SunShape>(shape);
+}
+
+ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                            const ProbeSurface& surface, const ProbeShare& share) {
+    if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
+        const double y = luminance_y(lambert->albedo * light.color);
+        const bool seen = glm::dot(normal, surface.view) > 0.0;
+        return {Nits(seen ? bounded(share.illuminance_lx * y * std::numbers::inv_pi) : 0.0), Nits()};
+    }
+    const auto* frostbite = std::get_if<FrostbiteMaterial>(&surface.material);
+    if (frostbite == nullptr) return {};
+
+    // The sun is as far from everywhere; its rounding must not depend on where the origin is.
+    const bool sunlit = std::holds_alternative<SunShape>(light.shape);
+    const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
+    const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
+    const shading::Frostbite<double> whole = core_material(*frostbite);
+    shading::Frostbite<double> diffuse = whole;
+    diffuse.f0 = Vec{0.0, 0.0, 0.0};
+    diffuse.f90 = 0.0;
+    shading::Frostbite<double> specular = whole;
+    specular.albedo = Vec{0.0, 0.0, 0.0};
+    const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
+    const auto both = [&](const auto& core_light) {
+        return ProbeLuminance{Nits(y_of(shading::shade(point, core_light, diffuse))),
+                              Nits(y_of(shading::shade(point, core_light, specular)))};
+    };
+    if (const auto* sphere = std::get_if<SphereShape>(&light.shape))
+        return both(shading::SphereLight<double>{vec(light.frame.origin), vec(light.color * light.luminance.value),
+                                                 sphere->radius.value, inverse_range(light)});
+    if (const auto* sun = std::get_if<SunShape>(&light.shape))
+        return both(shading::SphereLight<double>{vec(light.frame.z), vec(light.color * light.luminance.value),
+                                                 sun_radius(*sun), 0.0});
+    return both(shading::PunctualLight<double>{vec(light.frame.origin), vec(light.color),
+                                               light.intensity_towards(position - light.frame.origin).value,
+                                               inverse_range(light)});
+}
+
+} // namespace gonio::detail

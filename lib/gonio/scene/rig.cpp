@@ -1,0 +1,314 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/rig_stream.hpp>
+#include <gonio/scene/rig.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+using detail::placed;
+using detail::RigJson;
+
+constexpr std::string_view schema_name = "gonio.rig/1";
+constexpr std::array<std::string_view, 5> top_keys{"schema", "lights", "stage", "camera", "materials"};
+constexpr std::array<std::string_view, 9> light_keys{"name",      "shape", "intensity", "color", "position",
+                                                     "direction", "up",    "rotate",    "range"};
+constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
+constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
+
+std::string_view type_of(const RigJson& json) {
+    if (json.is_null()) return "null";
+    if (json.is_boolean()) return "a boolean";
+    if (json.is_number()) return "a number";
+    if (json.is_string()) return "a string";
+    return json.is_array() ? "an array" : "an object";
+}
+
+// Of a number that was given where one with its unit is wanted: "800" → "800lm".
+std::string unit_hint(const RigJson& json, std::string_view unit) {
+    return json.is_number() ? fmt::format("write it with its unit, for example \"{}{}\"", json.dump(), unit)
+                            : std::string();
+}
+
+Result<std::string> text_of(const RigJson& json, std::string hint = {}) {
+    if (!json.is_string())
+        return fail(Failure::malformed, fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
+    auto text = json.get<std::string>();
+    if (text.find('\0') != std::string::npos) return fail(Failure::malformed, "must not hold a null character");
+    return text;
+}
+
+Result<glm::dvec3> vector_of(const RigJson& json) {
+    const auto wrong = [](std::string what) {
+        return fail(Failure::malformed, fmt::format("must be an array of three numbers, not {}", what),
+                    "for example [0, 0, 2.5]");
+    };
+    if (!json.is_array()) return wrong(std::string(type_of(json)));
+    if (json.size() != 3) return wrong(fmt::format("of {}", json.size()));
+    glm::dvec3 vector(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!json[i].is_number()) return wrong(fmt::format("one with {}", type_of(json[i])));
+        vector[static_cast<int>(i)] = json[i].get<double>();
+    }
+    return vector;
+}
+
+Result<glm::dvec3> direction_of_json(const RigJson& json) {
+    Result<glm::dvec3> vector = vector_of(json);
+    if (vector && *vector == glm::dvec3(0.0)) return fail(Failure::malformed, "must not be zero");
+    return vector;
+}
+
+Result<double> positive_length(const RigJson& json) {
+    Result<std::string> text = text_of(json, unit_hint(json, "m"));
+    if (!text) return pass_on(text);
+    Result<double> meters = parse_amount(*text, Dimension::length, "it");
+    if (meters && !(*meters > 0.0)) return fail(Failure::malformed, "must be greater than 0");
+    return meters;
+}
+
+template<class T, class Value>
+Result<void> keep(Result<Value> value, T& target) {
+    if (!value) return pass_on(value);
+    target = T(std::move(*value));
+    return {};
+}
+
+// Where a shape keeps the name of its profile or mask, and what was read from it.
+struct FileOfShape {
+    std::string* file = nullptr;
+    std::shared_ptr<const Web>* web = nullptr;
+};
+
+FileOfShape file_of(Shape& shape) {
+    return std::visit(
+        [](auto& kind) -> FileOfShape {
+            if constexpr (requires { kind.mask_file; })
+                return {&kind.mask_file, &kind.mask};
+            else if constexpr (requires { kind.file; })
+                return {&kind.file, &kind.web};
+            else
+                return {};
+        },
+        shape);
+}
+
+class Reader {
+public:
+    Reader(std::string source, std::string folder) : folder_(std::move(folder)) { rig_.source = std::move(source); }
+
+    Result<Rig> read(std::string_view text) {
+        const detail::RigSink sink{[this](std::size_t index, const RigJson& json) { return light(index, json); },
+                                   [this](const std::string& key, const RigJson& json) { return member(key, json); }};
+        Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
+        if (streamed && !schema_seen_)
+            streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",
+                                         fmt::format("write \"schema\": \"{}\"", schema_name));
+        if (streamed) streamed = check_materials();
+        if (!streamed) return pass_on(streamed);
+        return std::move(rig_);
+    }
+
+private:
+    Unexpected refuse(std::string_view path, std::string message, std::string hint = {}) const {
+        return detail::rig_error(Failure::malformed, rig_.source, path, std::move(message), std::move(hint));
+    }
+
+    Result<void> light(std::size_t index, const RigJson& json) {
+        const std::string path = fmt::format("lights[{}]", index);
+        if (!json.is_object()) return refuse(path, fmt::format("must be an object, not {}", type_of(json)));
+        LightDescription light;
+        light.name = fmt::format("light {}", index + 1);
+        bool has_shape = false;
+        for (const auto& [key, value] : json.items()) {
+            Result<void> read;
+            if (key == "name") {
+                read = keep(text_of(value), light.name);
+            } else if (key == "shape") {
+                has_shape = true;
+                Result<std::string> text = text_of(value, "for example \"sphere:r=10cm\"");
+                read = text ? shape(*text, light.shape) : pass_on(text);
+            } else if (key == "intensity") {
+                Result<std::string> text = text_of(value, unit_hint(value, "lm"));
+                read = text ? keep(parse_photometric_value(*text), light.intensity) : pass_on(text);
+            } else if (key == "color") {
+                Result<std::string> text = text_of(value, "for example \"#ffd9a0\" or \"rgb(1,0.8,0.6)\"");
+                read = text ? keep(parse_light_color(*text), light.color) : pass_on(text);
+            } else if (key == "position") {
+                read = keep(vector_of(value), light.position);
+            } else if (key == "direction") {
+                read = keep(direction_of_json(value), light.direction);
+            } else if (key == "up") {
+                read = keep(direction_of_json(value), light.up);
+            } else if (key == "rotate") {
+                Result<std::string> text = text_of(value, unit_hint(value, "deg"));
+                read = text ? keep(parse_amount(*text, Dimension::angle, "it"), light.rotation) : pass_on(text);
+            } else if (key == "range") {
+                read = keep(positive_length(value), light.range);
+            } else {
+                return placed(unknown_name("key", key, light_keys).value(), rig_.source, path);
+            }
+            if (!read) return placed(read.error(), rig_.source, fmt::format("{}.{}", path, key));
+        }
+        if (!has_shape) return refuse(path, "there is no key 'shape'", R"(for example "shape": "sphere:r=10cm")");
+        rig_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    // Texts of shapes repeat; what was parsed once, with its file read, is copied.
+    Result<void> shape(const std::string& text, Shape& target) {
+        if (const auto known = shapes_.find(text); known != shapes_.end()) {
+            target = known->second;
+            return {};
+        }
+        Result<Shape> parsed = parse_shape(text);
+        if (!parsed) return pass_on(parsed);
+        if (Result<void> loaded = load(*parsed); !loaded) return pass_on(loaded);
+        target = *parsed;
+        if (shapes_.size() < most_remembered) shapes_.emplace(text, std::move(*parsed));
+        return {};
+    }
+
+    Result<void> load(Shape& shape) {
+        const FileOfShape of = file_of(shape);
+        if (of.file == nullptr || of.file->empty()) return {};
+        if (!folder_.empty() && !of.file->starts_with('/')) *of.file = folder_ + '/' + *of.file;
+        // A mask may be kept in another form than a profile of the same file.
+        const bool mask = !std::holds_alternative<ProfileShape>(shape);
+        const auto key = std::pair(mask, *of.file);
+        if (const auto known = webs_.find(key); known != webs_.end()) {
+            *of.web = known->second;
+            return {};
+        }
+        if (Result<void> loaded = load_profile(shape, rig_.diagnostics); !loaded) return pass_on(loaded);
+        const FileOfShape read = file_of(shape);
+        if (webs_.size() < most_remembered) webs_.emplace(key, *read.web);
+        return {};
+    }
+
+    Result<void> member(const std::string& key, const RigJson& json) {
+        Result<void> read;
+        if (key == "schema") {
+            schema_seen_ = true;
+            const Result<std::string> text = text_of(json);
+            if (!text || *text != schema_name)
+                return detail::rig_error(text ? Failure::unsupported : Failure::malformed, rig_.source, "schema",
+                                         fmt::format("must be \"{}\", not {}", schema_name,
+                                                     text ? '"' + *text + '"' : std::string(type_of(json))));
+        } else if (key == "stage") {
+            Result<std::string> text = text_of(json);
+            const Result<Stage> stage = text ? make_stage(*text) : Result<Stage>(pass_on(text));
+            if (!stage) return placed(stage.error(), rig_.source, "stage");
+            rig_.stage = stage->name;
+        } else if (key == "camera") {
+            return camera(json);
+        } else if (key == "materials") {
+            return materials(json);
+        } else {
+            return placed(unknown_name("key", key, top_keys).value(), rig_.source, {});
+        }
+        return {};
+    }
+
+    Result<void> camera(const RigJson& json) {
+        if (!json.is_object()) return refuse("camera", fmt::format("must be an object, not {}", type_of(json)));
+        Camera camera;
+        for (const auto& [key, value] : json.items()) {
+            Result<void> read;
+            if (key == "position") {
+                read = keep(vector_of(value), camera.position);
+            } else if (key == "target") {
+                read = keep(vector_of(value), camera.target);
+            } else if (key == "up") {
+                read = keep(direction_of_json(value), camera.up);
+            } else if (key == "fov") {
+                Result<std::string> text = text_of(value, unit_hint(value, "deg"));
+                Result<double> angle =
+                    text ? parse_amount(*text, Dimension::angle, "it") : Result<double>(pass_on(text));
+                if (angle) camera.vertical_fov_deg = to_degrees(Radians(*angle));
+                if (angle && !(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
+                    read = fail(Failure::malformed, "must lie between 0deg and 180deg");
+                else
+                    read = angle ? Result<void>() : pass_on(angle);
+            } else {
+                return placed(unknown_name("key", key, camera_keys).value(), rig_.source, "camera");
+            }
+            if (!read) return placed(read.error(), rig_.source, fmt::format("camera.{}", key));
+        }
+        if (camera.position == camera.target) return refuse("camera", "must not stand at its own target");
+        rig_.camera = camera;
+        return {};
+    }
+
+    Result<void> materials(const RigJson& json) {
+        if (!json.is_object())
+            return refuse("materials", fmt::format("must be an object, not {}", type_of(json)),
+                          R"(for example { "floor": "lambert:albedo=0.5" })");
+        for (const auto& [key, value] : json.items()) {
+            Result<std::string> text = text_of(value, "for example \"lambert:albedo=0.5\"");
+            Result<Material> material = text ? parse_material(*text) : Result<Material>(pass_on(text));
+            if (!material) return placed(material.error(), rig_.source, fmt::format("materials.{}", key));
+            rig_.materials.push_back({key, std::move(*material)});
+        }
+        return {};
+    }
+
+    // At the end, because the stage may be named behind its materials.
+    Result<void> check_materials() const {
+        const Result<Stage> stage = make_stage(rig_.stage.value_or(std::string(stage_kinds().front().name)));
+        if (!stage) return Unexpected(stage.error());
+        std::vector<std::string_view> names;
+        for (const Surface& surface : stage->surfaces)
+            names.push_back(surface.name);
+        for (const SurfaceMaterial& material : rig_.materials)
+            if (std::find(names.begin(), names.end(), material.surface) == names.end())
+                return placed(unknown_name("surface", material.surface, names, stage->name).value(), rig_.source,
+                              "materials");
+        return {};
+    }
+
+    std::string folder_;
+    Rig rig_;
+    bool schema_seen_ = false;
+    std::map<std::string, Shape> shapes_;
+    std::map<std::pair<bool, std::string>, std::shared_ptr<const Web>> webs_;
+};
+
+} // namespace
+
+Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder) {
+    return Reader(source, folder).read(text);
+}
+
+Result<Rig> read_rig_file(const std::string& path) {
+    constexpr std::size_t max_bytes = std::size_t{1} << 30U; // a rig of a few million lights
+    Result<std::string> text = path == "-" ? read_standard_input(max_bytes) : read_file(path, max_bytes);
+    if (!text) return pass_on(text);
+    const std::size_t slash = path.rfind('/');
+    std::string folder = slash == std::string::npos ? std::string() : path.substr(0, std::max<std::size_t>(slash, 1));
+    return read_rig(*text, path, folder);
+}
+
+std::span<const std::string_view> rig_keys() {
+    return top_keys;
+}
+std::span<const std::string_view> rig_light_keys() {
+    return light_keys;
+}
+std::span<const std::string_view> rig_camera_keys() {
+    return camera_keys;
+}
+
+} // namespace gonio

@@ -1,0 +1,64 @@
+// Rig: the lights of a scene, and what they are shown on, from a JSON file of schema gonio.rig/1.
+//
+//   { "schema": "gonio.rig/1",
+//     "lights": [ { "name": "key", "shape": "sphere:r=10cm", "intensity": "800lm", "color": "#ffd9a0",
+//                   "position": [0, 0, 2], "direction": [0, 0, -1], "up": [0, 1, 0], "rotate": "90deg",
+//                   "range": "12m" } ],
+//     "stage": "floor",
+//     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
+//     "materials": { "floor": "lambert:albedo=0.5" } }
+//
+// Of a light only `shape` is required; the defaults are those of LightDescription. Arrays are metres. Files named by a
+// shape are relative to the rig's folder, are read once and shared by every light that names them.
+// The JSON is read as a stream: memory grows with the lights alone (about 0.4 kB each), nesting and the size of one
+// light are limited. rig.schema.json beside this file says the same to editors.
+//
+// A failure is one diagnostic: "rig.json:LINE:COLUMN: error: …" where the JSON is broken, else
+// "rig.json: error: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a file that
+// cannot be read; unsupported: what a shape or colour asks for and gonio has not.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/camera.hpp>
+#include <gonio/scene/material.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio {
+
+// A material for the surface of that name on the stage.
+struct SurfaceMaterial {
+    std::string surface;
+    Material material;
+};
+
+struct Rig {
+    std::string source;                   // named in messages
+    std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
+    std::optional<std::string> stage;     // one of stage_kinds()
+    std::optional<Camera> camera;
+    std::vector<SurfaceMaterial> materials;
+    Diagnostics diagnostics; // of reading: what was odd in a profile
+};
+
+// `source` names the text in messages; relative files are looked for in `folder` (empty: the current one).
+Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder);
+
+// Reads the file at `path`, "-" being standard input, whose files are relative to the current folder.
+Result<Rig> read_rig_file(const std::string& path);
+
+// Every light resolved, in order; spread over threads. Fails as resolve_light does, with the light's JSON path.
+// What was noticed is appended to `diagnostics`.
+Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads = 0);
+
+// The keys that a rig, one of its lights and its camera may have.
+std::span<const std::string_view> rig_keys();
+std::span<const std::string_view> rig_light_keys();
+std::span<const std::string_view> rig_camera_keys();
+
+} // namespace gonio

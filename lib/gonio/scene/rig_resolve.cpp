@@ -1,0 +1,125 @@
+#include <gonio/base/parallel.hpp>
+#include <gonio/scene/detail/rig_stream.hpp>
+#include <gonio/scene/rig.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::size_t block_size = 1024;
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+// What decides how much a light with a web emits.
+using Emitter = std::tuple<std::size_t, std::array<double, 3>, const Web*, std::string_view, double, double, double>;
+
+struct EmitterOf {
+    std::array<double, 3> numbers{};
+    const Web* web = nullptr;
+
+    EmitterOf(const PointShape& s) : web(s.mask.get()) {}
+    EmitterOf(const SpotShape& s)
+        : numbers{s.outer.value, s.inner.value, static_cast<double>(s.falloff)}, web(s.mask.get()) {}
+    EmitterOf(const FrustumShape& s) : numbers{s.horizontal.value, s.vertical.value, 0.0}, web(s.mask.get()) {}
+    EmitterOf(const ProfileShape& s) : web(s.web.get()) {}
+    template<class AreaShape>
+    EmitterOf(const AreaShape& /*area*/) {}
+};
+
+// Nothing for lights without a web: theirs is arithmetic.
+std::optional<Emitter> emitter_of(const LightDescription& light) {
+    const EmitterOf of = std::visit([](const auto& kind) { return EmitterOf(kind); }, light.shape);
+    if (of.web == nullptr) return std::nullopt;
+    const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
+    return Emitter{light.shape.index(),
+                   of.numbers,
+                   of.web,
+                   value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
+                   value.number,
+                   value.unit.distance.value_or(Meters()).value,
+                   value.efficacy_lm_per_w.value_or(0.0)};
+}
+
+// Frame, name, colour and range of the description on what another light of the same emission is resolved to.
+Result<Light> like(const Light& prototype, LightDescription description, Diagnostics& diagnostics) {
+    description.shape = PointShape{};
+    description.intensity = PhotometricValue{0.0, {find_unit("cd"), std::nullopt}, std::nullopt};
+    Result<Light> placement = resolve_light(std::move(description), diagnostics);
+    if (!placement) return placement;
+    Light light = prototype;
+    light.name = std::move(placement->name);
+    light.frame = placement->frame;
+    light.color = placement->color;
+    light.range = placement->range;
+    return light;
+}
+
+} // namespace
+
+Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads) {
+    std::move(rig.diagnostics.begin(), rig.diagnostics.end(), std::back_inserter(diagnostics));
+
+    // The flux and the peak of a web cost a walk over it: lights that emit alike share one.
+    std::map<Emitter, std::size_t> known;
+    std::vector<std::size_t> first_light;                      // of each kind of emitter
+    std::vector<std::size_t> emitter(rig.lights.size(), none); // of each light
+    for (std::size_t i = 0; i < rig.lights.size(); ++i) {
+        const std::optional<Emitter> key = emitter_of(rig.lights[i]);
+        if (!key) continue;
+        const auto [at, added] = known.emplace(*key, first_light.size());
+        if (added) first_light.push_back(i);
+        emitter[i] = at->second;
+    }
+
+    std::vector<Light> lights(rig.lights.size());
+    std::vector<Diagnostics> noticed(rig.lights.empty() ? 0 : (rig.lights.size() - 1) / block_size + 1);
+    std::vector<std::optional<Error>> errors(std::max(noticed.size(), first_light.size()));
+    const auto first_error = [&]() -> Error* {
+        const auto found = std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); });
+        return found == errors.end() ? nullptr : &**found;
+    };
+    const auto at = [&](const Error& error, std::size_t i) {
+        return detail::placed(error, rig.source, fmt::format("lights[{}]", i)).value();
+    };
+
+    std::vector<Light> prototypes(first_light.size());
+    std::vector<Diagnostics> noticed_in_webs(first_light.size());
+    parallel_for(first_light.size(), threads, [&](std::size_t e) {
+        Result<Light> light = resolve_light(rig.lights[first_light[e]], noticed_in_webs[e]);
+        if (light)
+            prototypes[e] = std::move(*light);
+        else
+            errors[e] = at(light.error(), first_light[e]);
+    });
+    if (Error* const error = first_error()) return Unexpected(std::move(*error));
+
+    parallel_for(noticed.size(), threads, [&](std::size_t b) {
+        const std::size_t end = std::min(lights.size(), (b + 1) * block_size);
+        for (std::size_t i = b * block_size; i < end; ++i) {
+            Result<Light> light = emitter[i] == none
+                                      ? resolve_light(std::move(rig.lights[i]), noticed[b])
+                                      : like(prototypes[emitter[i]], std::move(rig.lights[i]), noticed[b]);
+            if (!light) {
+                errors[b] = at(light.error(), i);
+                return;
+            }
+            lights[i] = std::move(*light);
+        }
+    });
+    if (Error* const error = first_error()) return Unexpected(std::move(*error));
+    for (std::vector<Diagnostics>* const lists : {&noticed_in_webs, &noticed})
+        for (Diagnostics& list : *lists)
+            std::move(list.begin(), list.end(), std::back_inserter(diagnostics));
+    return lights;
+}
+
+} // namespace gonio
