@@ -110,9 +110,8 @@ public:
     Reader(std::string source, std::string folder) : folder_(std::move(folder)) { rig_.source = std::move(source); }
 
     Result<Rig> read(std::string_view text) {
-        const detail::RigSink sink{
-            [this](std::size_t index, const RigJson& json) { return light(index, json); },
-            [this](const std::string& key, const RigJson& json) { return member(key, json); }};
+        const detail::RigSink sink{[this](std::size_t index, const RigJson& json) { return light(index, json); },
+                                   [this](const std::string& key, const RigJson& json) { return member(key, json); }};
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
             streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",

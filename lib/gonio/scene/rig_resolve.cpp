@@ -70,8 +70,8 @@ Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, uns
 
     // The flux and the peak of a web cost a walk over it: lights that emit alike share one.
     std::map<Emitter, std::size_t> known;
-    std::vector<std::size_t> first_light;                          // of each kind of emitter
-    std::vector<std::size_t> emitter(rig.lights.size(), none);     // of each light
+    std::vector<std::size_t> first_light;                      // of each kind of emitter
+    std::vector<std::size_t> emitter(rig.lights.size(), none); // of each light
     for (std::size_t i = 0; i < rig.lights.size(); ++i) {
         const std::optional<Emitter> key = emitter_of(rig.lights[i]);
         if (!key) continue;

@@ -117,8 +117,7 @@ private:
     std::string path() const { return where_ == Where::lights ? fmt::format("lights[{}]", lights_) : member_; }
 
     bool refuse(const std::string& path, std::string message, std::string hint = {}) {
-        error_ = std::move(
-            rig_error(Failure::malformed, source_, path, std::move(message), std::move(hint)).value());
+        error_ = std::move(rig_error(Failure::malformed, source_, path, std::move(message), std::move(hint)).value());
         return false;
     }
 
