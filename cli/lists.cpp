@@ -5,6 +5,7 @@
 #include <gonio/light/shape.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -61,7 +62,10 @@ Entries normalizations() {
 }
 
 Entries methods() {
-    return {{"exact", "closed forms with horizon clipping; specular of spheres by representative point"}};
+    Entries entries;
+    for (const IrradianceMethodName& method : irradiance_methods())
+        entries.push_back({std::string(method.name), std::string(method.summary)});
+    return entries;
 }
 
 Entries policies() {
@@ -95,7 +99,7 @@ constexpr std::array lists{
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"materials", "materials of preview", materials},
-    NamedList{"methods", "ways to evaluate a light", methods},
+    NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
     NamedList{"policies", "whose meaning of photometric numbers", policies},
     NamedList{"shapes", "shapes of lights", shapes},

@@ -68,7 +68,8 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
         for (std::size_t c = 0; c < column_names.size(); ++c) {
             if (fields[f].text != column_names[c]) continue;
             if (columns.at[c] != absent)
-                return malformed(source, line, fields[f].column, fmt::format("two columns are named '{}'", fields[f].text));
+                return malformed(source, line, fields[f].column,
+                                 fmt::format("two columns are named '{}'", fields[f].text));
             columns.at[c] = f;
         }
     const std::size_t normals = static_cast<std::size_t>(
@@ -92,8 +93,7 @@ Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& colum
             return malformed(source, line, 1, fmt::format("there is no value for '{}'", column_names[c]));
         const Field& field = fields[columns.at[c]];
         const std::optional<double> number = parse_number(field.text);
-        if (!number)
-            return malformed(source, line, field.column, fmt::format("'{}' is no number", field.text));
+        if (!number) return malformed(source, line, field.column, fmt::format("'{}' is no number", field.text));
         values[c] = *number;
     }
     const Receiver receiver{{values[0], values[1], values[2]},
@@ -117,8 +117,8 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     }
     std::array<glm::dvec3, 3> vectors;
     for (std::size_t p = 0; p < vectors.size(); ++p) {
-        Result<glm::dvec3> vector =
-            parse_vector(parts[p], std::array{"the corner of --grid", "the edge U of --grid", "the edge V of --grid"}[p]);
+        Result<glm::dvec3> vector = parse_vector(
+            parts[p], std::array{"the corner of --grid", "the edge U of --grid", "the edge V of --grid"}[p]);
         if (!vector) return pass_on(vector);
         vectors[p] = *vector;
     }
@@ -184,14 +184,15 @@ Result<Points> points_input(const Arguments& arguments) {
     const auto grid = arguments.value("--grid");
     const int ways = (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0);
     if (ways != 1)
-        return fail(Failure::usage,
-                    ways == 0 ? "no point is given" : "points are given in more than one way", "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
+        return fail(Failure::usage, ways == 0 ? "no point is given" : "points are given in more than one way",
+                    "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
 
     std::vector<glm::dvec3> normals;
     for (const std::string& text : arguments.values("--normal")) {
         Result<glm::dvec3> normal = parse_vector(text, "--normal");
         if (!normal) return pass_on(normal);
-        if (!unit_vector(*normal)) return fail(Failure::usage, "--normal is zero", "it says which way the surface looks");
+        if (!unit_vector(*normal))
+            return fail(Failure::usage, "--normal is zero", "it says which way the surface looks");
         normals.push_back(*normal);
     }
     if (normals.size() > 1 && normals.size() != at.size())

@@ -77,6 +77,7 @@ void ProbeOccurrence::add(const ProbeOccurrence& others, std::size_t offset) {
 void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
     on_light.add(others.on_light, offset);
     inside.add(others.inside, offset);
+    coarse_specular |= others.coarse_specular;
 }
 
 std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
@@ -104,11 +105,6 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         if (!in_range(light.frame.origin))
             return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
                         fmt::format("coordinates reach to {} m", farthest));
-        if (options.view && !detail::has_luminance(light.shape, options.view->material))
-            return fail(Failure::unsupported,
-                        fmt::format("the luminance that '{}', a {}, gives this material is not computed yet",
-                                    light.name, kind_of(light.shape)),
-                        "its illuminance is exact, and so is the luminance of lambert");
     }
     std::optional<detail::ProbeSurface> surface;
     if (options.view) {
@@ -160,6 +156,10 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         result.illuminance_lx[r] = sum.illuminance_lx;
         if (surface) result.luminance[r] = sum.luminance;
     }
+    if (surface)
+        result.remarks.coarse_specular = std::any_of(lights.begin(), lights.end(), [&](const Light& light) {
+            return detail::coarse_specular(light.shape, surface->material);
+        });
     for (const ProbeRemarks& of_task : remarks)
         result.remarks.add(of_task);
     return result;
@@ -183,6 +183,12 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
              fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
                          lights[remarks.inside.light].name, others(remarks.inside.count)),
              {}});
+    if (remarks.coarse_specular)
+        diagnostics.push_back({{},
+                               Severity::note,
+                               {},
+                               "the specular luminance of lights with a size is approximate: one representative point",
+                               "illuminance and diffuse luminance are exact"});
     return diagnostics;
 }
 

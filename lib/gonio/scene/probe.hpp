@@ -77,8 +77,9 @@ struct ProbeOccurrence {
 };
 
 struct ProbeRemarks {
-    ProbeOccurrence on_light; // the receiver lies on a light without size, which has no direction from there: 0
-    ProbeOccurrence inside;   // the receiver lies inside a sphere or tube: E = π L
+    ProbeOccurrence on_light;     // the receiver lies on a light without size, which has no direction from there: 0
+    ProbeOccurrence inside;       // the receiver lies inside a sphere or tube: E = π L
+    bool coarse_specular = false; // a specular part is of a light with a size: by one representative point
 
     void add(const ProbeRemarks& others, std::size_t offset = 0);
 };
@@ -90,9 +91,10 @@ struct ProbeResult {
     ProbeRemarks remarks;
 };
 
-// Lambert: E·albedo/π. Frostbite: punctual lights, spheres and suns alone, with the exact method alone.
-// Fails: usage on a normal or view that is zero or not finite and on a position out of range, unsupported on a
-// luminance that is not computed yet.
+// Luminance: Lambert by any method (E·albedo/π), Frostbite by `exact` alone; diffuse parts are exact, specular ones of
+// lights with a size are by one representative point (shading/shade.hpp), which is coarse.
+// Fails: usage on a normal or view that is zero or not finite and on a position out of range, unsupported on the
+// luminance of another material by another method.
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options = {});
 

@@ -1,10 +1,12 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
+#include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/shading/shade_area.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -175,9 +177,8 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
             inside ? ProbeRemark::inside : ProbeRemark::none};
 }
 
-bool has_luminance(const Shape& shape, const Material& material) {
-    return std::holds_alternative<LambertMaterial>(material) || punctual(shape) ||
-           std::holds_alternative<SphereShape>(shape) || std::holds_alternative<SunShape>(shape);
+bool coarse_specular(const Shape& shape, const Material& material) {
+    return !punctual(shape) && std::holds_alternative<FrostbiteMaterial>(material);
 }
 
 ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -205,15 +206,24 @@ ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, cons
         return ProbeLuminance{Nits(y_of(shading::shade(point, core_light, diffuse))),
                               Nits(y_of(shading::shade(point, core_light, specular)))};
     };
+    const Vec center = vec(light.frame.origin);
+    const Vec luminance = vec(light.color * light.luminance.value);
+    const double near = inverse_range(light);
     if (const auto* sphere = std::get_if<SphereShape>(&light.shape))
-        return both(shading::SphereLight<double>{vec(light.frame.origin), vec(light.color * light.luminance.value),
-                                                 sphere->radius.value, inverse_range(light)});
+        return both(shading::SphereLight<double>{center, luminance, sphere->radius.value, near});
+    if (const auto* disk = std::get_if<DiskShape>(&light.shape))
+        return both(shading::DiskLight<double>{center, luminance, vec(-light.frame.z), disk->radius.value, near,
+                                               disk->two_sided});
+    if (const auto* rect = std::get_if<RectShape>(&light.shape))
+        return both(shading::RectangleLight<double>{center, luminance, vec(-light.frame.z), vec(light.frame.x),
+                                                    rect->width.value, rect->height.value, near, rect->two_sided});
+    if (const auto* tube = std::get_if<TubeShape>(&light.shape))
+        return both(shading::TubeLight<double>{center, luminance, vec(light.frame.x), tube->radius.value,
+                                               tube->length.value, near});
     if (const auto* sun = std::get_if<SunShape>(&light.shape))
-        return both(shading::SphereLight<double>{vec(light.frame.z), vec(light.color * light.luminance.value),
-                                                 sun_radius(*sun), 0.0});
-    return both(shading::PunctualLight<double>{vec(light.frame.origin), vec(light.color),
-                                               light.intensity_towards(position - light.frame.origin).value,
-                                               inverse_range(light)});
+        return both(shading::SphereLight<double>{vec(light.frame.z), luminance, sun_radius(*sun), 0.0});
+    const double cd = light.intensity_towards(position - light.frame.origin).value;
+    return both(shading::PunctualLight<double>{center, vec(light.color), cd, near});
 }
 
 } // namespace gonio::detail

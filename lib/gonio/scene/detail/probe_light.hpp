@@ -34,7 +34,7 @@ struct ProbeSurface {
 ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                             const ProbeSurface& surface, const ProbeShare& share);
 
-// Whether luminance_of() knows this pair.
-bool has_luminance(const Shape& shape, const Material& material);
+// Whether the specular part of luminance_of() is an approximation.
+bool coarse_specular(const Shape& shape, const Material& material);
 
 } // namespace gonio::detail

@@ -15,8 +15,8 @@ namespace gonio::detail {
 using RigJson = nlohmann::ordered_json;
 
 // A rig is flat; what lies deeper or is larger was not written for one.
-inline constexpr std::size_t max_rig_depth = 8;      // of one light or member
-inline constexpr std::size_t max_rig_values = 4096;  // of one light or member
+inline constexpr std::size_t max_rig_depth = 8;     // of one light or member
+inline constexpr std::size_t max_rig_values = 4096; // of one light or member
 inline constexpr std::size_t max_rig_lights = 1U << 24U;
 
 struct RigSink {
