@@ -275,6 +275,7 @@ Result<Shape> parse_shape(std::string_view text) {
     if (parsed->kind == "sun") return sun(*parsed);
     if (parsed->kind == "ies") return fail(Failure::usage, "'ies' needs a file", "write ies:lamp.ies");
     std::vector<std::string_view> names;
+    names.reserve(kinds.size());
     for (const ShapeKind& kind : kinds)
         names.push_back(kind.kind);
     return unknown_name("shape", parsed->kind, names);

@@ -1,5 +1,8 @@
 // Illuminance of facing receivers against integrals over what they see.
 #include <gonio/light/facing.hpp>
+#include <gonio/shading/irradiance_disk.hpp>
+#include <gonio/shading/irradiance_rectangle.hpp>
+#include <gonio/shading/irradiance_tube.hpp>
 
 #include "quadrature.hpp"
 #include "shapes.hpp"
@@ -83,6 +86,23 @@ TEST(Facing, TubeIsTheSumOfItsSections) {
             const double made = facing_illuminance(TubeShape{Meters(r), Meters(l)}, Meters(d));
             EXPECT_NEAR(made, truth, 1e-12 * truth) << l << " " << ratio;
         }
+}
+
+// What "lx@d" says is what the shading finds for that receiver.
+TEST(Facing, AgreesWithTheShading) {
+    using Vec = shading::vec3<double>;
+    const Vec up{0.0, 0.0, 1.0};
+    for (const double d : {0.11, 0.2, 1.0, 7.0, 500.0}) {
+        const Vec center{0.0, 0.0, d};
+        const Vec down{0.0, 0.0, -1.0};
+        const Vec x{1.0, 0.0, 0.0};
+        const double disk = facing_illuminance(DiskShape{Meters(0.4), false}, Meters(d));
+        EXPECT_NEAR(shading::irradiance_disk(center, down, 0.4, up), disk, 1e-12 * disk) << d;
+        const double rect = facing_illuminance(RectShape{Meters(0.6), Meters(0.3), false}, Meters(d));
+        EXPECT_NEAR(shading::irradiance_rectangle(center, down, x, 0.6, 0.3, up), rect, 1e-9 * rect) << d;
+        const double tube = facing_illuminance(TubeShape{Meters(0.1), Meters(1.2)}, Meters(d));
+        EXPECT_NEAR(shading::irradiance_tube(center, x, 0.1, 1.2, up), tube, 1e-9 * tube) << d;
+    }
 }
 
 TEST(Facing, MeetsItsLimits) {
