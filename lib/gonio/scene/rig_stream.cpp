@@ -99,11 +99,13 @@ public:
                      const nlohmann::detail::exception& exception) override {
         // `position` counts the bytes read: the last one of them, or the end of the text, is where it went wrong.
         const bool at_end = position > text_.size() || (position == text_.size() && last_token.empty());
-        const std::size_t offset = at_end ? text_.size() : std::max<std::size_t>(position, 1) - 1;
+        const bool too_large = exception.id == 406; // a number out of the range of a double
+        const std::size_t back = too_large ? last_token.size() : 1;
+        const std::size_t offset = at_end ? text_.size() : position - std::min(position, back);
         Diagnostic diagnostic;
         diagnostic.location = location_of(text_, offset, source_);
         Complaint complaint = complaint_of(exception.what());
-        if (exception.id == 406) // out of the range of a double
+        if (too_large)
             diagnostic.message = fmt::format("the number {} is too large", excerpt(last_token));
         else if (at_end || last_token == "<end of input>")
             diagnostic.message = "the JSON ends too early";
