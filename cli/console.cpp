@@ -28,13 +28,13 @@ std::string colored(std::string text, Severity severity) {
 
 } // namespace
 
-void Console::say(const Diagnostic& diagnostic) {
+void Console::say(const Diagnostic& diagnostic) const {
     if (quiet_ && diagnostic.severity != Severity::error) return;
     const std::string text = to_text(diagnostic);
     write_error_line(color_ ? colored(text, diagnostic.severity) : text);
 }
 
-void Console::say(const Diagnostics& diagnostics) {
+void Console::say(const Diagnostics& diagnostics) const {
     for (const Diagnostic& diagnostic : diagnostics)
         say(diagnostic);
 }
@@ -43,7 +43,11 @@ void Console::note(std::string_view text) const {
     if (!quiet_) write_error_line(std::string(text));
 }
 
-int Console::fail(const Error& error) {
+void Console::remark(std::string_view text) const {
+    if (verbose_) write_error_line(std::string(text));
+}
+
+int Console::fail(const Error& error) const {
     // Of an input that is refused only the reason matters; reports in JSON carry everything that was noticed.
     for (const Diagnostic& diagnostic : error.diagnostics)
         if (diagnostic.severity == Severity::error) say(diagnostic);

@@ -14,19 +14,23 @@ public:
     void print(std::string_view text) { output_ += text; }
 
     // Writes a diagnostic to standard error; notes and warnings only unless quiet.
-    void say(const Diagnostic& diagnostic);
-    void say(const Diagnostics& diagnostics);
+    void say(const Diagnostic& diagnostic) const;
+    void say(const Diagnostics& diagnostics) const;
 
     // One line to standard error, unless quiet.
     void note(std::string_view text) const;
 
+    // One line to standard error when verbose.
+    void remark(std::string_view text) const;
+
     // Says why, and returns the exit status of the failure.
-    int fail(const Error& error);
+    int fail(const Error& error) const;
 
     // Writes the result out; returns `status`, or 3 and a diagnostic when it cannot be written and `status` is lower.
     int finish(int status);
 
     void set_quiet(bool quiet) { quiet_ = quiet; }
+    void set_verbose(bool verbose) { verbose_ = verbose; }
     void set_color(bool color) { color_ = color; }
 
     // Whether standard output is a terminal.
@@ -36,6 +40,7 @@ public:
 private:
     std::string output_;
     bool quiet_ = false;
+    bool verbose_ = false;
     bool color_ = false;
 };
 

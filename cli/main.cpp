@@ -75,6 +75,7 @@ int run(std::span<char* const> words, Console& console) {
     if (!color) return console.fail(color.error());
     console.set_color(*color);
     console.set_quiet(arguments->has("--quiet"));
+    console.set_verbose(arguments->has("--verbose"));
     return command->run(*arguments, console);
 }
 

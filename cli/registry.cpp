@@ -9,6 +9,7 @@ extern const Command info_command;
 extern const Command sample_command;
 extern const Command bake_command;
 extern const Command preview_command;
+extern const Command explain_command;
 extern const Command probe_command;
 extern const Command list_command;
 extern const Command help_command;
@@ -16,9 +17,9 @@ extern const Command completion_command;
 extern const Command version_command;
 
 std::span<const Command* const> commands() {
-    static constexpr std::array all{&units_command,      &info_command,    &sample_command, &bake_command,
-                                    &probe_command,      &preview_command, &list_command,   &help_command,
-                                    &completion_command, &version_command};
+    static constexpr std::array all{&units_command, &info_command,       &sample_command,  &bake_command,
+                                    &probe_command, &preview_command,    &explain_command, &list_command,
+                                    &help_command,  &completion_command, &version_command};
     return all;
 }
 

@@ -13,6 +13,7 @@
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
+#include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -92,11 +93,15 @@ struct Baked {
     Diagnostics diagnostics;
 };
 
-Result<Baked> bake(const Job& job, const Request& request) {
+Result<Baked> bake(const Job& job, const Request& request, const Console& console) {
+    const Stopwatch reading;
     Result<LoadedProfile> loaded = load(job.input, request.input);
     if (!loaded) return pass_on(loaded);
+    const double read_ms = reading.milliseconds();
+    const Stopwatch baking;
     Result<Texture> texture = bake_latlong(loaded->web, request.bake);
     if (!texture) return pass_on(texture);
+    console.remark(fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.input, read_ms, baking.milliseconds()));
     // An 8-bit texture of candela would be white all over: integers hold [0, 1].
     const bool holds_floats = has_pixel(*job.format, media::Pixel::float32);
     const media::Pixel pixel = holds_floats ? media::Pixel::float32 : job.format->pixels.front();
@@ -130,6 +135,7 @@ int run(const Arguments& arguments, Console& console) {
 
     const bool lines = arguments.has("--jsonl");
     const bool json = arguments.has("--json");
+    if ((json || lines) && jobs->front().output == "-") return console.fail(both_to_standard_output().value());
     Json reports = Json::array();
     int status = 0;
     std::size_t failed = 0;
@@ -139,7 +145,7 @@ int run(const Arguments& arguments, Console& console) {
             console.print(fmt::format("{} -> {}\n", job.input, job.output));
             continue;
         }
-        Result<Baked> baked = bake(job, *request);
+        Result<Baked> baked = bake(job, *request, console);
         if (!baked) {
             Error error = std::move(baked.error());
             // In a batch a message without a file would not tell which input it is about.

@@ -15,6 +15,7 @@
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,7 @@ constexpr std::array picture_output_options{
 };
 constexpr std::array preview_common{
     Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "say what is done and how long it takes"},
     Option{"-h,--help", "", "this text"},
 };
 constexpr std::array groups{light_group, OptionGroup{"picture", picture_options},
@@ -107,6 +109,7 @@ Result<void> read_output(const Arguments& arguments, Request& request) {
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     const auto named = arguments.value("--to");
     request.output = *output;
+    if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
     request.format = media::find_image_format(named ? *named : *output);
     if (request.format != nullptr) return {};
     std::vector<std::string_view> names;
@@ -142,11 +145,16 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         console.print(fmt::format("{}\n", request->output));
         return 0;
     }
+    const Stopwatch rendering;
     Result<Image> image = render(request->stage, *light, request->stage.camera, request->render);
     if (!image) return pass_on(image);
+    console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", image->width, image->height,
+                               rendering.milliseconds(), simd::to_text(request->render.instruction_set)));
 
     media::ImageWriteOptions write;
-    Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    const Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    console.remark(fmt::format("exposure EV100 {:.2f}", exposure.value));
+    const Stopwatch encoding;
     const bool linear = has_pixel(*request->format, media::Pixel::float32);
     if (!linear) {
         expose(*image, exposure);
@@ -162,6 +170,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     }
     Result<std::string> bytes = media::encode_image(*image, *request->format, write);
     if (!bytes) return pass_on(bytes);
+    console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     const Result<void> written =
         request->output == "-" ? write_standard_output(*bytes) : write_file(request->output, *bytes);
     if (!written) return Unexpected(written.error());

@@ -9,6 +9,7 @@ namespace gonio::cli {
 
 inline constexpr std::array common_options{
     Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "say what is done and how long it takes"},
     Option{"--color", "WHEN", "colour diagnostics: auto, always, never"},
     Option{"-h,--help", "", "this text"},
 };

@@ -38,6 +38,11 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
     return std::find(format.pixels.begin(), format.pixels.end(), pixel) != format.pixels.end();
 }
 
+Unexpected both_to_standard_output() {
+    return fail(Failure::usage, "standard output cannot take both the picture and the report",
+                "write the picture to a file, or leave --json out");
+}
+
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension) {
     const auto file = arguments.value("--output");

@@ -26,6 +26,9 @@ inline constexpr OptionGroup output_group{"output", output_options};
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
 
+// The refusal of a picture and a report that would both go to standard output.
+Unexpected both_to_standard_output();
+
 // One input and the output that is made of it.
 struct Job {
     std::string input;

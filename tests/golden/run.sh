@@ -6,7 +6,7 @@
 #
 # FILE is a transcript, or Markdown whose blocks fenced with ```console are transcripts. In a transcript a line
 # "$ COMMAND" is a command for bash; below it stand the lines of its standard output, then those of its standard error
-# behind "! ", then "[exit N]" where N is not 0. Commands run one after the other in one new folder that holds a link to
+# behind "! ", then "[exit N]" where N is not 0. A line "% …" is a comment. Commands run one after the other in one new folder that holds a link to
 # profiles/, with the tool as `gonio`; its name in the folder of the machine never shows.
 set -euo pipefail
 
@@ -50,10 +50,10 @@ while IFS= read -r line || [[ -n $line ]]; do
         printf '%s\n' "$line"
         run "${line#'$ '}"
         skipping=1
-    elif [[ $line == '#'* && $markdown == 0 ]]; then
+    elif [[ $line == '% '* && $markdown == 0 ]]; then
         printf '%s\n' "$line" # a comment between commands
         skipping=0
-    elif ((!skipping)) || [[ -z $line && $markdown == 0 ]]; then
+    elif ((!skipping)); then
         printf '%s\n' "$line"
     fi
 done < "$file" > "$work/now"

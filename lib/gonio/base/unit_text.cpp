@@ -54,6 +54,7 @@ std::optional<double> take_number(std::string_view& text) {
     if (rest.size() > 1 && rest.front() == '+' && rest[1] != '-') rest.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    // A result out of range is refused like no number at all: nothing is clamped in silence.
     if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     text = rest;

@@ -111,14 +111,14 @@ std::string flux_formula(const SpotShape& spot) {
     case Falloff::hard:
         return "Φ = 4π sin²(b/2) I";
     case Falloff::frostbite:
-        return "Φ = 2π (2 sin²(a/2) + ⅔ sin m sin h) I";
+        return "Φ = 2π (2 sin²(a/2) + ⅔ sin m sin h) I, m = (a+b)/2, h = (b−a)/2";
     case Falloff::linear_cos:
     case Falloff::smoothstep_cos:
-        return "Φ = 2π (2 sin²(a/2) + sin m sin h) I";
+        return "Φ = 2π (2 sin²(a/2) + sin m sin h) I, m = (a+b)/2, h = (b−a)/2";
     case Falloff::linear_angle:
-        return "Φ = 2π (2 sin²(m/2) + cos m (1 − sin h/h)) I";
+        return "Φ = 2π (2 sin²(m/2) + cos m (1 − sin h/h)) I, m = (a+b)/2, h = (b−a)/2";
     case Falloff::smoothstep_angle:
-        return "Φ = 2π (2 sin²(m/2) + cos m (1 − 3(sin h − h cos h)/h³)) I";
+        return "Φ = 2π (2 sin²(m/2) + cos m (1 − 3(sin h − h cos h)/h³)) I, m = (a+b)/2, h = (b−a)/2";
     }
     return {};
 }

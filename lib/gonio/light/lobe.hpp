@@ -26,7 +26,7 @@ Steradians lobe_solid_angle(const SpotShape& spot);
 // Φ/I = 4 asin(sin(h/2) sin(v/2)), the solid angle of a right pyramid, as an arctangent that holds up to 180°.
 Steradians lobe_solid_angle(const FrustumShape& frustum);
 
-// "Φ = 2π (2 sin²(a/2) + ⅔ sin m sin h) I": what lobe_solid_angle() computes, for people.
+// "Φ = 4π sin²(b/2) I": what lobe_solid_angle() computes, for people; a and b are the inner and outer half angles.
 std::string flux_formula(const SpotShape& spot);
 
 } // namespace gonio

@@ -22,13 +22,13 @@ using std::numbers::pi;
 constexpr std::array kinds{
     ShapeKind{"point", "point[:mask=FILE]", "emits alike in every direction, without size"},
     ShapeKind{"spot", "spot:outer=ANGLE[,inner=ANGLE][,falloff=NAME][,mask=FILE]",
-              "a cone of half angle outer (or cone=ANGLE, the full angle), even up to inner (0deg)"},
-    ShapeKind{"frustum", "frustum:h=ANGLE,v=ANGLE[,mask=FILE]", "a pyramid of the full apex angles h and v, even"},
+              "a cone; half angles, or cone=ANGLE for the full one"},
+    ShapeKind{"frustum", "frustum:h=ANGLE,v=ANGLE[,mask=FILE]", "a pyramid, even inside; full apex angles"},
     ShapeKind{"ies", "ies:FILE", "a measured luminaire: an IES or EULUMDAT profile"},
     ShapeKind{"sphere", "sphere:r=LENGTH", "a Lambertian sphere of radius r"},
     ShapeKind{"disk", "disk:r=LENGTH[,two-sided]", "a Lambertian disk of radius r"},
     ShapeKind{"rect", "rect:w=LENGTH,h=LENGTH[,two-sided]", "a Lambertian rectangle, w along X and h along Y"},
-    ShapeKind{"tube", "tube:r=LENGTH,l=LENGTH", "a Lambertian cylinder along X, l without its half-sphere caps"},
+    ShapeKind{"tube", "tube:r=LENGTH,l=LENGTH", "a Lambertian capsule along X, l without its caps"},
     ShapeKind{"sun", "sun:angle=ANGLE", "an even disk of that angular diameter, at infinity"},
 };
 

@@ -23,9 +23,9 @@ Ev100 auto_exposure(const Image& rgb_nits) {
         if (y > 0.0) luminances.push_back(y);
     }
     if (luminances.empty()) return Ev100(0.0);
-    const std::size_t rank = (luminances.size() - 1) * 98 / 100;
+    const std::size_t rank = (luminances.size() - 1) * 995 / 1000;
     std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
-    return Ev100(std::log2(luminances[rank] / (1.2 * 0.9)));
+    return Ev100(std::log2(luminances[rank] / 1.2));
 }
 
 void expose(Image& image, Ev100 ev) {

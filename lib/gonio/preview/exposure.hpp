@@ -10,7 +10,7 @@ namespace gonio {
 // (Lagarde and de Rousiers 2014, §5.1).
 Nits white_luminance(Ev100 ev);
 
-// The exposure at which the 98th percentile of the picture's luminance comes to 0.9, so that a light that is seen
+// The exposure at which 99.5 % of the lit pixels lie below the display's white, so that a light that is seen
 // itself or a highlight does not darken the rest. 0 for a picture without light.
 Ev100 auto_exposure(const Image& rgb_nits);
 

@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/preview/shading_constants.hpp>
+#include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
 
 #include <fmt/format.h>
@@ -49,9 +50,9 @@ public:
           options_(options),
           rays_(camera, options.width, options.height),
           kernels_(shading::kernels(options.instruction_set)),
-          light_constants_(light_constants(light)) {
-        if (const auto* sphere = std::get_if<SphereShape>(&light.shape))
-            emitter_ = Ball{light.frame.origin, sphere->radius.value};
+          light_constants_(light_constants(light)),
+          shadow_radius_(shadow_radius(light)),
+          is_punctual_(light_constants_.kind == shading::LightConstants::Kind::punctual) {
         for (const Surface& surface : stage.surfaces)
             materials_.push_back(material_constants(surface.material));
     }
@@ -88,8 +89,8 @@ private:
         Seen seen;
         seen.view = -ray.direction;
         const std::optional<Hit> hit = first_hit(stage_, ray);
-        if (emitter_) {
-            const std::optional<double> distance = distance_to(*emitter_, ray);
+        if (!is_punctual_) {
+            const std::optional<double> distance = distance_to(light_, ray);
             if (distance && (!hit || *distance < hit->distance)) {
                 seen.what = Seen::What::emitter;
                 return seen;
@@ -99,8 +100,7 @@ private:
         seen.what = Seen::What::surface;
         seen.hit = *hit;
         if (options_.shadows)
-            seen.visible = visible_share(stage_, hit->surface, hit->position, light_.frame.origin,
-                                         emitter_ ? emitter_->radius : 0.0);
+            seen.visible = visible_share(stage_, hit->surface, hit->position, light_.frame.origin, shadow_radius_);
         return seen;
     }
 
@@ -131,7 +131,7 @@ private:
             batch.normal[a].push_back(static_cast<float>(seen.hit.normal[axis]));
             batch.view[a].push_back(static_cast<float>(seen.view[axis]));
         }
-        if (!emitter_) {
+        if (is_punctual_) {
             const double cd = light_.intensity_towards(seen.hit.position - light_.frame.origin).value;
             batch.intensity_cd.push_back(static_cast<float>(std::max(cd, 0.0)));
         }
@@ -168,7 +168,8 @@ private:
     const shading::Kernels& kernels_;
     shading::LightConstants light_constants_;
     std::vector<shading::MaterialConstants> materials_;
-    std::optional<Ball> emitter_;
+    double shadow_radius_;
+    bool is_punctual_;
 };
 
 } // namespace

@@ -39,31 +39,36 @@ shading::MaterialConstants constants_of(const FrostbiteMaterial& material) {
 } // namespace
 
 bool has_kernel(const Shape& shape) {
-    struct Known {
-        bool operator()(const PointShape&) const { return true; }
-        bool operator()(const SpotShape&) const { return true; }
-        bool operator()(const FrustumShape&) const { return true; }
-        bool operator()(const ProfileShape&) const { return true; }
-        bool operator()(const SphereShape&) const { return true; }
-        bool operator()(const DiskShape&) const { return false; }
-        bool operator()(const RectShape&) const { return false; }
-        bool operator()(const TubeShape&) const { return false; }
-        bool operator()(const SunShape&) const { return false; }
-    };
-    return std::visit(Known{}, shape);
+    return !std::holds_alternative<SunShape>(shape);
 }
 
 shading::LightConstants light_constants(const Light& light) {
+    using Kind = shading::LightConstants::Kind;
     shading::LightConstants constants;
     copy(light.frame.origin, constants.position);
     if (light.range) constants.inverse_range = static_cast<float>(1.0 / light.range->value);
+    copy(-light.frame.z, constants.axis);
+    copy(light.frame.x, constants.width_direction);
     if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) {
-        constants.kind = shading::LightConstants::Kind::sphere;
+        constants.kind = Kind::sphere;
         constants.radius = static_cast<float>(sphere->radius.value);
-        copy(light.color * light.luminance.value, constants.color);
-    } else {
-        copy(light.color, constants.color);
+    } else if (const auto* disk = std::get_if<DiskShape>(&light.shape)) {
+        constants.kind = Kind::disk;
+        constants.radius = static_cast<float>(disk->radius.value);
+        constants.two_sided = disk->two_sided;
+    } else if (const auto* rect = std::get_if<RectShape>(&light.shape)) {
+        constants.kind = Kind::rectangle;
+        constants.width = static_cast<float>(rect->width.value);
+        constants.height = static_cast<float>(rect->height.value);
+        constants.two_sided = rect->two_sided;
+    } else if (const auto* tube = std::get_if<TubeShape>(&light.shape)) {
+        constants.kind = Kind::tube;
+        copy(light.frame.x, constants.axis);
+        constants.radius = static_cast<float>(tube->radius.value);
+        constants.length = static_cast<float>(tube->length.value);
     }
+    const bool punctual = constants.kind == Kind::punctual;
+    copy(punctual ? light.color : light.color * light.luminance.value, constants.color);
     return constants;
 }
 

@@ -129,7 +129,8 @@ std::optional<Radians> spread_angle(const Web& web, double c_deg, double fractio
     const Peak top = peak(web);
     if (!(top.intensity.value > 0.0)) return std::nullopt;
     const double threshold = fraction * top.intensity.value;
-    const Section section(web, c_deg, top.gamma_deg > 90.0);
+    const bool upwards = top.gamma_deg > 90.0 || web.gammas_deg().front() >= 90.0;
+    const Section section(web, c_deg, upwards);
     const std::optional<double> right = outermost(section, 1.0, threshold);
     const std::optional<double> left = outermost(section, -1.0, threshold);
     if (right && left) return degrees(std::min(*right + *left, 360.0));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,8 +77,11 @@ bool near_deg(double a, double b) {
     return std::abs(a - b) <= 1e-6;
 }
 
-Symmetry symmetry_of_ies_planes(const std::vector<double>& planes) {
+// The symmetry that the first and last plane tell; where they miss its ends by rounding they are put there.
+Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
     if (planes.size() == 1) return Symmetry::axial;
+    for (double* const end : {&planes.front(), &planes.back()})
+        if (near_deg(*end, std::round(*end))) *end = std::round(*end);
     if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 90.0)) return Symmetry::quadrant;
     if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 180.0)) return Symmetry::bilateral_0_180;
     if (near_deg(planes.front(), 90.0) && near_deg(planes.back(), 270.0)) return Symmetry::bilateral_90_270;
@@ -102,7 +106,8 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& pr
                     fmt::format("photometry type {} is read but not evaluated yet, only type C is",
                                 file.photometry == Photometry::a ? 'A' : 'B'),
                     {}, profile.source);
-    Table table{symmetry_of_ies_planes(file.horizontal_deg), file.horizontal_deg, file.vertical_deg, file.candela};
+    Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, file.candela};
+    table.stored = take_symmetry_of_ies_planes(table.planes_deg);
     if (table.stored == Symmetry::axial && table.planes_deg.front() != 0.0)
         warn(diagnostics, profile, "WEB0103",
              fmt::format("the only C-plane is at {}°: taken for every C", table.planes_deg.front()));
@@ -148,11 +153,21 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
     table.candela = file.candela_per_klm;
     const std::size_t stored = file.candela_per_klm.size() / std::max<std::size_t>(1, file.gammas_deg.size());
     switch (file.symmetry) {
-    case 1: table.stored = Symmetry::axial; break;
-    case 2: table.stored = Symmetry::bilateral_0_180; break;
-    case 3: table.stored = Symmetry::bilateral_90_270; break;
-    case 4: table.stored = Symmetry::quadrant; break;
-    default: table.stored = Symmetry::none; break;
+    case 1:
+        table.stored = Symmetry::axial;
+        break;
+    case 2:
+        table.stored = Symmetry::bilateral_0_180;
+        break;
+    case 3:
+        table.stored = Symmetry::bilateral_90_270;
+        break;
+    case 4:
+        table.stored = Symmetry::quadrant;
+        break;
+    default:
+        table.stored = Symmetry::none;
+        break;
     }
     if (table.stored == Symmetry::axial) {
         table.planes_deg = {0.0};

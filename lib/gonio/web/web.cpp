@@ -104,7 +104,7 @@ Result<Web> Web::create(Symmetry stored, std::vector<double> planes_deg, std::ve
                                                     gammas_deg.front(), gammas_deg.back()));
     const Range range = plane_range(stored);
     if (planes_deg.front() < range.low || planes_deg.back() > range.high ||
-        planes_deg.back() - planes_deg.front() > 360.0)
+        planes_deg.back() - planes_deg.front() > 360.0 + 1e-9)
         return fail(Failure::malformed, fmt::format("C-planes from {}° to {}° do not fit a web of symmetry {}",
                                                     planes_deg.front(), planes_deg.back(), to_text(stored)));
     if (stored == Symmetry::axial && planes_deg.size() != 1)
@@ -119,8 +119,11 @@ Result<Web> Web::create(Symmetry stored, std::vector<double> planes_deg, std::ve
 }
 
 double Web::folded_c_deg(double c_deg) const {
-    double c = std::fmod(c_deg, 360.0);
-    if (c < 0.0) c += 360.0;
+    double c = c_deg;
+    if (!(c >= 0.0 && c < 360.0)) {
+        c = std::fmod(c, 360.0);
+        if (c < 0.0) c += 360.0;
+    }
     switch (stored_) {
     case Symmetry::axial:
         return planes_.angles_deg.front();
@@ -162,6 +165,10 @@ double Web::candela(double c_deg, double gamma_deg) const {
 }
 
 double Web::candela(const glm::dvec3& direction) const {
+    if (stored_ == Symmetry::axial) {
+        const Radians gamma(std::atan2(std::hypot(direction.x, direction.y), -direction.z));
+        return candela(0.0, to_degrees(gamma));
+    }
     const PolarAngles angles = angles_of(direction);
     return candela(to_degrees(angles.c), to_degrees(angles.gamma));
 }

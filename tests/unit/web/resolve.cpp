@@ -69,6 +69,9 @@ TEST(Resolve, ReadsSymmetryFromTheAngles) {
     EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 180, 360}, {1, 1, 1, 1, 1, 1}))->web.stored_symmetry(),
               Symmetry::none);
     EXPECT_TRUE(has_code(resolve_web(ies(IesVersion::lm63_2002, {205}, {1, 1}))->diagnostics, "WEB0103"));
+    // 90° that came through a float.
+    EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 90.0000001}, {1, 1, 1, 1}))->web.stored_symmetry(),
+              Symmetry::quadrant);
 }
 
 TEST(Resolve, ClosesAMissingLastPlaneAndNoWiderGap) {

@@ -1,0 +1,102 @@
+#include <gonio/scene/emitter.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio {
+
+namespace {
+
+// Where a ray crosses the plane of a flat light, in the light's X and Y; nothing from the dark side.
+struct Crossing {
+    double distance;
+    double x;
+    double y;
+};
+
+std::optional<Crossing> cross_plane(const Frame& frame, const Ray& ray, bool two_sided) {
+    // The light shines along −Z, so its face is seen by rays that go along +Z.
+    const double facing = glm::dot(ray.direction, frame.z);
+    if (facing == 0.0 || (facing < 0.0 && !two_sided)) return std::nullopt;
+    const double t = glm::dot(frame.origin - ray.origin, frame.z) / facing;
+    if (!(t > 0.0)) return std::nullopt;
+    const glm::dvec3 at = ray.origin + t * ray.direction - frame.origin;
+    return Crossing{t, glm::dot(at, frame.x), glm::dot(at, frame.y)};
+}
+
+struct Distance {
+    const Light& light;
+    const Ray& ray;
+
+    std::optional<double> operator()(const SphereShape& sphere) const {
+        return distance_to(Ball{light.frame.origin, sphere.radius.value}, ray);
+    }
+    std::optional<double> operator()(const DiskShape& disk) const {
+        const auto at = cross_plane(light.frame, ray, disk.two_sided);
+        const bool inside = at && std::hypot(at->x, at->y) <= disk.radius.value;
+        return inside ? std::optional(at->distance) : std::nullopt;
+    }
+    std::optional<double> operator()(const RectShape& rect) const {
+        const auto at = cross_plane(light.frame, ray, rect.two_sided);
+        const bool inside =
+            at && std::abs(at->x) <= 0.5 * rect.width.value && std::abs(at->y) <= 0.5 * rect.height.value;
+        return inside ? std::optional(at->distance) : std::nullopt;
+    }
+    std::optional<double> operator()(const TubeShape& tube) const {
+        const double r = tube.radius.value;
+        const glm::dvec3 axis = light.frame.x;
+        const glm::dvec3 half = 0.5 * tube.length.value * axis;
+        std::optional<double> nearest = distance_to(Ball{light.frame.origin - half, r}, ray);
+        const std::optional<double> other = distance_to(Ball{light.frame.origin + half, r}, ray);
+        if (other && (!nearest || *other < *nearest)) nearest = other;
+        // The side of the cylinder: a circle in the plane across the axis.
+        const glm::dvec3 to_center = light.frame.origin - ray.origin;
+        const glm::dvec3 across = ray.direction - glm::dot(ray.direction, axis) * axis;
+        const double speed2 = glm::dot(across, across);
+        if (!(speed2 > 0.0)) return nearest;
+        const double closest = glm::dot(to_center, across) / speed2;
+        const glm::dvec3 miss = to_center - glm::dot(to_center, axis) * axis - closest * across;
+        const double half_chord2 = (r * r - glm::dot(miss, miss)) / speed2;
+        if (!(half_chord2 >= 0.0)) return nearest;
+        const double t = closest - std::sqrt(half_chord2);
+        const double along = glm::dot(ray.origin + t * ray.direction - light.frame.origin, axis);
+        const bool on_side = t > 0.0 && std::abs(along) <= 0.5 * tube.length.value;
+        if (on_side && (!nearest || t < *nearest)) nearest = t;
+        return nearest;
+    }
+    template<class Other>
+    std::optional<double> operator()(const Other& /*no surface*/) const {
+        return std::nullopt;
+    }
+};
+
+struct ShownArea {
+    double operator()(const SphereShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
+    double operator()(const DiskShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
+    double operator()(const RectShape& s) const { return s.width.value * s.height.value; }
+    double operator()(const TubeShape& s) const {
+        return s.radius.value * (2.0 * s.length.value + std::numbers::pi * s.radius.value);
+    }
+    template<class Other>
+    double operator()(const Other& /*no surface*/) const {
+        return 0.0;
+    }
+};
+
+} // namespace
+
+std::optional<double> distance_to(const Light& light, const Ray& ray) {
+    return std::visit(Distance{light, ray}, light.shape);
+}
+
+double shadow_radius(const Light& light) {
+    // Of a sphere exactly its radius: no detour over the square root.
+    if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) return sphere->radius.value;
+    return std::sqrt(std::visit(ShownArea{}, light.shape) / std::numbers::pi);
+}
+
+} // namespace gonio
