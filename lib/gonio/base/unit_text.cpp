@@ -73,6 +73,13 @@ std::string symbols_of(Dimension dimension) {
 
 } // namespace
 
+double Amount::in_base_units() const {
+    // 1e-2 is no double, 100 is: dividing rounds once, multiplying twice.
+    const double units_per_base = 1.0 / unit->base_per_unit;
+    return units_per_base > 1.0 && units_per_base == std::floor(units_per_base) ? number / units_per_base
+                                                                                : number * unit->base_per_unit;
+}
+
 std::span<const Unit> all_units() {
     return units_table;
 }
