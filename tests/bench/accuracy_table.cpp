@@ -18,9 +18,9 @@ bool print(const char* shape, const Result<std::vector<SphereMeasurement>>& rows
         return false;
     }
     for (const SphereMeasurement& row : *rows)
-        (void)std::printf("| %s | %s | %s | %.1e | %.1e | %.1e | %.1f |\n", shape, row.name.c_str(), row.precision.c_str(),
-                          row.error.relative.median, row.error.relative.p95, row.error.relative.max,
-                          row.timing.ns_per_item);
+        (void)std::printf("| %s | %s | %s | %.1e | %.1e | %.1e | %.1f |\n", shape, row.name.c_str(),
+                          row.precision.c_str(), row.error.relative.median, row.error.relative.p95,
+                          row.error.relative.max, row.timing.ns_per_item);
     return true;
 }
 

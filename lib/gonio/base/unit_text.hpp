@@ -45,7 +45,7 @@ struct Amount {
     double number = 0.0; // as written
     const Unit* unit = nullptr;
 
-    // Correctly rounded for decimal fractions of the base: 1.3cm is the double nearest to 0.013.
+    // Correctly rounded for decimal multiples of the base: 1.3cm is the double nearest to 0.013.
     double in_base_units() const;
 };
 

@@ -162,6 +162,10 @@ inline Real flat_by_quadrature(const Pose& pose) {
         });
     };
     std::vector<Real> splits = around(-cx, toward);
+    if (up_x != 0 && up_y != 0) { // where the clipped end of the strips sweeps over the peak
+        const auto sweep = around(-(up - cy * up_y) / up_x, toward * std::fabs(up_y / up_x));
+        splits.insert(splits.end(), sweep.begin(), sweep.end());
+    }
     // Kinks: where the receiver's plane meets the outline.
     Real kink[2] = {2 * half_x, 2 * half_x};
     if (disk) {
