@@ -72,7 +72,7 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
                                  fmt::format("two columns are named '{}'", fields[f].text));
             columns.at[c] = f;
         }
-    const std::size_t normals = static_cast<std::size_t>(
+    const auto normals = static_cast<std::size_t>(
         std::count_if(columns.at.begin() + 3, columns.at.end(), [](std::size_t f) { return f != absent; }));
     for (std::size_t c = 0; c < column_names.size(); ++c)
         if (columns.at[c] == absent && (c < 3 || normals > 0))

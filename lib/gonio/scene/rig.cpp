@@ -125,7 +125,7 @@ public:
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
             streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",
-                                         fmt::format("write \"schema\": \"{}\"", schema_name));
+                                         fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_materials();
         if (!streamed) return pass_on(streamed);
         return std::move(rig_);
@@ -270,7 +270,7 @@ private:
             Result<std::string> text = text_of(value, "for example \"lambert:albedo=0.5\"");
             Result<Material> material = text ? parse_material(*text) : Result<Material>(pass_on(text));
             if (!material) return placed(material.error(), rig_.source, fmt::format("materials.{}", key));
-            rig_.materials.push_back({key, std::move(*material)});
+            rig_.materials.push_back({key, *material});
         }
         return {};
     }
