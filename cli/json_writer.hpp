@@ -54,7 +54,7 @@ private:
 
     // Newlines in a dump are only those between its values: in strings they are escaped.
     std::string text(const Json& value, std::size_t level) const {
-        const std::string dumped = value.dump(pretty_ ? 2 : -1, ' ', false, Json::error_handler_t::replace);
+        std::string dumped = value.dump(pretty_ ? 2 : -1, ' ', false, Json::error_handler_t::replace);
         if (!pretty_) return dumped;
         std::string indented;
         indented.reserve(dumped.size());

@@ -27,9 +27,9 @@ std::string words_of(std::string_view list_name) {
     const NamedList* list = find_list(list_name);
     if (list == nullptr) return words;
     for (const ListEntry& entry : list->entries()) {
-        const std::size_t colon = entry.name.find(':');
+        const std::size_t end = entry.name.find_first_of(":[");
         if (!words.empty()) words += ' ';
-        words += colon == std::string::npos ? entry.name : entry.name.substr(0, colon + 1);
+        words += end == std::string::npos ? entry.name : entry.name.substr(0, entry.name[end] == ':' ? end + 1 : end);
     }
     return words;
 }

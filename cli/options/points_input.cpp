@@ -72,7 +72,7 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
                                  fmt::format("two columns are named '{}'", fields[f].text));
             columns.at[c] = f;
         }
-    const std::size_t normals = static_cast<std::size_t>(
+    const auto normals = static_cast<std::size_t>(
         std::count_if(columns.at.begin() + 3, columns.at.end(), [](std::size_t f) { return f != absent; }));
     for (std::size_t c = 0; c < column_names.size(); ++c)
         if (columns.at[c] == absent && (c < 3 || normals > 0))
@@ -197,9 +197,9 @@ Result<Points> points_input(const Arguments& arguments) {
     }
     if (normals.size() > 1 && normals.size() != at.size())
         return fail(Failure::usage,
-                    fmt::format("{} normals are given for {} points", normals.size(),
-                                at.empty() ? std::string("a table or grid of") : std::to_string(at.size())),
-                    "give one for all, or one for each --at");
+                    fmt::format("--normal is given {} times, --at {}", normals.size(),
+                                at.empty() ? std::string("never") : fmt::format("{} times", at.size())),
+                    "give one normal for all, or one for each --at");
     const glm::dvec3 default_normal = normals.empty() ? Receiver().normal : normals.front();
     if (grid) return parse_grid(*grid, normals.empty() ? std::nullopt : std::optional(normals.front()));
 

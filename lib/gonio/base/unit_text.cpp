@@ -73,6 +73,18 @@ std::string symbols_of(Dimension dimension) {
 
 } // namespace
 
+double Amount::in_base_units() const {
+    // Neither 1.3 nor 1e-2 is a double, and their product is not the double nearest to 0.013. The number's shortest
+    // decimal text with another exponent is.
+    const double power = std::log10(unit->base_per_unit);
+    const double exponent = std::round(power);
+    if (exponent == 0.0 || std::abs(power - exponent) > 1e-12) return number * unit->base_per_unit;
+    const std::string digits = shortest(number);
+    if (digits.find('e') != std::string::npos) return number * unit->base_per_unit;
+    return parse_number(fmt::format("{}e{}", digits, static_cast<int>(exponent)))
+        .value_or(number * unit->base_per_unit);
+}
+
 std::span<const Unit> all_units() {
     return units_table;
 }

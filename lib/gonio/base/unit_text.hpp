@@ -45,7 +45,8 @@ struct Amount {
     double number = 0.0; // as written
     const Unit* unit = nullptr;
 
-    double in_base_units() const { return number * unit->base_per_unit; }
+    // Correctly rounded for decimal multiples of the base: 1.3cm is the double nearest to 0.013.
+    double in_base_units() const;
 };
 
 // "800lm". Fails (usage) on a bare number, an unknown unit, anything that is not finite.

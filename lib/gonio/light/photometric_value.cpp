@@ -58,6 +58,8 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
     const std::size_t at = text.find('@');
     const std::string_view symbol = text.substr(0, at);
     const Unit* unit = find_unit(symbol);
+    if (symbol.empty())
+        return fail(Failure::usage, fmt::format("no unit stands in '{}'", text), "write for example nt or lx@2m");
     if (unit == nullptr) {
         std::string with_number("1");
         with_number += symbol;

@@ -70,6 +70,22 @@ std::vector<double> sphere_truth(const SphereCases& cases, unsigned threads) {
     return truth;
 }
 
+void fill_errors(SphereMeasurement& measured, std::span<const float> values, std::span<const double> truth,
+                 std::span<const Stratum> strata, double relative_floor) {
+    const std::vector<double> wide(values.begin(), values.end());
+    measured.error = compare(wide, truth, relative_floor);
+    for (std::size_t s = 0; s < stratum_count; ++s) {
+        std::vector<double> some_values;
+        std::vector<double> some_truth;
+        for (std::size_t i = 0; i < wide.size(); ++i) {
+            if (strata[i] != static_cast<Stratum>(s)) continue;
+            some_values.push_back(wide[i]);
+            some_truth.push_back(truth[i]);
+        }
+        measured.error_by_stratum[s] = compare(some_values, some_truth, relative_floor);
+    }
+}
+
 Result<std::vector<SphereMeasurement>> compare_sphere_methods(const SphereComparison& options) {
     const SphereCases cases = sphere_cases(options.cases, options.seed);
     const std::vector<double> truth = sphere_truth(cases);
@@ -80,19 +96,7 @@ Result<std::vector<SphereMeasurement>> compare_sphere_methods(const SphereCompar
         Result<Timing> timing = time_work([&] { method.evaluate(cases, values); }, cases.size(), options.timing);
         if (!timing) return pass_on(timing);
         measured.timing = *timing;
-
-        const std::vector<double> wide(values.begin(), values.end());
-        measured.error = compare(wide, truth, options.relative_floor);
-        for (std::size_t s = 0; s < stratum_count; ++s) {
-            std::vector<double> some_values;
-            std::vector<double> some_truth;
-            for (std::size_t i = 0; i < cases.size(); ++i) {
-                if (cases.stratum[i] != static_cast<Stratum>(s)) continue;
-                some_values.push_back(wide[i]);
-                some_truth.push_back(truth[i]);
-            }
-            measured.error_by_stratum[s] = compare(some_values, some_truth, options.relative_floor);
-        }
+        fill_errors(measured, values, truth, cases.stratum, options.relative_floor);
         measurements.push_back(std::move(measured));
     }
     return measurements;

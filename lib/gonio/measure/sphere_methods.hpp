@@ -45,6 +45,10 @@ struct SphereComparison {
     TimingOptions timing;
 };
 
+// Fills the errors of `measured`, over all and by stratum, from what a method gave; all spans of one length.
+void fill_errors(SphereMeasurement& measured, std::span<const float> values, std::span<const double> truth,
+                 std::span<const Stratum> strata, double relative_floor);
+
 // Measures each method on the same cases. Fails as time_work does.
 Result<std::vector<SphereMeasurement>> compare_sphere_methods(const SphereComparison& options = {});
 

@@ -43,7 +43,7 @@ bool in_range(const glm::dvec3& position) {
 }
 
 std::string others(std::size_t count) {
-    return count > 1 ? fmt::format(" (and {} more such pairs of point and light)", count - 1) : std::string();
+    return count > 1 ? fmt::format("; {} such pairs of point and light in all", count) : std::string();
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include <gonio/scene/stage.hpp>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -65,6 +67,14 @@ Result<glm::dvec3> vector_of(const RigJson& json) {
     return vector;
 }
 
+Result<glm::dvec3> position_of(const RigJson& json) {
+    constexpr double farthest = 1e100; // [m], as far as a probe reaches
+    Result<glm::dvec3> vector = vector_of(json);
+    if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
+        return fail(Failure::malformed, fmt::format("must lie within {} m", farthest));
+    return vector;
+}
+
 Result<glm::dvec3> direction_of_json(const RigJson& json) {
     Result<glm::dvec3> vector = vector_of(json);
     if (vector && *vector == glm::dvec3(0.0)) return fail(Failure::malformed, "must not be zero");
@@ -115,7 +125,7 @@ public:
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
             streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",
-                                         fmt::format("write \"schema\": \"{}\"", schema_name));
+                                         fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_materials();
         if (!streamed) return pass_on(streamed);
         return std::move(rig_);
@@ -147,7 +157,7 @@ private:
                 Result<std::string> text = text_of(value, "for example \"#ffd9a0\" or \"rgb(1,0.8,0.6)\"");
                 read = text ? keep(parse_light_color(*text), light.color) : pass_on(text);
             } else if (key == "position") {
-                read = keep(vector_of(value), light.position);
+                read = keep(position_of(value), light.position);
             } else if (key == "direction") {
                 read = keep(direction_of_json(value), light.direction);
             } else if (key == "up") {
@@ -228,9 +238,9 @@ private:
         for (const auto& [key, value] : json.items()) {
             Result<void> read;
             if (key == "position") {
-                read = keep(vector_of(value), camera.position);
+                read = keep(position_of(value), camera.position);
             } else if (key == "target") {
-                read = keep(vector_of(value), camera.target);
+                read = keep(position_of(value), camera.target);
             } else if (key == "up") {
                 read = keep(direction_of_json(value), camera.up);
             } else if (key == "fov") {
@@ -260,7 +270,7 @@ private:
             Result<std::string> text = text_of(value, "for example \"lambert:albedo=0.5\"");
             Result<Material> material = text ? parse_material(*text) : Result<Material>(pass_on(text));
             if (!material) return placed(material.error(), rig_.source, fmt::format("materials.{}", key));
-            rig_.materials.push_back({key, std::move(*material)});
+            rig_.materials.push_back({key, *material});
         }
         return {};
     }

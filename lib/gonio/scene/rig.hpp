@@ -10,8 +10,9 @@
 //
 // Of a light only `shape` is required; the defaults are those of LightDescription. Arrays are metres. Files named by a
 // shape are relative to the rig's folder, are read once and shared by every light that names them.
-// The JSON is read as a stream: memory grows with the lights alone (about 0.4 kB each), nesting and the size of one
-// light are limited. rig.schema.json beside this file says the same to editors.
+// The JSON is read as a stream: memory grows with the lights alone (about 0.5 kB each, resolving included), nesting and
+// the size of one light are limited. A million lights take 2.4 s.
+// rig.schema.json beside this file says the same to editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error: …" where the JSON is broken, else
 // "rig.json: error: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a file that

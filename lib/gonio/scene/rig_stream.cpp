@@ -20,11 +20,25 @@ Location location_of(std::string_view text, std::size_t offset, const std::strin
     return {source, line, static_cast<std::uint32_t>(before.size() - line_start + 1)};
 }
 
-// What nlohmann::json expected in its place: "… - unexpected ']'; expected '}'".
-std::string expectation(std::string_view what) {
-    constexpr std::string_view word = "; expected ";
-    const std::size_t at = what.rfind(word);
-    return at == std::string_view::npos ? std::string() : fmt::format("expected {}", what.substr(at + word.size()));
+// nlohmann::json says "… syntax error while parsing value - unexpected ']'; expected '}'", or "… - invalid literal;
+// last read: 'tru}'".
+struct Complaint {
+    std::string what;     // "unexpected ']'"
+    std::string expected; // "expected '}'"; may be empty
+};
+
+Complaint complaint_of(std::string_view said) {
+    constexpr std::string_view dash = " - ";
+    constexpr std::string_view expected = "; expected ";
+    Complaint complaint;
+    if (const std::size_t at = said.rfind(expected); at != std::string_view::npos) {
+        complaint.expected = fmt::format("expected {}", said.substr(at + expected.size()));
+        said = said.substr(0, at);
+    }
+    const std::size_t at = said.find(dash);
+    if (at != std::string_view::npos) said.remove_prefix(at + dash.size());
+    complaint.what = said.substr(0, said.find("; last read"));
+    return complaint;
 }
 
 class Handler final : public nlohmann::json_sax<RigJson> {
@@ -85,19 +99,21 @@ public:
                      const nlohmann::detail::exception& exception) override {
         // `position` counts the bytes read: the last one of them, or the end of the text, is where it went wrong.
         const bool at_end = position > text_.size() || (position == text_.size() && last_token.empty());
-        const std::size_t offset = at_end ? text_.size() : std::max<std::size_t>(position, 1) - 1;
+        const bool too_large = exception.id == 406; // a number out of the range of a double
+        const std::size_t back = too_large ? last_token.size() : 1;
+        const std::size_t offset = at_end ? text_.size() : position - std::min(position, back);
         Diagnostic diagnostic;
         diagnostic.location = location_of(text_, offset, source_);
-        const std::string_view what = exception.what();
-        if (exception.id == 406) // out of the range of a double
+        Complaint complaint = complaint_of(exception.what());
+        if (too_large)
             diagnostic.message = fmt::format("the number {} is too large", excerpt(last_token));
         else if (at_end || last_token == "<end of input>")
             diagnostic.message = "the JSON ends too early";
-        else if (what.find("UTF-8") != std::string_view::npos)
+        else if (complaint.what.find("UTF-8") != std::string::npos)
             diagnostic.message = "the text is not UTF-8";
         else
-            diagnostic.message = fmt::format("broken JSON at '{}'", excerpt(last_token));
-        diagnostic.hint = expectation(what);
+            diagnostic.message = "broken JSON: " + complaint.what;
+        diagnostic.hint = std::move(complaint.expected);
         error_ = Error{Failure::malformed, {std::move(diagnostic)}};
         return false;
     }

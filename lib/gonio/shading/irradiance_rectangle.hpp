@@ -89,6 +89,8 @@ GONIO_FORCE_INLINE S rectangle_by_points(vec3<S> center, vec3<S> x, vec3<S> y, S
     return clamp_irradiance(sum * toward * simd::sqrt(x2 * y2));
 }
 
+struct ExactRectangle;
+
 } // namespace detail
 
 // Beyond this many diagonals the rule's error is below the rounding of the arcs.
@@ -100,7 +102,8 @@ inline constexpr double far_rectangle_diagonals<double> = 64.0;
 // E/L [sr] of a rectangle about `center` [m, from the receiver] that emits towards +`axis` only, `width` along
 // `width_direction` and `height` across it. `axis`, `width_direction` (perpendicular) and the receiver's `normal` are
 // unit. Behind its plane 0; in the plane, inside the outline, the limit π(1 + n·w)/2 from the front, w = −axis, and
-// outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp).
+// outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp). In float
+// and packs, receivers close to the outline are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
                                           vec3<S> normal) {
@@ -134,9 +137,36 @@ GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> 
     const auto far = simd::both(dot(c, c) > S(diagonals * diagonals) * half_diagonal2, up >= reach);
     S e = S(0);
     if (simd::any(far)) e = detail::rectangle_by_points(c, x, y, toward, normal);
-    const auto near = simd::both(!far, seen);
-    if (simd::any(near)) e = simd::select(far, e, detail::rectangle_by_arcs(c, x, y, normal));
-    return simd::select(simd::both(lit, seen), e, front);
+    const auto arcs = simd::both(!far, simd::both(lit, seen));
+    if (simd::any(arcs)) e = simd::select(far, e, detail::rectangle_by_arcs(c, x, y, normal));
+    e = simd::select(simd::both(lit, seen), e, front);
+    if constexpr (!__is_same(S, double)) {
+        // Close to the outline the arcs turn by the rounding of the way there.
+        const S beyond_x = simd::abs(dot(c, width_direction)) - half_width;
+        const S beyond_y = simd::abs(dot(c, height_direction)) - half_height;
+        const S inward = simd::min(simd::max(beyond_x, beyond_y), S(0));
+        const S outward_x = simd::max(beyond_x, S(0));
+        const S outward_y = simd::max(beyond_y, S(0));
+        const S gap2 = toward * toward + outward_x * outward_x + outward_y * outward_y + inward * inward;
+        const auto hard = simd::both(arcs, gap2 < S(4e-4) * half_diagonal2);
+        if (simd::any(hard))
+            e = detail::in_double<detail::ExactRectangle>(hard, e,
+                                                          {center.x, center.y, center.z, axis.x, axis.y, axis.z,
+                                                           width_direction.x, width_direction.y, width_direction.z,
+                                                           width, height, normal.x, normal.y, normal.z});
+    }
+    return e;
 }
+
+namespace detail {
+
+struct ExactRectangle {
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[14]) {
+        return irradiance_rectangle<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9], v[10],
+                                            {v[11], v[12], v[13]});
+    }
+};
+
+} // namespace detail
 
 } // namespace gonio::shading

@@ -75,21 +75,30 @@ GONIO_FORCE_INLINE S tube_above(const TubeParts<S>& t) {
                             t.r * kappa * t.l * slope * inverse0 * inverse1);
 }
 
-// The visible part of an outline, arc by arc in its order; points are offsets from the light's centre in (f, a, g).
+// A point where the horizon cuts the outline, in (f, a, g): from the receiver, and from the light's centre.
+struct Crossing {
+    vec3<double> direct, offset;
+};
+
+// The visible part of an outline, arc by arc in its order.
 struct OutlineWalk {
     vec3<double> center;
+    bool far = false; // the offsets then know the angle between two crossings better than the points themselves
     double sum = 0.0;
     bool below = false;      // sunk, and not risen since
     bool rose_first = false; // began below the horizon
-    vec3<double> sank_at{0.0, 0.0, 0.0};
-    vec3<double> first_rise{0.0, 0.0, 0.0};
+    Crossing sank_at{};
+    Crossing first_rise{};
 
-    GONIO_FORCE_INLINE void close(vec3<double> at) { sum += horizon_arc(center + sank_at, at - sank_at); }
-    GONIO_FORCE_INLINE void sink(vec3<double> at) {
+    GONIO_FORCE_INLINE void close(const Crossing& at) {
+        sum += far ? horizon_arc(center + sank_at.offset, at.offset - sank_at.offset)
+                   : 0.5 * simd::atan2(length(cross(sank_at.direct, at.direct)), dot(sank_at.direct, at.direct));
+    }
+    GONIO_FORCE_INLINE void sink(const Crossing& at) {
         sank_at = at;
         below = true;
     }
-    GONIO_FORCE_INLINE void rise(vec3<double> at) {
+    GONIO_FORCE_INLINE void rise(const Crossing& at) {
         if (below) {
             close(at);
         } else {
@@ -108,19 +117,22 @@ GONIO_FORCE_INLINE double wrapped(double angle) {
     return angle - turn * __builtin_floor(angle / turn + 0.5);
 }
 
-// One great arc, at heights `from` and `to` over the horizon; point = begin + step·t.
-GONIO_FORCE_INLINE void walk_great_arc(OutlineWalk& walk, const TubeParts<double>& t, double from, double to, double z,
-                                       double step, double slope, vec3<double> begin) {
-    const bool from_above = from >= 0.0;
-    const bool to_above = to >= 0.0;
+// One of the great arcs: the points (base, z, side) for z from `from` to `to`; n·m = −`slope`. Their height over the
+// horizon is z n_a + lift.
+GONIO_FORCE_INLINE void walk_great_arc(OutlineWalk& walk, const TubeParts<double>& t, double from, double to,
+                                       double base, double side, double slope) {
+    const double lift = base * t.n_f + side * t.n_g;
+    const bool from_above = from * t.n_a + lift >= 0.0;
+    const bool to_above = to * t.n_a + lift >= 0.0;
     if (!from_above && !to_above) return;
-    const double crossing = from_above == to_above ? 0.0 : from / (from - to);
-    const double first = from_above ? 0.0 : crossing;
-    const double last = to_above ? 1.0 : crossing;
-    const double gap = simd::sqrt(t.gap2);
-    const double angle = simd::atan2(gap * t.l * (last - first), t.gap2 + (z + step * first) * (z + step * last));
+    double crossing = from;
+    if (from_above != to_above)
+        crossing = simd::max(simd::min(-lift / t.n_a, simd::max(from, to)), simd::min(from, to));
+    const double first = from_above ? from : crossing;
+    const double last = to_above ? to : crossing;
+    const double angle = simd::atan2(simd::sqrt(t.gap2) * simd::abs(last - first), t.gap2 + first * last);
     walk.sum += 0.5 * angle * slope;
-    const vec3<double> at = begin + vec3<double>{0.0, step * crossing, 0.0};
+    const Crossing at{{base, crossing, side}, {-t.r * (t.r / t.d), crossing - walk.center.y, side}};
     if (!from_above) walk.rise(at);
     if (!to_above) walk.sink(at);
 }
@@ -146,7 +158,8 @@ GONIO_FORCE_INLINE void walk_end(OutlineWalk& walk, const EndCircle& end, bool f
     };
     const auto at = [&](double phi) __attribute__((always_inline)) {
         const vec3<double> round = end.u * simd::cos(phi) + end.v * simd::sin(phi);
-        return end.offset + (round * end.cosine - end.axis * end.sine) * end.radius;
+        return Crossing{end.axis * end.cosine + round * end.sine,
+                        end.offset + (round * end.cosine - end.axis * end.sine) * end.radius};
     };
     // Of the visible and the hidden part the smaller is put beside the end that is in it: no ambiguous turn.
     if (from_above && to_above) {
@@ -193,22 +206,20 @@ GONIO_FORCE_INLINE double tube_straddling(const TubeParts<double>& t) {
     const double up1 = t.d * t.n_f + t.z1 * t.n_a;
     const double plus = kappa * t.n_g - s * t.n_f; // n·m±
     const double minus = -kappa * t.n_g - s * t.n_f;
-    const double half = 0.5 * t.l;
 
-    OutlineWalk walk{{t.d, t.z0 + half, 0.0}};
-    const auto tangent_offset = [&](double end, double side) __attribute__((always_inline)) {
-        return vec3<double>{-t.r * s, end, side * t.r * kappa};
+    // The tangent points are (base, z_i, ±side): D − r s = D κ².
+    const double base = gap * kappa;
+    const double side = t.r * kappa;
+    OutlineWalk walk{{t.d, 0.5 * (t.z0 + t.z1), 0.0}, t.d * t.d + t.z0 * t.z1 > t.r * t.r + t.l * t.l};
+    const double cos0 = simd::sqrt(t.gap2 + t.z0 * t.z0) / d0;
+    const double cos1 = simd::sqrt(t.gap2 + t.z1 * t.z1) / d1;
+    const auto above = [&](double z, double g) __attribute__((always_inline)) {
+        return z * t.n_a + (base * t.n_f + g * t.n_g) >= 0.0;
     };
-    const double cos0 = simd::sqrt(simd::max(t.gap2 + t.z0 * t.z0, 0.0)) / d0;
-    const double cos1 = simd::sqrt(simd::max(t.gap2 + t.z1 * t.z1, 0.0)) / d1;
-    const bool above0_plus = up0 + t.r * plus >= 0.0;
-    const bool above0_minus = up0 + t.r * minus >= 0.0;
-    const bool above1_plus = up1 + t.r * plus >= 0.0;
-    const bool above1_minus = up1 + t.r * minus >= 0.0;
 
-    walk_great_arc(walk, t, up0 + t.r * plus, up1 + t.r * plus, t.z0, t.l, -plus, tangent_offset(-half, 1.0));
+    walk_great_arc(walk, t, t.z0, t.z1, base, side, -plus);
     walk_end(walk,
-             {{0.0, half, 0.0},
+             {{0.0, t.z1 - walk.center.y, 0.0},
               {t.d / d1, t.z1 / d1, 0.0},
               {-t.z1 / d1, t.d / d1, 0.0},
               {0.0, 0.0, -1.0},
@@ -219,10 +230,10 @@ GONIO_FORCE_INLINE double tube_straddling(const TubeParts<double>& t) {
               up1 / d1,
               (t.d * t.n_a - t.z1 * t.n_f) / d1,
               -t.n_g},
-             above1_plus, above1_minus);
-    walk_great_arc(walk, t, up1 + t.r * minus, up0 + t.r * minus, t.z1, -t.l, -minus, tangent_offset(half, -1.0));
+             above(t.z1, side), above(t.z1, -side));
+    walk_great_arc(walk, t, t.z1, t.z0, base, -side, -minus);
     walk_end(walk,
-             {{0.0, -half, 0.0},
+             {{0.0, t.z0 - walk.center.y, 0.0},
               {t.d / d0, t.z0 / d0, 0.0},
               {t.z0 / d0, -t.d / d0, 0.0},
               {0.0, 0.0, 1.0},
@@ -233,7 +244,7 @@ GONIO_FORCE_INLINE double tube_straddling(const TubeParts<double>& t) {
               up0 / d0,
               (t.z0 * t.n_f - t.d * t.n_a) / d0,
               t.n_g},
-             above0_minus, above0_plus);
+             above(t.z0, -side), above(t.z0, side));
     walk.finish();
     return clamp_irradiance(walk.sum);
 }
@@ -248,7 +259,8 @@ struct ExactTube {
         // Beyond an end and within the prolonged tube, the nearer sphere hides the rest.
         if (t.gap2 <= 0.0 && beyond > 0.0) return irradiance_sphere(t.z0 > 0.0 ? t.end0 : t.end1, t.r, normal);
         TubeParts<double> on = t;
-        on.gap2 = simd::max(t.gap2, 0.0);
+        // On the surface the tangent points fall together; a trace apart, they keep their order.
+        on.gap2 = simd::max(t.gap2, 1e-24 * t.d * t.d);
         const double up0 = dot(normal, t.end0);
         const double up1 = dot(normal, t.end1);
         if (up0 <= -t.r && up1 <= -t.r) return 0.0;

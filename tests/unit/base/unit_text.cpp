@@ -22,6 +22,12 @@ TEST(UnitText, ReadsNumbersWithUnits) {
     EXPECT_NEAR(parse_amount("1fL")->in_base_units(), 3.4262590996353905, 1e-14);
 }
 
+TEST(UnitText, DecimalMultiplesRoundOnce) {
+    EXPECT_EQ(parse_amount("1.3cm")->in_base_units(), 0.013);
+    EXPECT_EQ(parse_amount("7mm")->in_base_units(), 0.007);
+    EXPECT_EQ(parse_amount("2.3km")->in_base_units(), 2300.0);
+}
+
 TEST(UnitText, RefusesWhatIsNoAmount) {
     for (const char* text :
          {"", "lm", "800", "800 lm", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm", "+-5lm"})

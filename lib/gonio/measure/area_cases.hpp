@@ -1,0 +1,40 @@
+// Poses of receivers before disk, rectangle and tube lights, to measure methods on.
+//
+// Each light lies at the origin, with sizes and an orientation of its own, and is seen by a group of receivers: that is
+// what the kernels take. All numbers are floats, so that every precision is given the same pose; unit vectors are so
+// within rounding to float.
+#pragma once
+
+#include <gonio/measure/sphere_cases.hpp>
+#include <gonio/shading/kernels.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gonio::measure {
+
+struct AreaCases {
+    static constexpr std::size_t group_size = 256; // receivers of one light
+
+    std::vector<shading::LightConstants> lights; // the last group may have fewer receivers
+    std::array<std::vector<float>, 3> position;
+    std::array<std::vector<float>, 3> normal;
+    // As for spheres, by the sphere about the light: above, straddling and below from 1.05 to 30 of its radii, far
+    // beyond that up to 1e6. near: from 1e-3 to 0.3 of its radius off the light's surface, any tilt.
+    std::vector<Stratum> stratum;
+
+    [[nodiscard]] std::size_t size() const { return stratum.size(); }
+    // Views into this object of the receivers of lights[group].
+    [[nodiscard]] shading::Surfaces surfaces(std::size_t group) const;
+};
+
+// `count` poses before lights of kind disk, rectangle (sides 1:1 to 100:1) or tube (length 0.01 to 100 radii), sizes
+// from 1 cm to 100 m; one-sided lights are seen from the front. The same for the same seed on every machine.
+AreaCases area_cases(shading::LightConstants::Kind kind, std::size_t count, std::uint64_t seed);
+
+// Radius of the sphere about the light that holds it.
+double bounding_radius(const shading::LightConstants& light);
+
+} // namespace gonio::measure

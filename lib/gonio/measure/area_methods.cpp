@@ -1,0 +1,177 @@
+#include <gonio/measure/area_methods.hpp>
+#include <gonio/shading/irradiance_disk.hpp>
+#include <gonio/shading/irradiance_named.hpp>
+#include <gonio/shading/irradiance_rectangle.hpp>
+#include <gonio/shading/irradiance_tube.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <utility>
+
+namespace gonio::measure {
+
+namespace {
+
+using Kind = shading::LightConstants::Kind;
+using shading::vec3;
+
+template<class S>
+struct Arguments {
+    vec3<S> center, axis, width_direction, normal;
+    S radius, width, height, length;
+};
+
+template<class S>
+vec3<S> vec(const float (&v)[3]) {
+    return {static_cast<S>(v[0]), static_cast<S>(v[1]), static_cast<S>(v[2])};
+}
+
+// Calls function(arguments) for one case after the other.
+template<class S, class To, class Function>
+void one_by_one(const AreaCases& cases, std::span<To> e_over_l, const Function& function) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const shading::LightConstants& light = cases.lights[i / AreaCases::group_size];
+        const auto at = [i](const std::array<std::vector<float>, 3>& v) {
+            return vec3<S>{static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
+        };
+        const Arguments<S> a{vec3<S>{S(0), S(0), S(0)} - at(cases.position),
+                             vec<S>(light.axis),
+                             vec<S>(light.width_direction),
+                             at(cases.normal),
+                             static_cast<S>(light.radius),
+                             static_cast<S>(light.width),
+                             static_cast<S>(light.height),
+                             static_cast<S>(light.length)};
+        e_over_l[i] = static_cast<To>(function(a));
+    }
+}
+
+template<class S, class Function>
+AreaMethod scalar_method(std::string name, std::string precision, Function function) {
+    return {std::move(name), std::move(precision), [function](const AreaCases& cases, std::span<float> e_over_l) {
+                one_by_one<S>(cases, e_over_l, function);
+            }};
+}
+
+// The functions of one shape under the names of its methods.
+struct Disk {
+    template<class S>
+    static S exact(const Arguments<S>& a) {
+        return shading::irradiance_disk(a.center, a.axis, a.radius, a.normal);
+    }
+    static float frostbite(const Arguments<float>& a) {
+        return shading::irradiance_disk_frostbite(a.center, a.axis, a.radius, a.normal);
+    }
+    static float point(const Arguments<float>& a) {
+        return shading::irradiance_disk_point(a.center, a.axis, a.radius, a.normal);
+    }
+};
+
+struct Rectangle {
+    template<class S>
+    static S exact(const Arguments<S>& a) {
+        return shading::irradiance_rectangle(a.center, a.axis, a.width_direction, a.width, a.height, a.normal);
+    }
+    static float frostbite(const Arguments<float>& a) {
+        return shading::irradiance_rectangle_frostbite(a.center, a.axis, a.width_direction, a.width, a.height,
+                                                       a.normal);
+    }
+    static float point(const Arguments<float>& a) {
+        return shading::irradiance_rectangle_point(a.center, a.axis, a.width_direction, a.width, a.height, a.normal);
+    }
+};
+
+struct Tube {
+    template<class S>
+    static S exact(const Arguments<S>& a) {
+        return shading::irradiance_tube(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+    static float frostbite(const Arguments<float>& a) {
+        return shading::irradiance_tube_frostbite(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+    static float point(const Arguments<float>& a) {
+        return shading::irradiance_tube_point(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+    static float ue4(const Arguments<float>& a) {
+        return shading::irradiance_tube_ue4(a.center, a.axis, a.radius, a.length, a.normal);
+    }
+};
+
+template<class Shape>
+std::vector<AreaMethod> methods_of() {
+    std::vector<AreaMethod> methods;
+    const auto exact = [](const auto& a) { return Shape::exact(a); };
+    methods.push_back(scalar_method<double>("exact", "double", exact));
+    methods.push_back(scalar_method<float>("exact", "float", exact));
+    for (const simd::InstructionSet set : simd::available_sets()) {
+        if (set == simd::InstructionSet::scalar) continue;
+        const shading::Kernels& kernels = shading::kernels(set);
+        methods.push_back({"exact", kernels.name, [&kernels](const AreaCases& cases, std::span<float> e_over_l) {
+                               for (std::size_t g = 0; g < cases.lights.size(); ++g)
+                                   kernels.irradiance(cases.surfaces(g), cases.lights[g],
+                                                      e_over_l.data() + g * AreaCases::group_size);
+                           }});
+    }
+    methods.push_back(scalar_method<float>("frostbite", "float", [](const auto& a) { return Shape::frostbite(a); }));
+    methods.push_back(scalar_method<float>("point", "float", [](const auto& a) { return Shape::point(a); }));
+    return methods;
+}
+
+template<class Shape>
+void truth_of(const AreaCases& cases, std::span<double> truth) {
+    one_by_one<double>(cases, truth, [](const auto& a) { return Shape::exact(a); });
+}
+
+} // namespace
+
+std::vector<AreaMethod> area_methods(Kind kind) {
+    switch (kind) {
+    case Kind::disk:
+        return methods_of<Disk>();
+    case Kind::rectangle:
+        return methods_of<Rectangle>();
+    case Kind::tube: {
+        auto methods = methods_of<Tube>();
+        methods.push_back(scalar_method<float>("ue4", "float", [](const auto& a) { return Tube::ue4(a); }));
+        return methods;
+    }
+    default:
+        return {};
+    }
+}
+
+std::vector<double> area_truth(const AreaCases& cases) {
+    std::vector<double> truth(cases.size());
+    if (cases.lights.empty()) return truth;
+    switch (cases.lights.front().kind) {
+    case Kind::disk:
+        truth_of<Disk>(cases, truth);
+        break;
+    case Kind::rectangle:
+        truth_of<Rectangle>(cases, truth);
+        break;
+    case Kind::tube:
+        truth_of<Tube>(cases, truth);
+        break;
+    default:
+        break;
+    }
+    return truth;
+}
+
+Result<std::vector<SphereMeasurement>> compare_area_methods(Kind kind, const SphereComparison& options) {
+    const AreaCases cases = area_cases(kind, options.cases, options.seed);
+    const std::vector<double> truth = area_truth(cases);
+    std::vector<SphereMeasurement> measurements;
+    std::vector<float> values(cases.size());
+    for (const AreaMethod& method : area_methods(kind)) {
+        SphereMeasurement measured{method.name, method.precision, {}, {}, {}};
+        Result<Timing> timing = time_work([&] { method.evaluate(cases, values); }, cases.size(), options.timing);
+        if (!timing) return pass_on(timing);
+        measured.timing = *timing;
+        fill_errors(measured, values, truth, cases.stratum, options.relative_floor);
+        measurements.push_back(std::move(measured));
+    }
+    return measurements;
+}
+
+} // namespace gonio::measure

@@ -1,0 +1,238 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/scene/probe.hpp>
+#include <gonio/scene/rig.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace gonio {
+namespace {
+
+const std::string profiles = GONIO_TEST_SOURCE "/profiles";
+
+Result<Rig> read(const std::string& text) {
+    return read_rig(text, "rig.json", profiles);
+}
+
+std::string with_lights(const std::string& lights) {
+    return R"({"schema":"gonio.rig/1","lights":[)" + lights + "]}";
+}
+
+// The one diagnostic of a rig that cannot be read, its lights resolved too.
+std::string refusal(const std::string& text, Failure failure = Failure::malformed) {
+    Result<Rig> rig = read(text);
+    Error error;
+    if (rig) {
+        Diagnostics diagnostics;
+        const auto lights = resolve_lights(std::move(*rig), diagnostics);
+        if (lights) return "no failure";
+        error = lights.error();
+    } else {
+        error = rig.error();
+    }
+    EXPECT_EQ(error.failure, failure) << text;
+    EXPECT_EQ(error.diagnostics.size(), 1U) << text;
+    return to_text(error.diagnostics.back());
+}
+
+std::string light_refusal(const std::string& light, Failure failure = Failure::malformed) {
+    return refusal(with_lights(light), failure);
+}
+
+TEST(Rig, ReadsEveryKey) {
+    const Rig rig = read(R"json({ "schema": "gonio.rig/1",
+        "lights": [ { "name": "key", "shape": "sphere:r=10cm", "intensity": "800lm", "color": "rgb(1,1,1)",
+                      "position": [1, 2.5, -3e0], "direction": [1, 0, 0], "up": [0, 0, 2], "rotate": "90deg",
+                      "range": "12m" },
+                    { "shape": "ies:downlight.ies" } ],
+        "materials": { "wall": "lambert:albedo=0.25" },
+        "stage": "floor",
+        "camera": {
+    "position" : [ 0, -4, 2 ], "target" : [ 0, 0, 0.5 ], "up" : [ 0, 1, 1 ], "fov" : "30deg"
+}
+})json")
+                        .value();
+    ASSERT_EQ(rig.lights.size(), 2U);
+    const LightDescription& key = rig.lights[0];
+    EXPECT_EQ(key.name, "key");
+    EXPECT_DOUBLE_EQ(std::get<SphereShape>(key.shape).radius.value, 0.1);
+    EXPECT_EQ(key.intensity->number, 800.0);
+    EXPECT_EQ(key.position, glm::dvec3(1, 2.5, -3));
+    EXPECT_EQ(key.direction, glm::dvec3(1, 0, 0));
+    EXPECT_EQ(key.up, glm::dvec3(0, 0, 2));
+    EXPECT_DOUBLE_EQ(to_degrees(key.rotation), 90.0);
+    EXPECT_EQ(key.range->value, 12.0);
+    EXPECT_EQ(rig.lights[1].name, "light 2");
+    EXPECT_EQ(rig.lights[1].position, glm::dvec3(0.0));
+    EXPECT_EQ(rig.stage, "floor");
+    EXPECT_EQ(rig.camera->position, glm::dvec3(0, -4, 2));
+    EXPECT_EQ(rig.camera->target, glm::dvec3(0, 0, 0.5));
+    EXPECT_EQ(rig.camera->up, glm::dvec3(0, 1, 1));
+    EXPECT_DOUBLE_EQ(rig.camera->vertical_fov_deg, 30.0);
+    ASSERT_EQ(rig.materials.size(), 1U);
+    EXPECT_EQ(rig.materials[0].surface, "wall");
+    EXPECT_EQ(std::get<LambertMaterial>(rig.materials[0].material).albedo, glm::dvec3(0.25));
+}
+
+TEST(Rig, BrokenJsonIsPlacedByLineAndColumn) {
+    EXPECT_EQ(refusal(""), "rig.json:1:1: error: the JSON ends too early\nhint: expected '[', '{', or a literal");
+    EXPECT_EQ(refusal("{\n  \"schema\": \"gonio.rig/1\",\n  lights: []\n}"),
+              "rig.json:3:3: error: broken JSON: invalid literal\nhint: expected string literal");
+    EXPECT_EQ(light_refusal("{\"shape\":\"point\"\n}\n]"),
+              "rig.json:3:2: error: broken JSON: unexpected ']'\nhint: expected '}'");
+    EXPECT_EQ(light_refusal("{\"position\":[0,0,1e999]}"), "rig.json:1:52: error: the number 1e999 is too large");
+    EXPECT_EQ(light_refusal("{\"name\":\"\xff\"}"), "rig.json:1:44: error: the text is not UTF-8");
+    EXPECT_EQ(refusal(with_lights("") + "\n]"),
+              "rig.json:2:1: error: broken JSON: unexpected ']'\nhint: expected end of input");
+}
+
+TEST(Rig, WrongValuesArePlacedByTheirPath) {
+    EXPECT_EQ(refusal("[]"), "rig.json: error: a rig is a JSON object\n"
+                             "hint: write { \"schema\": \"gonio.rig/1\", \"lights\": [ … ] }");
+    EXPECT_EQ(refusal("{\"lights\":[]}"),
+              "rig.json: error: there is no key 'schema'\nhint: write \"schema\": \"gonio.rig/1\"");
+    EXPECT_EQ(refusal("{\"schema\":\"gonio.rig/1\"}"),
+              "rig.json: error: there is no key 'lights'\nhint: write \"lights\": [ … ]");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/2","lights":[]})", Failure::unsupported),
+              "rig.json: error: schema: must be \"gonio.rig/1\", not \"gonio.rig/2\"");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error: lights: must be an array");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lihgts":1})"),
+              "rig.json: error: unknown key 'lihgts'\n"
+              "hint: did you mean 'lights'? there are: schema, lights, stage, camera, materials");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lights":[]})"),
+              "rig.json: error: the key 'lights' is given twice");
+    EXPECT_EQ(light_refusal("7"), "rig.json: error: lights[0]: must be an object, not a number");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":"1lm"},{"shpae":"point"})"),
+              "rig.json: error: lights[1]: unknown key 'shpae'\n"
+              "hint: did you mean 'shape'? there are: name, shape, intensity, color, position, direction, up, rotate, "
+              "range");
+    EXPECT_EQ(light_refusal("{}"),
+              "rig.json: error: lights[0]: there is no key 'shape'\nhint: for example \"shape\": \"sphere:r=10cm\"");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","shape":"point"})"),
+              "rig.json: error: lights[0]: the key 'shape' is given twice");
+    EXPECT_EQ(light_refusal(R"({"shape":"sphere:r=0cm","intensity":"1lm"})"),
+              "rig.json: error: lights[0].shape: r of 'sphere' must be greater than 0, not 0cm");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":800})"),
+              "rig.json: error: lights[0].intensity: must be a string, not a number\n"
+              "hint: write it with its unit, for example \"800lm\"");
+    EXPECT_EQ(light_refusal(R"({"shape":"point"})"),
+              "rig.json: error: lights[0]: a point light needs an intensity\nhint: give for example 800lm");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0]})"),
+              "rig.json: error: lights[0].position: must be an array of three numbers, not of 2\n"
+              "hint: for example [0, 0, 2.5]");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0,"1m"]})"),
+              "rig.json: error: lights[0].position: must be an array of three numbers, not one with a string\n"
+              "hint: for example [0, 0, 2.5]");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0,1e101]})"),
+              "rig.json: error: lights[0].position: must lie within 1e+100 m");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","direction":[0,0,0]})"),
+              "rig.json: error: lights[0].direction: must not be zero");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","range":"0m"})"),
+              "rig.json: error: lights[0].range: must be greater than 0");
+    EXPECT_EQ(light_refusal(R"({"name":null,"shape":"point"})"),
+              "rig.json: error: lights[0].name: must be a string, not null");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"stage":"flor"})").substr(0, 44),
+              "rig.json: error: stage: unknown stage 'flor'");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"fov":"180deg"}})"),
+              "rig.json: error: camera.fov: must lie between 0deg and 180deg");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"position":[0,0,1]}})"),
+              "rig.json: error: camera: must not stand at its own target");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"flor":"lambert"}})").substr(0, 55),
+              "rig.json: error: materials: unknown surface 'flor' of '");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"floor":"lambert:albedo=2"}})"),
+              "rig.json: error: materials.floor: albedo of 'lambert' must lie in [0, 1], not 2");
+}
+
+TEST(Rig, FilesAreNamedWithTheirPath) {
+    EXPECT_EQ(light_refusal(R"({"shape":"ies:missing.ies"})", Failure::io),
+              fmt::format("rig.json: error: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
+                          profiles));
+    EXPECT_EQ(light_refusal(R"({"shape":"ies:."})", Failure::io),
+              fmt::format("rig.json: error: lights[0].shape: {}/.: cannot read: it is a folder\n"
+                          "hint: name a file in it",
+                          profiles));
+    EXPECT_EQ(light_refusal(R"({"shape":"spot:outer=20deg,mask=missing.ies","intensity":"1cd"})", Failure::io),
+              fmt::format("rig.json: error: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
+                          profiles));
+    // A text that is no profile, as a rig that names itself is.
+    EXPECT_EQ(light_refusal(R"({"shape":"ies:README.md"})").substr(0, 46),
+              "rig.json: error[PRF0103]: lights[0].shape: " + profiles.substr(0, 3));
+}
+
+TEST(Rig, ProfilesAreReadOnceAndShared) {
+    Rig rig = read(with_lights(R"({"shape":"ies:downlight.ies"},
+        {"shape":"ies:downlight.ies","intensity":"300lm","position":[3,0,0],"range":"5m","name":"dim"},
+        {"shape":"ies:downlight.ies","intensity":"300lm"},
+        {"shape":"spot:outer=60deg,mask=downlight.ies","intensity":"300lm"})"))
+                  .value();
+    EXPECT_EQ(std::get<ProfileShape>(rig.lights[0].shape).web, std::get<ProfileShape>(rig.lights[1].shape).web);
+    EXPECT_TRUE(std::get<SpotShape>(rig.lights[3].shape).mask);
+    const std::vector<LightDescription> descriptions = rig.lights;
+    Diagnostics diagnostics;
+    const std::vector<Light> lights = resolve_lights(std::move(rig), diagnostics).value();
+    // As if each were resolved alone.
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Light alone = resolve_light(descriptions[i], diagnostics).value();
+        EXPECT_EQ(lights[i].name, alone.name);
+        EXPECT_EQ(lights[i].intensity, alone.intensity);
+        EXPECT_EQ(lights[i].web_scale, alone.web_scale);
+        EXPECT_EQ(lights[i].frame.origin, alone.frame.origin);
+        EXPECT_EQ(lights[i].range.has_value(), alone.range.has_value());
+        EXPECT_EQ(lights[i].intensity_towards({0.1, 0.2, -1}).value, alone.intensity_towards({0.1, 0.2, -1}).value);
+    }
+}
+
+TEST(Rig, NestingAndSizeAreBounded) {
+    EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 39), "rig.json: error: a rig is a JSON object");
+    EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
+              "rig.json: error: lights[0]: is nested more than 8 levels deep");
+    std::string deep;
+    for (int i = 0; i < 100000; ++i)
+        deep += "{\"a\":";
+    EXPECT_EQ(refusal("{\"camera\":" + deep), "rig.json: error: camera: is nested more than 8 levels deep");
+    std::string wide = "{\"position\":[0";
+    for (int i = 0; i < 5000; ++i)
+        wide += ",0";
+    EXPECT_EQ(light_refusal(wide + "]}"), "rig.json: error: lights[0]: holds more than 4096 values");
+}
+
+TEST(Rig, ParallelResolveOfManyLights) {
+    constexpr int count = 100000;
+    std::string lights;
+    for (int i = 0; i < count; ++i)
+        lights += fmt::format("{}{{\"shape\":\"{}\",\"intensity\":\"100lm\",\"position\":[{},{},3]}}",
+                              i > 0 ? ",\n" : "", i % 2 == 0 ? "point" : "ies:downlight.ies", i % 300, i / 300);
+    Rig rig = read(with_lights(lights)).value();
+    ASSERT_EQ(rig.lights.size(), static_cast<std::size_t>(count));
+    Diagnostics diagnostics;
+    const std::vector<Light> resolved = resolve_lights(std::move(rig), diagnostics, 3).value();
+    ASSERT_EQ(resolved.size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(resolved[99999].name, "light 100000");
+    const Receiver receiver{{150, 150, 0}, {0, 0, 1}};
+    const double lx = probe(resolved, {&receiver, 1}).value().illuminance_lx[0];
+    EXPECT_TRUE(std::isfinite(lx) && lx > 0.0);
+
+    // Of several bad lights the first is told, whoever comes upon it first.
+    const std::string bad = with_lights(lights + ",{\"shape\":\"point\"},{\"shape\":\"sphere:r=1m\"}");
+    EXPECT_EQ(refusal(bad), "rig.json: error: lights[100000]: a point light needs an intensity\nhint: give for example "
+                            "800lm");
+}
+
+TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {
+    const auto schema = nlohmann::json::parse(read_file(GONIO_TEST_SOURCE "/lib/gonio/scene/rig.schema.json").value());
+    const auto expect_keys = [](const nlohmann::json& properties, std::span<const std::string_view> keys) {
+        EXPECT_EQ(properties.size(), keys.size());
+        for (const std::string_view key : keys)
+            EXPECT_TRUE(properties.contains(key)) << key;
+    };
+    expect_keys(schema["properties"], rig_keys());
+    expect_keys(schema["$defs"]["light"]["properties"], rig_light_keys());
+    expect_keys(schema["$defs"]["camera"]["properties"], rig_camera_keys());
+}
+
+} // namespace
+} // namespace gonio

@@ -1,0 +1,323 @@
+// Disk, rectangle and tube lights in the kernels of every instruction set: against double on the same floats, at every
+// count, on hostile input; and their shading.
+#include <gonio/measure/area_cases.hpp>
+#include <gonio/measure/area_methods.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/shade_area.hpp>
+
+#include "poses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace gonio::shading;
+using gonio::measure::AreaCases;
+using gonio::measure::Random;
+using gonio::measure::Stratum;
+using Kind = LightConstants::Kind;
+
+constexpr std::size_t scaled(std::size_t count) {
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+    return count / 20;
+#endif
+#endif
+    return count;
+}
+
+std::string name_of(Kind kind) {
+    return kind == Kind::disk ? "disk" : kind == Kind::rectangle ? "rectangle" : "tube";
+}
+
+class AreaKernels : public testing::TestWithParam<std::tuple<Kind, gonio::simd::InstructionSet>> {
+protected:
+    Kind kind = std::get<0>(GetParam());
+    const Kernels& kernels = gonio::shading::kernels(std::get<1>(GetParam()));
+
+    [[nodiscard]] std::vector<float> run(const AreaCases& cases) const {
+        std::vector<float> lx(cases.size());
+        for (std::size_t g = 0; g < cases.lights.size(); ++g)
+            kernels.irradiance(cases.surfaces(g), cases.lights[g], lx.data() + g * AreaCases::group_size);
+        return lx;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Sets, AreaKernels,
+                         testing::Combine(testing::Values(Kind::disk, Kind::rectangle, Kind::tube),
+                                          testing::ValuesIn(gonio::simd::available_sets().begin(),
+                                                            gonio::simd::available_sets().end())),
+                         [](const auto& each) {
+                             return name_of(std::get<0>(each.param)) + "_" +
+                                    gonio::simd::to_text(std::get<1>(each.param));
+                         });
+
+TEST_P(AreaKernels, FloatWithinItsBarOfDouble) {
+    const AreaCases cases = gonio::measure::area_cases(kind, scaled(200'000), 21);
+    const std::vector<double> truth = gonio::measure::area_truth(cases);
+    const std::vector<float> lx = run(cases);
+    double worst_share = 0.0;
+    double worst_above = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        double d2 = 0.0;
+        for (const auto& component : cases.position)
+            d2 += static_cast<double>(component[i]) * static_cast<double>(component[i]);
+        const double size = gonio::measure::bounding_radius(cases.lights[i / AreaCases::group_size]);
+        const double subtended = 2.0 * std::asin(std::min(1.0, size / std::sqrt(d2)));
+        const double error = std::fabs(static_cast<double>(lx[i]) - truth[i]);
+        const double share = error / (1e-5 * truth[i] + 1e-6 * subtended);
+        EXPECT_LE(share, 1.0) << i << ' ' << gonio::measure::to_text(cases.stratum[i]) << " truth " << truth[i];
+        worst_share = std::max(worst_share, share);
+        if (cases.stratum[i] == Stratum::above && truth[i] > 1e-6)
+            worst_above = std::max(worst_above, error / truth[i]);
+    }
+    RecordProperty("worst_share_of_bar", std::to_string(worst_share));
+    RecordProperty("worst_relative_above", std::to_string(worst_above * 1e6) + "e-6");
+}
+
+TEST_P(AreaKernels, SameAtAnyScale) {
+    const AreaCases cases = gonio::measure::area_cases(kind, 2000, 23);
+    const std::vector<float> base = run(cases);
+    for (const float scale : {0x1p-80F, 0x1p-20F, 0x1p30F, 0x1p80F}) {
+        AreaCases other = cases;
+        for (auto& component : other.position)
+            for (float& p : component)
+                p *= scale;
+        for (LightConstants& light : other.lights)
+            for (float* size : {&light.radius, &light.width, &light.height, &light.length})
+                *size *= scale;
+        EXPECT_EQ(run(other), base) << scale;
+    }
+}
+
+TEST_P(AreaKernels, TwoSidedGivesEachSideWhatOneSideGives) {
+    if (kind == Kind::tube) GTEST_SKIP() << "a tube has no sides";
+    AreaCases cases = gonio::measure::area_cases(kind, 4000, 24);
+    const std::vector<float> front = run(cases);
+    for (LightConstants& light : cases.lights)
+        light.two_sided = true;
+    EXPECT_EQ(run(cases), front);
+    for (LightConstants& light : cases.lights)
+        for (float& component : light.axis)
+            component = -component;
+    const std::vector<float> turned = run(cases);
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        ASSERT_NEAR(turned[i], front[i], 2e-5F * front[i] + 4e-6F) << i;
+    for (LightConstants& light : cases.lights)
+        light.two_sided = false;
+    for (const float lx : run(cases))
+        ASSERT_EQ(lx, 0.0F) << "seen from behind";
+}
+
+TEST_P(AreaKernels, EveryCountGivesWhatAFullPacketGivesAndWritesNoMore) {
+    const AreaCases cases = gonio::measure::area_cases(kind, 48, 33);
+    const LightConstants& light = cases.lights[0];
+    const std::vector<float> whole = run(cases);
+    for (std::size_t count = 0; count <= 33; ++count) {
+        Surfaces surfaces = cases.surfaces(0);
+        surfaces.count = count;
+        std::vector<float> lx(cases.size(), -7.0F);
+        kernels.irradiance(surfaces, light, lx.data());
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            ASSERT_NEAR(lx[i], i < count ? whole[i] : -7.0F, 1e-6F) << count << ' ' << i;
+    }
+}
+
+double hostile(Random& random) {
+    static constexpr double special[] = {0.0,   -0.0, 1.0,  -1.0,      1e-45,     -1e-45, 1.2e-38, 1e-30,
+                                         1e-20, 1e-7, 0.3,  1.0000001, 0.9999999, 1e3,    1e10,    1e19,
+                                         -1e19, 2e19, 1e30, -1e30,     3.4e38,    -3.4e38};
+    const std::uint64_t choice = random.bits() % 32;
+    if (choice < std::size(special)) return special[choice];
+    return random.uniform(-2.0, 2.0);
+}
+
+TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
+    Random random(35);
+    const std::size_t count = scaled(15'625); // × 64 lights: a million points
+    std::vector<float> arrays[12];
+    for (std::size_t i = 0; i < count; ++i) {
+        const poses::Vec n = i % 4 == 0 ? poses::Vec{0.0, 0.0, 1.0} : poses::random_direction(random);
+        const poses::Vec v = i % 5 == 0 ? n : poses::random_direction(random);
+        const double values[9] = {hostile(random), hostile(random), hostile(random), n.x, n.y, n.z, v.x, v.y, v.z};
+        for (std::size_t k = 0; k < 9; ++k)
+            arrays[k].push_back(static_cast<float>(values[k]));
+    }
+    Surfaces surfaces;
+    for (std::size_t k = 0; k < 3; ++k) {
+        surfaces.position[k] = arrays[k].data();
+        surfaces.normal[k] = arrays[3 + k].data();
+        surfaces.view[k] = arrays[6 + k].data();
+        arrays[9 + k].resize(count);
+    }
+    surfaces.count = count;
+    std::vector<float> lx(count);
+    float* const rgb[3] = {arrays[9].data(), arrays[10].data(), arrays[11].data()};
+    for (int round = 0; round < 64; ++round) {
+        LightConstants light;
+        light.kind = kind;
+        light.two_sided = round % 3 == 0;
+        if (round % 2 == 0) {
+            const poses::Vec axis = poses::random_direction(random);
+            const poses::Vec across = poses::unit(cross(axis, poses::random_direction(random)));
+            const double a[3] = {axis.x, axis.y, axis.z};
+            const double w[3] = {across.x, across.y, across.z};
+            for (int k = 0; k < 3; ++k) {
+                light.axis[k] = static_cast<float>(a[k]);
+                light.width_direction[k] = static_cast<float>(w[k]);
+            }
+        }
+        for (float* size : {&light.radius, &light.width, &light.height, &light.length, &light.color[0]})
+            *size = static_cast<float>(std::fabs(hostile(random)));
+        for (int k = 0; k < 3; ++k)
+            light.position[k] = round % 5 == 0 ? surfaces.position[k][17] : static_cast<float>(hostile(random));
+        MaterialConstants material;
+        material.kind = MaterialConstants::Kind::frostbite;
+        material.alpha = static_cast<float>(round) / 63.0F;
+        kernels.irradiance(surfaces, light, lx.data());
+        kernels.shade(surfaces, light, material, rgb);
+        for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_TRUE(lx[i] >= 0.0F && lx[i] <= std::numbers::pi_v<float>) << round << ' ' << i << ' ' << lx[i];
+            for (const float* channel : rgb)
+                ASSERT_TRUE(std::isfinite(channel[i]) && channel[i] >= 0.0F) << round << ' ' << i << ' ' << channel[i];
+        }
+    }
+}
+
+// The kernels against shade_area.hpp in double.
+TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
+    const AreaCases cases = gonio::measure::area_cases(kind, scaled(20'000), 25);
+    std::vector<float> view[3];
+    Random random(26);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const poses::Vec n{static_cast<double>(cases.normal[0][i]), static_cast<double>(cases.normal[1][i]),
+                           static_cast<double>(cases.normal[2][i])};
+        const poses::Vec v = poses::tilted(n, random.uniform(0.1, 1.0), random);
+        view[0].push_back(static_cast<float>(v.x));
+        view[1].push_back(static_cast<float>(v.y));
+        view[2].push_back(static_cast<float>(v.z));
+    }
+    MaterialConstants material;
+    material.kind = MaterialConstants::Kind::frostbite;
+    const Frostbite<double> frostbite{{0.5, 0.5, 0.5},
+                                      {material.f0[0], material.f0[1], material.f0[2]},
+                                      material.f90,
+                                      material.linear_roughness,
+                                      material.alpha};
+    std::size_t off = 0;
+    for (std::size_t g = 0; g < cases.lights.size(); ++g) {
+        const LightConstants& light = cases.lights[g];
+        Surfaces surfaces = cases.surfaces(g);
+        std::vector<float> rgb(3 * surfaces.count);
+        for (std::size_t k = 0; k < 3; ++k)
+            surfaces.view[k] = view[k].data() + g * AreaCases::group_size;
+        float* const out[3] = {rgb.data(), rgb.data() + surfaces.count, rgb.data() + 2 * surfaces.count};
+        kernels.shade(surfaces, light, material, out);
+        const auto three = [](const auto& a, const auto& b, const auto& c) {
+            return vec3<double>{static_cast<double>(a), static_cast<double>(b), static_cast<double>(c)};
+        };
+        const vec3<double> axis = three(light.axis[0], light.axis[1], light.axis[2]);
+        const vec3<double> across = three(light.width_direction[0], light.width_direction[1], light.width_direction[2]);
+        for (std::size_t i = 0; i < surfaces.count; ++i) {
+            const auto at = [i, &three](const float* const(&v)[3]) { return three(v[0][i], v[1][i], v[2][i]); };
+            const SurfacePoint<double> point{at(surfaces.position), at(surfaces.normal), at(surfaces.view)};
+            const vec3<double> zero{0, 0, 0};
+            const vec3<double> white{1, 1, 1};
+            double truth = 0.0;
+            if (kind == Kind::disk)
+                truth = shade(point, DiskLight<double>{zero, white, axis, light.radius, 0.0, false}, frostbite).x;
+            if (kind == Kind::rectangle)
+                truth = shade(point,
+                              RectangleLight<double>{zero, white, axis, across, light.width, light.height, 0.0, false},
+                              frostbite)
+                            .x;
+            if (kind == Kind::tube)
+                truth =
+                    shade(point, TubeLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite).x;
+            // The representative point jumps where the mirrored ray is along the plane: a few points may differ.
+            if (std::fabs(static_cast<double>(out[0][i]) - truth) > 1e-3 * truth + 1e-6) ++off;
+        }
+    }
+    EXPECT_LE(off, cases.size() / 200);
+    RecordProperty("off", std::to_string(off));
+}
+
+// A small light far away is a point light of its intensity, diffuse and specular.
+TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
+    float position[3][1] = {{0.0F}, {0.0F}, {0.0F}};
+    float normal[3][1] = {{0.0F}, {0.0F}, {1.0F}};
+    float view[3][1] = {{0.6F}, {0.0F}, {0.8F}};
+    Surfaces surfaces;
+    for (int k = 0; k < 3; ++k) {
+        surfaces.position[k] = position[k];
+        surfaces.normal[k] = normal[k];
+        surfaces.view[k] = view[k];
+    }
+    surfaces.count = 1;
+    LightConstants light;
+    light.kind = kind;
+    light.position[0] = -3.0F;
+    light.position[2] = 4.0F;
+    light.radius = light.width = light.height = light.length = 1e-3F;
+    light.color[0] = light.color[1] = light.color[2] = 1e6F;
+    double intensity = std::numbers::pi * 0.8;
+    if (kind == Kind::rectangle) intensity = 0.8;
+    if (kind == Kind::tube) intensity = std::numbers::pi + 2.0 * 0.6;
+    const float candela[1] = {static_cast<float>(intensity)};
+    LightConstants punctual;
+    punctual.position[0] = -3.0F;
+    punctual.position[2] = 4.0F;
+    punctual.intensity_cd = &candela[0];
+    MaterialConstants material;
+    material.kind = MaterialConstants::Kind::frostbite;
+    float a[3];
+    float b[3];
+    float* const to_a[3] = {&a[0], &a[1], &a[2]};
+    float* const to_b[3] = {&b[0], &b[1], &b[2]};
+    kernels.shade(surfaces, light, material, to_a);
+    kernels.shade(surfaces, punctual, material, to_b);
+    EXPECT_GT(b[0], 0.0F);
+    EXPECT_NEAR(a[0], b[0], 2e-3F * b[0]);
+}
+
+TEST(AreaMethods, ErrorsOfEachAreWhatTheyAreKnownFor) {
+    gonio::measure::SphereComparison options;
+    options.cases = 2000;
+    options.timing.samples = 3;
+    options.timing.sample_seconds = 1e-3;
+    for (const Kind kind : {Kind::disk, Kind::rectangle, Kind::tube}) {
+        const auto result = gonio::measure::compare_area_methods(kind, options);
+        ASSERT_TRUE(result.has_value());
+        int exact_methods = 0;
+        for (const auto& m : *result) {
+            SCOPED_TRACE(name_of(kind) + " " + m.name + " " + m.precision);
+            EXPECT_GT(m.timing.ns_per_item, 0.0);
+            EXPECT_EQ(m.error.absolute.count, options.cases);
+            const auto& far = m.error_by_stratum[static_cast<std::size_t>(Stratum::far)];
+            const auto& straddling = m.error_by_stratum[static_cast<std::size_t>(Stratum::straddling)];
+            if (m.name == "exact") {
+                ++exact_methods;
+                EXPECT_LE(m.error.absolute.max, 4e-5);
+                EXPECT_LE(far.relative.median, 1e-6);
+            } else {
+                EXPECT_GE(straddling.relative.median, 0.05) << "an approximation where the horizon cuts";
+                if (m.name != "ue4") {
+                    EXPECT_LE(far.relative.median, 5e-3);
+                }
+                EXPECT_LE(m.error.absolute.median, 0.5);
+            }
+        }
+        EXPECT_GE(exact_methods, 3) << "double, float and at least one instruction set";
+    }
+    EXPECT_TRUE(gonio::measure::area_methods(Kind::sphere).empty());
+}
+
+} // namespace
