@@ -18,9 +18,7 @@ inline constexpr std::array points_options{
     Option{"--at", "X,Y,Z", "a point in metres; may be given several times"},
     Option{"--normal", "X,Y,Z", "of the surface there (0,0,1; of a grid: U x V); one for all or one for each --at"},
     Option{"--points", "FILE", "points from a CSV file, '-' for standard input: x,y,z or x,y,z,nx,ny,nz a line"},
-    Option{"--grid", "O:U:V:NxM",
-           "N by M points on a rectangle: its corner O, its edges U and V, for example "
-           "-2,-2,0:4,0,0:0,4,0:21x21; each in the middle of its cell"},
+    Option{"--grid", "O:U:V:NxM", "N by M cell centres of the rectangle at corner O with edges U and V"},
 };
 
 inline constexpr OptionGroup points_group{"points", points_options};

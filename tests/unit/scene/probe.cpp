@@ -1,4 +1,6 @@
+#include <gonio/base/atomic_file.hpp>
 #include <gonio/base/quantity.hpp>
+#include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
@@ -10,7 +12,9 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace gonio {
 namespace {
@@ -124,6 +128,54 @@ TEST(Probe, PlaneEmittersAgreeWithTheSumOverTheirArea) {
         EXPECT_NEAR(lux(rect, receiver) / of_rect, 1.0, 2e-5);
         EXPECT_NEAR(lux(disk, receiver) / of_disk, 1.0, 2e-5);
     }
+}
+
+// Poses of every area shape to 17 digits, each placed as a light: sees to it that widths and axes run where they
+// should.
+TEST(Probe, AgreesWithTheReference) {
+    const std::string folder = GONIO_TEST_REFERENCE;
+    if (folder.empty()) GTEST_SKIP() << "no folder of reference values is given";
+    const std::string text = read_file(folder + "/irradiance.csv").value();
+    int poses = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        std::string_view line(text.data() + start, end - start);
+        start = end + 1;
+        if (line.empty() || line.starts_with('#') || line.starts_with("kind")) continue;
+        const std::size_t comma = line.find(',');
+        const std::string_view kind = line.substr(0, comma);
+        std::vector<double> v; // centre, axis, width direction, two sizes, normal, E
+        for (std::string_view rest = line; rest.find(',') != std::string_view::npos;) {
+            rest.remove_prefix(rest.find(',') + 1);
+            v.push_back(parse_number(rest.substr(0, rest.find(','))).value());
+        }
+        ASSERT_EQ(v.size(), 15U);
+        const glm::dvec3 axis(v[3], v[4], v[5]);
+        LightDescription light;
+        light.intensity = parse_photometric_value("1nt").value();
+        light.position = {v[0], v[1], v[2]};
+        if (kind == "sphere") {
+            light.shape = SphereShape{Meters(v[9])};
+        } else if (kind == "tube") {
+            // The axis is X = Y×Z: any Z across it will do.
+            const glm::dvec3 y = glm::cross(axis, std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+            light.shape = TubeShape{Meters(v[9]), Meters(v[10])};
+            light.direction = -glm::cross(axis, y);
+            light.up = y;
+        } else {
+            light.direction = axis;
+            light.up = glm::cross(-axis, glm::dvec3(v[6], v[7], v[8]));
+            if (kind == "disk")
+                light.shape = DiskShape{Meters(v[9])};
+            else
+                light.shape = RectShape{Meters(v[9]), Meters(v[10])};
+        }
+        Diagnostics diagnostics;
+        const double e = lux(resolve_light(light, diagnostics).value(), {{0, 0, 0}, {v[11], v[12], v[13]}});
+        EXPECT_NEAR(e, v[14], 1e-10 * std::max(v[14], 1e-6)) << line;
+        ++poses;
+    }
+    EXPECT_EQ(poses, 1000);
 }
 
 TEST(Probe, TwoSidedShapesLightBothSides) {
