@@ -167,28 +167,26 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
 
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {
     Diagnostics diagnostics;
+    const auto say = [&](Severity severity, std::string message, std::string hint) {
+        Diagnostic& diagnostic = diagnostics.emplace_back();
+        diagnostic.severity = severity;
+        diagnostic.message = std::move(message);
+        diagnostic.hint = std::move(hint);
+    };
     if (remarks.on_light.count > 0)
-        diagnostics.push_back({{},
-                               Severity::warning,
-                               {},
-                               fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
-                                           remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
-                                           others(remarks.on_light.count)),
-                               {}});
+        say(Severity::warning,
+            fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
+                        remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
+                        others(remarks.on_light.count)),
+            {});
     if (remarks.inside.count > 0)
-        diagnostics.push_back(
-            {{},
-             Severity::note,
-             {},
-             fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
-                         lights[remarks.inside.light].name, others(remarks.inside.count)),
-             {}});
+        say(Severity::note,
+            fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
+                        lights[remarks.inside.light].name, others(remarks.inside.count)),
+            {});
     if (remarks.coarse_specular)
-        diagnostics.push_back({{},
-                               Severity::note,
-                               {},
-                               "the specular luminance of lights with a size is approximate: one representative point",
-                               "illuminance and diffuse luminance are exact"});
+        say(Severity::note, "the specular luminance of lights with a size is approximate: one representative point",
+            "illuminance and diffuse luminance are exact");
     return diagnostics;
 }
 
