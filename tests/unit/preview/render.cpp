@@ -1,6 +1,7 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/scene/probe.hpp>
 
 #include "../web/webs.hpp"
 
@@ -49,6 +50,30 @@ TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
                 const double lux = 1000.0 * to_light.z / (d * d * d);
                 EXPECT_NEAR(image.at(x, y)[1], 0.4 / std::numbers::pi * lux, 1e-5 * lux) << shape;
             }
+    }
+}
+
+// What the picture shows and what a probe says are the same light: packed float against double, every shape.
+TEST(ThreadsPreview, PicturesShowWhatProbesSay) {
+    const Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 24;
+    options.height = 16;
+    const CameraRays rays(stage.camera, options.width, options.height);
+    for (const char* shape : {"spot:outer=40deg,inner=10deg", "frustum:h=50deg,v=30deg", "sphere:r=50cm", "disk:r=80cm",
+                              "rect:w=2m,h=30cm", "tube:r=10cm,l=2m"}) {
+        const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
+        const Image image = render(stage, light, stage.camera, options).value();
+        std::vector<Receiver> receivers;
+        for (int y = 0; y < options.height; ++y)
+            for (int x = 0; x < options.width; ++x)
+                receivers.push_back({first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position, {0, 0, 1}});
+        const ProbeResult truth = probe(std::span(&light, 1), receivers, {}).value();
+        for (std::size_t i = 0; i < receivers.size(); ++i) {
+            const double nits = 0.4 / std::numbers::pi * truth.illuminance_lx[i];
+            // The lobe's edge lies within a pixel's rounding for the frustum, which is all or nothing.
+            EXPECT_NEAR(image.pixels[3 * i + 1], nits, 2e-5 * nits + 1e-6) << shape << " at " << i;
+        }
     }
 }
 
