@@ -52,21 +52,6 @@ double halved_gauss(double low, double high, double whole, double tolerance, int
            halved_gauss(middle, high, right, tolerance, depth - 1, f);
 }
 
-// How many images of the stored planes make the circle.
-double image_count(Symmetry stored) {
-    switch (stored) {
-    case Symmetry::quadrant:
-        return 4.0;
-    case Symmetry::bilateral_0_180:
-    case Symmetry::bilateral_90_270:
-        return 2.0;
-    case Symmetry::axial:
-    case Symmetry::none:
-        break;
-    }
-    return 1.0;
-}
-
 std::vector<double> in_radians(std::span<const double> angles_deg) {
     std::vector<double> angles(angles_deg.size());
     std::transform(angles_deg.begin(), angles_deg.end(), angles.begin(),

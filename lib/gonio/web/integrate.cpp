@@ -11,21 +11,6 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// How much of the circle one stored plane interval stands for.
-double mirror_count(Symmetry stored) {
-    switch (stored) {
-    case Symmetry::quadrant:
-        return 4.0;
-    case Symmetry::bilateral_0_180:
-    case Symmetry::bilateral_90_270:
-        return 2.0;
-    case Symmetry::axial:
-    case Symmetry::none:
-        break;
-    }
-    return 1.0;
-}
-
 // Sums plane integrals over C: each is linear in C between planes, so the trapezoid rule is exact.
 template<class PlaneIntegral>
 Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
@@ -38,7 +23,7 @@ Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
         sum += 0.5 * (before + here) * (planes[i] - planes[i - 1]) * radians_per_degree;
         before = here;
     }
-    return Lumens(sum * mirror_count(web.stored_symmetry()));
+    return Lumens(sum * image_count(web.stored_symmetry()));
 }
 
 } // namespace

@@ -57,6 +57,20 @@ const char* to_text(Symmetry symmetry) {
     return "none";
 }
 
+double image_count(Symmetry stored) {
+    switch (stored) {
+    case Symmetry::quadrant:
+        return 4.0;
+    case Symmetry::bilateral_0_180:
+    case Symmetry::bilateral_90_270:
+        return 2.0;
+    case Symmetry::axial:
+    case Symmetry::none:
+        break;
+    }
+    return 1.0;
+}
+
 Web::Axis::Axis(std::vector<double> angles) : angles_deg(std::move(angles)) {
     const std::size_t cells = angles_deg.size() - 1;
     if (cells == 0) return;

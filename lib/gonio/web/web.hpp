@@ -31,6 +31,9 @@ enum class Symmetry {
 
 const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 
+// How many images of the stored planes make the circle: 4, 2 or 1.
+double image_count(Symmetry stored);
+
 class Web {
 public:
     // `candela` is [plane][gamma]. Fails (malformed) unless both angle lists are non-empty, finite and strictly
