@@ -71,7 +71,9 @@ public:
         std::vector<Batch> batches(stage_.surfaces.size());
         for (int y = top; y < bottom; ++y)
             for (int x = left; x < right; ++x) {
-                const Seen* const center = &centers[static_cast<std::size_t>((y - top + 1) * stride + x - left + 1)];
+                const Seen* const center =
+                    &centers[static_cast<std::size_t>(y - top + 1) * static_cast<std::size_t>(stride) +
+                             static_cast<std::size_t>(x - left + 1)];
                 const bool on_outline = differ(center[0], center[-1]) || differ(center[0], center[1]) ||
                                         differ(center[0], center[-stride]) || differ(center[0], center[stride]);
                 if (!on_outline)
