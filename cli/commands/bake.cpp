@@ -113,7 +113,7 @@ Result<Baked> bake(const Job& job, const Request& request, const Console& consol
     Baked baked;
     baked.diagnostics = std::move(loaded->diagnostics);
     baked.sidecar = texture_sidecar(*texture, {job.input, sha256(loaded->bytes)}, media::to_text(pixel));
-    const Result<void> written = job.output == "-" ? write_standard_output(*bytes) : write_file(job.output, *bytes);
+    const Result<void> written = write_output(job.output, *bytes);
     if (!written) return Unexpected(written.error());
     const bool beside = request.sidecar || (job.output != "-" && !request.no_sidecar);
     if (beside) {

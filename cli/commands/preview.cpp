@@ -1,5 +1,3 @@
-#include <gonio/base/atomic_file.hpp>
-#include <gonio/base/kind_text.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/media/display.hpp>
 #include <gonio/media/image_file.hpp>
@@ -107,17 +105,12 @@ Result<void> read_picture(const Arguments& arguments, Request& request) {
 Result<void> read_output(const Arguments& arguments, Request& request) {
     const auto output = arguments.value("--output");
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
-    const auto named = arguments.value("--to");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
-    request.format = media::find_image_format(named ? *named : *output);
-    if (request.format != nullptr) return {};
-    std::vector<std::string_view> names;
-    for (const media::ImageFormat& known : media::image_formats())
-        names.push_back(known.name);
-    if (named) return unknown_name("picture format", *named, names);
-    return fail(Failure::usage, fmt::format("the name '{}' does not tell a picture format", *output),
-                "end it in .png or .exr, or add --to");
+    Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), *output);
+    if (!format) return pass_on(format);
+    request.format = *format;
+    return {};
 }
 
 Result<Request> parse(const Arguments& arguments) {
@@ -152,7 +145,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
                                rendering.milliseconds(), simd::to_text(request->render.instruction_set)));
 
     media::ImageWriteOptions write;
-    const Ev100 exposure = request->exposure.value_or(auto_exposure(*image));
+    const Ev100 exposure = request->exposure ? *request->exposure : auto_exposure(*image);
     console.remark(fmt::format("exposure EV100 {:.2f}", exposure.value));
     const Stopwatch encoding;
     const bool linear = has_pixel(*request->format, media::Pixel::float32);
@@ -171,8 +164,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     Result<std::string> bytes = media::encode_image(*image, *request->format, write);
     if (!bytes) return pass_on(bytes);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
-    const Result<void> written =
-        request->output == "-" ? write_standard_output(*bytes) : write_file(request->output, *bytes);
+    const Result<void> written = write_output(request->output, *bytes);
     if (!written) return Unexpected(written.error());
 
     if (arguments.has("--json") || arguments.has("--jsonl")) {

@@ -19,7 +19,9 @@ std::string stem_of(const std::string& path) {
     return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
-Result<const media::ImageFormat*> format_of(const std::optional<std::string>& named, const std::string& output) {
+} // namespace
+
+Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output) {
     const media::ImageFormat* format = media::find_image_format(named ? *named : output);
     if (format != nullptr) return format;
     std::vector<std::string_view> names;
@@ -29,10 +31,12 @@ Result<const media::ImageFormat*> format_of(const std::optional<std::string>& na
     if (output == "-")
         return fail(Failure::usage, "standard output has no name that tells the format", "add --to exr or --to png");
     return fail(Failure::usage, fmt::format("the name '{}' does not tell a picture format", output),
-                "end it in .exr or .png, or add --to");
+                "end it in .png or .exr, or add --to");
 }
 
-} // namespace
+Result<void> write_output(const std::string& output, std::string_view bytes) {
+    return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
+}
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
     return std::find(format.pixels.begin(), format.pixels.end(), pixel) != format.pixels.end();
@@ -63,7 +67,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
         job.output = file ? *file
                           : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input),
                                         named ? *named : std::string(extension));
-        Result<const media::ImageFormat*> format = format_of(named, job.output);
+        Result<const media::ImageFormat*> format = picture_format(named, job.output);
         if (!format) return pass_on(format);
         job.format = *format;
         if (folder) {

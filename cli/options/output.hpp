@@ -8,7 +8,9 @@
 #include "../command.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gonio::cli {
@@ -25,6 +27,12 @@ inline constexpr std::array output_options{
 inline constexpr OptionGroup output_group{"output", output_options};
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
+
+// The format that --to names, else the one that the output's name tells. Fails (usage) when neither does.
+Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output);
+
+// To the file, or to standard output for "-".
+Result<void> write_output(const std::string& output, std::string_view bytes);
 
 // The refusal of a picture and a report that would both go to standard output.
 Unexpected both_to_standard_output();

@@ -185,7 +185,7 @@ Result<Image> render(const Stage& stage, const Light& light, const Camera& camer
     if (!has_kernel(light.shape))
         return fail(Failure::unsupported,
                     fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),
-                    "point, spot, frustum, ies and sphere are");
+                    "those of every other shape are");
     Image image(options.width, options.height, 3);
     const Renderer renderer(stage, light, camera, options);
     const int across = (options.width + tile_size - 1) / tile_size;
