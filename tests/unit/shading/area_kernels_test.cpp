@@ -131,15 +131,6 @@ TEST_P(AreaKernels, EveryCountGivesWhatAFullPacketGivesAndWritesNoMore) {
     }
 }
 
-double hostile(Random& random) {
-    static constexpr double special[] = {0.0,   -0.0, 1.0,  -1.0,      1e-45,     -1e-45, 1.2e-38, 1e-30,
-                                         1e-20, 1e-7, 0.3,  1.0000001, 0.9999999, 1e3,    1e10,    1e19,
-                                         -1e19, 2e19, 1e30, -1e30,     3.4e38,    -3.4e38};
-    const std::uint64_t choice = random.bits() % 32;
-    if (choice < std::size(special)) return special[choice];
-    return random.uniform(-2.0, 2.0);
-}
-
 TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     Random random(35);
     const std::size_t count = scaled(15'625); // × 64 lights: a million points
@@ -147,7 +138,8 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     for (std::size_t i = 0; i < count; ++i) {
         const poses::Vec n = i % 4 == 0 ? poses::Vec{0.0, 0.0, 1.0} : poses::random_direction(random);
         const poses::Vec v = i % 5 == 0 ? n : poses::random_direction(random);
-        const double values[9] = {hostile(random), hostile(random), hostile(random), n.x, n.y, n.z, v.x, v.y, v.z};
+        const double values[9] = {
+            poses::hostile(random), poses::hostile(random), poses::hostile(random), n.x, n.y, n.z, v.x, v.y, v.z};
         for (std::size_t k = 0; k < 9; ++k)
             arrays[k].push_back(static_cast<float>(values[k]));
     }
@@ -176,9 +168,9 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
             }
         }
         for (float* size : {&light.radius, &light.width, &light.height, &light.length, &light.color[0]})
-            *size = static_cast<float>(std::fabs(hostile(random)));
+            *size = static_cast<float>(std::fabs(poses::hostile(random)));
         for (int k = 0; k < 3; ++k)
-            light.position[k] = round % 5 == 0 ? surfaces.position[k][17] : static_cast<float>(hostile(random));
+            light.position[k] = round % 5 == 0 ? surfaces.position[k][17] : static_cast<float>(poses::hostile(random));
         MaterialConstants material;
         material.kind = MaterialConstants::Kind::frostbite;
         material.alpha = static_cast<float>(round) / 63.0F;

@@ -241,16 +241,6 @@ TEST_P(Kernel, LambertNeedsNoView) {
     EXPECT_EQ(with, without);
 }
 
-// Numbers that break formulas, among ordinary ones.
-double hostile(Random& random) {
-    static constexpr double special[] = {0.0,   -0.0, 1.0,  -1.0,      1e-45,     -1e-45, 1.2e-38, 1e-30,
-                                         1e-20, 1e-7, 0.3,  1.0000001, 0.9999999, 1e3,    1e10,    1e19,
-                                         -1e19, 2e19, 1e30, -1e30,     3.4e38,    -3.4e38};
-    const std::uint64_t choice = random.bits() % 32;
-    if (choice < std::size(special)) return special[choice];
-    return random.uniform(-2.0, 2.0);
-}
-
 TEST_P(Kernel, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     Random random(35);
     Points points;
@@ -260,7 +250,8 @@ TEST_P(Kernel, HostileInputGivesFiniteNumbersThatAreNotNegative) {
         Vec v = poses::random_direction(random);
         if (i % 5 == 0) v = n * -1.0;
         if (i % 5 == 1) v = n;
-        points.add({hostile(random), hostile(random), hostile(random)}, n, v, std::fabs(hostile(random)));
+        points.add({poses::hostile(random), poses::hostile(random), poses::hostile(random)}, n, v,
+                   std::fabs(poses::hostile(random)));
     }
     for (int round = 0; round < 32; ++round) {
         LightConstants light;
@@ -268,12 +259,12 @@ TEST_P(Kernel, HostileInputGivesFiniteNumbersThatAreNotNegative) {
         MaterialConstants material =
             material_of(round % 4 < 2 ? Material::lambert : Material::frostbite, static_cast<float>(round) / 31.0F);
         light.intensity_cd = points.intensity_cd.data();
-        light.inverse_range = static_cast<float>(std::fabs(round % 3 == 0 ? hostile(random) : 0.0));
-        light.radius = static_cast<float>(std::fabs(hostile(random)));
+        light.inverse_range = static_cast<float>(std::fabs(round % 3 == 0 ? poses::hostile(random) : 0.0));
+        light.radius = static_cast<float>(std::fabs(poses::hostile(random)));
         for (float& component : light.position)
-            component = static_cast<float>(hostile(random));
+            component = static_cast<float>(poses::hostile(random));
         for (float& channel : light.color)
-            channel = static_cast<float>(std::fabs(hostile(random)));
+            channel = static_cast<float>(std::fabs(poses::hostile(random)));
         // Some points lie on the light itself, on its surface, or a little inside.
         if (round % 5 == 0) {
             for (std::size_t k = 0; k < 3; ++k)

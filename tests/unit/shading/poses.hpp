@@ -5,6 +5,8 @@
 #include <gonio/shading/vec3.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 
 namespace poses {
@@ -66,6 +68,16 @@ inline Pose random_pose(unsigned index, Random& random) {
     pose.center = random_direction(random) * (ratio * pose.radius);
     pose.normal = tilted(pose.center, cosine, random);
     return pose;
+}
+
+// Numbers that break formulas in float, among ordinary ones.
+inline double hostile(gonio::measure::Random& random) {
+    static constexpr double special[] = {0.0,   -0.0, 1.0,  -1.0,      1e-45,     -1e-45, 1.2e-38, 1e-30,
+                                         1e-20, 1e-7, 0.3,  1.0000001, 0.9999999, 1e3,    1e10,    1e19,
+                                         -1e19, 2e19, 1e30, -1e30,     3.4e38,    -3.4e38};
+    const std::uint64_t choice = random.bits() % 32;
+    if (choice < std::size(special)) return special[choice];
+    return random.uniform(-2.0, 2.0);
 }
 
 } // namespace poses
