@@ -54,10 +54,14 @@ int Console::fail(const Error& error) const {
     return static_cast<int>(error.failure);
 }
 
-int Console::finish(int status) {
+int Console::flush(int status) {
+    if (output_failed_) output_.clear();
+    if (output_.empty()) return status;
     const Result<void> written = write_standard_output(output_);
     output_.clear();
-    return written ? status : worse(status, fail(written.error()));
+    if (written) return status;
+    output_failed_ = true;
+    return worse(status, fail(written.error()));
 }
 
 bool Console::output_is_terminal() {

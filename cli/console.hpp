@@ -1,4 +1,5 @@
-// What a command says: results to standard output, collected and written at the end, diagnostics to standard error.
+// What a command says: results to standard output, collected and written in one piece (a batch: a piece for
+// each input), diagnostics to standard error.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -26,8 +27,9 @@ public:
     // Says why, and returns the exit status of the failure.
     int fail(const Error& error) const;
 
-    // Writes the result out; returns `status`, or 3 and a diagnostic when it cannot be written and `status` is lower.
-    int finish(int status);
+    // Writes out what was printed since the last time; returns `status`, or 3 where that is higher and the result could
+    // not be written, which is said once.
+    int flush(int status);
 
     void set_quiet(bool quiet) { quiet_ = quiet; }
     void set_verbose(bool verbose) { verbose_ = verbose; }
@@ -37,8 +39,12 @@ public:
     static bool output_is_terminal();
     static bool errors_are_terminal();
 
+    // Whether a progress bar would be seen and is not unwelcome.
+    bool shows_progress() const { return !quiet_ && errors_are_terminal(); }
+
 private:
     std::string output_;
+    bool output_failed_ = false;
     bool quiet_ = false;
     bool verbose_ = false;
     bool color_ = false;

@@ -11,7 +11,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build pkg-config ccache
     libopenimageio-dev libopencolorio-dev
-    libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev
+    libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev libpugixml-dev
 )
 test_packages=(libgtest-dev)
 ci_packages=(clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14)

@@ -2,8 +2,12 @@
 
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/efficacy.hpp>
+#include <gonio/light/policy.hpp>
+#include <gonio/light/presets.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/media/image_file.hpp>
+#include <gonio/plot/diagram.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
@@ -69,7 +73,25 @@ Entries methods() {
 }
 
 Entries policies() {
-    return {{"physical", "numbers mean the flux that is emitted"}};
+    Entries entries;
+    for (const Policy& policy : gonio::policies())
+        entries.push_back({std::string(policy.name), fmt::format("{} ({})", policy.summary, policy.source)});
+    return entries;
+}
+
+Entries efficacies() {
+    Entries entries;
+    for (const NamedEfficacy& known : named_efficacies())
+        entries.push_back({std::string(known.name), fmt::format("{} lm/W, {}", known.lm_per_w, known.says)});
+    return entries;
+}
+
+Entries presets() {
+    Entries entries;
+    for (const LightPreset& preset : light_presets())
+        entries.push_back({std::string(preset.name),
+                           fmt::format("{} {}, {} ({})", preset.value, preset.shape, preset.says, preset.source)});
+    return entries;
 }
 
 Entries spaces() {
@@ -77,7 +99,14 @@ Entries spaces() {
 }
 
 Entries formats() {
-    return {{"ies", "ANSI/IES LM-63, 1986 to 2019"}, {"ldt", "EULUMDAT"}};
+    return {{"ies", "ANSI/IES LM-63, 1986 to 2019"}, {"ldt", "EULUMDAT"}, {"tm33", "ANSI/IES TM-33, ATLA S001: XML"}};
+}
+
+Entries dialects() {
+    return {{"lm-63-1995", "IES as of 1995"},
+            {"lm-63-2002", "IES as of 2002"},
+            {"lm-63-2019", "IES as of 2019"},
+            {"portable", "IES that every engine's and renderer's loader reads alike"}};
 }
 
 Entries images() {
@@ -94,7 +123,17 @@ Entries instruction_sets() {
     return entries;
 }
 
+Entries diagrams() {
+    Entries entries;
+    for (const DiagramKind& kind : diagram_kinds())
+        entries.push_back({std::string(kind.name), std::string(kind.summary)});
+    return entries;
+}
+
 constexpr std::array lists{
+    NamedList{"diagrams", "diagrams of plot", diagrams},
+    NamedList{"dialects", "dialects of IES that convert writes", dialects},
+    NamedList{"efficacies", "lumens that a watt is taken for", efficacies},
     NamedList{"formats", "profile formats that are read", formats},
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
@@ -102,6 +141,7 @@ constexpr std::array lists{
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
     NamedList{"policies", "whose meaning of photometric numbers", policies},
+    NamedList{"presets", "everyday sources", presets},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"spaces", "colour spaces", spaces},

@@ -94,5 +94,5 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         console.note(fmt::format("error: a fault of gonio: {}", error.what()));
     }
-    return console.finish(status);
+    return console.flush(status);
 }

@@ -6,20 +6,46 @@ namespace gonio::cli {
 
 extern const Command units_command;
 extern const Command info_command;
+extern const Command check_command;
+extern const Command convert_command;
+extern const Command make_command;
+extern const Command edit_command;
 extern const Command sample_command;
+extern const Command compare_command;
+extern const Command plot_command;
 extern const Command bake_command;
+extern const Command probe_command;
 extern const Command preview_command;
 extern const Command explain_command;
-extern const Command probe_command;
 extern const Command list_command;
 extern const Command help_command;
 extern const Command completion_command;
 extern const Command version_command;
 
+// One a line, so that two changes to the list do not touch the same one.
+// clang-format off
+static constexpr std::array all{
+    &units_command,
+    &info_command,
+    &check_command,
+    &convert_command,
+    &make_command,
+    &edit_command,
+    &sample_command,
+    &compare_command,
+    &plot_command,
+    &bake_command,
+    &probe_command,
+    &preview_command,
+    &explain_command,
+    &list_command,
+    &help_command,
+    &completion_command,
+    &version_command,
+};
+// clang-format on
+
 std::span<const Command* const> commands() {
-    static constexpr std::array all{&units_command, &info_command,       &sample_command,  &bake_command,
-                                    &probe_command, &preview_command,    &explain_command, &list_command,
-                                    &help_command,  &completion_command, &version_command};
     return all;
 }
 

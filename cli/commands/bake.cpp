@@ -6,6 +6,7 @@
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
+#include "../batch.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../json_text.hpp"
@@ -29,9 +30,13 @@ constexpr std::array bake_options{
     Option{"--normalize", "HOW", "what a texel of 1 means: none (candela), peak, mean, flux (none)", "normalizations"},
     Option{"--sidecar", "FILE", "where the JSON that describes the texture goes (OUTPUT.json)"},
     Option{"--no-sidecar", "", "write no such file"},
-    Option{"-j,--jobs", "N", "threads (all processors)"},
 };
-constexpr std::array groups{OptionGroup{"texture", bake_options}, output_group, profile_input_group, json_group,
+constexpr std::array groups{OptionGroup{"texture", bake_options},
+                            output_group,
+                            picture_format_group,
+                            profile_input_group,
+                            json_group,
+                            threads_group,
                             common_group};
 constexpr std::array examples{
     Example{"gonio bake lamp.ies --layout latlong -s 512x256 -o lamp.exr",
@@ -45,7 +50,6 @@ struct Request {
     ProfileInputOptions input;
     std::optional<std::string> sidecar;
     bool no_sidecar = false;
-    bool dry_run = false;
 };
 
 Result<Request> parse(const Arguments& arguments) {
@@ -71,7 +75,6 @@ Result<Request> parse(const Arguments& arguments) {
     request.input = *input;
     request.sidecar = arguments.value("--sidecar");
     request.no_sidecar = arguments.has("--no-sidecar");
-    request.dry_run = arguments.has("--dry-run");
     return request;
 }
 
@@ -88,20 +91,36 @@ media::ImageWriteOptions write_options(const Texture& texture, media::Pixel pixe
     return options;
 }
 
-struct Baked {
-    std::string sidecar; // the JSON text
-    Diagnostics diagnostics;
+// A texture to make: from where, to where, how stored.
+struct TextureJob {
+    Job files;
+    const media::ImageFormat* format = nullptr;
 };
 
-Result<Baked> bake(const Job& job, const Request& request, const Console& console) {
+Result<std::vector<TextureJob>> plan(const Arguments& arguments, const std::vector<std::string>& inputs) {
+    const std::optional<std::string> named = arguments.value("--to");
+    Result<std::vector<Job>> outputs = plan_outputs(arguments, inputs, named.value_or("exr"));
+    if (!outputs) return pass_on(outputs);
+    std::vector<TextureJob> jobs;
+    for (Job& files : *outputs) {
+        Result<const media::ImageFormat*> format = picture_format(named, files.output);
+        if (!format) return pass_on(format);
+        if (!files.skip) jobs.push_back({std::move(files), *format});
+    }
+    return jobs;
+}
+
+Result<Outcome> bake(const TextureJob& job, const Request& request, ReportKind kind) {
+    Outcome outcome;
     const Stopwatch reading;
-    Result<LoadedProfile> loaded = load(job.input, request.input);
+    Result<LoadedProfile> loaded = load(job.files.input, request.input);
     if (!loaded) return pass_on(loaded);
     const double read_ms = reading.milliseconds();
     const Stopwatch baking;
     Result<Texture> texture = bake_latlong(loaded->web, request.bake);
     if (!texture) return pass_on(texture);
-    console.remark(fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.input, read_ms, baking.milliseconds()));
+    outcome.remarks.push_back(
+        fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.files.input, read_ms, baking.milliseconds()));
     // An 8-bit texture of candela would be white all over: integers hold [0, 1].
     const bool holds_floats = has_pixel(*job.format, media::Pixel::float32);
     const media::Pixel pixel = holds_floats ? media::Pixel::float32 : job.format->pixels.front();
@@ -110,67 +129,55 @@ Result<Baked> bake(const Job& job, const Request& request, const Console& consol
                     "add --normalize peak, or write .exr");
     Result<std::string> bytes = media::encode_image(texture->image, *job.format, write_options(*texture, pixel));
     if (!bytes) return pass_on(bytes);
-    Baked baked;
-    baked.diagnostics = std::move(loaded->diagnostics);
-    baked.sidecar = texture_sidecar(*texture, {job.input, sha256(loaded->bytes)}, media::to_text(pixel));
-    const Result<void> written = write_output(job.output, *bytes);
-    if (!written) return Unexpected(written.error());
-    const bool beside = request.sidecar || (job.output != "-" && !request.no_sidecar);
-    if (beside) {
-        const Result<void> described = write_file(request.sidecar.value_or(job.output + ".json"), baked.sidecar);
-        if (!described) return Unexpected(described.error());
+    const std::string sidecar =
+        texture_sidecar(*texture, {job.files.input, sha256(loaded->bytes)}, media::to_text(pixel));
+    Result<void> written = write_output(job.files.output, *bytes);
+    const bool beside = request.sidecar || (job.files.output != "-" && !request.no_sidecar);
+    if (written && beside) written = write_file(request.sidecar.value_or(job.files.output + ".json"), sidecar);
+    if (!written) return pass_on(written);
+    if (kind != ReportKind::words) {
+        outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.output}};
+        outcome.report["texture"] = Json::parse(sidecar);
+        outcome.report["diagnostics"] = diagnostics_json(loaded->diagnostics);
     }
-    return baked;
+    outcome.diagnostics = std::move(loaded->diagnostics);
+    return outcome;
+}
+
+Result<int> bake_all(const Arguments& arguments, Console& console) {
+    Result<std::vector<std::string>> inputs = input_files(arguments);
+    if (!inputs) return pass_on(inputs);
+    Result<Request> request = parse(arguments);
+    if (!request) return pass_on(request);
+    if (request->sidecar && inputs->size() > 1)
+        return fail(Failure::usage, "--sidecar names one file, but there are several inputs");
+    Result<std::vector<TextureJob>> jobs = plan(arguments, *inputs);
+    if (!jobs) return pass_on(jobs);
+    const ReportKind kind = report_kind(arguments);
+    if (kind != ReportKind::words && arguments.value("--output") == "-") return both_to_standard_output();
+    if (arguments.has("--dry-run")) {
+        for (const TextureJob& job : *jobs)
+            console.print(fmt::format("{} -> {}\n", job.files.input, job.files.output));
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const TextureJob& job : *jobs)
+        names.push_back(job.files.input);
+    const unsigned threads = request->bake.threads;
+    // Threads work on different profiles, or together on the only one.
+    if (names.size() > 1) request->bake.threads = 1;
+    return run_batch({names, "gonio.bake/1", "baked", threads}, kind, console, [&](std::size_t index) {
+        Result<Outcome> outcome = bake((*jobs)[index], *request, kind);
+        if (outcome) return std::move(*outcome);
+        Outcome failed;
+        failed.error = std::move(outcome.error());
+        return failed;
+    });
 }
 
 int run(const Arguments& arguments, Console& console) {
-    Result<std::vector<std::string>> inputs = input_files(arguments);
-    if (!inputs) return console.fail(inputs.error());
-    Result<Request> request = parse(arguments);
-    if (!request) return console.fail(request.error());
-    if (request->sidecar && inputs->size() > 1)
-        return console.fail(fail(Failure::usage, "--sidecar names one file, but there are several inputs").value());
-    Result<std::vector<Job>> jobs = plan_outputs(arguments, *inputs, "exr");
-    if (!jobs) return console.fail(jobs.error());
-
-    const bool lines = arguments.has("--jsonl");
-    const bool json = arguments.has("--json");
-    if ((json || lines) && jobs->front().output == "-") return console.fail(both_to_standard_output().value());
-    Json reports = Json::array();
-    int status = 0;
-    std::size_t failed = 0;
-    for (const Job& job : *jobs) {
-        if (job.skip) continue;
-        if (request->dry_run) {
-            console.print(fmt::format("{} -> {}\n", job.input, job.output));
-            continue;
-        }
-        Result<Baked> baked = bake(job, *request, console);
-        if (!baked) {
-            Error error = std::move(baked.error());
-            // In a batch a message without a file would not tell which input it is about.
-            if (jobs->size() > 1 && error.diagnostics.back().location.file.empty())
-                error.diagnostics.back().location.file = job.input;
-            status = worse(status, console.fail(error));
-            ++failed;
-            continue;
-        }
-        console.say(baked->diagnostics);
-        if (json || lines) {
-            Json report{{"schema", "gonio.bake/1"}, {"output", job.output}};
-            report["texture"] = Json::parse(baked->sidecar);
-            report["diagnostics"] = diagnostics_json(baked->diagnostics);
-            if (lines)
-                console.print(dump(report, -1));
-            else
-                reports.push_back(std::move(report));
-        }
-    }
-    if (json && !lines && !request->dry_run)
-        console.print(dump(reports.size() == 1 && jobs->size() == 1 ? reports[0] : reports, 2));
-    if (failed > 0 && jobs->size() > 1)
-        console.note(fmt::format("{} of {} profiles could not be baked", failed, jobs->size()));
-    return status;
+    const Result<int> status = bake_all(arguments, console);
+    return status ? *status : console.fail(status.error());
 }
 
 } // namespace
@@ -179,7 +186,8 @@ extern const Command bake_command;
 const Command bake_command{"bake",
                            "a profile as a texture whose texels are exact means, with a sidecar",
                            "FILE… --layout LAYOUT -s WxH -o OUT",
-                           "FILE is an IES or EULUMDAT profile, '-' for standard input, @LIST for a list of files.",
+                           "FILE is an IES or EULUMDAT profile, a folder of them, '-' for standard input,\n"
+                           "or @LIST for a list of files.",
                            groups,
                            examples,
                            run};

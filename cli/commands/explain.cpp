@@ -18,12 +18,17 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array groups{json_group, common_group};
-constexpr std::array examples{Example{"gonio explain IES0204", "what a diagnostic means and what to do"}};
+constexpr std::array explain_options{
+    Option{"--markdown", "", "as a page of documentation"},
+};
+constexpr std::array groups{OptionGroup{"output", explain_options}, json_group, common_group};
+constexpr std::array examples{Example{"gonio explain IES0204", "what a diagnostic means and what to do"},
+                              Example{"gonio explain --markdown > CODES.md", "all of them, as a page"}};
 
 struct Explained {
     std::string_view code;
     const char* severity;
+    std::string_view strictness; // "error with --strict", "only with --strict"; empty: the same
     std::string_view title;
     std::string_view explanation;
 };
@@ -31,9 +36,13 @@ struct Explained {
 std::vector<Explained> all_codes() {
     std::vector<Explained> all;
     for (const ProfileCode& entry : profile_codes)
-        all.push_back({entry.code, to_text(entry.severity), entry.title, entry.explanation});
+        all.push_back({entry.code, to_text(entry.severity),
+                       entry.strict_only                         ? "only with --strict"
+                       : entry.strict_severity != entry.severity ? "error with --strict"
+                                                                 : "",
+                       entry.title, entry.explanation});
     for (const WebCode& entry : web_codes)
-        all.push_back({entry.code, to_text(Severity::warning), entry.title, entry.explanation});
+        all.push_back({entry.code, to_text(entry.severity), "", entry.title, entry.explanation});
     return all;
 }
 
@@ -42,9 +51,63 @@ Json to_json(const Explained& entry) {
         {"code", entry.code}, {"severity", entry.severity}, {"title", entry.title}, {"explanation", entry.explanation}};
 }
 
+// What the codes that begin so are about.
+struct Group {
+    std::string_view prefix;
+    std::string_view title;
+};
+
+constexpr std::array page_groups{
+    Group{"PRF01", "Any photometric file"},
+    Group{"IES01", "IES: the text"},
+    Group{"IES02", "IES: numbers and counts"},
+    Group{"IES03", "IES: angles"},
+    Group{"IES04", "IES: the table"},
+    Group{"LDT01", "EULUMDAT: the text"},
+    Group{"LDT02", "EULUMDAT: numbers and counts"},
+    Group{"LDT03", "EULUMDAT: angles"},
+    Group{"LDT04", "EULUMDAT: the table"},
+    Group{"TM301", "TM-33: the document"},
+    Group{"TM302", "TM-33: numbers and counts"},
+    Group{"TM303", "TM-33: angles"},
+    Group{"TM304", "TM-33: the table"},
+    Group{"WEB01", "What a file means"},
+    Group{"WEB02", "What is lost or changed in another format"},
+    Group{"WEB03", "Whether such a light can be"},
+};
+
+std::string_view title_of(std::string_view prefix) {
+    for (const Group& group : page_groups)
+        if (group.prefix == prefix) return group.title;
+    return prefix;
+}
+
+std::string markdown(const std::vector<Explained>& codes) {
+    std::string page =
+        "# Diagnostic codes\n\nWritten by `gonio explain --markdown`; a test compares. A code never gets "
+        "another meaning. `gonio check` says them,\nand exits with 1 on an error, under `--strict` on a "
+        "warning too.\n";
+    std::string_view group;
+    for (const Explained& entry : codes) {
+        const std::string_view prefix = entry.code.substr(0, 5);
+        if (prefix != group) page += fmt::format("\n## {}\n", title_of(prefix));
+        group = prefix;
+        page += fmt::format("\n**{}** {} ({}{}{})  \n{}\n", entry.code, entry.title, entry.severity,
+                            entry.strictness.empty() ? "" : ", ", entry.strictness, entry.explanation);
+    }
+    return page;
+}
+
 int run(const Arguments& arguments, Console& console) {
     const std::vector<Explained> all = all_codes();
     const bool json = arguments.has("--json") || arguments.has("--jsonl");
+    if (arguments.has("--markdown")) {
+        if (json || !arguments.positional().empty())
+            return console.fail(
+                fail(Failure::usage, "--markdown is a page of all codes, and takes no other form").value());
+        console.print(markdown(all));
+        return 0;
+    }
     Json report{{"schema", "gonio.explain/1"}, {"codes", Json::array()}, {"diagnostics", Json::array()}};
     if (arguments.positional().empty()) {
         for (const Explained& entry : all) {

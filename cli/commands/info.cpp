@@ -1,14 +1,21 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/profile/luminous_opening.hpp>
+#include <gonio/profile/text_encoding.hpp>
+#include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/spacing.hpp>
+#include <gonio/web/symmetry.hpp>
+#include <gonio/web/zones.hpp>
 
 #include "../arguments.hpp"
+#include "../batch.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/profile_input.hpp"
+#include "../options/values.hpp"
 #include "../polar_text.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +27,7 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array groups{profile_input_group, json_group, common_group};
+constexpr std::array groups{profile_input_group, json_group, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio info lamp.ies", "format, angles, flux, peak, beam and field angle"},
     Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright ones of a folder"},
@@ -56,6 +63,23 @@ struct Facts {
     std::optional<double> field_c90_deg;
     std::optional<double> input_w;
     LuminousOpening opening;
+    Candelas center_beam;
+    std::optional<double> cie_beam_deg;
+    std::optional<double> cie_beam_c90_deg;
+    std::optional<int> nema_horizontal;
+    std::optional<int> nema_vertical;
+    std::array<Lumens, 18> zones;
+    CieFluxCode cie_code;
+    SpacingCriterion spacing;
+    LuminaireClassification classes;
+
+    // The flux of the 10° zones that make up [low, high], both multiples of 10.
+    double zone_lm(std::size_t low_deg, std::size_t high_deg) const {
+        double sum = 0.0;
+        for (std::size_t i = low_deg / 10; i < high_deg / 10; ++i)
+            sum += zones[i].value;
+        return sum;
+    }
 };
 
 // The number that a text begins with: "3000K" is 3000. Nothing for "nw".
@@ -81,7 +105,7 @@ void add_file_facts(Facts& facts, const IesFile& file) {
     Lamp lamp;
     lamp.count = file.lamp_count;
     for (const IesKeyword& keyword : file.keywords)
-        if (keyword.name == "LAMP") lamp.type = keyword.text;
+        if (keyword.name == "LAMP") lamp.type = to_utf8(keyword.text);
     if (file.lumens_per_lamp > 0.0) lamp.flux_lm = file.lumens_per_lamp * file.lamp_count;
     lamp.input_w = facts.input_w;
     facts.lamps.push_back(std::move(lamp));
@@ -93,22 +117,49 @@ void add_file_facts(Facts& facts, const LdtFile& file, int lamp_set) {
     facts.gammas = file.gammas_deg.size();
     facts.planes = facts.gammas == 0 ? 0 : file.candela_per_klm.size() / facts.gammas;
     for (const LdtLampSet& set : file.lamp_sets)
-        facts.lamps.push_back({std::abs(set.lamp_count), set.lamp_type, if_positive(set.flux_lm),
-                               leading_number(set.color_temperature), set.color_rendering,
+        facts.lamps.push_back({std::abs(set.lamp_count), to_utf8(set.lamp_type), if_positive(set.flux_lm),
+                               leading_number(set.color_temperature), to_utf8(set.color_rendering),
                                if_positive(set.input_watts)});
     facts.input_w = facts.lamps[static_cast<std::size_t>(lamp_set) - 1].input_w;
 }
 
-std::optional<double> spread_deg(const Web& web, double c_deg, double fraction) {
-    const std::optional<Radians> angle = spread_angle(web, c_deg, fraction);
+void add_file_facts(Facts& facts, const Tm33File& file) {
+    facts.format = "TM-33";
+    facts.version = edition(file);
+    const Photometry photometry = photometry_of(file).value_or(Photometry::c);
+    facts.photometry = photometry == Photometry::a ? 'A' : photometry == Photometry::b ? 'B' : 'C';
+    double watts = 0.0;
+    for (const Tm33Emitter& emitter : file.emitters) {
+        if (emitter.intensity && facts.planes == 0) {
+            facts.planes = emitter.intensity->horizontal_deg.size();
+            facts.gammas = emitter.intensity->vertical_deg.size();
+        }
+        watts += emitter.input_watts.value_or(0.0);
+        const double count = emitter.quantity.value_or(1.0);
+        facts.lamps.push_back({count >= 1.0 && count <= 1e6 ? static_cast<int>(count) : 1, emitter.description,
+                               if_positive(emitter.rated_lumens.value_or(0.0) * count), emitter.cct_k,
+                               emitter.cri_ra ? fmt::format("{}", *emitter.cri_ra) : std::string(),
+                               if_positive(emitter.input_watts.value_or(0.0))});
+    }
+    facts.input_w = if_positive(watts);
+}
+
+std::optional<double> in_degrees(const std::optional<Radians>& angle) {
     return angle ? std::optional(to_degrees(*angle)) : std::nullopt;
 }
 
-Facts facts_of(const std::string& file, const LoadedProfile& loaded, const ResolveOptions& options) {
+std::optional<int> nema_of(const std::optional<double>& field_deg) {
+    return field_deg ? std::optional(nema_type(degrees(*field_deg))) : std::nullopt;
+}
+
+// What only the report in JSON shows costs more than all the rest, and is left out of the one in words.
+Facts facts_of(const std::string& file, const LoadedProfile& loaded, const ResolveOptions& options, ReportKind kind) {
     Facts facts;
     facts.file = file;
     if (const auto* ies = std::get_if<IesFile>(&loaded.profile.file))
         add_file_facts(facts, *ies);
+    else if (const auto* tm33 = std::get_if<Tm33File>(&loaded.profile.file))
+        add_file_facts(facts, *tm33);
     else
         add_file_facts(facts, std::get<LdtFile>(loaded.profile.file), options.lamp_set);
     const Web& web = loaded.web;
@@ -118,16 +169,68 @@ Facts facts_of(const std::string& file, const LoadedProfile& loaded, const Resol
     facts.zonal_flux_lm = zonal_flux(web).value;
     facts.declared_flux_lm = declared_flux_lm(loaded.profile, options);
     facts.peak = peak(web);
-    facts.beam_deg = spread_deg(web, 0.0, 0.5);
-    facts.field_deg = spread_deg(web, 0.0, 0.1);
-    facts.beam_c90_deg = spread_deg(web, 90.0, 0.5);
-    facts.field_c90_deg = spread_deg(web, 90.0, 0.1);
+    facts.beam_deg = in_degrees(spread_angle(web, 0.0, 0.5));
+    facts.field_deg = in_degrees(spread_angle(web, 0.0, 0.1));
+    facts.beam_c90_deg = in_degrees(spread_angle(web, 90.0, 0.5));
+    facts.field_c90_deg = in_degrees(spread_angle(web, 90.0, 0.1));
     facts.opening = luminous_opening(loaded.profile);
+    facts.nema_horizontal = nema_of(facts.field_deg);
+    facts.nema_vertical = nema_of(facts.field_c90_deg);
+    facts.zones = ten_degree_zones(web);
+    if (kind == ReportKind::words) return facts;
+    facts.center_beam = center_beam(web);
+    facts.cie_beam_deg = in_degrees(cie_beam_angle(web, 0.0));
+    facts.cie_beam_c90_deg = in_degrees(cie_beam_angle(web, 90.0));
+    facts.cie_code =
+        cie_flux_code(web, facts.declared_flux_lm ? std::optional(Lumens(*facts.declared_flux_lm)) : std::nullopt);
+    facts.spacing = spacing_criterion(web);
+    facts.classes = luminaire_classification(web);
     return facts;
 }
 
 std::optional<double> efficacy(const Facts& facts) {
     return facts.input_w ? std::optional(facts.flux_lm / *facts.input_w) : std::nullopt;
+}
+
+Json zones_json(const Facts& facts) {
+    Json zones = Json::object();
+    constexpr std::array<std::array<std::size_t, 2>, 7> bands{
+        {{0, 30}, {0, 40}, {0, 60}, {60, 90}, {0, 90}, {90, 180}, {0, 180}}};
+    for (const auto& [low, high] : bands)
+        zones[fmt::format("{}-{}", low, high)] = facts.zone_lm(low, high);
+    return zones;
+}
+
+Json ten_degree_json(const Facts& facts) {
+    Json zones = Json::array();
+    for (const Lumens lumens : facts.zones)
+        zones.push_back(lumens.value);
+    return zones;
+}
+
+// In per cent, as CIE 52 writes them.
+Json cie_code_json(const CieFluxCode& code) {
+    Json numbers = Json::array();
+    const auto add = [&](const std::optional<double>& part) {
+        numbers.push_back(number_or_null(part ? std::optional(100.0 * *part) : std::nullopt));
+    };
+    for (const std::optional<double>& part : code.within)
+        add(part);
+    add(code.downward);
+    add(code.light_output_ratio);
+    return numbers;
+}
+
+Json classes_json(const LuminaireClassification& classes) {
+    constexpr std::array names{"L", "M", "H", "VH"};
+    Json json = Json::object();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        json[std::string("F") + names[i]] = classes.front[i].value;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        json[std::string("B") + names[i]] = classes.back[i].value;
+    json["UL"] = classes.up_low.value;
+    json["UH"] = classes.up_high.value;
+    return json;
 }
 
 Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
@@ -167,6 +270,19 @@ Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
               {"width_m", facts.opening.width_m},
               {"length_m", facts.opening.length_m},
               {"height_m", facts.opening.height_m}}},
+            {"center_beam_cd", facts.center_beam.value},
+            {"beam_angle_cie_deg", number_or_null(facts.cie_beam_deg)},
+            {"beam_angle_cie_c90_deg", number_or_null(facts.cie_beam_c90_deg)},
+            {"nema_horizontal", facts.nema_horizontal ? Json(*facts.nema_horizontal) : Json(nullptr)},
+            {"nema_vertical", facts.nema_vertical ? Json(*facts.nema_vertical) : Json(nullptr)},
+            {"zones_lm", zones_json(facts)},
+            {"ten_degree_zones_lm", ten_degree_json(facts)},
+            {"cie_flux_code_percent", cie_code_json(facts.cie_code)},
+            {"spacing_criterion",
+             {{"c0_180", number_or_null(facts.spacing.along_c0)},
+              {"c90_270", number_or_null(facts.spacing.along_c90)},
+              {"diagonal", number_or_null(facts.spacing.diagonal)}}},
+            {"lcs_lm", classes_json(facts.classes)},
             {"diagnostics", diagnostics_json(diagnostics)}};
 }
 
@@ -192,7 +308,9 @@ std::string to_text(const Facts& facts) {
         text += fmt::format("  {:<12}{}\n", name, value);
     };
     line("format", fmt::format("{} {}, type {}", facts.format, facts.version, facts.photometry));
-    line("grid", fmt::format("{} C-planes × {} gamma angles", facts.planes, facts.gammas));
+    line("grid", facts.photometry == 'C'
+                     ? fmt::format("{} C-planes × {} gamma angles", facts.planes, facts.gammas)
+                     : fmt::format("{} horizontal × {} vertical angles", facts.planes, facts.gammas));
     line("symmetry", facts.symmetry == facts.declared_symmetry
                          ? std::string(to_text(facts.symmetry))
                          : fmt::format("{} (declared {})", to_text(facts.symmetry), to_text(facts.declared_symmetry)));
@@ -205,6 +323,15 @@ std::string to_text(const Facts& facts) {
                              degrees_or_none(facts.beam_c90_deg)));
     line("field", fmt::format("{} in C0–C180, {} in C90–C270", degrees_or_none(facts.field_deg),
                               degrees_or_none(facts.field_c90_deg)));
+    if (facts.photometry != 'C' && facts.nema_horizontal && facts.nema_vertical)
+        line("NEMA", fmt::format("type {}H × {}V", *facts.nema_horizontal, *facts.nema_vertical));
+    if (facts.flux_lm > 0.0) {
+        const auto percent = [&](std::size_t low, std::size_t high) {
+            return fmt::format("{:.0f} %", std::abs(100.0 * facts.zone_lm(low, high) / facts.flux_lm));
+        };
+        line("zones", fmt::format("0–30° {}, 30–60° {}, 60–90° {}, above 90° {}", percent(0, 30), percent(30, 60),
+                                  percent(60, 90), percent(90, 180)));
+    }
     for (const Lamp& lamp : facts.lamps) {
         std::string value = fmt::format("{} ×", lamp.count);
         if (!lamp.type.empty()) value += " " + lamp.type;
@@ -218,47 +345,34 @@ std::string to_text(const Facts& facts) {
     return text;
 }
 
-// A file that could not be read still has its place in a report of several.
-Json failure_json(const std::string& file, const Error& error) {
-    return {{"schema", "gonio.info/1"}, {"file", file}, {"diagnostics", diagnostics_json(error.diagnostics)}};
-}
-
 int run(const Arguments& arguments, Console& console) {
     Result<std::vector<std::string>> files = input_files(arguments);
     if (!files) return console.fail(files.error());
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return console.fail(options.error());
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return console.fail(threads.error());
 
-    const bool lines = arguments.has("--jsonl");
-    const bool json = arguments.has("--json");
+    const ReportKind kind = report_kind(arguments);
     const bool plot = Console::output_is_terminal() && files->size() == 1;
-    Json all = Json::array();
-    int status = 0;
-    std::size_t failed = 0;
-    for (const std::string& file : *files) {
+    return run_batch({*files, "gonio.info/1", "read", *threads}, kind, console, [&](std::size_t index) {
+        const std::string& file = (*files)[index];
+        Outcome outcome;
         Result<LoadedProfile> loaded = load(file, *options);
-        Json report;
         if (!loaded) {
-            status = worse(status, console.fail(loaded.error()));
-            ++failed;
-            report = failure_json(file, loaded.error());
-        } else {
-            console.say(loaded->diagnostics);
-            const Facts facts = facts_of(file, *loaded, options->resolve);
-            if (json || lines) {
-                report = to_json(facts, loaded->diagnostics);
-            } else {
-                console.print(to_text(facts));
-                if (plot) console.print(polar_text(loaded->web));
-            }
+            outcome.error = std::move(loaded.error());
+            return outcome;
         }
-        if (lines) console.print(dump(report, -1));
-        if (json && !lines) all.push_back(std::move(report));
-    }
-    if (json && !lines) console.print(dump(files->size() == 1 ? all[0] : all, 2));
-    if (files->size() > 1 && failed > 0)
-        console.note(fmt::format("{} of {} files could not be read", failed, files->size()));
-    return status;
+        const Facts facts = facts_of(file, *loaded, options->resolve, kind);
+        if (kind == ReportKind::words) {
+            outcome.words = to_text(facts);
+            if (plot) outcome.words += polar_text(loaded->web);
+        } else {
+            outcome.report = to_json(facts, loaded->diagnostics);
+        }
+        outcome.diagnostics = std::move(loaded->diagnostics);
+        return outcome;
+    });
 }
 
 } // namespace
@@ -267,7 +381,8 @@ extern const Command info_command;
 const Command info_command{"info",
                            "what a profile is: format, angles, symmetry, flux, peak, beam and field",
                            "FILE… [options]",
-                           "FILE is an IES or EULUMDAT profile, '-' for standard input, @LIST for a list of files.",
+                           "FILE is an IES or EULUMDAT profile, a folder of them, '-' for standard input,\n"
+                           "or @LIST for a list of files.",
                            groups,
                            examples,
                            run};

@@ -1,4 +1,5 @@
-// Options that every command has, and those of every command that reports.
+// Options that every command has, and those of every command that reports or works on
+// several threads.
 #pragma once
 
 #include "../command.hpp"
@@ -22,5 +23,11 @@ inline constexpr std::array json_options{
 };
 
 inline constexpr OptionGroup json_group{"report", json_options};
+
+inline constexpr std::array threads_options{
+    Option{"-j,--jobs", "N", "threads (all processors)"},
+};
+
+inline constexpr OptionGroup threads_group{"speed", threads_options};
 
 } // namespace gonio::cli

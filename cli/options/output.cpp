@@ -42,16 +42,15 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
     return std::find(format.pixels.begin(), format.pixels.end(), pixel) != format.pixels.end();
 }
 
-Unexpected both_to_standard_output() {
-    return fail(Failure::usage, "standard output cannot take both the picture and the report",
-                "write the picture to a file, or leave --json out");
+Unexpected both_to_standard_output(std::string_view what) {
+    return fail(Failure::usage, fmt::format("standard output cannot take both the {} and the report", what),
+                fmt::format("write the {} to a file, or leave --json out", what));
 }
 
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension) {
     const auto file = arguments.value("--output");
     const auto folder = arguments.value("--output-dir");
-    const auto named = arguments.value("--to");
     if (file && folder)
         return fail(Failure::usage, "-o and -O are both given", "-o writes one file, -O a folder of them");
     if (!file && !folder)
@@ -64,12 +63,8 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
     for (const std::string& input : inputs) {
         Job job;
         job.input = input;
-        job.output = file ? *file
-                          : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input),
-                                        named ? *named : std::string(extension));
-        Result<const media::ImageFormat*> format = picture_format(named, job.output);
-        if (!format) return pass_on(format);
-        job.format = *format;
+        job.output =
+            file ? *file : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input), extension);
         if (folder) {
             if (!taken.insert(job.output).second)
                 return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),

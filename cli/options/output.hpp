@@ -15,10 +15,15 @@
 
 namespace gonio::cli {
 
+inline constexpr std::array picture_format_options{
+    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+};
+
+inline constexpr OptionGroup picture_format_group{"picture", picture_format_options};
+
 inline constexpr std::array output_options{
     Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
     Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
-    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
     Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
@@ -34,20 +39,18 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
 // To the file, or to standard output for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
 
-// The refusal of a picture and a report that would both go to standard output.
-Unexpected both_to_standard_output();
+// The refusal of an output (a "picture", a "profile") and a report that would both go to standard output.
+Unexpected both_to_standard_output(std::string_view what = "picture");
 
 // One input and the output that is made of it.
 struct Job {
     std::string input;
     std::string output; // "-" is standard output
-    const media::ImageFormat* format = nullptr;
-    bool skip = false; // -u: the output is up to date
+    bool skip = false;  // -u: the output is up to date
 };
 
 // Pairs inputs with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or neither given,
-// -o stands beside several inputs, a format is unknown, two inputs would write the same output, or an output exists and
-// may not be replaced.
+// -o stands beside several inputs, two inputs would write the same output, or an output exists and may not be replaced.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension);
 

@@ -1,16 +1,55 @@
 #include "profile_input.hpp"
 
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <iterator>
 #include <utility>
 
 namespace gonio::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> profile_extensions{"ies", "ldt"};
+
+Result<void> add_input(const std::string& name, std::vector<std::string>& files) {
+    if (!is_folder(name)) {
+        files.push_back(name);
+        return {};
+    }
+    Result<std::vector<std::string>> inside = files_in(name, profile_extensions);
+    if (!inside) return pass_on(inside);
+    if (inside->empty())
+        return fail(Failure::usage, "the folder holds no profile",
+                    fmt::format("file names end in .{}", fmt::join(profile_extensions, ", .")), name);
+    files.insert(files.end(), std::make_move_iterator(inside->begin()), std::make_move_iterator(inside->end()));
+    return {};
+}
+
+Result<void> add_list(const std::string& list, std::vector<std::string>& files) {
+    Result<std::string> names = list == "-" ? read_standard_input() : read_file(list);
+    if (!names) return pass_on(names);
+    std::string_view rest = *names;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find('\n');
+        std::string_view line = rest.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (!line.empty()) {
+            Result<void> added = add_input(std::string(line), files);
+            if (!added) return added;
+        }
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return {};
+}
+
+} // namespace
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     ProfileInputOptions options;
@@ -19,8 +58,10 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
             options.read.format = ProfileFormat::ies;
         else if (*format == "ldt")
             options.read.format = ProfileFormat::ldt;
+        else if (*format == "tm33")
+            options.read.format = ProfileFormat::tm33;
         else
-            return unknown_name("format", *format, std::array<std::string_view, 2>{"ies", "ldt"});
+            return unknown_name("format", *format, std::array<std::string_view, 3>{"ies", "ldt", "tm33"});
     }
     options.read.strict = arguments.has("--strict");
     if (const auto text = arguments.value("--lamp-set")) {
@@ -28,6 +69,14 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
         const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
         if (error != std::errc() || stop != end || options.resolve.lamp_set < 1)
             return fail(Failure::usage, fmt::format("--lamp-set takes a number from 1, not '{}'", *text));
+    }
+    if (const auto name = arguments.value("--azimuth")) {
+        if (*name == "ies")
+            options.resolve.azimuth = AzimuthConvention::lm63;
+        else if (*name == "eulumdat")
+            options.resolve.azimuth = AzimuthConvention::eulumdat;
+        else
+            return unknown_name("azimuth", *name, std::array<std::string_view, 2>{"ies", "eulumdat"});
     }
     if (const auto text = arguments.value("--tilt")) {
         Result<double> tilt = parse_amount(*text, Dimension::angle, "--tilt");
@@ -40,20 +89,8 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
 Result<std::vector<std::string>> input_files(const Arguments& arguments) {
     std::vector<std::string> files;
     for (const std::string& word : arguments.positional()) {
-        if (!word.starts_with("@")) {
-            files.push_back(word);
-            continue;
-        }
-        Result<std::string> list = read_file(word.substr(1));
-        if (!list) return pass_on(list);
-        std::string_view rest = *list;
-        while (!rest.empty()) {
-            const std::size_t end = rest.find('\n');
-            std::string_view line = rest.substr(0, end);
-            if (line.ends_with('\r')) line.remove_suffix(1);
-            if (!line.empty()) files.emplace_back(line);
-            rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-        }
+        Result<void> added = word.starts_with('@') ? add_list(word.substr(1), files) : add_input(word, files);
+        if (!added) return pass_on(added);
     }
     if (files.empty()) return fail(Failure::usage, "no input file is given", "name one, or '-' for standard input");
     return files;
@@ -62,7 +99,9 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
     Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
     if (!bytes) return pass_on(bytes);
-    Result<Profile> profile = read_profile(*bytes, file, options.read);
+    ReadOptions read = options.read;
+    if (file != "-") read.read_beside = reader_beside(file);
+    Result<Profile> profile = read_profile(*bytes, file, read);
     if (!profile) return pass_on(profile);
     Diagnostics diagnostics = profile->diagnostics;
     Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);

@@ -15,9 +15,10 @@
 namespace gonio::cli {
 
 inline constexpr std::array profile_input_options{
-    Option{"--from", "FORMAT", "read as ies or ldt instead of recognising the format", "formats"},
+    Option{"--from", "FORMAT", "read as ies, ldt or tm33 instead of recognising the format", "formats"},
     Option{"--lamp-set", "N", "EULUMDAT: take this one of the alternative lamp sets (1)"},
     Option{"--tilt", "DEG", "IES with TILT=INCLUDE: the lamp's mounting tilt, for example 30deg (0deg)"},
+    Option{"--azimuth", "TRADITION", "count C as ies or eulumdat does, turning files of the other by 90° (as written)"},
     Option{"--strict", "", "refuse what departs from the standard"},
 };
 
@@ -30,8 +31,9 @@ struct ProfileInputOptions {
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
 
-// The positional words with every @LIST replaced by the file names it holds, one a line. Fails (io) when a list cannot
-// be read and (usage) when there is no word at all.
+// The positional words with every @LIST replaced by the file names it holds, one a line, and every folder by the
+// profiles below it, sorted by name. Fails (io) when a list or a folder cannot be read and (usage) when there is no
+// word at all, or no profile in a folder.
 Result<std::vector<std::string>> input_files(const Arguments& arguments);
 
 // A file with its bytes, as read and as resolved; "-" is standard input.

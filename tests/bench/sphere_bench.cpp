@@ -24,22 +24,6 @@ using shading::MaterialConstants;
 
 constexpr std::size_t points = 4096; // stays in the second-level cache
 
-// Poses of one stratum, or of all mixed where `mixed`.
-SphereCases poses(Stratum stratum, bool mixed) {
-    SphereCases all = measure::sphere_cases(mixed ? points : points * measure::stratum_count, 3);
-    if (mixed) return all;
-    SphereCases some;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all.stratum[i] != stratum) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            some.position[k].push_back(all.position[k][i]);
-            some.normal[k].push_back(all.normal[k][i]);
-        }
-        some.stratum.push_back(stratum);
-    }
-    return some;
-}
-
 void irradiance(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases) {
     std::vector<float> lx(cases.size());
     const LightConstants light = SphereCases::light();
@@ -71,8 +55,13 @@ void shade(benchmark::State& state, const shading::Kernels& kernels, const Spher
 
 void named_method(benchmark::State& state, const measure::SphereMethod& method, const SphereCases& cases) {
     std::vector<float> lx(cases.size());
+    std::vector<double> wide(cases.size());
     for (auto _ : state) {
-        method.evaluate(cases, lx);
+        if (method.evaluate_double) {
+            method.evaluate_double(cases, wide);
+        } else {
+            method.evaluate(cases, lx);
+        }
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
@@ -81,9 +70,9 @@ void named_method(benchmark::State& state, const measure::SphereMethod& method, 
 } // namespace
 
 int main(int argc, char** argv) {
-    static const SphereCases above = poses(Stratum::above, false);
-    static const SphereCases straddling = poses(Stratum::straddling, false);
-    static const SphereCases mixed = poses(Stratum::above, true);
+    static const SphereCases above = measure::sphere_cases_of(Stratum::above, points, 3);
+    static const SphereCases straddling = measure::sphere_cases_of(Stratum::straddling, points, 3);
+    static const SphereCases mixed = measure::sphere_cases(points, 3);
     for (const simd::InstructionSet set : simd::available_sets()) {
         const shading::Kernels& kernels = shading::kernels(set);
         const std::string name = kernels.name;

@@ -1,7 +1,11 @@
 #include <gonio/bake/latlong.hpp>
 #include <gonio/base/parallel.hpp>
+#include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/rings.hpp>
+#include <gonio/web/separable.hpp>
+#include <gonio/web/symmetry.hpp>
 
 #include <fmt/format.h>
 
@@ -21,92 +25,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double radians_per_degree = pi / 180.0;
-
-// A texel's mean along one axis as a weighted sum of grid values.
-struct Term {
-    std::size_t index;
-    double weight;
-};
-using Terms = std::vector<Term>;
-
-void add(Terms& terms, std::size_t index, double weight) {
-    if (weight == 0.0) return;
-    for (Term& term : terms) {
-        if (term.index != index) continue;
-        term.weight += weight;
-        return;
-    }
-    terms.push_back({index, weight});
-}
-
-// `low`, what of `knots` lies strictly between, and `high`.
-std::vector<double> cuts(const std::vector<double>& knots, double low, double high) {
-    std::vector<double> all{low};
-    const auto first = std::upper_bound(knots.begin(), knots.end(), low);
-    for (auto knot = first; knot != knots.end() && *knot < high; ++knot)
-        all.push_back(*knot);
-    all.push_back(high);
-    return all;
-}
-
-// Every C in [0°, 360°] at which the web may bend or end.
-std::vector<double> plane_knots(const Web& web) {
-    std::vector<double> knots;
-    for (const double c : web.planes_deg())
-        for (const double image : {c, 180.0 - c, 180.0 + c, 360.0 - c, -c})
-            knots.push_back(std::fmod(image + 1080.0, 360.0));
-    std::sort(knots.begin(), knots.end());
-    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-    return knots;
-}
-
-// Weights of the stored planes in the mean over [low, high] degrees of C. Between two knots the web is linear in C, so
-// its mean there is its value in the middle.
-Terms column_terms(const Web& web, const std::vector<double>& knots, double low_deg, double high_deg) {
-    const std::span<const double> planes = web.planes_deg();
-    if (web.stored_symmetry() == Symmetry::axial) return {{0, 1.0}};
-    Terms terms;
-    const std::vector<double> pieces = cuts(knots, low_deg, high_deg);
-    for (std::size_t k = 1; k < pieces.size(); ++k) {
-        const double share = (pieces[k] - pieces[k - 1]) / (high_deg - low_deg);
-        const double c = web.folded_c_deg(0.5 * (pieces[k] + pieces[k - 1]));
-        if (c < planes.front() || c > planes.back()) continue;
-        const auto above = std::upper_bound(planes.begin(), planes.end(), c);
-        const auto right = std::min(static_cast<std::size_t>(above - planes.begin()), planes.size() - 1);
-        if (right == 0) continue; // one plane of a web that is not axial: no width, no light
-        const double weight = (c - planes[right - 1]) / (planes[right] - planes[right - 1]);
-        add(terms, right - 1, share * (1.0 - weight));
-        add(terms, right, share * weight);
-    }
-    return terms;
-}
-
-// Weights of the γ rows in the mean over [low, high] degrees of γ, by solid angle.
-Terms row_terms(const Web& web, double low_deg, double high_deg) {
-    const std::span<const double> gammas = web.gammas_deg();
-    const std::vector<double> knots(gammas.begin(), gammas.end());
-    const double low = low_deg * radians_per_degree;
-    const double high = high_deg * radians_per_degree;
-    const double measure = integrate_linear_sin(low, high, 1.0, 1.0);
-    Terms terms;
-    const std::vector<double> pieces = cuts(knots, low_deg, high_deg);
-    for (std::size_t k = 1; k < pieces.size(); ++k) {
-        const double from = pieces[k - 1];
-        const double to = pieces[k];
-        const double middle = 0.5 * (from + to);
-        if (middle < gammas.front() || middle > gammas.back() || gammas.size() < 2) continue;
-        const auto above = std::upper_bound(gammas.begin(), gammas.end(), middle);
-        const auto upper = std::min(static_cast<std::size_t>(above - gammas.begin()), gammas.size() - 1);
-        const double cell = gammas[upper] - gammas[upper - 1];
-        const double at_from = (from - gammas[upper - 1]) / cell;
-        const double at_to = (to - gammas[upper - 1]) / cell;
-        const double a = from * radians_per_degree;
-        const double b = to * radians_per_degree;
-        add(terms, upper - 1, integrate_linear_sin(a, b, 1.0 - at_from, 1.0 - at_to) / measure);
-        add(terms, upper, integrate_linear_sin(a, b, at_from, at_to) / measure);
-    }
-    return terms;
-}
 
 // The texture read with bilinear filtering, wrapping in C and clamping in γ, in units of texels.
 double filtered(const Image& image, double c_deg, double gamma_deg) {
@@ -138,13 +56,98 @@ double greatest_error(const Web& web, const Texture& texture, unsigned threads) 
             worst[j] = std::max(worst[j], std::abs(stored - web.candela(c, gamma)));
         }
     });
-    for (std::size_t p = 0; p < web.planes_deg().size(); ++p)
-        for (const double gamma : web.gammas_deg()) {
-            const double c = web.planes_deg()[p];
-            const double stored = filtered(image, c, gamma) * texture.cd_per_unit;
-            worst[rows] = std::max(worst[rows], std::abs(stored - web.candela(c, gamma)));
+    for (const double h : web.horizontal_deg())
+        for (const double v : web.vertical_deg()) {
+            GoniometerAngles at{h, v};
+            if (web.photometry() != Photometry::c) at = angles_of(Photometry::c, direction_of(web.photometry(), at));
+            const double stored = filtered(image, at.horizontal_deg, at.vertical_deg) * texture.cd_per_unit;
+            worst[rows] = std::max(worst[rows], std::abs(stored - web.candela(at.horizontal_deg, at.vertical_deg)));
         }
     return *std::max_element(worst.begin(), worst.end());
+}
+
+// A row's texel means from sums over stored planes: exact, for type C.
+class SeparableRows {
+public:
+    SeparableRows(const Web& web, int width) : web_(web), columns_(static_cast<std::size_t>(width)) {
+        const std::vector<double> bends = plane_bends_deg(web);
+        for (int i = 0; i < width; ++i) {
+            Terms& terms = columns_[static_cast<std::size_t>(i)];
+            terms = plane_terms(web, bends, static_cast<double>(i) / width * 360.0,
+                                static_cast<double>(i + 1) / width * 360.0);
+            for (Term& term : terms)
+                term.weight *= width / (2.0 * pi);
+        }
+    }
+
+    void means(double low_deg, double high_deg, std::span<double> out) const {
+        const Terms row = gamma_terms(web_, low_deg, high_deg);
+        const double row_measure =
+            integrate_linear_sin(low_deg * radians_per_degree, high_deg * radians_per_degree, 1.0, 1.0);
+        std::vector<double> plane_means(web_.planes_deg().size(), 0.0);
+        for (std::size_t p = 0; p < plane_means.size(); ++p)
+            for (const Term& term : row)
+                plane_means[p] += term.weight / row_measure * web_.column(p)[term.index];
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            out[i] = 0.0;
+            for (const Term& term : columns_[i])
+                out[i] += term.weight * plane_means[term.index];
+        }
+    }
+
+private:
+    const Web& web_;
+    std::vector<Terms> columns_; // per texel column
+};
+
+// A row's texel means by quadrature cut at the native grid, for types A and B.
+class RingRows {
+public:
+    RingRows(const Web& web, int width) : rings_(web) {
+        for (int i = 0; i <= width; ++i)
+            edges_deg_.push_back(static_cast<double>(i) / width * 360.0);
+    }
+
+    void means(double low_deg, double high_deg, std::span<double> out) const {
+        std::fill(out.begin(), out.end(), 0.0);
+        rings_.add(low_deg, high_deg, edges_deg_, out);
+        const double texel_sr =
+            integrate_linear_sin(low_deg * radians_per_degree, high_deg * radians_per_degree, 1.0, 1.0) * 2.0 * pi /
+            static_cast<double>(out.size());
+        for (double& mean : out)
+            mean /= texel_sr;
+    }
+
+private:
+    Rings rings_;
+    std::vector<double> edges_deg_;
+};
+
+// Fills the texture's pixels, negative means as 0, and adds up its flux.
+template<class Rows>
+void fill(Texture& texture, const Rows& rows, unsigned threads) {
+    Image& image = texture.image;
+    const auto height = static_cast<std::size_t>(image.height);
+    std::vector<double> row_lumens(height, 0.0);
+    parallel_for(height, threads, [&](std::size_t j) {
+        const double low = static_cast<double>(j) / image.height * 180.0;
+        const double high = static_cast<double>(j + 1) / image.height * 180.0;
+        std::vector<double> means(static_cast<std::size_t>(image.width));
+        rows.means(low, high, means);
+        double sum = 0.0;
+        float* const texels = image.at(0, static_cast<int>(j));
+        for (std::size_t i = 0; i < means.size(); ++i) {
+            texels[i] = static_cast<float>(std::max(means[i], 0.0) / texture.cd_per_unit);
+            sum += static_cast<double>(texels[i]);
+        }
+        const double texel_sr = integrate_linear_sin(low * radians_per_degree, high * radians_per_degree, 1.0, 1.0) *
+                                2.0 * pi / image.width;
+        row_lumens[j] = sum * texel_sr * texture.cd_per_unit;
+    });
+    double total = 0.0;
+    for (const double lumens : row_lumens)
+        total += lumens;
+    texture.texture_flux = Lumens(total);
 }
 
 Result<double> unit_of(const Web& web, Normalization normalization) {
@@ -181,42 +184,10 @@ Result<Texture> bake_latlong(const Web& web, const BakeOptions& options) {
     texture.peak = peak(web).intensity;
     texture.flux = flux(web);
 
-    const auto width = static_cast<std::size_t>(options.width);
-    const auto height = static_cast<std::size_t>(options.height);
-    const std::size_t planes = web.planes_deg().size();
-    const std::vector<double> knots = plane_knots(web);
-    std::vector<Terms> columns(width);
-    for (std::size_t i = 0; i < width; ++i)
-        columns[i] = column_terms(web, knots, static_cast<double>(i) / options.width * 360.0,
-                                  static_cast<double>(i + 1) / options.width * 360.0);
-
-    std::vector<double> row_lumens(height, 0.0);
-    parallel_for(height, options.threads, [&](std::size_t j) {
-        const double low = static_cast<double>(j) / options.height * 180.0;
-        const double high = static_cast<double>(j + 1) / options.height * 180.0;
-        const Terms row = row_terms(web, low, high);
-        std::vector<double> plane_means(planes, 0.0);
-        for (std::size_t p = 0; p < planes; ++p)
-            for (const Term& term : row)
-                plane_means[p] += term.weight * web.column(p)[term.index];
-
-        double sum = 0.0;
-        float* const texels = texture.image.at(0, static_cast<int>(j));
-        for (std::size_t i = 0; i < width; ++i) {
-            double mean = 0.0;
-            for (const Term& term : columns[i])
-                mean += term.weight * plane_means[term.index];
-            texels[i] = static_cast<float>(std::max(mean, 0.0) / *unit);
-            sum += static_cast<double>(texels[i]);
-        }
-        const double texel_sr = integrate_linear_sin(low * radians_per_degree, high * radians_per_degree, 1.0, 1.0) *
-                                2.0 * pi / options.width;
-        row_lumens[j] = sum * texel_sr * *unit;
-    });
-    double total = 0.0;
-    for (const double lumens : row_lumens)
-        total += lumens;
-    texture.texture_flux = Lumens(total);
+    if (web.photometry() == Photometry::c)
+        fill(texture, SeparableRows(web, options.width), options.threads);
+    else
+        fill(texture, RingRows(web, options.width), options.threads);
     texture.max_error = Candelas(greatest_error(web, texture, options.threads));
     return texture;
 }

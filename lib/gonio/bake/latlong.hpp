@@ -3,6 +3,8 @@
 // A texel holds the exact mean of the web over the texel's solid angle. The interpolant is a sum of products of a
 // piecewise linear function of C and one of γ, so the mean is a product of two weights that have closed forms, and the
 // texels' integral is the web's flux at every size, to rounding. Cost: O(planes × H + W × H).
+// A web of type A or B is not such a sum in (C, γ): its texels are integrated by quadrature cut at the native grid
+// (gonio/web/rings.hpp), and their integral is the web's flux to 1e-6. Cost: about 0.5 s for 512×256, over threads.
 #pragma once
 
 #include <gonio/bake/texture.hpp>

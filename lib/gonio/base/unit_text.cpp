@@ -71,6 +71,13 @@ std::string symbols_of(Dimension dimension) {
     return list;
 }
 
+// "an angle", "a luminous flux"
+std::string with_article(Dimension dimension) {
+    const std::string_view name = dimension_name(dimension);
+    return fmt::format("{} {}", std::string_view("aeio").find(name.front()) == std::string_view::npos ? "a" : "an",
+                       name);
+}
+
 } // namespace
 
 double Amount::in_base_units() const {
@@ -144,13 +151,13 @@ Result<double> parse_amount(std::string_view text, Dimension dimension, std::str
     Result<Amount> amount = parse_amount(text);
     if (!amount) {
         error_hint(amount.error(),
-                   fmt::format("{} is a {}: use one of {}", what, dimension_name(dimension), symbols_of(dimension)));
+                   fmt::format("{} is {}: use one of {}", what, with_article(dimension), symbols_of(dimension)));
         return pass_on(amount);
     }
     if (amount->unit->dimension != dimension)
         return fail(Failure::usage,
-                    fmt::format("{} is a {}, but '{}' is a {}", what, dimension_name(dimension), text,
-                                dimension_name(amount->unit->dimension)),
+                    fmt::format("{} is {}, but '{}' is {}", what, with_article(dimension), text,
+                                with_article(amount->unit->dimension)),
                     fmt::format("use one of {}", symbols_of(dimension)));
     return amount->in_base_units();
 }

@@ -1,7 +1,9 @@
+#include <gonio/base/sort_unique.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/masked_flux.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/rings.hpp>
 
 #include <algorithm>
 #include <array>
@@ -166,8 +168,7 @@ public:
             for (int turn = -1; turn <= 1; ++turn)
                 for (const double image : {c, pi - c, pi + c, 2.0 * pi - c})
                     all.push_back(image + turn * 2.0 * pi);
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
+        sort_unique(all);
         return all;
     }
 
@@ -223,11 +224,28 @@ double masked(const FrustumShape& frustum, const Web& mask) {
     return sum * images;
 }
 
+// Masks of types A and B: no sums over planes; the shape is a weight on the web's rings.
+double masked_rings(const Shape& shape, const Web& mask) {
+    Rings rings(mask);
+    if (const auto* spot = std::get_if<SpotShape>(&shape)) {
+        rings.cut_at_gamma(to_degrees(spot->inner));
+        const Rings::Weight weight = [&](const glm::dvec3& direction) {
+            return lobe(*spot, Radians(std::atan2(std::hypot(direction.x, direction.y), -direction.z)));
+        };
+        return rings.zone(0.0, to_degrees(spot->outer), weight);
+    }
+    const auto& frustum = std::get<FrustumShape>(shape);
+    rings.cut_at_pyramid(0.5 * to_degrees(frustum.horizontal), 0.5 * to_degrees(frustum.vertical));
+    return rings.zone(0.0, 90.0, [&](const glm::dvec3& direction) { return lobe(frustum, direction); });
+}
+
 } // namespace
 
 Steradians masked_solid_angle(const Shape& shape, const Web& mask) {
     const double top = peak(mask).intensity.value;
     if (std::holds_alternative<PointShape>(shape)) return Steradians(flux(mask).value / top);
+    const bool lit_by_angle = std::holds_alternative<SpotShape>(shape) || std::holds_alternative<FrustumShape>(shape);
+    if (lit_by_angle && mask.photometry() != Photometry::c) return Steradians(masked_rings(shape, mask) / top);
     if (const auto* spot = std::get_if<SpotShape>(&shape)) return Steradians(masked(*spot, mask) / top);
     if (const auto* frustum = std::get_if<FrustumShape>(&shape)) return Steradians(masked(*frustum, mask) / top);
     return Steradians(0.0);

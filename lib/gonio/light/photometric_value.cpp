@@ -1,3 +1,4 @@
+#include <gonio/light/efficacy.hpp>
 #include <gonio/light/photometric_value.hpp>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ bool photometric(Dimension dimension) {
     case Dimension::illuminance_ev:
     case Dimension::luminance:
     case Dimension::luminance_ev:
+    case Dimension::power:
         return true;
     default:
         return false;
@@ -41,15 +43,27 @@ Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std
     return std::optional<Meters>(Meters(*meters));
 }
 
-// "90lm/W" or a bare number.
-Result<double> parse_efficacy(std::string_view text) {
-    std::string_view number = text;
-    if (number.ends_with("lm/W")) number.remove_suffix(4);
-    const std::optional<double> value = parse_number(number);
-    if (!value || !(*value > 0.0) || *value > 683.01)
-        return fail(Failure::usage, fmt::format("'{}' is no luminous efficacy", text),
-                    "write for example 60W@90lm/W; no light exceeds 683 lm/W");
-    return *value;
+// What stands behind the '@' of a unit, if anything does.
+Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::string_view> behind_at,
+                                      std::string_view text) {
+    PhotometricUnit complete{&unit, std::nullopt, std::nullopt};
+    if (unit.dimension == Dimension::power) {
+        if (!behind_at)
+            return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
+                        fmt::format("write for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
+        Result<double> efficacy = parse_efficacy(*behind_at);
+        if (!efficacy) return pass_on(efficacy);
+        complete.efficacy_lm_per_w = *efficacy;
+        return complete;
+    }
+    Result<std::optional<Meters>> distance = parse_distance(unit, behind_at);
+    if (!distance) return pass_on(distance);
+    complete.distance = *distance;
+    return complete;
+}
+
+std::optional<std::string_view> behind(std::string_view text, std::size_t at) {
+    return at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
 }
 
 } // namespace
@@ -70,11 +84,8 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
     if (!photometric(unit->dimension))
         return fail(Failure::usage,
                     fmt::format("'{}' is a unit of {}, not of light", symbol, dimension_name(unit->dimension)),
-                    "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft or fL");
-    const auto distance_text = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
-    Result<std::optional<Meters>> distance = parse_distance(*unit, distance_text);
-    if (!distance) return pass_on(distance);
-    return PhotometricUnit{unit, *distance};
+                    "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft, fL or W@90lm/W");
+    return complete_unit(*unit, behind(text, at), text);
 }
 
 Result<PhotometricValue> parse_photometric_value(std::string_view text) {
@@ -82,29 +93,17 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text) {
     Result<Amount> amount = parse_amount(text.substr(0, at));
     if (!amount) return pass_on(amount);
     const Unit& unit = *amount->unit;
-    const auto behind_at = at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
 
     const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
     if (!logarithmic && amount->number < 0.0)
         return fail(Failure::usage, fmt::format("'{}' is negative: there is no negative light", text));
-    PhotometricValue value{amount->number, {&unit, std::nullopt}, std::nullopt};
-    if (unit.dimension == Dimension::power) {
-        if (!behind_at)
-            return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
-                        fmt::format("write for example {}@90lm/W", text));
-        Result<double> efficacy = parse_efficacy(*behind_at);
-        if (!efficacy) return pass_on(efficacy);
-        value.efficacy_lm_per_w = *efficacy;
-        return value;
-    }
     if (!photometric(unit.dimension))
         return fail(Failure::usage,
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
                     "give lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY");
-    Result<std::optional<Meters>> distance = parse_distance(unit, behind_at);
-    if (!distance) return pass_on(distance);
-    value.unit.distance = *distance;
-    return value;
+    Result<PhotometricUnit> complete = complete_unit(unit, behind(text, at), text);
+    if (!complete) return pass_on(complete);
+    return PhotometricValue{amount->number, *complete};
 }
 
 } // namespace gonio

@@ -10,20 +10,21 @@
 
 namespace gonio {
 
-// A photometric unit; an illuminance also says at what distance from the light's centre, unless it is the sun's.
+// A photometric unit; an illuminance also says at what distance from the light's centre, unless it is the sun's, and a
+// power how many lumens a watt is taken for.
 struct PhotometricUnit {
     const Unit* unit = nullptr;
     std::optional<Meters> distance;
+    std::optional<double> efficacy_lm_per_w;
 };
 
 struct PhotometricValue {
     double number = 0.0;
     PhotometricUnit unit;
-    std::optional<double> efficacy_lm_per_w; // of a value in watts
 };
 
-// "nt", "lx@2m", "evlx@30cm", "lx". Fails (usage) on units of other dimensions, on a distance that is not greater than
-// 0 and on one that does not belong to an illuminance.
+// "nt", "lx@2m", "evlx@30cm", "lx", "W@90lm/W", "W@khronos-177" (gonio/light/efficacy.hpp). Fails (usage) on units of
+// other dimensions, on a distance that is not greater than 0 and on one that does not belong to an illuminance.
 Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
 
 // "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts.

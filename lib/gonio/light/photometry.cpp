@@ -194,7 +194,8 @@ void note_inverse_square(ConversionSteps* steps, const Shape& shape, double inte
 }
 
 Unexpected luminance_refused(const Emitter& emitter) {
-    return fail(Failure::usage, emitter.no_luminance, "give it a size, for example --shape sphere:r=1cm");
+    return fail(Failure::usage, emitter.no_luminance,
+                "give it a size: --shape sphere:r=1cm, or --assume sphere:r=1cm for this answer alone");
 }
 
 Unexpected sun_refused(const char* quantity) {
@@ -260,9 +261,9 @@ Result<double> strength_of(const Shape& shape, const Emitter& emitter, const Pho
     if (is_flux(dimension)) {
         if (emitter.at_infinity) return sun_refused("flux");
         double lumens = base;
-        if (value.efficacy_lm_per_w) {
-            lumens *= *value.efficacy_lm_per_w;
-            note(steps, fmt::format("Φ = P · {} lm/W", *value.efficacy_lm_per_w), lumens, "lm");
+        if (value.unit.efficacy_lm_per_w) {
+            lumens *= *value.unit.efficacy_lm_per_w;
+            note(steps, fmt::format("Φ = P · {} lm/W", *value.unit.efficacy_lm_per_w), lumens, "lm");
         }
         const Factor factor = std::visit(FluxFactor{shape, emitter}, shape);
         if (!(factor.value > 0.0))
@@ -340,6 +341,10 @@ Result<double> express(const Shape& shape, const Emission& emission, const Photo
         const Factor factor = std::visit(FluxFactor{shape, emitter}, shape);
         base *= factor.value;
         note(steps, factor.formula, base, "lm");
+        if (unit.efficacy_lm_per_w) {
+            base /= *unit.efficacy_lm_per_w;
+            note(steps, fmt::format("P = Φ / {} lm/W", *unit.efficacy_lm_per_w), base, "W");
+        }
     } else if (is_luminance(dimension)) {
         if (!emitter.luminance) return luminance_refused(emitter);
         base = emission.luminance.value;
@@ -365,6 +370,49 @@ Result<double> express(const Shape& shape, const Emission& emission, const Photo
     if (!std::isfinite(number))
         return fail(Failure::usage, fmt::format("the result in {} is too large for a number", unit.unit->symbol));
     return number;
+}
+
+Result<Emission> with_same_flux(const Shape& from, const Emission& emission, const Shape& to) {
+    PhotometricValue lumens{0.0, {find_unit("lm"), std::nullopt, std::nullopt}};
+    Result<double> number = express(from, emission, lumens.unit);
+    if (!number) return pass_on(number);
+    lumens.number = *number;
+    return emission_of(to, lumens);
+}
+
+Result<Meters> distance_of(const Shape& shape, const Emission& emission, Lux illuminance) {
+    if (!(illuminance.value > 0.0) || !std::isfinite(illuminance.value))
+        return fail(Failure::usage, "a distance belongs to an illuminance above 0");
+    Result<Emitter> made = emitter_of(shape);
+    if (!made) return pass_on(made);
+    const Emitter& emitter = *made;
+    if (emitter.at_infinity)
+        return fail(Failure::usage, "the sun is infinitely far away, so its illuminance does not depend on a distance");
+    const double candela = emission.intensity.value * emitter.axial_share;
+    if (!(candela > 0.0))
+        return fail(Failure::usage, "the light is dark along its direction, so no distance gives an illuminance there");
+    const auto lux_at = [&](double distance_m) {
+        return emission.intensity.value * std::visit(FacingFactor{emitter, Meters(distance_m)}, shape).value;
+    };
+    // Brightest on contact, where an area light fills the half space; falling without end. The inverse square of the
+    // brightest direction bounds it for every shape but the tube, whose near end may count for more: doubled until
+    // dark.
+    double far = std::sqrt(candela / illuminance.value);
+    if (!std::isfinite(far) || !(far > 0.0))
+        return fail(Failure::usage, "the distance is beyond the range of a number");
+    double near = std::fmax(emitter.nearest_m, 1e-9 * far);
+    if (lux_at(near) < illuminance.value)
+        return fail(Failure::usage, fmt::format("even on contact this light gives only {} lx", rounded(lux_at(near))),
+                    "ask for less, or give it more flux or a smaller size");
+    if (inverse_square_is_exact(shape)) return Meters(far);
+    far = std::fmax(far, near);
+    while (lux_at(far) > illuminance.value)
+        far *= 2.0;
+    for (;;) {
+        const double middle = 0.5 * (near + far);
+        if (!(middle > near && middle < far)) return Meters(middle);
+        (lux_at(middle) >= illuminance.value ? near : far) = middle;
+    }
 }
 
 } // namespace gonio

@@ -48,4 +48,13 @@ Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, 
 Result<double> express(const Shape& shape, const Emission& emission, const PhotometricUnit& unit,
                        ConversionSteps* steps = nullptr);
 
+// The emission of `to` that has the flux of `from`: the same lamp in another shape. Fails as emission_of() and
+// express().
+Result<Emission> with_same_flux(const Shape& from, const Emission& emission, const Shape& to);
+
+// The distance from the shape's centre at which a receiver that faces it gets `illuminance` > 0, exact for the shape:
+// beyond it there is less. Fails (usage) for the sun, for a shape that is dark along its direction, and where even
+// contact gives less; relative error below 1e-14.
+Result<Meters> distance_of(const Shape& shape, const Emission& emission, Lux illuminance);
+
 } // namespace gonio

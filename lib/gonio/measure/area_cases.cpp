@@ -148,4 +148,25 @@ AreaCases area_cases(Kind kind, std::size_t count, std::uint64_t seed) {
     return cases;
 }
 
+AreaCases area_cases_of(Kind kind, Stratum stratum, std::size_t count, std::uint64_t seed) {
+    const std::size_t groups = (count + AreaCases::group_size - 1) / AreaCases::group_size;
+    const AreaCases all = area_cases(kind, groups * AreaCases::group_size, seed);
+    AreaCases some;
+    for (std::size_t g = 0; g < groups; ++g) {
+        std::vector<std::size_t> of_group;
+        for (std::size_t i = g * AreaCases::group_size; i < (g + 1) * AreaCases::group_size; ++i)
+            if (all.stratum[i] == stratum) of_group.push_back(i);
+        some.lights.push_back(all.lights[g]);
+        for (std::size_t k = 0; k < AreaCases::group_size; ++k) {
+            const std::size_t i = of_group[k % of_group.size()];
+            for (std::size_t c = 0; c < 3; ++c) {
+                some.position[c].push_back(all.position[c][i]);
+                some.normal[c].push_back(all.normal[c][i]);
+            }
+            some.stratum.push_back(stratum);
+        }
+    }
+    return some;
+}
+
 } // namespace gonio::measure

@@ -34,6 +34,9 @@ struct AreaCases {
 // from 1 cm to 100 m; one-sided lights are seen from the front. The same for the same seed on every machine.
 AreaCases area_cases(shading::LightConstants::Kind kind, std::size_t count, std::uint64_t seed);
 
+// Poses of one stratum, at least `count` of them, before the lights that area_cases makes.
+AreaCases area_cases_of(shading::LightConstants::Kind kind, Stratum stratum, std::size_t count, std::uint64_t seed);
+
 // Radius of the sphere about the light that holds it.
 double bounding_radius(const shading::LightConstants& light);
 

@@ -5,6 +5,8 @@
 #include <gonio/shading/irradiance_tube.hpp>
 #include <gonio/simd/dispatch.hpp>
 
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace gonio::measure {
@@ -26,8 +28,8 @@ vec3<S> vec(const float (&v)[3]) {
 }
 
 // Calls function(arguments) for one case after the other.
-template<class S, class To, class Function>
-void one_by_one(const AreaCases& cases, std::span<To> e_over_l, const Function& function) {
+template<class S, class Function>
+void one_by_one(const AreaCases& cases, std::span<S> e_over_l, const Function& function) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const shading::LightConstants& light = cases.lights[i / AreaCases::group_size];
         const auto at = [i](const std::array<std::vector<float>, 3>& v) {
@@ -41,15 +43,44 @@ void one_by_one(const AreaCases& cases, std::span<To> e_over_l, const Function& 
                              static_cast<S>(light.width),
                              static_cast<S>(light.height),
                              static_cast<S>(light.length)};
-        e_over_l[i] = static_cast<To>(function(a));
+        e_over_l[i] = function(a);
     }
 }
 
 template<class S, class Function>
-AreaMethod scalar_method(std::string name, std::string precision, Function function) {
-    return {std::move(name), std::move(precision), [function](const AreaCases& cases, std::span<float> e_over_l) {
-                one_by_one<S>(cases, e_over_l, function);
-            }};
+AreaMethod scalar_method(std::string name, Function function) {
+    const auto work = [function](const AreaCases& cases, std::span<S> e_over_l) {
+        one_by_one<S>(cases, e_over_l, function);
+    };
+    if constexpr (std::is_same_v<S, double>) {
+        return {std::move(name), "double", {}, work};
+    } else {
+        return {std::move(name), "float", work, {}};
+    }
+}
+
+// A method that hands each light with its receivers to call(kernels, surfaces, light, where to).
+template<class Call>
+void add_kernels(std::vector<AreaMethod>& methods, const std::string& name, Call call) {
+    for (const simd::InstructionSet set : simd::available_sets()) {
+        if (set == simd::InstructionSet::scalar) continue;
+        const shading::Kernels& kernels = shading::kernels(set);
+        methods.push_back({name,
+                           kernels.name,
+                           [&kernels, call](const AreaCases& cases, std::span<float> e_over_l) {
+                               for (std::size_t g = 0; g < cases.lights.size(); ++g)
+                                   call(kernels, cases.surfaces(g), cases.lights[g],
+                                        e_over_l.data() + g * AreaCases::group_size);
+                           },
+                           {}});
+    }
+}
+
+void add_approximation(std::vector<AreaMethod>& methods, const std::string& name, shading::Approximation method) {
+    add_kernels(methods, name,
+                [method](const shading::Kernels& kernels, const shading::Surfaces& surfaces,
+                         const shading::LightConstants& light,
+                         float* lx) { kernels.approximate_irradiance(surfaces, light, method, lx); });
 }
 
 // The functions of one shape under the names of its methods.
@@ -100,19 +131,14 @@ template<class Shape>
 std::vector<AreaMethod> methods_of() {
     std::vector<AreaMethod> methods;
     const auto exact = [](const auto& a) { return Shape::exact(a); };
-    methods.push_back(scalar_method<double>("exact", "double", exact));
-    methods.push_back(scalar_method<float>("exact", "float", exact));
-    for (const simd::InstructionSet set : simd::available_sets()) {
-        if (set == simd::InstructionSet::scalar) continue;
-        const shading::Kernels& kernels = shading::kernels(set);
-        methods.push_back({"exact", kernels.name, [&kernels](const AreaCases& cases, std::span<float> e_over_l) {
-                               for (std::size_t g = 0; g < cases.lights.size(); ++g)
-                                   kernels.irradiance(cases.surfaces(g), cases.lights[g],
-                                                      e_over_l.data() + g * AreaCases::group_size);
-                           }});
-    }
-    methods.push_back(scalar_method<float>("frostbite", "float", [](const auto& a) { return Shape::frostbite(a); }));
-    methods.push_back(scalar_method<float>("point", "float", [](const auto& a) { return Shape::point(a); }));
+    methods.push_back(scalar_method<double>("exact", exact));
+    methods.push_back(scalar_method<float>("exact", exact));
+    add_kernels(methods, "exact",
+                [](const shading::Kernels& kernels, const shading::Surfaces& surfaces,
+                   const shading::LightConstants& light, float* lx) { kernels.irradiance(surfaces, light, lx); });
+    methods.push_back(scalar_method<float>("frostbite", [](const auto& a) { return Shape::frostbite(a); }));
+    add_approximation(methods, "frostbite", shading::Approximation::frostbite);
+    methods.push_back(scalar_method<float>("point", [](const auto& a) { return Shape::point(a); }));
     return methods;
 }
 
@@ -131,7 +157,8 @@ std::vector<AreaMethod> area_methods(Kind kind) {
         return methods_of<Rectangle>();
     case Kind::tube: {
         auto methods = methods_of<Tube>();
-        methods.push_back(scalar_method<float>("ue4", "float", [](const auto& a) { return Tube::ue4(a); }));
+        methods.push_back(scalar_method<float>("ue4", [](const auto& a) { return Tube::ue4(a); }));
+        add_approximation(methods, "ue4", shading::Approximation::ue4);
         return methods;
     }
     default:
@@ -158,20 +185,12 @@ std::vector<double> area_truth(const AreaCases& cases) {
     return truth;
 }
 
-Result<std::vector<SphereMeasurement>> compare_area_methods(Kind kind, const SphereComparison& options) {
+Result<std::vector<MethodMeasurement>> compare_area_methods(Kind kind, const ComparisonOptions& options) {
     const AreaCases cases = area_cases(kind, options.cases, options.seed);
-    const std::vector<double> truth = area_truth(cases);
-    std::vector<SphereMeasurement> measurements;
-    std::vector<float> values(cases.size());
-    for (const AreaMethod& method : area_methods(kind)) {
-        SphereMeasurement measured{method.name, method.precision, {}, {}, {}};
-        Result<Timing> timing = time_work([&] { method.evaluate(cases, values); }, cases.size(), options.timing);
-        if (!timing) return pass_on(timing);
-        measured.timing = *timing;
-        fill_errors(measured, values, truth, cases.stratum, options.relative_floor);
-        measurements.push_back(std::move(measured));
-    }
-    return measurements;
+    const auto of_stratum = [&](Stratum stratum) {
+        return area_cases_of(kind, stratum, options.cases_by_stratum, options.seed);
+    };
+    return compare_methods(area_methods(kind), cases, area_truth(cases), of_stratum, options);
 }
 
 } // namespace gonio::measure

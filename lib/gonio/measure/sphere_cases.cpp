@@ -103,4 +103,18 @@ SphereCases sphere_cases(std::size_t count, std::uint64_t seed) {
     return cases;
 }
 
+SphereCases sphere_cases_of(Stratum stratum, std::size_t count, std::uint64_t seed) {
+    const SphereCases all = sphere_cases(count * stratum_count, seed);
+    SphereCases some;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all.stratum[i] != stratum) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            some.position[k].push_back(all.position[k][i]);
+            some.normal[k].push_back(all.normal[k][i]);
+        }
+        some.stratum.push_back(stratum);
+    }
+    return some;
+}
+
 } // namespace gonio::measure

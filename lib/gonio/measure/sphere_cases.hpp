@@ -36,4 +36,7 @@ struct SphereCases {
 // `count` poses, the strata in turn; the same for the same seed on every machine.
 SphereCases sphere_cases(std::size_t count, std::uint64_t seed);
 
+// `count` poses of one stratum.
+SphereCases sphere_cases_of(Stratum stratum, std::size_t count, std::uint64_t seed);
+
 } // namespace gonio::measure

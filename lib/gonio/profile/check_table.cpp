@@ -1,15 +1,11 @@
 #include <gonio/profile/parse.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gonio::profile_detail {
 
-Poles look_at_poles(const std::vector<double>& gammas_deg, const std::vector<double>& table) {
+Poles look_at_poles(const std::vector<double>& gammas_deg, const std::vector<double>& table, double peak) {
     Poles poles;
-    double peak = 0.0;
-    for (const double value : table)
-        peak = std::max(peak, std::abs(value));
     poles.all_zero = peak == 0.0;
     const std::size_t count = gammas_deg.size();
     const auto differs = [&](std::size_t column) {

@@ -1,8 +1,8 @@
 // The diagnostic codes of the profile room: what `gonio explain CODE` says and what the readers may emit.
 //
 // A code is stable: it is never given another meaning and never used again once retired. PRF…: any photometric file,
-// IES…: LM-63, LDT…: EULUMDAT. The second pair of digits groups them: 01 the text, 02 numbers and counts, 03 angles,
-// 04 what the table says.
+// IES…: LM-63, LDT…: EULUMDAT, TM3…: TM-33. The second pair of digits groups them: 01 the text, 02 numbers and counts,
+// 03 angles, 04 what the table says.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
@@ -27,17 +27,18 @@ inline constexpr ProfileCode profile_codes[] = {
      "archive, a resource fork that a copy left behind."},
     {"PRF0103", Severity::error, Severity::error, false, "format not recognised",
      "An IES file names its version in the first line or has a TILT= line; a EULUMDAT file has numbers in lines 2 to "
-     "7. This text has neither, and the file's name does not tell."},
+     "7; a TM-33 document is XML with an outermost element of a known name. This text has none of it, and the file's "
+     "name does not tell."},
     {"PRF0104", Severity::warning, Severity::warning, false, "byte order mark",
      "The text begins with the three bytes of a UTF-8 byte order mark. Both formats ask for plain text; many readers "
      "fail to recognise the first line behind such a mark. It is ignored."},
     {"PRF0105", Severity::warning, Severity::warning, false, "data after Ctrl-Z",
      "Ctrl-Z (byte 26) ends a text in the DOS tradition. What follows it is ignored."},
-    {"PRF0106", Severity::error, Severity::error, false, "UTF-16 text",
-     "The file begins with a UTF-16 byte order mark. Both formats are defined over single bytes: save it as UTF-8 or "
-     "in the code page of its language."},
-    {"PRF0107", Severity::error, Severity::error, false, "TM-33 is not read yet",
-     "The file is XML of the IES TM-33 kind. This version of gonio reads IES LM-63 and EULUMDAT."},
+    {"PRF0106", Severity::warning, Severity::error, false, "UTF-16 text",
+     "The file is UTF-16: two bytes a character. The formats are defined over single bytes, and hardly another program "
+     "reads this. It is converted to UTF-8 and read; lines and columns are those of the converted text."},
+    {"PRF0108", Severity::warning, Severity::warning, false, "XML that is not UTF-8",
+     "TM-33 is XML, whose text is UTF-8. This one has other bytes; it is read as Windows-1252."},
 
     {"IES0101", Severity::warning, Severity::warning, false, "unusual spelling of the version line",
      "The standards write IESNA91, IESNA:LM-63-1995, IESNA:LM-63-2002 and IES:LM-63-2019, without blanks around. "
@@ -65,15 +66,18 @@ inline constexpr ProfileCode profile_codes[] = {
      "programs find it only so."},
     {"IES0110", Severity::warning, Severity::error, false, "TILT line not in capitals",
      "The standard writes TILT, NONE and INCLUDE in capitals."},
-    {"IES0111", Severity::error, Severity::error, false, "TILT factors in another file",
-     "The factors for a tilted lamp are in a file of their own, which gonio does not read yet. Put them into this "
-     "file as TILT=INCLUDE, or TILT=NONE when the light is only used as it was measured."},
-    {"IES0112", Severity::error, Severity::error, false, "TILT file in LM-63-2019",
-     "LM-63-2019 allows TILT=NONE and TILT=INCLUDE only."},
+    {"IES0111", Severity::warning, Severity::error, false, "TILT factors are not read",
+     "The factors for a tilted lamp are in a file of their own, which must lie beside the profile and be named without "
+     "a folder. It could not be had, and the profile is read without factors: as for a lamp that is used in the "
+     "position it was measured in. Put the factors into this file as TILT=INCLUDE."},
+    {"IES0112", Severity::warning, Severity::error, false, "TILT file in LM-63-2019",
+     "LM-63-2019 allows TILT=NONE and TILT=INCLUDE only. The file is read as in the editions before."},
     {"IES0113", Severity::error, Severity::error, false, "lamp geometry out of range",
-     "Behind TILT=INCLUDE stands the lamp-to-luminaire geometry, which is 1, 2 or 3."},
+     "Behind TILT=INCLUDE, and in the file of TILT=FILE, stands the lamp-to-luminaire geometry, which is 1, 2 or 3."},
     {"IES0114", Severity::error, Severity::error, false, "TILT table broken",
-     "TILT=INCLUDE announces a number of tilt angles; as many ascending angles and as many factors must follow."},
+     "A TILT table announces a number of tilt angles; as many ascending angles and as many factors must follow."},
+    {"IES0115", Severity::warning, Severity::warning, true, "keyword of no standard",
+     "From LM-63-2002 on, a keyword that the standard does not define begins with an underscore: [_MOUNTING]."},
 
     {"IES0201", Severity::error, Severity::error, false, "not a number",
      "From the line after TILT= on the file holds numbers only, separated by blanks, commas or line ends. A decimal "
@@ -106,9 +110,10 @@ inline constexpr ProfileCode profile_codes[] = {
     {"IES0212", Severity::warning, Severity::warning, false, "ballast factor not positive",
      "The ballast factor scales the whole table and is near 1 in real luminaires."},
     {"IES0213", Severity::warning, Severity::warning, false, "field 12 has no such value",
-     "The twelfth number is a ballast-lamp factor up to 1991, reserved and 1 in 1995 and 2002, and the file "
-     "generation type in 2019 (1, or 1.00001 to 1.11110). Here it is neither; it is kept, and from 1995 on it is no "
-     "factor."},
+     "The twelfth number is a ballast-lamp factor up to 1991, reserved and 1 in 1995 and 2002, and the file generation "
+     "type in 2019: 1.00001 undefined, 1.0001 simulated, 1 and 1.1 tested at an unaccredited or accredited laboratory, "
+     "with .001 for scaled lumens and .01 for interpolated angles. Here it is none of these; it is kept, and from 1995 "
+     "on it is no factor."},
     {"IES0214", Severity::warning, Severity::warning, false, "text after the table",
      "The announced values were all read and something follows. Either it is a remark, or a count is wrong."},
     {"IES0215", Severity::warning, Severity::warning, false, "number of lamps not positive",
@@ -116,7 +121,7 @@ inline constexpr ProfileCode profile_codes[] = {
     {"IES0216", Severity::warning, Severity::warning, true, "number with an exponent",
      "LM-63 writes plain decimals; some readers stop at an exponent. The value is read."},
     {"IES0217", Severity::warning, Severity::warning, true, "count with a decimal point",
-     "LM-63 writes counts and codes as integers; some readers refuse 37.0. The value is read."},
+     "LM-63 writes counts and codes as integers since 1991; some readers refuse 37.0. The value is read."},
     {"IES0218", Severity::warning, Severity::warning, false, "negative input watts",
      "The input power in watts cannot be negative. It is kept as written."},
     {"IES0219", Severity::warning, Severity::error, false, "unknown shape of the luminous opening",
@@ -177,7 +182,10 @@ inline constexpr ProfileCode profile_codes[] = {
      "EULUMDAT writes a decimal point. The comma is read as one; other programs read the number only up to it."},
     {"LDT0106", Severity::warning, Severity::warning, false, "text field too long",
      "EULUMDAT allows 78 characters in a text, 24 for a lamp's type, 16 for its colour and 6 for its colour "
-     "rendering, 8 for the file's name. The text is kept whole."},
+     "rendering. The text is kept whole."},
+    {"LDT0107", Severity::warning, Severity::warning, true, "file name too long",
+     "EULUMDAT allows 8 characters for the file's name in line 11, as DOS did. Longer names are usual and harm "
+     "nothing; the name is kept whole."},
 
     {"LDT0201", Severity::error, Severity::error, false, "not a whole number in range",
      "Counts and codes are whole numbers; there is at least one plane, one angle and one set of lamps."},
@@ -233,10 +241,82 @@ inline constexpr ProfileCode profile_codes[] = {
      "The ten direct ratios are for the utilisation-factor method and can be computed from the table."},
     {"LDT0405", Severity::warning, Severity::warning, false, "light output ratio is zero",
      "Line 23 is the share of the lamps' flux that leaves the luminaire, 100 in absolute photometry."},
+    {"LDT0408", Severity::warning, Severity::warning, false, "absolute photometry with losses",
+     "A negative number of lamps says that the flux is the luminaire's own, so that all of it leaves the luminaire: "
+     "line 23 should be 100. The intensities are per 1000 lm of that flux whatever stands there."},
     {"LDT0406", Severity::note, Severity::note, false, "conversion factor is not 1",
      "Line 24 is a factor on the intensities that depends on the measurement."},
     {"LDT0407", Severity::note, Severity::note, false, "tilted during measurement",
      "Line 25 is the luminaire's tilt while it was measured, of importance for road luminaires. Nothing is turned."},
+
+    {"TM30101", Severity::error, Severity::error, false, "not well-formed XML",
+     "The document breaks the rules of XML at this place: a tag that is not closed, an attribute without quotes, a "
+     "sign that must be written as an entity."},
+    {"TM30102", Severity::error, Severity::error, false, "no TM-33 document",
+     "The outermost element of TM-33 is IESTM33-22, before 2023 IESTM33; ATLA_S001 and LuminaireOpticalData are "
+     "read as well."},
+    {"TM30103", Severity::warning, Severity::error, false, "required element missing",
+     "The schema of TM-33 requires these elements; what they say is not known."},
+    {"TM30104", Severity::warning, Severity::warning, false, "unknown version",
+     "Versions 1.0 and 1.1 are known. The document is read as they are."},
+    {"TM30105", Severity::error, Severity::error, false, "no emitter",
+     "All light of TM-33 is described by Emitter elements, and there is none."},
+    {"TM30106", Severity::warning, Severity::warning, false, "dialect of a program",
+     "LuminaireOpticalData is how some programs write what TM-33 describes, partly with other names. It is "
+     "understood."},
+    {"TM30107", Severity::error, Severity::error, false, "nested too deeply",
+     "TM-33 needs eight levels of elements; more than 64 are refused."},
+    {"TM30201", Severity::warning, Severity::error, false, "not a number",
+     "The element should hold a number. It is taken as not given, and written back as it stands."},
+    {"TM30202", Severity::warning, Severity::error, false, "neither true nor false",
+     "The element should be true or false. It is taken as not given, and written back as it stands."},
+    {"TM30203", Severity::warning, Severity::error, false, "count does not fit",
+     "NumberMeasured, NumberHorz, NumberVert and NumberWavelength say how many points and angles there are. The "
+     "points say otherwise, and they are used."},
+    {"TM30204", Severity::error, Severity::error, false, "points missing",
+     "Every vertical angle must have a point in every horizontal plane; scattered points are not interpolated."},
+    {"TM30205", Severity::error, Severity::error, false, "point given twice",
+     "Two points stand at the same pair of angles, so that the intensity there is not known."},
+    {"TM30206", Severity::error, Severity::error, false, "point without angles",
+     "Each point of the intensity carries a horizontal and a vertical angle, as the attributes h and v."},
+    {"TM30207", Severity::error, Severity::error, false, "not a number in a table",
+     "Points of intensity and spectra, their angles and wavelengths are numbers."},
+    {"TM30208", Severity::error, Severity::error, false, "multiplier not positive",
+     "The multiplier scales the whole table; zero or less leaves no light to speak of."},
+    {"TM30209", Severity::warning, Severity::error, false, "odd quantity",
+     "Quantity is how many such emitters there are; it does not scale the intensity. 4294967295 is a minus one "
+     "that a program took for a positive number."},
+    {"TM30210", Severity::warning, Severity::error, false, "unknown symmetry",
+     "Symm is Symm_None, Symm_Bi_0, Symm_Bi_90, Symm_Quad, Symm_Full or Symm_Arbitrary. The planes of the table "
+     "tell what is needed."},
+    {"TM30211", Severity::error, Severity::error, false, "not a finite number",
+     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"TM30212", Severity::warning, Severity::error, false, "tilt left out",
+     "TiltAngles holds a factor for each of several ascending tilt angles."},
+    {"TM30213", Severity::error, Severity::error, false, "spectrum lists of unequal length",
+     "There is one value for each wavelength."},
+    {"TM30301", Severity::warning, Severity::warning, false, "symmetry does not fit the planes",
+     "One plane is Symm_Full, 0 to 90 degrees Symm_Quad, 0 to 180 Symm_Bi_0, 90 to 270 Symm_Bi_90, 0 to 360 "
+     "Symm_None. The planes are used as they are."},
+    {"TM30302", Severity::error, Severity::error, false, "angle out of range",
+     "No direction has such an angle: vertical angles lie in 0 to 180 degrees in type C and in -90 to 90 in types "
+     "A and B; horizontal angles span one turn at most."},
+    {"TM30303", Severity::warning, Severity::warning, false, "wavelengths not ascending",
+     "The points of a spectrum are listed by wavelength. They are kept as they stand."},
+    {"TM30304", Severity::warning, Severity::warning, false, "no plane at 360 degrees",
+     "A table around the full turn ends with the plane at 360 degrees, equal to the one at 0. Where the gap is as "
+     "wide as a step, the turn is closed with the plane at 0."},
+    {"TM30401", Severity::warning, Severity::warning, false, "negative intensity",
+     "A table whose stray light was subtracted too eagerly has values below zero. They are kept."},
+    {"TM30402", Severity::warning, Severity::warning, false, "no light", "Every value of the table is zero."},
+    {"TM30403", Severity::warning, Severity::warning, false, "planes disagree at the pole",
+     "All planes meet at nadir (0 degrees) and zenith (180 degrees), where there is one intensity. Here they "
+     "differ by more than a thousandth of the peak; each plane keeps its own value."},
+    {"TM30404", Severity::warning, Severity::warning, false, "no luminous intensity",
+     "The document describes radiant or photon intensity only, or spectra: it can be read and written, but there "
+     "are no candela to work with."},
+    {"TM30405", Severity::warning, Severity::error, false, "intensity without points",
+     "The element of the luminous intensity holds no point."},
 };
 
 // nullptr when there is no such code.

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <string>
-#include <string_view>
 
 namespace gonio::profile_detail {
 
@@ -34,7 +32,9 @@ void check_vertical(const IesFile& file, const TablePlaces& places, Report& repo
     const bool ends = c ? is_one_of(last, {90.0, 180.0}) : last == 90.0;
     if (!begins || !ends)
         report.add("IES0305", begins ? places.last_vertical : places.vertical,
-                   fmt::format("vertical angles from {} to {}, there is no light outside them", first, last));
+                   fmt::format("vertical angles from {} to {}, there is no light outside them", first, last),
+                   c ? "type C begins at 0 or 90 and ends at 90 or 180"
+                     : "types A and B begin at -90 or 0 and end at 90");
 }
 
 void check_horizontal_c(const IesFile& file, const TablePlaces& places, Report& report) {
@@ -42,7 +42,8 @@ void check_horizontal_c(const IesFile& file, const TablePlaces& places, Report& 
     const double first = planes.front();
     const double last = planes.back();
     if (planes.size() == 1) {
-        if (first != 0.0) report.add("IES0308", places.horizontal, fmt::format("the only plane is at {}", first));
+        if (first != 0.0)
+            report.add("IES0308", places.horizontal, fmt::format("the only plane is at {}", first), "write 0");
         return;
     }
     if (first == 90.0 && last == 270.0) {
@@ -61,7 +62,7 @@ void check_horizontal_c(const IesFile& file, const TablePlaces& places, Report& 
     }
     if (first != 0.0 || !is_one_of(last, {90.0, 180.0, 360.0}))
         report.add("IES0306", first != 0.0 ? places.horizontal : places.last_horizontal,
-                   fmt::format("planes from {} to {}", first, last));
+                   fmt::format("planes from {} to {}", first, last), "planes run from 0 to 0, 90, 180 or 360");
 }
 
 void check_horizontal(const IesFile& file, const TablePlaces& places, Report& report) {
@@ -79,30 +80,9 @@ void check_horizontal(const IesFile& file, const TablePlaces& places, Report& re
         check_horizontal_c(file, places, report);
     } else if (!is_one_of(first, {-90.0, 0.0}) || last != 90.0) {
         report.add("IES0306", is_one_of(first, {-90.0, 0.0}) ? places.last_horizontal : places.horizontal,
-                   fmt::format("horizontal angles from {} to {}", first, last));
+                   fmt::format("horizontal angles from {} to {}", first, last),
+                   "types A and B run from -90 or 0 to 90");
     }
-}
-
-// The signs of width, length and height that code a shape, per edition: '+', '-', '0'. Dimensions that are not negative
-// are a point, a line, a rectangle or a box in all of them.
-bool is_known_shape(const IesFile& file) {
-    const auto sign = [](double value) { return value > 0.0 ? '+' : value < 0.0 ? '-' : '0'; };
-    const std::string signs{sign(file.width), sign(file.length), sign(file.height)};
-    if (signs.find('-') == std::string::npos) return true;
-    const auto is_one = [&](std::initializer_list<std::string_view> known) {
-        return std::find(known.begin(), known.end(), signs) != known.end();
-    };
-    switch (file.version) {
-    case IesVersion::lm63_1986:
-    case IesVersion::lm63_1991: // circle, vertical cylinder, ellipse, ellipsoid
-        return is_one({"-00", "-0+", "-+0", "-++"});
-    case IesVersion::lm63_1995: // circle, sphere, cylinders: vertical, along, across; elliptic cylinders, ellipsoids
-        return is_one({"-00", "-0-", "-0+", "0+-", "+0-", "-++", "+-+", "-+-", "+--"});
-    case IesVersion::lm63_2002:
-    case IesVersion::lm63_2019: // ellipse, vertical cylinder, ellipsoid, cylinders along and across, vertical ellipses
-        return is_one({"--0", "--+", "---", "-+-", "+--", "-0-", "0--"});
-    }
-    return false;
 }
 
 } // namespace
@@ -110,12 +90,13 @@ bool is_known_shape(const IesFile& file) {
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     check_vertical(file, places, report);
     check_horizontal(file, places, report);
-    if (!is_known_shape(file))
+    if (!ies_opening_shape(file))
         report.add("IES0219", places.shape,
                    fmt::format("width {}, length {} and height {} code no shape in {}", file.width, file.length,
-                               file.height, to_text(file.version)));
+                               file.height, to_text(file.version)),
+                   "a circle of diameter d is -d -d 0 since 2002 and -d 0 0 before");
     if (places.first_negative != no_place) report.add("IES0401", places.first_negative, "a negative candela value");
-    const Poles poles = look_at_poles(file.vertical_deg, file.candela);
+    const Poles poles = look_at_poles(file.vertical_deg, file.candela, places.peak);
     if (poles.all_zero) report.add("IES0402", places.candela, "every candela value is zero");
     if (file.photometry != Photometry::c) return;
     if (poles.nadir_differs || poles.zenith_differs)
@@ -124,10 +105,8 @@ void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     if (file.horizontal_deg.front() == 0.0 && file.horizontal_deg.back() == 360.0) {
         const std::size_t count = file.vertical_deg.size();
         const std::size_t last = file.candela.size() - count;
-        double peak = 0.0;
+        const double peak = places.peak;
         double difference = 0.0;
-        for (const double value : file.candela)
-            peak = std::max(peak, std::abs(value));
         for (std::size_t i = 0; i < count; ++i)
             difference = std::max(difference, std::abs(file.candela[i] - file.candela[last + i]));
         if (difference > peak * 1e-3)

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace gonio::profile_detail {
@@ -67,8 +68,12 @@ std::size_t longest_line(IesVersion version) { // characters, CR LF included
 
 class IesParser {
 public:
-    IesParser(TextRange text, Report& report)
-        : report_(report), lines_(report.bytes(), text.begin, text.end), numbers_(report.bytes(), 0, 0), text_(text) {}
+    IesParser(TextRange text, Report& report, const ReadBeside& read_beside)
+        : report_(report),
+          read_beside_(read_beside),
+          lines_(report.bytes(), text.begin, text.end),
+          numbers_(report.bytes(), 0, 0),
+          text_(text) {}
 
     Result<IesFile> parse() {
         read_version();
@@ -76,8 +81,11 @@ public:
         check_keywords();
         check_line_lengths();
         numbers_ = NumberScanner(report_.bytes(), lines_.offset(), text_.end);
-        if (file_.tilt_keyword == "INCLUDE")
-            if (Result<void> read = read_tilt(); !read) return pass_on(read);
+        if (file_.tilt_keyword == "INCLUDE") {
+            Result<IesTilt> tilt = parse_tilt(numbers_, text_.end, report_);
+            if (!tilt) return pass_on(tilt);
+            file_.tilt = std::move(*tilt);
+        }
         if (Result<void> read = read_header(); !read) return pass_on(read);
         if (Result<void> read = read_angles(); !read) return pass_on(read);
         if (Result<void> read = read_candela(); !read) return pass_on(read);
@@ -163,15 +171,18 @@ private:
         const std::size_t offset = line.offset + sign + (written.size() - trim_left(written).size());
         if (value.empty()) return report_.fail("IES0108", offset, "nothing stands behind TILT=", "write TILT=NONE");
         if (file_.version == IesVersion::lm63_2019)
-            return report_.fail("IES0112", offset, "LM-63-2019 allows no TILT factors in another file",
-                                "write the factors into this file, as TILT=INCLUDE");
-        return report_.fail("IES0111", offset,
-                            fmt::format("TILT factors in the file {} are not read yet", quoted(value.substr(0, 80))),
-                            "write the factors into this file, as TILT=INCLUDE", Failure::unsupported);
+            report_.add("IES0112", offset, "LM-63-2019 allows no TILT factors in another file",
+                        "write the factors into this file, as TILT=INCLUDE");
+        file_.tilt_keyword = value;
+        Result<IesTilt> tilt = read_tilt_beside(value, offset, read_beside_, report_);
+        if (!tilt) return pass_on(tilt);
+        file_.tilt = std::move(*tilt);
+        return {};
     }
 
     void check_keywords() {
         if (file_.version != IesVersion::lm63_2002 && file_.version != IesVersion::lm63_2019) return;
+        if (report_.strict()) check_keyword_names();
         std::string missing;
         for (const std::string_view name : {"TEST", "TESTLAB", "ISSUEDATE", "MANUFAC"}) {
             const bool found = std::any_of(file_.keywords.begin(), file_.keywords.end(),
@@ -180,6 +191,24 @@ private:
         }
         if (!missing.empty())
             report_.add("IES0106", text_.begin, fmt::format("required by {}: {}", to_text(file_.version), missing));
+    }
+
+    // From 2002 on, names that the standard does not define begin with an underscore.
+    void check_keyword_names() {
+        static constexpr std::array<std::string_view, 20> defined{
+            "TEST",          "TESTLAB",      "TESTDATE",   "ISSUEDATE", "MANUFAC",  "LUMCAT",       "LUMINAIRE",
+            "LAMPCAT",       "LAMP",         "BALLASTCAT", "BALLAST",   "MAINTCAT", "DISTRIBUTION", "FLASHAREA",
+            "COLORCONSTANT", "LAMPPOSITION", "NEARFIELD",  "OTHER",     "SEARCH",   "FILEGENINFO"};
+        std::string unknown;
+        for (const IesKeyword& keyword : file_.keywords) {
+            const bool known = std::any_of(defined.begin(), defined.end(),
+                                           [&](std::string_view name) { return equals_any_case(keyword.name, name); });
+            if (!known && !keyword.name.empty() && keyword.name.front() != '_')
+                unknown += fmt::format("{}[{}]", unknown.empty() ? "" : ", ", keyword.name);
+        }
+        if (!unknown.empty())
+            report_.add("IES0115", text_.begin,
+                        fmt::format("not defined in {}: {}", to_text(file_.version), quoted(unknown.substr(0, 80))));
     }
 
     void check_line_lengths() {
@@ -195,51 +224,7 @@ private:
         }
     }
 
-    // The error for a token that is no number; `end` is the caller's to explain.
-    Unexpected bad_token(Token token) {
-        const std::string shown = quoted(numbers_.token());
-        if (token == Token::not_finite)
-            return report_.fail("IES0202", numbers_.token_offset(), shown + " is no finite number");
-        return report_.fail("IES0201", numbers_.token_offset(), shown + " stands where a number is expected");
-    }
-
-    Result<void> read_tilt() {
-        double geometry = 0.0;
-        if (Result<void> read = read_tilt_number(geometry); !read) return read;
-        if (geometry != 1.0 && geometry != 2.0 && geometry != 3.0)
-            return report_.fail("IES0113", numbers_.token_offset(),
-                                fmt::format("lamp-to-luminaire geometry {}, expected 1, 2 or 3", geometry));
-        double announced = 0.0;
-        if (Result<void> read = read_tilt_number(announced); !read) return read;
-        if (!(announced >= 1.0 && announced <= largest_count) || announced != std::floor(announced))
-            return report_.fail("IES0114", numbers_.token_offset(),
-                                fmt::format("{} is no number of tilt angles", announced));
-        file_.tilt.lamp_to_luminaire_geometry = static_cast<int>(geometry);
-        const auto count = static_cast<std::size_t>(announced);
-        for (std::vector<double>* list : {&file_.tilt.angles_deg, &file_.tilt.factors}) {
-            while (list->size() < count) {
-                double value = 0.0;
-                const Token token = numbers_.next(value);
-                if (token == Token::end)
-                    return report_.fail("IES0114", text_.end,
-                                        fmt::format("{} tilt {} announced, {} found", count,
-                                                    list == &file_.tilt.factors ? "factors" : "angles", list->size()));
-                if (token != Token::number) return bad_token(token);
-                if (list == &file_.tilt.angles_deg && !list->empty() && value <= list->back())
-                    return report_.fail("IES0114", numbers_.token_offset(),
-                                        fmt::format("tilt angle {} follows {}", value, list->back()));
-                list->push_back(value);
-            }
-        }
-        return {};
-    }
-
-    Result<void> read_tilt_number(double& value) {
-        const Token token = numbers_.next(value);
-        if (token == Token::end) return report_.fail("IES0114", text_.end, "the text ends behind TILT=INCLUDE");
-        if (token != Token::number) return bad_token(token);
-        return {};
-    }
+    Unexpected bad_token(Token token) { return not_a_number(numbers_, token, report_); }
 
     // The thirteen numbers, in the order of the standard.
     Result<void> read_header() {
@@ -253,8 +238,10 @@ private:
             if (token != Token::number) return bad_token(token);
             place[i] = numbers_.token_offset();
             const bool whole_expected = i == 0 || (i >= 3 && i <= 6);
-            if (whole_expected && numbers_.token().find('.') != std::string_view::npos)
-                report_.add("IES0217", place[i], fmt::format("{} for a whole number", quoted(numbers_.token())));
+            if (whole_expected && file_.version != IesVersion::lm63_1986 &&
+                numbers_.token().find('.') != std::string_view::npos)
+                report_.add("IES0217", place[i], fmt::format("{} for a whole number", quoted(numbers_.token())),
+                            "write it without a point");
         }
         const auto whole = [&](std::size_t i, double lowest, std::string_view what) -> Result<void> {
             if (value[i] == std::floor(value[i]) && value[i] >= lowest && value[i] <= largest_count) return {};
@@ -267,7 +254,9 @@ private:
             return report_.fail("IES0208", place[5], fmt::format("photometric type {}, expected 1, 2 or 3", value[5]));
         if (value[6] != 1.0 && value[6] != 2.0)
             return report_.fail("IES0209", place[6], fmt::format("unit {}, expected 1 (feet) or 2 (metres)", value[6]));
-        if (value[2] <= 0.0) return report_.fail("IES0211", place[2], fmt::format("candela multiplier {}", value[2]));
+        if (value[2] <= 0.0)
+            return report_.fail("IES0211", place[2], fmt::format("candela multiplier {}", value[2]),
+                                "it is a factor greater than 0, 1 where there is none");
         file_.lamp_count = static_cast<int>(value[0]);
         file_.lumens_per_lamp = value[1];
         file_.candela_multiplier = value[2];
@@ -289,17 +278,21 @@ private:
     }
 
     void check_header(const std::array<double, 13>& value, const std::array<std::size_t, 13>& place) {
-        if (value[0] < 1.0) report_.add("IES0215", place[0], fmt::format("{} lamps", value[0]));
+        if (value[0] < 1.0) report_.add("IES0215", place[0], fmt::format("{} lamps", value[0]), "write at least 1");
         if (value[1] <= 0.0 && value[1] != -1.0)
             report_.add("IES0210", place[1], fmt::format("{} lumens per lamp, read as absolute photometry", value[1]),
                         "write -1 for absolute photometry");
-        if (value[10] <= 0.0) report_.add("IES0212", place[10], fmt::format("ballast factor {}", value[10]));
-        if (value[12] < 0.0) report_.add("IES0218", place[12], fmt::format("{} input watts", value[12]));
+        if (value[10] <= 0.0)
+            report_.add("IES0212", place[10], fmt::format("ballast factor {}", value[10]), "it is a factor near 1");
+        if (value[12] < 0.0)
+            report_.add("IES0218", place[12], fmt::format("{} input watts", value[12]),
+                        "write 0 where they are not known");
         const double x = value[11];
         const bool factor = file_.version == IesVersion::lm63_1986 || file_.version == IesVersion::lm63_1991;
         const bool generation_type = file_.version == IesVersion::lm63_2019 && x >= 1.0 && x < 1.2;
         if (factor ? x <= 0.0 : x != 1.0 && !generation_type)
-            report_.add("IES0213", place[11], fmt::format("field 12 is {} in {}", x, to_text(file_.version)));
+            report_.add("IES0213", place[11], fmt::format("field 12 is {} in {}", x, to_text(file_.version)),
+                        factor ? "it is a factor greater than 0" : "write 1");
     }
 
     Result<void> read_angles() {
@@ -377,7 +370,14 @@ private:
         std::vector<double>& table = file_.candela;
         table.reserve(std::min<std::uint64_t>(count, numbers_.remaining_bytes() / 2 + 1));
         places_.candela = numbers_.at_end() ? text_.end : numbers_.token_offset();
+        constexpr std::size_t block = 4096;
         while (table.size() < count) {
+            const std::size_t before = table.size();
+            const NumberScanner block_begin = numbers_;
+            table.resize(before + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - before)));
+            table.resize(before + numbers_.next_quickly(std::span(table).subspan(before), lowest_, highest_));
+            if (lowest_ < 0.0 && places_.first_negative == no_place) find_negative(block_begin);
+            if (table.size() == count) break;
             double value = 0.0;
             const Token token = numbers_.next(value);
             if (token == Token::end)
@@ -387,8 +387,11 @@ private:
                                                 count, vertical_count_, horizontal_count_, table.size()));
             if (token != Token::number) return bad_token(token);
             if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = numbers_.token_offset();
+            lowest_ = std::min(lowest_, value);
+            highest_ = std::max(highest_, value);
             table.push_back(value);
         }
+        places_.peak = std::max(-lowest_, highest_);
         if (numbers_.exponent_offset() != no_place)
             report_.add("IES0216", numbers_.exponent_offset(), "a number with an exponent");
         if (numbers_.at_end()) return {};
@@ -400,7 +403,15 @@ private:
         return {};
     }
 
+    // The first negative number behind `numbers`, which is known to be one that is read quickly.
+    void find_negative(NumberScanner numbers) {
+        double value = 0.0;
+        while (value >= 0.0 && numbers.next(value) == Token::number)
+            places_.first_negative = numbers.token_offset();
+    }
+
     Report& report_;
+    const ReadBeside& read_beside_;
     LineScanner lines_;
     NumberScanner numbers_;
     TextRange text_;
@@ -409,12 +420,14 @@ private:
     bool horizontal_begins_line_ = true;
     std::size_t vertical_count_ = 0;
     std::size_t horizontal_count_ = 0;
+    double lowest_ = 0.0; // of the candela, and 0
+    double highest_ = 0.0;
 };
 
 } // namespace
 
-Result<IesFile> parse_ies(TextRange text, Report& report) {
-    return IesParser(text, report).parse();
+Result<IesFile> parse_ies(TextRange text, Report& report, const ReadBeside& read_beside) {
+    return IesParser(text, report, read_beside).parse();
 }
 
 } // namespace gonio::profile_detail

@@ -76,7 +76,9 @@ void write_keyword(std::string& text, const IesKeyword& keyword) {
 
 } // namespace
 
-std::string write_ies(const IesFile& file) {
+std::string write_ies(const IesFile& file, std::size_t longest_line) {
+    const bool since_2002 = file.version == IesVersion::lm63_2002 || file.version == IesVersion::lm63_2019;
+    const std::size_t longest = longest_line != 0 ? longest_line : since_2002 ? 256 : 132;
     std::string text;
     text.reserve(1024 + 8 * file.candela.size());
     const std::string_view version = file.version_line.empty() ? standard_line(file.version) : file.version_line;
@@ -91,7 +93,7 @@ std::string write_ies(const IesFile& file) {
     text += "TILT=" + file.tilt_keyword;
     text += line_end;
 
-    NumberLines lines(text, file.version == IesVersion::lm63_2002 || file.version == IesVersion::lm63_2019 ? 256 : 132);
+    NumberLines lines(text, longest);
     if (file.tilt_keyword == "INCLUDE") {
         lines.add(file.tilt.lamp_to_luminaire_geometry);
         lines.end();
@@ -114,7 +116,7 @@ std::string write_ies(const IesFile& file) {
         unbroken.add(value);
     unbroken.end();
 
-    NumberLines table(text, file.version == IesVersion::lm63_2002 || file.version == IesVersion::lm63_2019 ? 256 : 132);
+    NumberLines table(text, longest);
     table.add(file.vertical_deg);
     table.end();
     table.add(file.horizontal_deg);

@@ -13,9 +13,10 @@ void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report) {
     const bool begins = first == 0.0 || first == 90.0;
     if (!begins || (last != 90.0 && last != 180.0))
         report.add("LDT0308", begins ? places.last_vertical : places.vertical,
-                   fmt::format("gamma angles from {} to {}, there is no light outside them", first, last));
+                   fmt::format("gamma angles from {} to {}, there is no light outside them", first, last),
+                   "they begin at 0 or 90 and end at 90 or 180");
     if (places.first_negative != no_place) report.add("LDT0401", places.first_negative, "a negative intensity");
-    const Poles poles = look_at_poles(file.gammas_deg, file.candela_per_klm);
+    const Poles poles = look_at_poles(file.gammas_deg, file.candela_per_klm, places.peak);
     if (poles.all_zero) report.add("LDT0402", places.candela, "every intensity is zero");
     if (poles.nadir_differs || poles.zenith_differs)
         report.add("LDT0403", places.candela,
@@ -24,6 +25,12 @@ void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report) {
     if (std::all_of(ratios.begin(), ratios.end(), [](double r) { return r == 0.0; }))
         report.add("LDT0404", no_place, "the ten direct ratios are zero");
     if (file.light_output_ratio_percent == 0.0) report.add("LDT0405", no_place, "the light output ratio is zero");
+    const bool absolute = std::any_of(file.lamp_sets.begin(), file.lamp_sets.end(),
+                                      [](const LdtLampSet& set) { return set.lamp_count < 0; });
+    if (absolute && file.light_output_ratio_percent != 0.0 && file.light_output_ratio_percent != 100.0)
+        report.add(
+            "LDT0408", no_place,
+            fmt::format("absolute photometry, and the light output ratio is {}", file.light_output_ratio_percent));
     if (file.conversion_factor != 1.0)
         report.add("LDT0406", no_place, fmt::format("the conversion factor is {}", file.conversion_factor));
     if (file.tilt_deg != 0.0) report.add("LDT0407", no_place, fmt::format("measured with a tilt of {}", file.tilt_deg));

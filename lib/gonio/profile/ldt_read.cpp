@@ -1,6 +1,7 @@
 // EULUMDAT: one value a line, each known by its place.
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
+#include <gonio/profile/token_scan.hpp>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace gonio::profile_detail {
@@ -36,6 +38,20 @@ Token number_in(std::string_view line, double& value, bool& comma) {
     const Token token = scan_number(with_point, value, plain);
     comma = comma || token == Token::number;
     return token;
+}
+
+// A line that is one number which can be read quickly: returns where the next line begins and sets where the number
+// does, or returns nullptr.
+const char* quick_line(const char* line, const char* end, const char*& number, double& value) {
+    while (line != end && is_blank(*line))
+        ++line;
+    number = line;
+    const char* p = read_decimal(line, end, value);
+    if (p == nullptr) return nullptr;
+    while (p != end && is_blank(*p))
+        ++p;
+    if (p == end || (*p != '\r' && *p != '\n')) return nullptr; // a decimal comma, a remark
+    return p + (*p == '\r' && p + 1 != end && p[1] == '\n' ? 2 : 1);
 }
 
 class LdtParser {
@@ -76,6 +92,7 @@ private:
         Line line;
         if (Result<void> read = next_line(line, what); !read) return read;
         field = line.text;
+        text_offset_ = line.offset;
         if (field.size() > longest && trim(field).size() > longest)
             report_.add("LDT0106", line.offset + longest,
                         fmt::format("the {} has {} characters, {} are allowed", what, field.size(), longest));
@@ -89,7 +106,49 @@ private:
         return {};
     }
 
+    // The next line as a number, when that is quickly done.
+    bool next_quickly(double& value) {
+        const char* const first = report_.bytes().data();
+        const char* number = nullptr;
+        const char* const next = quick_line(first + lines_.offset(), first + text_.end, number, value);
+        if (next == nullptr) return false;
+        number_offset_ = static_cast<std::size_t>(number - first);
+        lines_.go_to(static_cast<std::size_t>(next - first));
+        return true;
+    }
+
+    // As many lines of the table as can be read quickly: each one number, its end right behind it.
+    std::size_t next_quickly(std::span<double> numbers) {
+        const char* const first = report_.bytes().data();
+        const char* const end = first + text_.end;
+        const char* line = first + lines_.offset();
+        if (line - first < 8 || numbers.empty()) return 0;
+        double low = lowest_;
+        double high = highest_;
+        double* out = numbers.data();
+        double* const out_end = out + numbers.size();
+        for_each_token(line, end, [&](const char* begin, const char* behind) {
+            const bool two = behind[0] == '\r' && behind[1] == '\n';
+            double value = 0.0;
+            if (begin != line || !(two || behind[0] == '\n' || behind[0] == '\r') ||
+                !convert_token(begin, behind, value))
+                return false;
+            if (value < 0.0 && places_.first_negative == no_place)
+                places_.first_negative = static_cast<std::size_t>(begin - first);
+            low = value < low ? value : low;
+            high = value > high ? value : high;
+            *out = value;
+            line = behind + (two ? 2 : 1);
+            return ++out != out_end;
+        });
+        lines_.go_to(static_cast<std::size_t>(line - first));
+        lowest_ = low;
+        highest_ = high;
+        return static_cast<std::size_t>(out - numbers.data());
+    }
+
     Result<void> number(double& value, std::string_view what) {
+        if (next_quickly(value)) return {};
         Line line;
         if (Result<void> read = next_line(line, what); !read) return read;
         return number_of(line, value, what);
@@ -106,8 +165,8 @@ private:
         bool comma = false;
         const Token token = number_in(line.text, value, comma);
         if (comma)
-            report_.add("LDT0105", number_offset_,
-                        fmt::format("{} has a decimal comma", quoted(written.substr(0, 40))));
+            report_.add("LDT0105", number_offset_, fmt::format("{} has a decimal comma", quoted(written.substr(0, 40))),
+                        "write a point");
         if (token == Token::number) return {};
         const std::string shown = quoted(written.substr(0, 40));
         if (token == Token::not_finite)
@@ -129,7 +188,8 @@ private:
         if (Result<void> read = text(file_.company, "company", long_text); !read) return read;
         if (Result<void> read = whole(file_.type_indicator, "type of luminaire", -largest_count); !read) return read;
         if (file_.type_indicator < 0 || file_.type_indicator > 3)
-            report_.add("LDT0203", number_offset_, fmt::format("type of luminaire {}", file_.type_indicator));
+            report_.add("LDT0203", number_offset_, fmt::format("type of luminaire {}", file_.type_indicator),
+                        "1, 2 or 3 is expected");
         if (Result<void> read = whole(file_.symmetry, "symmetry", -largest_count); !read) return read;
         if (file_.symmetry < 0 || file_.symmetry > 4)
             return report_.fail("LDT0202", number_offset_, fmt::format("symmetry {}, expected 0 to 4", file_.symmetry));
@@ -143,9 +203,20 @@ private:
         if (Result<void> read = text(file_.report_number, "report number", long_text); !read) return read;
         if (Result<void> read = text(file_.luminaire_name, "luminaire's name", long_text); !read) return read;
         if (Result<void> read = text(file_.luminaire_number, "luminaire's number", long_text); !read) return read;
-        if (Result<void> read = text(file_.file_name, "file name", 8 + 4); !read) return read; // with ".LDT"
+        if (Result<void> read = read_file_name(); !read) return read;
         if (Result<void> read = text(file_.date_user, "date and user", long_text); !read) return read;
         return read_dimensions();
+    }
+
+    Result<void> read_file_name() {
+        constexpr std::size_t longest = 8;
+        if (Result<void> read = text(file_.file_name, "file name", std::string_view::npos); !read) return read;
+        std::string_view name = trim(file_.file_name);
+        if (name.size() > 4 && equals_any_case(name.substr(name.size() - 4), ".LDT")) name.remove_suffix(4);
+        if (name.size() > longest)
+            report_.add("LDT0107", text_offset_ + longest,
+                        fmt::format("the file name has {} characters, {} are allowed", name.size(), longest));
+        return {};
     }
 
     Result<void> read_dimensions() {
@@ -175,7 +246,9 @@ private:
         for (int i = 0; i < count; ++i) { // not reserved: a set takes six lines of the file, the count only promises
             LdtLampSet set;
             if (Result<void> read = whole(set.lamp_count, "number of lamps", -largest_count); !read) return read;
-            if (set.lamp_count == 0) report_.add("LDT0210", number_offset_, "a set of no lamps");
+            if (set.lamp_count == 0)
+                report_.add("LDT0210", number_offset_, "a set of no lamps",
+                            "write at least 1, or a negative number for absolute photometry");
             if (Result<void> read = text(set.lamp_type, "type of lamps", 24); !read) return read;
             if (Result<void> read = number(set.flux_lm, "luminous flux"); !read) return read;
             if (Result<void> read = word(set.color_temperature, "colour temperature", 16); !read) return read;
@@ -208,10 +281,12 @@ private:
                                 fmt::format("{} C-planes announced, {} found", count, file_.planes_deg.size()));
         };
         while (file_.planes_deg.size() < count) {
-            Line line;
-            if (!table_line(line)) return missing(text_.end);
             double value = 0.0;
-            if (Result<void> read = angle_of(line, value, "angle of a C-plane"); !read) return read;
+            if (!next_quickly(value)) {
+                Line line;
+                if (!table_line(line)) return missing(text_.end);
+                if (Result<void> read = angle_of(line, value, "angle of a C-plane"); !read) return read;
+            }
             if (file_.planes_deg.empty()) places_.horizontal = number_offset_;
             if (!file_.planes_deg.empty() && value <= file_.planes_deg.back()) {
                 if (value == 0.0 || (value == 90.0 && file_.planes_deg.back() != 90.0)) return missing(number_offset_);
@@ -234,10 +309,12 @@ private:
                                 fmt::format("{} gamma angles announced, {} found", count, file_.gammas_deg.size()));
         };
         while (file_.gammas_deg.size() < count) {
-            Line line;
-            if (!table_line(line)) return missing(text_.end);
             double value = 0.0;
-            if (Result<void> read = angle_of(line, value, "gamma angle"); !read) return read;
+            if (!next_quickly(value)) {
+                Line line;
+                if (!table_line(line)) return missing(text_.end);
+                if (Result<void> read = angle_of(line, value, "gamma angle"); !read) return read;
+            }
             if (file_.gammas_deg.empty()) places_.vertical = number_offset_;
             places_.last_vertical = number_offset_;
             const double before = file_.gammas_deg.empty() ? -1.0 : file_.gammas_deg.back();
@@ -262,24 +339,40 @@ private:
         std::vector<double>& table = file_.candela_per_klm;
         table.reserve(std::min<std::uint64_t>(count, (text_.end - lines_.offset()) / 2 + 1));
         places_.candela = lines_.offset();
+        constexpr std::size_t block = 4096;
         while (table.size() < count) {
+            const std::size_t before = table.size();
+            table.resize(before + static_cast<std::size_t>(std::min<std::uint64_t>(block, count - before)));
+            table.resize(before + next_quickly(std::span(table).subspan(before)));
+            if (table.size() == count) break;
+            double value = 0.0;
             Line line;
+            if (next_quickly(value)) {
+                if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = number_offset_;
+                lowest_ = std::min(lowest_, value);
+                highest_ = std::max(highest_, value);
+                table.push_back(value);
+                continue;
+            }
             if (!table_line(line))
                 return report_.fail("LDT0206", text_.end,
                                     fmt::format("{} intensities announced ({} gamma angles in {} stored planes), {} "
                                                 "found",
                                                 count, gammas, planes, table.size()));
-            double value = 0.0;
             if (Result<void> read = number_of(line, value, "intensity"); !read) return read;
             if (value < 0.0 && places_.first_negative == no_place) places_.first_negative = number_offset_;
+            lowest_ = std::min(lowest_, value);
+            highest_ = std::max(highest_, value);
             table.push_back(value);
         }
         read_rest();
+        places_.peak = std::max(-lowest_, highest_);
         const LdtFile& f = file_;
         const int symmetric = f.symmetry == 4 ? 4 : f.symmetry == 2 || f.symmetry == 3 ? 2 : 1;
         if (f.plane_count > 1 && f.plane_count % symmetric != 0)
             report_.add("LDT0209", places_.header,
-                        fmt::format("{} C-planes with symmetry {}", f.plane_count, f.symmetry));
+                        fmt::format("{} C-planes with symmetry {}", f.plane_count, f.symmetry),
+                        fmt::format("a multiple of {} is expected over the full turn", symmetric));
         check_step(f.planes_deg, f.plane_step_deg, true);
         check_step(f.gammas_deg, f.gamma_step_deg, false);
         return {};
@@ -297,6 +390,8 @@ private:
             double value = 0.0;
             bool comma = false;
             numbers_only = number_in(line.text, value, comma) == Token::number;
+            lowest_ = std::min(lowest_, value);
+            highest_ = std::max(highest_, value);
             table.push_back(value);
         }
         if (!numbers_only || table.size() != all) {
@@ -358,6 +453,9 @@ private:
     LdtFile file_;
     TablePlaces places_;
     std::size_t number_offset_ = 0; // of the number read last
+    std::size_t text_offset_ = 0;   // of the text read last
+    double lowest_ = 0.0;           // of the table, and 0
+    double highest_ = 0.0;
     std::size_t plane_step_ = 0;
     std::size_t gamma_step_ = 0;
 };

@@ -1,7 +1,12 @@
 #include <gonio/profile/luminous_opening.hpp>
+#include <gonio/profile/parse.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
 
 namespace gonio {
 
@@ -10,39 +15,83 @@ namespace {
 constexpr double meters_per_foot = 0.3048;
 constexpr double meters_per_millimeter = 1e-3;
 
-// LM-63-2002 and -2019: both horizontal signs negative make the outline round.
-OpeningShape shape_of_2002(double w, double l, double h) {
-    if (w == 0.0 && l == 0.0 && h == 0.0) return OpeningShape::point;
-    if (w >= 0.0 && l >= 0.0 && h >= 0.0) return h == 0.0 ? OpeningShape::rectangle : OpeningShape::box;
-    if (w < 0.0 && l < 0.0 && h == 0.0) return w == l ? OpeningShape::disk : OpeningShape::ellipse;
-    if (w < 0.0 && l < 0.0 && h > 0.0) return OpeningShape::vertical_cylinder;
-    if (w < 0.0 && l < 0.0 && h < 0.0) return OpeningShape::sphere;
-    if (h < 0.0 && ((w < 0.0 && l > 0.0) || (w > 0.0 && l < 0.0))) return OpeningShape::horizontal_cylinder;
-    if (h < 0.0 && ((w < 0.0 && l == 0.0) || (w == 0.0 && l < 0.0))) return OpeningShape::disk; // upright
-    return OpeningShape::unknown;
-}
+// What an edition's table says of one combination of signs: '+', '-', '0' of width, length and height.
+struct ShapeCode {
+    std::string_view signs;
+    OpeningShape shape;
+};
 
-// LM-63-1995: a negative width alone makes the outline round, its length is 0.
-OpeningShape shape_of_1995(double w, double l, double h) {
-    if (w == 0.0 && l == 0.0 && h == 0.0) return OpeningShape::point;
-    if (w >= 0.0 && l >= 0.0 && h >= 0.0) return h == 0.0 ? OpeningShape::rectangle : OpeningShape::box;
-    if (w < 0.0 && l == 0.0 && h == 0.0) return OpeningShape::disk;
-    if (w < 0.0 && l == 0.0 && h > 0.0) return OpeningShape::vertical_cylinder;
-    if (w < 0.0 && l == 0.0 && h < 0.0) return OpeningShape::sphere;
-    if (w == 0.0 && l != 0.0 && h < 0.0) return OpeningShape::horizontal_cylinder;
-    if (w < 0.0 && l != 0.0) return h == 0.0 ? OpeningShape::ellipse : OpeningShape::vertical_cylinder;
-    return OpeningShape::unknown;
+constexpr std::array codes_of_1986{
+    ShapeCode{"-00", OpeningShape::disk},
+    ShapeCode{"-0+", OpeningShape::vertical_cylinder},
+    ShapeCode{"-+0", OpeningShape::ellipse},
+    ShapeCode{"-++", OpeningShape::ellipsoid},
+};
+
+constexpr std::array codes_of_1995{
+    ShapeCode{"-00", OpeningShape::disk},
+    ShapeCode{"-0-", OpeningShape::sphere},
+    ShapeCode{"-0+", OpeningShape::vertical_cylinder},
+    ShapeCode{"0+-", OpeningShape::horizontal_cylinder},
+    ShapeCode{"+0-", OpeningShape::horizontal_cylinder_across},
+    ShapeCode{"-++", OpeningShape::vertical_cylinder},
+    ShapeCode{"+-+", OpeningShape::vertical_cylinder},
+    ShapeCode{"-+-", OpeningShape::ellipsoid},
+    ShapeCode{"+--", OpeningShape::ellipsoid},
+};
+
+constexpr std::array codes_of_2002{
+    ShapeCode{"--0", OpeningShape::disk}, // or an ellipse, by the sizes; so below
+    ShapeCode{"--+", OpeningShape::vertical_cylinder},
+    ShapeCode{"---", OpeningShape::sphere},
+    ShapeCode{"-+-", OpeningShape::horizontal_cylinder},
+    ShapeCode{"+--", OpeningShape::horizontal_cylinder_across},
+    ShapeCode{"-0-", OpeningShape::upright_disk},
+    ShapeCode{"0--", OpeningShape::upright_disk},
+};
+
+std::span<const ShapeCode> codes_of(IesVersion version) {
+    switch (version) {
+    case IesVersion::lm63_1986:
+    case IesVersion::lm63_1991:
+        return codes_of_1986;
+    case IesVersion::lm63_1995:
+        return codes_of_1995;
+    case IesVersion::lm63_2002:
+    case IesVersion::lm63_2019:
+        break;
+    }
+    return codes_of_2002;
 }
 
 LuminousOpening opening_of(const IesFile& file) {
     const double unit = file.feet ? meters_per_foot : 1.0;
     LuminousOpening opening;
-    const bool since_2002 = file.version == IesVersion::lm63_2002 || file.version == IesVersion::lm63_2019;
-    opening.shape = since_2002 ? shape_of_2002(file.width, file.length, file.height)
-                               : shape_of_1995(file.width, file.length, file.height);
     opening.width_m = std::abs(file.width) * unit;
     opening.length_m = std::abs(file.length) * unit;
     opening.height_m = std::abs(file.height) * unit;
+    opening.shape = profile_detail::ies_opening_shape(file).value_or(OpeningShape::box);
+    switch (opening.shape) {
+    case OpeningShape::disk:
+    case OpeningShape::vertical_cylinder:
+        if (opening.length_m == 0.0) opening.length_m = opening.width_m;
+        if (opening.shape == OpeningShape::disk && opening.width_m != opening.length_m)
+            opening.shape = OpeningShape::ellipse;
+        break;
+    case OpeningShape::horizontal_cylinder:
+        if (opening.width_m == 0.0) opening.width_m = opening.height_m;
+        break;
+    case OpeningShape::horizontal_cylinder_across:
+        if (opening.length_m == 0.0) opening.length_m = opening.height_m;
+        break;
+    case OpeningShape::sphere:
+        if (opening.length_m == 0.0) opening.length_m = opening.width_m;
+        if (opening.width_m != opening.length_m || opening.width_m != opening.height_m)
+            opening.shape = OpeningShape::ellipsoid;
+        break;
+    default:
+        break;
+    }
     return opening;
 }
 
@@ -63,7 +112,42 @@ LuminousOpening opening_of(const LdtFile& file) {
     return opening;
 }
 
+// TM-33: the bottom face of the first emitter that has one area; several are what they span together only by their
+// offsets, so the luminaire's own size stands for them.
+LuminousOpening opening_of(const Tm33File& file) {
+    LuminousOpening opening;
+    for (const Tm33Emitter& emitter : file.emitters)
+        if (emitter.bottom_areas.size() == 1) {
+            const Tm33Area& area = emitter.bottom_areas.front();
+            opening.length_m = std::abs(area.length_m);
+            opening.width_m = std::abs(area.width_m);
+            opening.shape = !area.circular                        ? OpeningShape::rectangle
+                            : opening.length_m == opening.width_m ? OpeningShape::disk
+                                                                  : OpeningShape::ellipse;
+            if (opening.length_m == 0.0 && opening.width_m == 0.0) opening.shape = OpeningShape::point;
+            return opening;
+        }
+    opening.length_m = std::abs(file.length_m.value_or(0.0));
+    opening.width_m = std::abs(file.width_m.value_or(0.0));
+    opening.height_m = std::abs(file.height_m.value_or(0.0));
+    if (opening.length_m > 0.0 || opening.width_m > 0.0)
+        opening.shape = opening.height_m > 0.0 ? OpeningShape::box : OpeningShape::rectangle;
+    return opening;
+}
+
 } // namespace
+
+std::optional<OpeningShape> profile_detail::ies_opening_shape(const IesFile& file) {
+    const auto sign = [](double value) { return value > 0.0 ? '+' : value < 0.0 ? '-' : '0'; };
+    const std::array signs{sign(file.width), sign(file.length), sign(file.height)};
+    const std::string_view text(signs.data(), signs.size());
+    if (text == "000") return OpeningShape::point;
+    if (text.find('-') == std::string_view::npos)
+        return file.height == 0.0 ? OpeningShape::rectangle : OpeningShape::box;
+    for (const ShapeCode& code : codes_of(file.version))
+        if (code.signs == text) return code.shape;
+    return std::nullopt;
+}
 
 const char* to_text(OpeningShape shape) {
     switch (shape) {
@@ -81,12 +165,16 @@ const char* to_text(OpeningShape shape) {
         return "vertical-cylinder";
     case OpeningShape::horizontal_cylinder:
         return "horizontal-cylinder";
+    case OpeningShape::horizontal_cylinder_across:
+        return "horizontal-cylinder-across";
+    case OpeningShape::upright_disk:
+        return "upright-disk";
     case OpeningShape::sphere:
         return "sphere";
-    case OpeningShape::unknown:
+    case OpeningShape::ellipsoid:
         break;
     }
-    return "unknown";
+    return "ellipsoid";
 }
 
 LuminousOpening luminous_opening(const Profile& profile) {

@@ -12,15 +12,17 @@ enum class OpeningShape {
     disk,
     ellipse,
     vertical_cylinder,
-    horizontal_cylinder,
+    horizontal_cylinder,        // its axis along the length
+    horizontal_cylinder_across, // its axis along the width
+    upright_disk,               // facing the horizon
     sphere,
-    unknown
+    ellipsoid
 };
 
 const char* to_text(OpeningShape shape); // "vertical-cylinder"
 
-// Sizes in metres, all ≥ 0. Of a disk or cylinder, width is the diameter; a horizontal cylinder's axis runs along
-// length. `unknown` keeps the sizes of a code that the edition does not define.
+// Sizes in metres, all ≥ 0. What is round has its diameter in both of the dimensions that it spans, an ellipse or
+// elliptic cylinder its two axes.
 struct LuminousOpening {
     OpeningShape shape = OpeningShape::point;
     double width_m = 0.0;
@@ -28,8 +30,10 @@ struct LuminousOpening {
     double height_m = 0.0;
 };
 
-// LM-63 codes the shape by the signs of width, length and height: the tables of LM-63-1995 and of LM-63-2002/2019.
-// The editions of 1986 and 1991 are read by the table of 1995.
+// LM-63 codes the shape by the signs of width, length and height, by tables that differ between 1986/1991, 1995 and
+// 2002/2019. A combination that the file's edition does not define is a box of these sizes. EULUMDAT has circles and
+// rectangles with a height; a width of 0 makes the length a diameter. TM-33 has areas on the faces of an emitter; where
+// its bottom face has not exactly one, the luminaire's own dimensions are taken.
 LuminousOpening luminous_opening(const Profile& profile);
 
 } // namespace gonio

@@ -4,10 +4,14 @@
 // say what is odd to the Report, whose offsets count from the start of `bytes`.
 #pragma once
 
+#include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/profile.hpp>
+#include <gonio/profile/read.hpp>
 #include <gonio/profile/report.hpp>
+#include <gonio/profile/scanner.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,8 +22,30 @@ struct TextRange {
     std::size_t end = 0;
 };
 
-Result<IesFile> parse_ies(TextRange text, Report& report);
+enum class Utf16 { no, little_endian, big_endian };
+
+Utf16 utf16_of(std::string_view bytes);
+
+// The text in `bytes`: without marks, Ctrl-Z and NUL padding at its ends. Fails on what is no text.
+Result<TextRange> find_text(std::string_view bytes, Report& report);
+
+Result<IesFile> parse_ies(TextRange text, Report& report, const ReadBeside& read_beside);
 Result<LdtFile> parse_ldt(TextRange text, Report& report);
+Result<Tm33File> parse_tm33(TextRange text, Report& report);
+
+// Whether an outermost element of that name is TM-33's, or that of a document much like it.
+bool is_tm33_root(std::string_view name);
+
+// What stands behind TILT=INCLUDE and in the file of TILT=<name>: geometry, count, angles, factors. `numbers` stops
+// behind the last factor; `end` is where the text ends.
+Result<IesTilt> parse_tilt(NumberScanner& numbers, std::size_t end, Report& report);
+
+// The factors of TILT=<name>, whose name stands at `offset`. Empty where the file cannot be had, which is said.
+Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, const ReadBeside& read_beside,
+                                 Report& report);
+
+// Says that the token `numbers` read last is no number, or no finite one.
+Unexpected not_a_number(const NumberScanner& numbers, Token token, Report& report);
 
 // Where things stand in the file, for what is said after the whole of it was read.
 struct TablePlaces {
@@ -31,20 +57,32 @@ struct TablePlaces {
     std::size_t last_horizontal = 0;
     std::size_t candela = 0;
     std::size_t first_negative = no_place;
+    double peak = 0.0; // the largest magnitude in the table
 };
 
 // Says what is odd about a table that could be read: ranges, missing planes, poles that disagree, no light.
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report);
 void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report);
 
-// What both checks ask of a table of `planes` rows.
+// The shape that the signs of the dimensions code in the file's edition; nothing where it has no such code.
+std::optional<OpeningShape> ies_opening_shape(const IesFile& file);
+
+// Where an emitter's luminous intensity and its symmetry stand.
+struct Tm33Places {
+    std::size_t table = no_place;
+    std::size_t symmetry = no_place;
+};
+
+void check_tm33_intensity(const Tm33Emitter& emitter, const Tm33Places& places, Report& report);
+
+// What the checks ask of a table of `planes` rows.
 struct Poles {
     bool nadir_differs = false;
     bool zenith_differs = false;
     bool all_zero = true;
 };
 
-// `gammas_deg` are type C angles; a pole is looked at only where the table reaches it.
-Poles look_at_poles(const std::vector<double>& gammas_deg, const std::vector<double>& table);
+// `gammas_deg` are type C angles; a pole is looked at only where the table reaches it. `peak` is the largest magnitude.
+Poles look_at_poles(const std::vector<double>& gammas_deg, const std::vector<double>& table, double peak);
 
 } // namespace gonio::profile_detail

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
+#include <gonio/profile/tm33_file.hpp>
 
 #include <cstddef>
 #include <string>
@@ -28,19 +29,12 @@ struct IesKeyword {
     std::string text; // without leading blanks; lines of [MORE] are joined to it by '\n'
 };
 
-// TILT=INCLUDE: a factor on the whole table for each tilt of the lamp.
-struct IesTilt {
-    int lamp_to_luminaire_geometry = 1; // 1, 2 or 3
-    std::vector<double> angles_deg;
-    std::vector<double> factors;
-};
-
 struct IesFile {
     IesVersion version = IesVersion::lm63_2002;
     std::string version_line;          // as written; empty when the file has none
     std::vector<IesKeyword> keywords;  // in the file's order, repeats kept
     std::string tilt_keyword = "NONE"; // what stands behind TILT=
-    IesTilt tilt;                      // empty unless TILT=INCLUDE
+    IesTilt tilt;                      // of TILT=INCLUDE, or of the file that TILT names when it could be read
     int lamp_count = 1;
     double lumens_per_lamp = -1.0; // −1: absolute photometry
     double candela_multiplier = 1.0;
@@ -56,6 +50,10 @@ struct IesFile {
     std::vector<double> horizontal_deg;
     std::vector<double> candela; // [horizontal][vertical], before any factor
 };
+
+// What field 12 says since 2019 about how the file was made, "test at an accredited laboratory"; nullptr for a number
+// that LM-63-2019 does not list, and for older files, where the field means something else.
+const char* file_generation_type(const IesFile& file);
 
 // EULUMDAT ------------------------------------------------------------------------------------------------------------
 
@@ -114,7 +112,7 @@ constexpr int stored_plane_count(int symmetry, int plane_count) {
 
 struct Profile {
     std::string source; // the name in diagnostics: a path, or "-"
-    std::variant<IesFile, LdtFile> file;
+    std::variant<IesFile, LdtFile, Tm33File> file;
     Diagnostics diagnostics; // warnings and notes; an error would have prevented the Profile
 };
 

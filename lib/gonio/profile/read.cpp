@@ -2,6 +2,7 @@
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/scanner.hpp>
+#include <gonio/profile/text_encoding.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -14,62 +15,22 @@ using profile_detail::LineScanner;
 using profile_detail::Report;
 using profile_detail::TextRange;
 
-constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-
-bool is_line_end(char c) {
-    return c == '\n' || c == '\r';
-}
-
-// Takes marks, Ctrl-Z and NUL padding away from both ends; fails on what is no text.
-Result<TextRange> find_text(std::string_view bytes, Report& report) {
-    TextRange text{0, bytes.size()};
-    if (bytes.starts_with(utf8_mark)) report.add("PRF0104", 0, "the file begins with a byte order mark");
-    while (bytes.substr(text.begin).starts_with(utf8_mark))
-        text.begin += utf8_mark.size();
-    const std::string_view begins = bytes.substr(text.begin);
-    if (begins.starts_with("\xFE\xFF") || begins.starts_with("\xFF\xFE"))
-        return report.fail("PRF0106", text.begin, "the text is UTF-16", "save it as UTF-8");
-    while (text.end > text.begin && bytes[text.end - 1] == '\0')
-        --text.end;
-    const bool nothing =
-        std::all_of(bytes.begin(), bytes.end(), [](char c) { return profile_detail::is_blank(c) || is_line_end(c); });
-    if (nothing) return report.fail("PRF0101", profile_detail::no_place, "the file is empty");
-    // Bytes that no text has; Ctrl-Z only counts as an end where what stands before it is text.
-    const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
-    for (std::size_t i = text.begin; i < ctrl_z; ++i) {
-        const auto c = static_cast<unsigned char>(bytes[i]);
-        if (c >= ' ' || (c >= '\t' && c <= '\r')) continue;
-        const bool head = i < 4096;
-        if (c == 0 || head)
-            return report.fail("PRF0102", i, "not a photometric file, a text has no control bytes such as this");
-    }
-    if (begins.starts_with("\x89PNG"))
-        return report.fail("PRF0102", text.begin, "not a photometric file, but a PNG picture");
-    const auto is_data = [](char c) {
-        return !profile_detail::is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A';
-    };
-    const auto* const after = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(ctrl_z), bytes.end(), is_data);
-    if (text.end == text.begin || ctrl_z == text.begin)
-        return report.fail("PRF0102", text.begin, "not a photometric file, there is no text in it");
-    if (after != bytes.end())
-        report.add("PRF0105", static_cast<std::size_t>(after - bytes.begin()), "data behind Ctrl-Z, the end of text");
-    text.end = ctrl_z;
-    return text;
-}
-
+// A first line that names LM-63, or a line "TILT=…" anywhere: found by its sign, which hardly another line has.
 bool looks_like_ies(std::string_view bytes, TextRange text) {
     LineScanner lines(bytes, text.begin, text.end);
-    bool first = true;
     while (!lines.at_end()) {
         const std::string_view line = profile_detail::trim_left(lines.next().text);
         if (line.empty()) continue;
-        if (first &&
-            (profile_detail::starts_with_any_case(line, "IESNA") || profile_detail::starts_with_any_case(line, "IES:")))
+        if (profile_detail::starts_with_any_case(line, "IESNA") || profile_detail::starts_with_any_case(line, "IES:"))
             return true;
-        first = false;
-        if (!profile_detail::starts_with_any_case(line, "TILT")) continue;
-        const std::string_view rest = profile_detail::trim_left(line.substr(4));
-        if (!rest.empty() && rest.front() == '=') return true;
+        break;
+    }
+    const std::string_view all = bytes.substr(0, text.end);
+    for (std::size_t sign = all.find('=', text.begin); sign != std::string_view::npos; sign = all.find('=', sign + 1)) {
+        const std::string_view before = profile_detail::trim_right(all.substr(text.begin, sign - text.begin));
+        if (before.size() < 4 || !profile_detail::equals_any_case(before.substr(before.size() - 4), "TILT")) continue;
+        const std::string_view indent = profile_detail::trim_right(before.substr(0, before.size() - 4));
+        if (indent.empty() || indent.back() == '\n' || indent.back() == '\r') return true;
     }
     return false;
 }
@@ -95,49 +56,65 @@ std::optional<ProfileFormat> format_of_name(const std::string& name) {
     const std::string_view extension = std::string_view(name).substr(dot + 1);
     if (profile_detail::equals_any_case(extension, "IES")) return ProfileFormat::ies;
     if (profile_detail::equals_any_case(extension, "LDT")) return ProfileFormat::ldt;
+    if (profile_detail::equals_any_case(extension, "XML") || profile_detail::equals_any_case(extension, "TM33"))
+        return ProfileFormat::tm33;
     return std::nullopt;
+}
+
+// XML that names an outermost element of TM-33 near its beginning.
+bool looks_like_tm33(std::string_view text) {
+    constexpr std::size_t looked_at = 4096;
+    while (text.starts_with("\xEF\xBB\xBF"))
+        text.remove_prefix(3);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text[first] != '<') return false;
+    text = text.substr(first, looked_at);
+    for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+        const std::string_view rest = text.substr(at + 1);
+        std::string_view name = rest.substr(0, rest.find_first_of(" \t\r\n/>"));
+        if (const std::size_t colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
+        if (profile_detail::is_tm33_root(name)) return true;
+    }
+    return false;
 }
 
 Result<ProfileFormat> recognise(std::string_view bytes, TextRange text, const std::string& source, Report& report) {
     const std::string_view all = bytes.substr(text.begin, text.end - text.begin);
-    const std::size_t first = all.find_first_not_of(" \t\r\n");
-    if (first != std::string_view::npos && all[first] == '<' && all.find("IESTM33") != std::string_view::npos)
-        return report.fail("PRF0107", text.begin + first, "TM-33 is not read yet",
-                           "convert the file to IES LM-63 or EULUMDAT", Failure::unsupported);
+    if (looks_like_tm33(all)) return ProfileFormat::tm33;
     const bool ies = looks_like_ies(bytes, text);
     const bool ldt = looks_like_ldt(bytes, text);
     if (ies != ldt) return ies ? ProfileFormat::ies : ProfileFormat::ldt;
     if (const std::optional<ProfileFormat> named = format_of_name(source)) return *named;
     if (ies) return ProfileFormat::ies;
-    return report.fail("PRF0103", text.begin, "neither IES nor EULUMDAT",
+    return report.fail("PRF0103", text.begin, "neither IES, EULUMDAT nor TM-33",
                        "name the format if the file is of one of them");
 }
 
 } // namespace
 
 const char* to_text(ProfileFormat format) {
-    return format == ProfileFormat::ies ? "IES" : "LDT";
-}
-
-const char* to_text(IesVersion version) {
-    switch (version) {
-    case IesVersion::lm63_1986:
-        return "LM-63-1986";
-    case IesVersion::lm63_1991:
-        return "LM-63-1991";
-    case IesVersion::lm63_1995:
-        return "LM-63-1995";
-    case IesVersion::lm63_2002:
-        return "LM-63-2002";
-    case IesVersion::lm63_2019:
-        break;
-    }
-    return "LM-63-2019";
+    return format == ProfileFormat::ies ? "IES" : format == ProfileFormat::ldt ? "LDT" : "TM-33";
 }
 
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
+    std::string converted; // what UTF-16 became
+    const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);
+    if (utf16 != profile_detail::Utf16::no) {
+        converted = utf16_to_utf8(bytes, utf16 == profile_detail::Utf16::big_endian);
+        bytes = converted;
+    }
+    // XML is UTF-8 by definition; LM-63 and EULUMDAT keep whatever bytes they have.
+    const bool foreign_xml =
+        (options.format == ProfileFormat::tm33 || (!options.format && looks_like_tm33(bytes))) && !is_utf8(bytes);
+    if (foreign_xml) {
+        converted = to_utf8(bytes);
+        bytes = converted;
+    }
     Report report(bytes, source, options.strict);
-    Result<TextRange> text = find_text(bytes, report);
+    if (foreign_xml) report.add("PRF0108", 0, "the XML is not UTF-8, read as Windows-1252");
+    if (utf16 != profile_detail::Utf16::no)
+        report.add("PRF0106", 0, "the text is UTF-16", "save it as UTF-8; few programs read this");
+    Result<TextRange> text = profile_detail::find_text(bytes, report);
     if (!text) return pass_on(text);
     ProfileFormat format = options.format.value_or(ProfileFormat::ies);
     if (!options.format) {
@@ -148,7 +125,11 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
     Profile profile;
     profile.source = source;
     if (format == ProfileFormat::ies) {
-        Result<IesFile> file = profile_detail::parse_ies(*text, report);
+        Result<IesFile> file = profile_detail::parse_ies(*text, report, options.read_beside);
+        if (!file) return pass_on(file);
+        profile.file = std::move(*file);
+    } else if (format == ProfileFormat::tm33) {
+        Result<Tm33File> file = profile_detail::parse_tm33(*text, report);
         if (!file) return pass_on(file);
         profile.file = std::move(*file);
     } else {
@@ -163,7 +144,10 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options) {
     Result<std::string> bytes = read_file(path);
     if (!bytes) return pass_on(bytes);
-    return read_profile(*bytes, path, options);
+    if (options.read_beside) return read_profile(*bytes, path, options);
+    ReadOptions with_folder = options;
+    with_folder.read_beside = reader_beside(path);
+    return read_profile(*bytes, path, with_folder);
 }
 
 } // namespace gonio

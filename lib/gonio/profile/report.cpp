@@ -1,6 +1,7 @@
 #include <gonio/profile/report.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace gonio::profile_detail {
@@ -45,6 +46,18 @@ void Report::order() {
     std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.location.line, a.location.column) < std::pair(b.location.line, b.location.column);
     });
+    std::move(of_other_.begin(), of_other_.end(), std::back_inserter(diagnostics_));
+    of_other_.clear();
+}
+
+void Report::add_of_other(Diagnostics diagnostics) {
+    std::move(diagnostics.begin(), diagnostics.end(), std::back_inserter(of_other_));
+}
+
+Unexpected Report::fail_of_other(Diagnostics diagnostics) {
+    add_of_other(std::move(diagnostics));
+    order();
+    return Unexpected(Error{Failure::malformed, std::move(diagnostics_)});
 }
 
 Unexpected Report::fail(Code code, std::size_t offset, std::string message, std::string hint, Failure failure) {

@@ -39,6 +39,12 @@ public:
     Unexpected fail(Code code, std::size_t offset, std::string message, std::string hint = {},
                     Failure failure = Failure::malformed);
 
+    // Adds what was said about another file that this one leads to, behind everything else.
+    void add_of_other(Diagnostics diagnostics);
+
+    // The failure of the whole reading for what was said about the other file, whose error is the last.
+    Unexpected fail_of_other(Diagnostics diagnostics);
+
     // Whether something said so far is an error, which happens under `strict` only.
     [[nodiscard]] bool has_error() const { return has_error_; }
 
@@ -49,6 +55,7 @@ public:
 
     [[nodiscard]] bool strict() const { return strict_; }
     [[nodiscard]] std::string_view bytes() const { return bytes_; }
+    [[nodiscard]] const std::string& source() const { return source_; }
 
 private:
     [[nodiscard]] Location locate(std::size_t offset) const;
@@ -58,6 +65,7 @@ private:
     std::string_view bytes_;
     std::string source_;
     Diagnostics diagnostics_;
+    Diagnostics of_other_;
     std::vector<std::size_t> repeats_; // per diagnostic
     bool strict_;
     bool has_error_ = false;

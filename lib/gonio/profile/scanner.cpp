@@ -1,10 +1,13 @@
 #include <gonio/profile/scanner.hpp>
+#include <gonio/profile/token_scan.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <system_error>
 
@@ -47,11 +50,14 @@ std::string_view trim_left(std::string_view text) {
     return text;
 }
 
-std::string_view trim(std::string_view text) {
-    text = trim_left(text);
+std::string_view trim_right(std::string_view text) {
     while (!text.empty() && is_blank(text.back()))
         text.remove_suffix(1);
     return text;
+}
+
+std::string_view trim(std::string_view text) {
+    return trim_right(trim_left(text));
 }
 
 bool starts_with_any_case(std::string_view text, std::string_view capitals) {
@@ -66,6 +72,15 @@ bool equals_any_case(std::string_view text, std::string_view capitals) {
 Line LineScanner::next() {
     const std::size_t begin = std::min(next_, end_);
     std::size_t at = begin;
+    // Eight bytes at a time: x − 0x01… has a byte's high bit set where x has a zero byte and, above such, perhaps
+    // elsewhere; the exact place is found below.
+    const auto has_zero = [](std::uint64_t x) { return (x - 0x0101010101010101U) & ~x & 0x8080808080808080U; };
+    while (at + 8 <= end_) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes_.data() + at, sizeof word);
+        if ((has_zero(word ^ 0x0A0A0A0A0A0A0A0AU) | has_zero(word ^ 0x0D0D0D0D0D0D0D0DU)) != 0) break;
+        at += 8;
+    }
     while (at < end_ && bytes_[at] != '\n' && bytes_[at] != '\r')
         ++at;
     next_ = at;
@@ -112,7 +127,7 @@ std::string quoted(std::string_view text) {
 
 Token NumberScanner::next_slow(double& value) {
     const char* p = at_;
-    while (p != end_ && !is_separator(*p))
+    while (p != end_ && !ends_number(*p))
         ++p;
     bool plain = true;
     const Token token = scan_number({at_, static_cast<std::size_t>(p - at_)}, value, plain);
@@ -121,10 +136,32 @@ Token NumberScanner::next_slow(double& value) {
     return token;
 }
 
+std::size_t NumberScanner::next_quickly(std::span<double> numbers, double& lowest, double& highest) {
+    if (at_ - first_ < 8 || numbers.empty()) return 0;
+    double low = lowest;
+    double high = highest;
+    double* out = numbers.data();
+    double* const out_end = out + numbers.size();
+    const char* behind = at_; // the last number taken
+    for_each_token(at_, end_, [&](const char* begin, const char* end) {
+        double value = 0.0;
+        if (!convert_token(begin, end, value)) return false;
+        low = value < low ? value : low;
+        high = value > high ? value : high;
+        *out = value;
+        behind = end;
+        return ++out != out_end;
+    });
+    at_ = behind;
+    lowest = low;
+    highest = high;
+    return static_cast<std::size_t>(out - numbers.data());
+}
+
 std::string_view NumberScanner::token() const {
     constexpr std::ptrdiff_t longest = 40;
     const char* p = token_;
-    while (p != end_ && !is_separator(*p) && p - token_ < longest)
+    while (p != end_ && !ends_number(*p) && p - token_ < longest)
         ++p;
     return {token_, static_cast<std::size_t>(p - token_)};
 }

@@ -4,8 +4,10 @@
 // decoded. Neither scanner allocates.
 #pragma once
 
+#include <gonio/profile/fast_number.hpp>
+
 #include <cstddef>
-#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,7 @@ constexpr bool is_blank(char c) {
 }
 
 std::string_view trim_left(std::string_view text);
+std::string_view trim_right(std::string_view text);
 std::string_view trim(std::string_view text);
 
 // ASCII letters without regard to case.
@@ -34,7 +37,8 @@ public:
 
     [[nodiscard]] bool at_end() const { return next_ >= end_; }
     [[nodiscard]] std::size_t offset() const { return next_; } // where the next line begins
-    Line next();                                               // an empty line at the end
+    void go_to(std::size_t offset) { next_ = offset; }
+    Line next(); // an empty line at the end
 
 private:
     std::string_view bytes_;
@@ -62,13 +66,20 @@ public:
     NumberScanner(std::string_view bytes, std::size_t begin, std::size_t end)
         : first_(bytes.data()), at_(bytes.data() + begin), end_(bytes.data() + end), token_(at_) {}
 
-    // The next number, in about 8 ns for short ones. On anything but `number`, `value` is left alone.
+    // The next number. On anything but `number`, `value` is left alone.
     Token next(double& value) {
         skip_separators();
         token_ = at_;
         if (at_ == end_) return Token::end;
-        return next_fast(value) ? Token::number : next_slow(value);
+        const char* const behind = read_decimal(at_, end_, value);
+        if (behind == nullptr) return next_slow(value);
+        at_ = behind;
+        return Token::number;
     }
+
+    // Reads numbers into `numbers` as long as they can be read quickly; how many that were. next() reads the one that
+    // stopped it. `lowest` and `highest` are widened to what was read.
+    std::size_t next_quickly(std::span<double> numbers, double& lowest, double& highest);
 
     // Skips separators; whether nothing else is left.
     bool at_end() {
@@ -87,14 +98,11 @@ public:
     [[nodiscard]] std::size_t remaining_bytes() const { return static_cast<std::size_t>(end_ - at_); }
 
 private:
-    static bool is_separator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
-
     void skip_separators() {
-        while (at_ != end_ && is_separator(*at_))
+        while (at_ != end_ && ends_number(*at_))
             ++at_;
     }
 
-    bool next_fast(double& value);
     Token next_slow(double& value);
 
     const char* first_;
@@ -103,33 +111,5 @@ private:
     const char* token_;
     std::size_t exponent_ = static_cast<std::size_t>(-1);
 };
-
-// Up to 15 digits and a point: the digits are exact in a double and so is the power of ten, so one division rounds
-// correctly (W. Clinger, How to read floating point numbers accurately, 1990). Everything else takes the slow way.
-inline bool NumberScanner::next_fast(double& value) {
-    static constexpr double powers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                        1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    const char* p = at_;
-    const bool negative = *p == '-';
-    if (negative || *p == '+') ++p;
-    std::uint64_t digits = 0;
-    const char* const digits_begin = p;
-    while (p != end_ && static_cast<unsigned char>(*p - '0') < 10)
-        digits = digits * 10 + static_cast<unsigned char>(*p++ - '0'); // may wrap: too many digits are refused below
-    auto count = p - digits_begin;
-    std::ptrdiff_t decimals = 0;
-    if (p != end_ && *p == '.') {
-        const char* const decimals_begin = ++p;
-        while (p != end_ && static_cast<unsigned char>(*p - '0') < 10)
-            digits = digits * 10 + static_cast<unsigned char>(*p++ - '0');
-        decimals = p - decimals_begin;
-        count += decimals;
-    }
-    if (count == 0 || count > 15 || (p != end_ && !is_separator(*p))) return false;
-    const double magnitude = static_cast<double>(digits) / powers[decimals];
-    value = negative ? -magnitude : magnitude;
-    at_ = p;
-    return true;
-}
 
 } // namespace gonio::profile_detail

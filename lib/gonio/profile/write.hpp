@@ -6,15 +6,24 @@
 
 #include <gonio/profile/profile.hpp>
 
+#include <cstddef>
 #include <string>
 
 namespace gonio {
 
 // In the layout that the common loaders read: ten numbers on one line, three on the next, each angle list and each
-// plane beginning a line, single spaces. Lists are broken at 132 characters up to 1995, at 256 since. An empty
-// version_line becomes the standard one of `version`; 1986 has none.
-std::string write_ies(const IesFile& file);
+// plane beginning a line, single spaces. Lists are broken at `longest_line` characters, line end included; 0: at
+// the 132 of the editions up to 1995, the 256 of those since. An empty version_line becomes the standard one of
+// `version`; 1986 has none.
+std::string write_ies(const IesFile& file, std::size_t longest_line = 0);
 
 std::string write_ldt(const LdtFile& file);
+
+// XML in UTF-8, indented. Elements that gonio has no field for stand where they stood, new ones at the schema's place;
+// a document whose fields were not changed reads back as the same file.
+std::string write_tm33(const Tm33File& file);
+
+// The bytes of whichever it is.
+std::string write_profile(const Profile& profile);
 
 } // namespace gonio

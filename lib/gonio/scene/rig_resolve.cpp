@@ -46,13 +46,13 @@ std::optional<Emitter> emitter_of(const LightDescription& light) {
                    value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
                    value.number,
                    value.unit.distance.value_or(Meters()).value,
-                   value.efficacy_lm_per_w.value_or(0.0)};
+                   value.unit.efficacy_lm_per_w.value_or(0.0)};
 }
 
 // Frame, name, colour and range of the description on what another light of the same emission is resolved to.
 Result<Light> like(const Light& prototype, LightDescription description, Diagnostics& diagnostics) {
     description.shape = PointShape{};
-    description.intensity = PhotometricValue{0.0, {find_unit("cd"), std::nullopt}, std::nullopt};
+    description.intensity = PhotometricValue{0.0, {find_unit("cd"), std::nullopt, std::nullopt}};
     Result<Light> placement = resolve_light(std::move(description), diagnostics);
     if (!placement) return placement;
     Light light = prototype;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
-#include <gonio/simd/pack.hpp>
+#include <gonio/simd/twin.hpp>
 
 namespace gonio::shading {
 

@@ -1,9 +1,14 @@
 // Irradiance from a uniform one-sided disk of any orientation, exact with horizon clipping.
 //
-// E/L [sr] in [0, π]. With w = −axis, the centre C = z w + x û and p(t) = C + r(û cos t + v̂ sin t), the contour
-// integral over the visible arc has an elementary antiderivative. It is taken here with the denominator
-// |p|² = q + e cos t expanded about β = e/(q + S), which leaves no angle that jumps and no 0/0 on the axis, near the
-// rim or in the plane; the usual arctangent of a scaled half-angle tangent loses up to 9 % there in double. README.md.
+// E/L [sr] in [0, π]. With w = −axis, the centre C = z w + x û and the rim p(t) = C + r(û cos t + v̂ sin t), the visible
+// arc t0 … t1 and the horizon arc that closes it give (README.md)
+//
+//     E/L = F ψ + (n_w − n_u z/x) ω/2 + z n_v ln(|p1|²/|p0|²)/(4x) + ½ ∠(p1, p0),   F = E/(π L) of the whole disk
+//
+// where ψ and ω are what the arc spans as seen from the two limiting points of the rim's pencil of circles. Everything
+// is formed from cosine and sine of t0/2 and t1/2, which the heights over the horizon give by square roots: no angle of
+// t is taken, nothing jumps, and there is no 0/0 on the axis, near the rim or in the plane. Distances that cancel near
+// the rim are formed in double and rounded once.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -12,120 +17,184 @@ namespace gonio::shading {
 
 namespace detail {
 
-// What both forms of the disk are made of, in its own axes w, û, v̂.
+// The disk in its own axes w, û, v̂, mirrored so that n_v ≥ 0; of moderate size.
 template<class S>
-struct DiskParts {
-    S z, x, r;       // scaled to moderate size; z > 0 in front
+struct DiskPose {
+    S z, x, r;       // z > 0 in front; x ≥ 0
+    S inverse_x;     // where x is 0, of something that is as good as 0
+    S gap;           // x − r
+    S beyond2;       // x² − r²
     S n_w, n_u, n_v; // the receiver's normal
-    S k, m;          // height of the rim over the horizon: k + m cos(t − t_c)
-    S q, rim;        // z² + x² + r², and the product of the distances to the nearest and farthest point of the rim
-    S nearest2;      // z² + (x − r)²
+    S n_across;      // √(n_u² + n_v²)
 };
 
 template<class S>
-GONIO_FORCE_INLINE DiskParts<S> disk_parts(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
+GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
     const S size = simd::abs(radius);
     const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), size));
-    const vec3<S> c = center * scale;
-    const S r = size * scale;
-    const S z = -dot(axis, c);
-    const vec3<S> across = perpendicular(c, axis);
-    const S x = length(across);
-    const S n_w = -dot(axis, normal);
-    const vec3<S> n_across = perpendicular(normal, axis);
-    const S inverse = reciprocal_or_zero(x);
-    const auto on_axis = x == S(0); // û is then free: along the normal
-    const S n_u = simd::select(on_axis, length(n_across), dot(n_across, across) * inverse);
-    const S n_v = simd::select(on_axis, S(0), -dot(n_across, cross(axis, across)) * inverse);
-    const S gap = x - r;
-    const S nearest2 = z * z + gap * gap;
-    const S rim = simd::sqrt(nearest2) * simd::sqrt(z * z + (x + r) * (x + r));
-    return {z, x, r, n_w, n_u, n_v, z * n_w + x * n_u, r * length(n_across), x * x + z * z + r * r, rim, nearest2};
-}
-
-// The whole disk above the horizon.
-template<class S>
-GONIO_FORCE_INLINE S disk_above(const DiskParts<S>& d) {
-    const S z2 = d.z * d.z;
-    const S r2 = d.r * d.r;
-    const S x2 = d.x * d.x;
-    const auto outside = x2 > z2 + r2;
-    const S sum = d.rim + simd::abs(x2 - z2 - r2);
-    const S y = simd::select(outside, S(4) * x2 * z2 * reciprocal_or_zero(sum), sum);
-    const S numerator = S(3.14159265358979323846) * r2 * (d.n_w * y + S(2) * d.x * d.z * d.n_u);
-    return clamp_irradiance(numerator * reciprocal_or_zero(d.rim * (d.rim + d.q)));
-}
-
-GONIO_FORCE_INLINE double atan_ratio(double y) {
-    return y == 0.0 ? 1.0 : simd::atan(y) / y;
-}
-
-GONIO_FORCE_INLINE double log1p_ratio(double y) {
-    return y == 0.0 ? 1.0 : __builtin_log1p(y) / y;
-}
-
-// The horizon cuts the disk: |k| < m.
-GONIO_FORCE_INLINE double disk_straddling(const DiskParts<double>& d) {
-    if (d.rim == 0.0) return 0.0;
-    const double e = 2.0 * d.x * d.r;
-    const double beta = e / (d.q + d.rim);
-    const double middle = simd::atan2(d.n_v, d.n_u);
-    const double half = simd::atan2(simd::sqrt((d.m - d.k) * (d.m + d.k)), -d.k);
-    const double t0 = middle - half;
-    const double t1 = middle + half;
-    const auto j = [&](double t) __attribute__((always_inline)) {
-        const double slope = simd::sin(t) / (1.0 + beta * simd::cos(t));
-        return slope * atan_ratio(beta * slope);
-    };
-    const double a = d.r * d.r * d.n_w;
-    const double b = d.r * (d.x * d.n_w - d.z * d.n_u);
-    const double k = -d.r * d.z * d.n_v;
-    const double along = j(t1) - j(t0);
-    const double cos_half_t0 = simd::cos(0.5 * t0);
-    const double c = -2.0 * simd::sin(middle) * simd::sin(half) / (d.nearest2 + 2.0 * e * cos_half_t0 * cos_half_t0);
-    const double sum = a * (2.0 * half - 2.0 * beta * along) / d.rim +
-                       b * (2.0 * d.q * along / (d.rim * (d.q + d.rim)) - 2.0 * half * e / (d.rim * (d.rim + d.q))) -
-                       k * c * log1p_ratio(e * c);
-    // The horizon arc from p(t1) to p(t0), in w, û, v̂.
-    const vec3<double> from{d.z, d.x + d.r * simd::cos(t1), d.r * simd::sin(t1)};
-    const double turn = 2.0 * simd::sin(half);
-    const vec3<double> step{0.0, d.r * simd::sin(middle) * turn, -d.r * simd::cos(middle) * turn};
-    return clamp_irradiance(0.5 * sum + horizon_arc(from, step));
-}
-
-struct ExactDisk {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[10]) {
-        const DiskParts<double> d =
-            disk_parts<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], {v[7], v[8], v[9]});
-        if (d.z == 0.0 && d.x < d.r) return clamp_irradiance(1.57079632679489661923 * (1.0 + d.n_w));
-        if (!(d.z > 0.0) || d.k <= -d.m) return 0.0;
-        return d.k >= d.m ? disk_above(d) : disk_straddling(d);
+    const vec3<simd::wider<S>> c = widen(center * scale);
+    const vec3<simd::wider<S>> a = widen(axis);
+    const auto depth = dot(a, c);
+    vec3<simd::wider<S>> across = c - a * depth;
+    DiskPose<S> d;
+    vec3<S> u;
+    simd::narrow(across.x, u.x);
+    simd::narrow(across.y, u.y);
+    simd::narrow(across.z, u.z);
+    simd::narrow(-depth, d.z);
+    if (simd::any(dot(u, u) < S(1e-8) * d.z * d.z)) { // the axis is of unit length within rounding only
+        across = across - a * dot(a, across);
+        simd::narrow(across.x, u.x);
+        simd::narrow(across.y, u.y);
+        simd::narrow(across.z, u.z);
     }
-};
+    const auto across2 = dot(across, across);
+    d.r = size * scale;
+    simd::narrow(across2 - simd::widen(d.r) * simd::widen(d.r), d.beyond2);
+    S x2;
+    simd::narrow(across2, x2);
+
+    d.n_w = -dot(axis, normal);
+    constexpr double least = 1e-15;
+    const auto on_axis = x2 < S(least * least);
+    d.x = simd::sqrt(simd::max(x2, S(least * least)));
+    d.inverse_x = S(1) / d.x;
+    d.n_u = dot(normal + axis * d.n_w, u) * d.inverse_x; // u may be little more than rounding along the axis
+    d.n_v = simd::abs(dot(normal, fused_cross(axis, u))) * d.inverse_x;
+    if (simd::any(on_axis)) { // û is then free: along the normal
+        d.n_u = simd::select(on_axis, length(perpendicular(normal, axis)), d.n_u);
+        d.n_v = simd::select(on_axis, S(0), d.n_v);
+    }
+    d.n_across = simd::sqrt(simd::mul_add(d.n_u, d.n_u, d.n_v * d.n_v));
+    d.gap = d.beyond2 / (d.x + d.r);
+    return d;
+}
+
+// The horizon cuts the disk: |k| < m, k the height of the centre over it and m = r n_across. `whole` is F.
+template<class S>
+GONIO_FORCE_INLINE S disk_straddling(const DiskPose<S>& d, S k, S m, S near2, S far2, S rim, S whole) {
+    // Half angles: t0/2 = (t_c − h)/2 and t1/2 = (t_c + h)/2, t_c the direction of n in the disk's plane, cos h = −k/m.
+    constexpr double least = 1e-37;
+    const S inverse_m = S(0.5) / simd::max(m, S(least));
+    const S cos_h = simd::sqrt(simd::min(simd::max((m - k) * inverse_m, S(0)), S(1)));
+    const S sin_h = simd::sqrt(simd::min(simd::max((m + k) * inverse_m, S(0)), S(1)));
+    const S longer = d.n_across + simd::abs(d.n_u);
+    const S larger = simd::sqrt(simd::min(longer * d.r * inverse_m, S(1)));
+    const S smaller = d.n_v * larger / simd::max(longer, S(least));
+    const auto towards = d.n_u >= S(0);
+    const S cos_c = simd::select(towards, larger, smaller);
+    const S sin_c = simd::select(towards, smaller, larger);
+    const S cos0 = simd::mul_add(cos_c, cos_h, sin_c * sin_h);
+    const S cos1 = simd::mul_add(cos_c, cos_h, -(sin_c * sin_h));
+    const S sin0 = simd::mul_add(sin_c, cos_h, -(cos_c * sin_h));
+    const S sin1 = simd::mul_add(sin_c, cos_h, cos_c * sin_h);
+
+    // |p|² = near² + 2e cos²(t/2).
+    const S e = S(2) * d.x * d.r;
+    const S square0 = simd::mul_add(S(2) * e, cos0 * cos0, near2);
+    const S square1 = simd::mul_add(S(2) * e, cos1 * cos1, near2);
+
+    const S psi = simd::atan2_above(rim * simd::max(simd::mul_add(sin1, cos0, -(cos1 * sin0)), S(0)),
+                                    simd::mul_add(far2 * cos0, cos1, near2 * sin0 * sin1));
+    // 1 + β exp(it) times (1 + β)(q + rim)/2 is (a, b) with β = e/(q + rim).
+    const S q = simd::mul_add(d.x, d.x, simd::mul_add(d.z, d.z, d.r * d.r));
+    const S grow = simd::mul_add(e, e / (q + rim), e);
+    const S a0 = simd::mul_add(grow, cos0 * cos0, rim);
+    const S a1 = simd::mul_add(grow, cos1 * cos1, rim);
+    const S b0 = grow * cos0 * sin0;
+    const S b1 = grow * cos1 * sin1;
+    const S omega = simd::atan2(simd::mul_add(b1, a0, -(b0 * a1)), simd::mul_add(a0, a1, b0 * b1));
+
+    const S turn_u = (cos1 - cos0) * (cos1 + cos0); // half of cos t1 − cos t0
+    const S squares = square0 + square1;
+    const S g = S(-2) * e * turn_u / squares; // ≥ 0; atanh g = ½ ln(|p0|²/|p1|²)
+    const auto steep = g > S(0.5);
+    S ratio = simd::atanh_ratio(simd::min(g * g, S(0.25)));
+    if (simd::any(steep)) {
+        constexpr double half_ln_2 = 0.34657359027997265471;
+        const S logarithm = S(half_ln_2) * simd::log2(square0 / simd::max(square1, S(least)));
+        ratio = simd::select(steep, logarithm / simd::max(g, S(0.5)), ratio);
+    }
+    const S slope = S(2) * d.r * d.z * d.n_v * turn_u * ratio / squares;
+
+    const S turn_v = simd::mul_add(cos1, sin1, -(cos0 * sin0));
+    const S two_r = d.r + d.r;
+    // From p1, the nearer: as a sum from p0 it would not know where it is.
+    const vec3<S> from{d.z, simd::mul_add(two_r, cos1 * cos1, d.gap), two_r * cos1 * sin1};
+    const vec3<S> step{S(0), -(two_r * turn_u), -(two_r * turn_v)};
+    const S across = S(0.5) * omega * (d.n_w - d.n_u * d.z * d.inverse_x);
+    return (simd::mul_add(whole, psi, across) + slope) + horizon_arc(from, step, {d.n_w, d.n_u, d.n_v});
+}
+
+// The least height over the light that is told from 0, of the size of the scene: its square is a normal number.
+template<class S>
+inline constexpr double least_disk_height = 0x1p-60;
+template<>
+inline constexpr double least_disk_height<double> = 0x1p-500;
+
+struct DiskInDouble;
 
 } // namespace detail
 
 // E/L [sr] of a disk about `center` [m, from the receiver] that emits towards +`axis` only; `axis` and the receiver's
 // `normal` are unit. Behind its plane 0; in the plane, inside the rim, the limit π(1 + n·w)/2 from the front,
 // w = −axis, and outside 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs,
-// disks that the horizon cuts and receivers close to the rim are evaluated in double, lane by lane.
+// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.03, are evaluated in double, lane
+// by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
-    if constexpr (__is_same(S, double)) {
-        return detail::ExactDisk::evaluate(
-            {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, normal.x, normal.y, normal.z});
-    } else {
-        const detail::DiskParts<S> d = detail::disk_parts(center, axis, radius, normal);
-        // Rounding of the sides of the comparisons, generously; what it leaves open is decided in double.
-        const S slack = S(4e-6) * (d.z + d.x + d.r);
-        const auto maybe_lit = simd::both(d.z > -slack, d.k > -d.m - slack);
-        const auto easy = simd::both(simd::both(d.z > slack, d.k > d.m + slack), d.rim > S(0.1) * d.q);
-        const auto hard = simd::both(maybe_lit, !easy);
-        const S above = simd::select(easy, detail::disk_above(d), S(0));
-        if (!simd::any(hard)) return above;
-        return detail::in_double<detail::ExactDisk>(
-            hard, above, {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, normal.x, normal.y, normal.z});
+    detail::DiskPose<S> d = detail::disk_pose(center, axis, radius, normal);
+    const S k = simd::mul_add(d.z, d.n_w, d.x * d.n_u);
+    const S m = d.r * d.n_across;
+    // What rounding leaves open counts as seen: beside the rim it may be half of the light.
+    const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) * (d.x + d.r + simd::abs(d.z));
+    const auto lit = simd::both(simd::both(d.z > S(0), d.r > S(0)), k > -m - slack);
+    S e = S(0);
+    if (simd::any(d.z == S(0))) {
+        const auto touching = simd::both(d.z == S(0), d.beyond2 < S(0));
+        e = simd::select(touching, detail::clamp_irradiance(S(1.57079632679489661923) * (S(1) + d.n_w)), S(0));
     }
+    if (!simd::any(lit)) return e;
+
+    d.z = simd::max(d.z, S(detail::least_disk_height<S>));
+    const S z2 = d.z * d.z;
+    const S near2 = simd::mul_add(d.gap, d.gap, z2);
+    const S far = d.x + d.r;
+    const S far2 = simd::mul_add(far, far, z2);
+    const S rim = simd::sqrt(near2) * simd::sqrt(far2); // the distances of the rim's nearest and farthest point
+    const S q = simd::mul_add(d.x, d.x, simd::mul_add(d.r, d.r, z2));
+    // Y = rim + z² + r² − x², without cancellation.
+    const S behind = d.beyond2 - z2;
+    const S sum = rim + simd::abs(behind);
+    const S y = simd::select(behind > S(0), S(4) * d.x * d.x * z2 / sum, sum);
+    const S whole = d.r * d.r * simd::mul_add(d.n_w, y, S(2) * d.x * d.z * d.n_u) / (rim * (rim + q));
+    constexpr double pi = 3.14159265358979323846;
+    const auto straddling = simd::both(lit, k < m);
+    S in_front = S(pi) * whole;
+    if (simd::any(straddling))
+        in_front = simd::select(straddling, detail::disk_straddling(d, k, m, near2, far2, rim, whole), in_front);
+    e = simd::select(lit, detail::clamp_irradiance(in_front), e);
+    if constexpr (!__is_same(S, double)) {
+        // Where the arcs turn within the rounding of the way to the rim.
+        const S r2 = d.r * d.r;
+        const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(1e-3) * r2));
+        const auto touching = simd::both(lit, close);
+        if (simd::any(touching))
+            return detail::in_double<detail::DiskInDouble>(
+                touching, e,
+                {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, normal.x, normal.y, normal.z});
+    }
+    return e;
 }
+
+namespace detail {
+
+struct DiskInDouble {
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[10]) {
+        return irradiance_disk<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], {v[7], v[8], v[9]});
+    }
+};
+
+} // namespace detail
 
 } // namespace gonio::shading

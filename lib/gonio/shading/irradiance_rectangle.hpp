@@ -1,8 +1,11 @@
 // Irradiance from a uniform one-sided rectangle, exact with horizon clipping.
 //
 // E/L [sr] in [0, π]: four great arcs, each cut where the receiver's plane cuts it, and one horizon arc (outline.hpp).
-// A cut edge keeps its plane and changes its angle only. Far from an uncut rectangle the arcs cancel by (size/distance)
-// and a 4 × 4 Gauss–Legendre rule over its surface takes their place: its error falls with the eighth power.
+// The pose is taken to the light's own axes in double and rounded once, each coordinate to its own last digit, so that
+// float stays exact next to the outline. Mirrored so that n_x, n_y ≥ 0 the corners sink in a fixed order: one half of
+// the outline from the highest to the lowest has at most one crossing, and so has the other; no case is left. Far from
+// an uncut rectangle the arcs cancel by (size/distance) and a 4 × 4 Gauss–Legendre rule over its surface takes their
+// place: its error falls with the eighth power.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -11,156 +14,272 @@ namespace gonio::shading {
 
 namespace detail {
 
-// `center` relative to the receiver, half edges x and y with x × y towards emission; all of moderate size.
+// In the light's axes x (width), y (height), z (away from its front), seen from the receiver; of moderate size.
 template<class S>
-GONIO_FORCE_INLINE S rectangle_by_arcs(vec3<S> center, vec3<S> x, vec3<S> y, vec3<S> normal) {
-    const S up = dot(normal, center);
-    const S up_x = dot(normal, x);
-    const S up_y = dot(normal, y);
-    // Summed like the corners themselves, so that at most one edge sinks below the horizon and one rises.
-    const S height[4] = {(up - up_x) - up_y, (up - up_x) + up_y, (up + up_x) + up_y, (up + up_x) - up_y};
-    const vec3<S> two_x = x + x;
-    const vec3<S> two_y = y + y;
-    const vec3<S> corner[4] = {vec3<S>{S(0), S(0), S(0)} - x - y, y - x, x + y, x - y}; // from the centre
-    const vec3<S> edge[4] = {two_y, two_x, two_y * S(-1), two_x * S(-1)};
+struct RectanglePose {
+    S x, y, z;            // of the centre; z > 0 in front
+    S x_rest, y_rest;     // what rounding has left of x and y
+    S half_x, half_y;     // ≥ 0
+    S n_x, n_y, n_z;      // the receiver's normal
+    S up, rise_x, rise_y; // heights over the receiver's plane: of the centre, and by half_x and half_y
+};
 
-    const auto lowest = simd::min(simd::min(height[0], height[1]), simd::min(height[2], height[3]));
-    if (!simd::any(lowest < S(0))) {
-        S sum = S(0);
-        for (int i = 0; i < 4; ++i)
-            sum = sum + great_arc(center + corner[i], edge[i], normal);
-        return clamp_irradiance(sum);
-    }
-    S sum = S(0);
-    vec3<S> sinks{S(0), S(0), S(0)};
-    vec3<S> rises{S(0), S(0), S(0)};
-    auto cut = S(0) > S(1);
-    for (int i = 0; i < 4; ++i) {
-        const S from = height[i];
-        const S to = height[(i + 1) % 4];
-        const auto from_above = from >= S(0);
-        const auto to_above = to >= S(0);
-        const auto sinking = simd::both(from_above, !to_above);
-        const auto rising = simd::both(!from_above, to_above);
-        const S t = simd::min(from * reciprocal_or_zero(from - to), S(1)); // of the crossing, where there is one
-        const S begin = simd::select(from_above, S(0), t);
-        const S end = simd::select(to_above, S(1), t);
-        const vec3<S> p = center + corner[i];
-        const vec3<S> plane = cross(p, edge[i]);
-        const S area = length(plane);
-        const S angle = simd::atan2(area * simd::max(end - begin, S(0)), dot(p + edge[i] * begin, p + edge[i] * end));
-        const S arc = S(0.5) * angle * dot(normal, plane) * reciprocal_or_zero(area);
-        sum = sum + simd::select(simd::either(from_above, to_above), arc, S(0));
-        const vec3<S> crossing = corner[i] + edge[i] * t;
-        sinks = select(sinking, crossing, sinks);
-        rises = select(rising, crossing, rises);
-        cut = simd::either(cut, sinking);
-    }
-    const S closing = horizon_arc(center + sinks, rises - sinks);
-    return clamp_irradiance(sum + simd::select(cut, closing, S(0)));
+template<class S>
+GONIO_FORCE_INLINE RectanglePose<S> rectangle_pose(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width,
+                                                   S height, vec3<S> normal) {
+    const S w = simd::abs(width);
+    const S h = simd::abs(height);
+    // 1/8: sums of three such numbers stay finite at the largest scale too.
+    const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(w, h)));
+    const vec3<simd::wider<S>> c = widen(center * scale);
+    const vec3<simd::wider<S>> a = widen(axis);
+    const vec3<simd::wider<S>> b = widen(width_direction);
+    const auto along_x = dot(b, c);
+    const auto along_y = dot(cross(a, b), c);
+    RectanglePose<S> p;
+    p.half_x = S(0.5) * (w * scale);
+    p.half_y = S(0.5) * (h * scale);
+    simd::narrow(along_x, p.x);
+    simd::narrow(along_x - simd::widen(p.x), p.x_rest);
+    simd::narrow(along_y, p.y);
+    simd::narrow(along_y - simd::widen(p.y), p.y_rest);
+    simd::narrow(-dot(a, c), p.z);
+    p.n_x = dot(normal, width_direction);
+    p.n_y = dot(normal, cross(axis, width_direction));
+    p.n_z = -dot(normal, axis);
+    p.rise_x = p.n_x * p.half_x;
+    p.rise_y = p.n_y * p.half_y;
+    p.up = simd::mul_add(p.n_x, p.x, simd::mul_add(p.n_y, p.y, p.n_z * p.z));
+    return p;
 }
 
-// All of it above the horizon; `toward` = distance of the rectangle's plane, > 0 in front.
+// The same seen in mirrors, so that n_x, n_y ≥ 0.
 template<class S>
-GONIO_FORCE_INLINE S rectangle_by_points(vec3<S> center, vec3<S> x, vec3<S> y, S toward, vec3<S> normal) {
-    constexpr double node[4] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
-                                0.86113631159405257522};
-    constexpr double weight[4] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
-                                  0.34785484513745385737};
-    const S up = dot(normal, center);
-    const S up_x = dot(normal, x);
-    const S up_y = dot(normal, y);
-    const S square = dot(center, center);
-    const S along_x = S(2) * dot(center, x);
-    const S along_y = S(2) * dot(center, y);
-    const S x2 = dot(x, x);
-    const S y2 = dot(y, y);
+GONIO_FORCE_INLINE void mirror(RectanglePose<S>& p) {
+    const auto left = p.n_x < S(0);
+    const auto down = p.n_y < S(0);
+    p.x = simd::select(left, -p.x, p.x);
+    p.y = simd::select(down, -p.y, p.y);
+    p.x_rest = simd::select(left, -p.x_rest, p.x_rest);
+    p.y_rest = simd::select(down, -p.y_rest, p.y_rest);
+    p.n_x = simd::abs(p.n_x);
+    p.n_y = simd::abs(p.n_y);
+    p.rise_x = simd::abs(p.rise_x);
+    p.rise_y = simd::abs(p.rise_y);
+}
+
+// A piece of a straight line that subtends the angle θ: tan(θ/2) or, where θ is obtuse, cot(θ/2), is v.
+template<class S>
+struct EdgeAngle {
+    S inverse;     // v = length · distance of the line · inverse
+    S excess;      // atan(v)/v − 1
+    S by_distance; // 2 atan(v) over the line's distance
+};
+
+// Its length, the square of the line's distance, and 1 over the sum of the product of its ends' lengths and the
+// magnitude of their dot product.
+template<class S>
+GONIO_FORCE_INLINE EdgeAngle<S> edge_angle(S length, S distance2, S inverse) {
+    const S t = length * inverse;
+    const S excess = simd::atan_ratio_excess(t * t * distance2);
+    return {inverse, excess, S(2) * simd::mul_add(t, excess, t)};
+}
+
+// Where the horizon cuts the outline: offsets from the centre, both at the lowest corner where it does not.
+template<class S>
+struct RectangleCut {
+    S a_x, a_y, b_x, b_y;
+    simd::mask_of<S> before3, before1; // A lies before corner 3, B before corner 1
+};
+
+// Corners: 0 the lowest (−x, −y), 1 (−x, +y), 2 the highest (+x, +y), 3 (+x, −y). A is on the way from 2 over 3 to 0,
+// B on the way over 1; both are corner 2 where nothing is above.
+template<class S>
+GONIO_FORCE_INLINE RectangleCut<S> rectangle_cut(const RectanglePose<S>& p) {
+    constexpr double least = 1e-30;
+    const auto before3 = (p.up + p.rise_x) - p.rise_y < S(0);
+    const auto before1 = (p.up - p.rise_x) + p.rise_y < S(0);
+    const S rate_a = simd::max(simd::select(before3, p.n_y, p.n_x), S(least));
+    const S rate_b = simd::max(simd::select(before1, p.n_x, p.n_y), S(least));
+    const S a = -simd::select(before3, p.up + p.rise_x, p.up - p.rise_y) / rate_a;
+    const S b = -simd::select(before1, p.up + p.rise_y, p.up - p.rise_x) / rate_b;
+    const S end_a = simd::select(before3, p.half_y, p.half_x);
+    const S end_b = simd::select(before1, p.half_x, p.half_y);
+    const S at_a = simd::max(simd::min(a, end_a), -end_a);
+    const S at_b = simd::max(simd::min(b, end_b), -end_b);
+    return {simd::select(before3, p.half_x, at_a),
+            simd::select(before3, at_a, -p.half_y),
+            simd::select(before1, at_b, -p.half_x),
+            simd::select(before1, p.half_y, at_b),
+            before3,
+            before1};
+}
+
+template<class S>
+GONIO_FORCE_INLINE S rectangle_in_front(RectanglePose<S>& p) {
+    const auto never = S(0) > S(1);
+    const auto cut = p.up < simd::abs(p.rise_x) + simd::abs(p.rise_y);
+    RectangleCut<S> c{-p.half_x, -p.half_y, -p.half_x, -p.half_y, never, never};
+    if (simd::any(cut)) {
+        mirror(p);
+        c = rectangle_cut(p);
+    }
+    // From the receiver, each coordinate to its own last digit.
+    const S x0 = (p.x - p.half_x) + p.x_rest;
+    const S x1 = (p.x + p.half_x) + p.x_rest;
+    const S y0 = (p.y - p.half_y) + p.y_rest;
+    const S y1 = (p.y + p.half_y) + p.y_rest;
+    vec3<S> a{x0, y0, p.z};
+    vec3<S> b = a;
+    if (simd::any(cut)) {
+        a = {(p.x + c.a_x) + p.x_rest, (p.y + c.a_y) + p.y_rest, p.z};
+        b = {(p.x + c.b_x) + p.x_rest, (p.y + c.b_y) + p.y_rest, p.z};
+    }
+    const S z2 = p.z * p.z;
+    const S to_x0 = simd::mul_add(x0, x0, z2); // squares of the distances of the edges' lines
+    const S to_x1 = simd::mul_add(x1, x1, z2);
+    const S to_y0 = simd::mul_add(y0, y0, z2);
+    const S to_y1 = simd::mul_add(y1, y1, z2);
+    const S square_a = dot(a, a);
+    const S square1 = simd::mul_add(y1, y1, to_x0);
+    const S square3 = simd::mul_add(y0, y0, to_x1);
+    const S d_a = simd::sqrt(square_a);
+    const S d1 = simd::sqrt(square1);
+    const S d2 = simd::sqrt(simd::mul_add(y1, y1, to_x1));
+    const S d3 = simd::sqrt(square3);
+    S d_b = d_a;
+    if (simd::any(cut)) d_b = simd::sqrt(dot(b, b));
+    const S dot_x0 = simd::mul_add(y1, b.y, to_x0);
+    const S dot_x1 = simd::mul_add(y1, a.y, to_x1);
+    const S dot_y0 = simd::mul_add(x1, a.x, to_y0);
+    const S dot_y1 = simd::mul_add(x1, b.x, to_y1);
+    const S product_x0 = d1 * d_b;
+    const S product_x1 = d2 * simd::select(c.before3, d_a, d3);
+    const S product_y0 = d3 * d_a;
+    const S product_y1 = d2 * simd::select(c.before1, d_b, d1);
+    const S sum_x0 = product_x0 + simd::abs(dot_x0);
+    const S sum_x1 = product_x1 + simd::abs(dot_x1);
+    const S sum_y0 = product_y0 + simd::abs(dot_y0);
+    const S sum_y1 = product_y1 + simd::abs(dot_y1);
+    const S inverse_x = S(1) / (sum_x0 * sum_x1);
+    const S inverse_y = S(1) / (sum_y0 * sum_y1);
+    const EdgeAngle<S> arc_x0 = edge_angle(p.half_y - c.b_y, to_x0, inverse_x * sum_x1);
+    const EdgeAngle<S> arc_x1 = edge_angle(p.half_y - c.a_y, to_x1, inverse_x * sum_x0);
+    const EdgeAngle<S> arc_y0 = edge_angle(p.half_x - c.a_x, to_y0, inverse_y * sum_y1);
+    const EdgeAngle<S> arc_y1 = edge_angle(p.half_x - c.b_x, to_y1, inverse_y * sum_y0);
+    const S over_x = p.n_x * p.z;
+    const S over_y = p.n_y * p.z;
+    const S over_x0 = simd::mul_add(-p.n_z, x0, over_x); // the arcs' plane normals on n
+    const S over_y0 = simd::mul_add(-p.n_z, y0, over_y);
+
+    // Uncut and not close, opposite edges are taken together: their angles' difference is formed from the known
+    // differences of their distances, without which far rectangles cancel.
+    const S half_diagonal2 = simd::mul_add(p.half_x, p.half_x, p.half_y * p.half_y);
+    const S least_dot = simd::min(simd::min(dot_x0, dot_x1), simd::min(dot_y0, dot_y1));
+    const S least_distance2 = simd::min(simd::min(to_x0, to_x1), simd::min(to_y0, to_y1));
+    const auto apart = simd::both(simd::both(least_distance2 > S(0.04) * half_diagonal2, least_dot >= S(0)), !cut);
     S sum = S(0);
-    for (int i = 0; i < 4; ++i) {
-        const S height = simd::mul_add(S(node[i]), up_x, up);
-        const S distance = square + S(node[i]) * (along_x + S(node[i]) * x2);
-        S row = S(0);
-        for (int k = 0; k < 4; ++k) {
-            const S d2 = distance + S(node[k]) * (along_y + S(node[k]) * y2);
-            row = row + S(weight[k]) * simd::mul_add(S(node[k]), up_y, height) / (d2 * d2);
+    if (simd::any(apart)) {
+        const S grows_x = S(4) * p.x * p.half_x;
+        const S grows_y = S(4) * p.y * p.half_y;
+        const S both_x = product_x1 + product_x0;
+        const S both_y = product_y1 + product_y0;
+        const S inverse = S(1) / (both_x * both_y);
+        const S more_x = grows_x * simd::mul_add(square_a + square1 + grows_x, inverse * both_y, S(1));
+        const S more_y = grows_y * simd::mul_add(square_a + square3 + grows_y, inverse * both_x, S(1));
+        const S less_x = S(4) * p.half_y * arc_x0.inverse *
+                         simd::mul_add(more_x * arc_x1.inverse, S(1) + arc_x1.excess, arc_x0.excess - arc_x1.excess);
+        const S less_y = S(4) * p.half_x * arc_y0.inverse *
+                         simd::mul_add(more_y * arc_y1.inverse, S(1) + arc_y1.excess, arc_y0.excess - arc_y1.excess);
+        sum = S(2) * p.n_z * simd::mul_add(p.half_x, arc_x1.by_distance, p.half_y * arc_y1.by_distance) +
+              simd::mul_add(over_x0, less_x, over_y0 * less_y);
+    }
+    if (!simd::all(apart)) {
+        S by_x0 = arc_x0.by_distance;
+        S by_x1 = arc_x1.by_distance;
+        S by_y0 = arc_y0.by_distance;
+        S by_y1 = arc_y1.by_distance;
+        const auto obtuse = [](S & angle, S dot, S distance2) __attribute__((always_inline)) {
+            const S half_turn = S(3.14159265358979323846) / simd::sqrt(distance2);
+            angle = simd::select(dot < S(0), half_turn - angle, angle);
+        };
+        if (simd::any(simd::min(dot_x0, dot_x1) < S(0))) {
+            obtuse(by_x0, dot_x0, to_x0);
+            obtuse(by_x1, dot_x1, to_x1);
         }
-        sum = sum + S(weight[i]) * row;
+        if (simd::any(simd::min(dot_y0, dot_y1) < S(0))) {
+            obtuse(by_y0, dot_y0, to_y0);
+            obtuse(by_y1, dot_y1, to_y1);
+        }
+        const S over_x1 = simd::mul_add(-p.n_z, x1, over_x);
+        const S over_y1 = simd::mul_add(-p.n_z, y1, over_y);
+        const S direct =
+            simd::mul_add(over_x0, by_x0, -(over_x1 * by_x1)) + simd::mul_add(over_y0, by_y0, -(over_y1 * by_y1));
+        sum = simd::select(apart, sum, direct);
     }
-    return clamp_irradiance(sum * toward * simd::sqrt(x2 * y2));
+    if (!simd::any(cut)) return clamp_irradiance(S(0.5) * sum);
+    // From the nearer end: as a sum from the other it would not know where it is.
+    const vec3<S> step{c.b_x - c.a_x, c.b_y - c.a_y, S(0)};
+    const auto from_b = d_b < d_a;
+    const S closing =
+        horizon_arc(select(from_b, b, a), select(from_b, vec3<S>{-step.x, -step.y, S(0)}, step), {p.n_x, p.n_y, p.n_z});
+    return clamp_irradiance(simd::mul_add(S(0.5), sum, simd::select(cut, closing, S(0))));
 }
 
-struct ExactRectangle;
+// The least height over the light that is told from 0, of the size of the scene: its square is a normal number.
+template<class S>
+inline constexpr double least_rectangle_height = 0x1p-60;
+template<>
+inline constexpr double least_rectangle_height<double> = 0x1p-500;
+
+struct RectangleInDouble;
 
 } // namespace detail
-
-// Beyond this many diagonals the rule's error is below the rounding of the arcs.
-template<class S>
-inline constexpr double far_rectangle_diagonals = 4.0;
-template<>
-inline constexpr double far_rectangle_diagonals<double> = 64.0;
 
 // E/L [sr] of a rectangle about `center` [m, from the receiver] that emits towards +`axis` only, `width` along
 // `width_direction` and `height` across it. `axis`, `width_direction` (perpendicular) and the receiver's `normal` are
 // unit. Behind its plane 0; in the plane, inside the outline, the limit π(1 + n·w)/2 from the front, w = −axis, and
 // outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp). In float
-// and packs, receivers close to the outline are evaluated in double, lane by lane.
+// and packs, receivers within 3e-4 of the larger half side over it are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
                                           vec3<S> normal) {
-    const S w = simd::abs(width);
-    const S h = simd::abs(height);
-    // 1/8: sums of three such numbers stay finite at the largest scale too.
-    const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(w, h)));
-    const vec3<S> c = center * scale;
-    const vec3<S> height_direction = cross(axis, width_direction);
-    const S half_width = S(0.5) * (w * scale);
-    const S half_height = S(0.5) * (h * scale);
-    const vec3<S> x = width_direction * half_width;
-    const vec3<S> y = height_direction * half_height;
-    const S toward = -dot(axis, c);
-
-    const auto lit = simd::both(toward > S(0), simd::both(half_width > S(0), half_height > S(0)));
-    const auto inside =
-        simd::both(simd::abs(dot(c, width_direction)) < half_width, simd::abs(dot(c, height_direction)) < half_height);
-    const auto touching = simd::both(toward == S(0), inside);
-    const S front =
-        simd::select(touching, detail::clamp_irradiance(S(1.57079632679489661923) * (S(1) - dot(normal, axis))), S(0));
-    if (!simd::any(lit)) return front;
-
-    const S up = dot(normal, c);
-    const S reach = simd::abs(dot(normal, x)) + simd::abs(dot(normal, y));
-    const auto seen = up > -reach;
-    if (!simd::any(simd::both(lit, seen))) return front;
-
-    constexpr double diagonals = 2.0 * far_rectangle_diagonals<S>;
-    const S half_diagonal2 = half_width * half_width + half_height * half_height;
-    const auto far = simd::both(dot(c, c) > S(diagonals * diagonals) * half_diagonal2, up >= reach);
+    detail::RectanglePose<S> p = detail::rectangle_pose(center, axis, width_direction, width, height, normal);
+    const auto area = simd::both(p.half_x > S(0), p.half_y > S(0));
+    // What rounding leaves open counts as seen: beside the outline it may be half of the light.
+    const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) *
+                    (simd::abs(p.x) + simd::abs(p.y) + simd::abs(p.z) + p.half_x + p.half_y);
+    const auto seen = simd::both(area, p.up > -(simd::abs(p.rise_x) + simd::abs(p.rise_y)) - slack);
+    const auto lit = simd::both(p.z > S(0), seen);
     S e = S(0);
-    if (simd::any(far)) e = detail::rectangle_by_points(c, x, y, toward, normal);
-    const auto arcs = simd::both(!far, simd::both(lit, seen));
-    if (simd::any(arcs)) e = simd::select(far, e, detail::rectangle_by_arcs(c, x, y, normal));
-    e = simd::select(simd::both(lit, seen), e, front);
+    if (simd::any(p.z == S(0))) {
+        // Each side to its own last digit: on an edge a rounding would be the whole light.
+        const auto within_x = simd::both((p.x - p.half_x) + p.x_rest<S(0), (p.x + p.half_x) + p.x_rest> S(0));
+        const auto within_y = simd::both((p.y - p.half_y) + p.y_rest<S(0), (p.y + p.half_y) + p.y_rest> S(0));
+        const auto inside = simd::both(within_x, within_y);
+        e = simd::select(simd::both(inside, p.z == S(0)),
+                         detail::clamp_irradiance(S(1.57079632679489661923) * (S(1) + p.n_z)), S(0));
+    }
+    if (!simd::any(lit)) return e;
+    p.z = simd::max(p.z, S(detail::least_rectangle_height<S>));
+    e = simd::select(lit, detail::rectangle_in_front(p), e);
     if constexpr (!__is_same(S, double)) {
-        // Close to the outline the arcs turn by the rounding of the way there.
-        const S beyond_x = simd::abs(dot(c, width_direction)) - half_width;
-        const S beyond_y = simd::abs(dot(c, height_direction)) - half_height;
-        const S inward = simd::min(simd::max(beyond_x, beyond_y), S(0));
-        const S outward_x = simd::max(beyond_x, S(0));
-        const S outward_y = simd::max(beyond_y, S(0));
-        const S gap2 = toward * toward + outward_x * outward_x + outward_y * outward_y + inward * inward;
-        const auto hard = simd::both(arcs, gap2 < S(4e-4) * half_diagonal2);
-        if (simd::any(hard))
-            e = detail::in_double<detail::ExactRectangle>(hard, e,
-                                                          {center.x, center.y, center.z, axis.x, axis.y, axis.z,
-                                                           width_direction.x, width_direction.y, width_direction.z,
-                                                           width, height, normal.x, normal.y, normal.z});
+        // Just over the light, where arcs turn within the rounding of the way to an edge.
+        const S least = S(3e-4) * simd::max(p.half_x, p.half_y);
+        const auto over = simd::both(simd::abs(p.x) < p.half_x + least, simd::abs(p.y) < p.half_y + least);
+        const auto touching = simd::both(lit, simd::both(p.z < least, over));
+        if (simd::any(touching))
+            return detail::in_double<detail::RectangleInDouble>(
+                touching, e,
+                {center.x, center.y, center.z, axis.x, axis.y, axis.z, width_direction.x, width_direction.y,
+                 width_direction.z, width, height, normal.x, normal.y, normal.z});
     }
     return e;
 }
 
 namespace detail {
 
-struct ExactRectangle {
+struct RectangleInDouble {
     GONIO_FORCE_INLINE static double evaluate(const double (&v)[14]) {
         return irradiance_rectangle<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9], v[10],
                                             {v[11], v[12], v[13]});

@@ -4,298 +4,180 @@
 // two arcs of the end spheres' circles. In the frame a (axis), f (from the receiver to the axis line, distance D), g =
 // a × f, with s = r/D and κ = √(1 − s²), the tangent planes have the unit normals −m±, m± = ±κ g − s f, and both great
 // arcs span the same angle θ. Summing all four arcs where nothing is cut leaves a form without cancellation
-// (`tube_above`). Where the horizon cuts, the arcs are walked in order. README.md derives both.
+// (`tube_above`). Where the horizon cuts, tube_clipped.hpp. What cancels near the surface and beside the ends is formed
+// in double and rounded once. README.md derives both.
 #pragma once
 
 #include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/outline.hpp>
+#include <gonio/shading/tube_clipped.hpp>
 
 namespace gonio::shading {
 
 namespace detail {
 
 template<class S>
-struct TubeParts {
-    S r, l;             // scaled to moderate size
-    S z0, z1;           // of the end centres along the axis
-    S d;                // D
-    S gap2;             // D² − r²
-    S n_a, n_f, n_g;    // the receiver's normal
-    vec3<S> end0, end1; // end centres
-};
-
-template<class S>
-GONIO_FORCE_INLINE TubeParts<S> tube_parts(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
+GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const S size = simd::abs(radius);
     const S span = simd::abs(length_m);
     const S scale =
         S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
-    const vec3<S> c = center * scale;
-    const S r = size * scale;
-    const S l = span * scale;
-    const S z = dot(axis, c);
-    const vec3<S> across = perpendicular(c, axis);
-    const S d = length(across);
-    const vec3<S> f = across * reciprocal_or_zero(d);
-    const vec3<S> half = axis * (S(0.5) * l);
-    return {r,
-            l,
-            z - S(0.5) * l,
-            z + S(0.5) * l,
-            d,
-            simd::difference_of_squares(across.x, across.y, across.z, r),
-            dot(normal, axis),
-            dot(normal, f),
-            dot(normal, cross(axis, f)),
-            c - half,
-            c + half};
+    constexpr double least = 1e-37;
+    TubePose<S> t;
+    t.r = size * scale;
+    t.half = S(0.5) * (span * scale);
+    t.inverse_r = S(1) / simd::max(t.r, S(least));
+    const vec3<simd::wider<S>> c = widen(center * scale);
+    const vec3<simd::wider<S>> a = widen(axis);
+    t.n_a = dot(normal, axis);
+    const auto depth = dot(a, c);
+    const vec3<simd::wider<S>> across = c - a * depth;
+    const auto across2 = dot(across, across);
+    // Mirrored along the axis where n_a < 0.
+    const auto z = depth * simd::widen(simd::copysign(S(1), t.n_a));
+    const auto half = simd::widen(t.half);
+    const auto r = simd::widen(t.r);
+    const auto z0 = z - half;
+    const auto z1 = z + half;
+    const auto gap2 = across2 - r * r;
+    vec3<S> f;
+    S d2;
+    simd::narrow(across.x, f.x);
+    simd::narrow(across.y, f.y);
+    simd::narrow(across.z, f.z);
+    simd::narrow(across2, d2);
+    simd::narrow(z, t.z);
+    simd::narrow(z - simd::widen(t.z), t.z_rest);
+    simd::narrow(z0, t.z0);
+    simd::narrow(z1, t.z1);
+    simd::narrow(gap2, t.gap2);
+    t.tangent0 = simd::mul_add(t.z0, t.z0, t.gap2);
+    t.tangent1 = simd::mul_add(t.z1, t.z1, t.gap2);
+    if (simd::any(t.gap2 < S(0))) { // it may cancel, and its sign tells inside from outside
+        simd::narrow(simd::mul_add(z0, z0, gap2), t.tangent0);
+        simd::narrow(simd::mul_add(z1, z1, gap2), t.tangent1);
+    }
+    constexpr double least_d = 1e-15;
+    const auto on_axis = d2 < S(least_d * least_d);
+    t.d = simd::sqrt(simd::max(d2, S(least_d * least_d)));
+    t.inverse_d = S(1) / t.d;
+    t.n_f = dot(normal - axis * t.n_a, f) * t.inverse_d; // f may be little more than rounding along the axis
+    t.n_a = simd::abs(t.n_a);
+    t.n_g = simd::abs(dot(normal, fused_cross(axis, f))) * t.inverse_d;
+    if (simd::any(on_axis)) { // f is then free: along the normal
+        t.n_f = simd::select(on_axis, length(perpendicular(normal, axis)), t.n_f);
+        t.n_g = simd::select(on_axis, S(0), t.n_g);
+    }
+    t.up = simd::mul_add(t.d, t.n_f, t.z * t.n_a);
+    return t;
 }
 
 // The whole capsule above the horizon, D > r. The arcs' sum: ends' circles by their azimuths h, great arcs θ s n·f, and
 // what is left of the circles' and arcs' slopes, joined over one denominator.
 template<class S>
-GONIO_FORCE_INLINE S tube_above(const TubeParts<S>& t) {
+GONIO_FORCE_INLINE S tube_above(const TubePose<S>& t) {
     const S d2 = t.d * t.d;
-    const S square0 = d2 + t.z0 * t.z0;
-    const S square1 = d2 + t.z1 * t.z1;
-    const S gap = simd::sqrt(simd::max(t.gap2, S(0)));
-    const S inverse_d = reciprocal_or_zero(t.d);
-    const S s = simd::min(t.r * inverse_d, S(1));
-    const S kappa = gap * inverse_d;
-    const S theta = simd::atan2(gap * t.l, simd::mul_add(t.z0, t.z1, t.gap2));
-    const S inverse0 = reciprocal_or_zero(square0);
-    const S inverse1 = reciprocal_or_zero(square1);
-    const S h0 = simd::atan2(simd::sqrt(square0) * kappa, -s * t.z0);
-    const S h1 = simd::atan2(simd::sqrt(square1) * kappa, s * t.z1);
+    const S square0 = simd::mul_add(t.z0, t.z0, d2);
+    const S square1 = simd::mul_add(t.z1, t.z1, d2);
+    const S distance0 = simd::sqrt(square0);
+    const S distance1 = simd::sqrt(square1);
+    const S gap = simd::sqrt(t.gap2);
+    const S s = t.r * t.inverse_d;
+    const S kappa = gap * t.inverse_d;
+    const S theta = simd::atan2_above(S(2) * gap * t.half, simd::mul_add(t.z0, t.z1, t.gap2));
+    const S inverse = S(1) / (distance0 * distance1); // one division for two
+    const S inverse0 = inverse * distance1;
+    const S inverse1 = inverse * distance0;
+    const S h0 = simd::atan2_above(distance0 * kappa, -s * t.z0);
+    const S h1 = simd::atan2_above(distance1 * kappa, s * t.z1);
     // n·P / |P|³ of the ends, each times r² h.
-    const S cap0 = h0 * (t.d * t.n_f + t.z0 * t.n_a) * inverse0 * simd::sqrt(inverse0);
-    const S cap1 = h1 * (t.d * t.n_f + t.z1 * t.n_a) * inverse1 * simd::sqrt(inverse1);
-    const S slope = t.d * t.n_a * (t.z0 + t.z1) + t.n_f * (d2 - t.z0 * t.z1);
-    return clamp_irradiance(theta * s * t.n_f + t.r * t.r * (cap0 + cap1) +
-                            t.r * kappa * t.l * slope * inverse0 * inverse1);
+    const S up = t.d * t.n_f;
+    const S cap0 = h0 * simd::mul_add(t.z0, t.n_a, up) * (inverse0 * inverse0) * inverse0;
+    const S cap1 = h1 * simd::mul_add(t.z1, t.n_a, up) * (inverse1 * inverse1) * inverse1;
+    return theta * s * t.n_f + t.r * simd::mul_add(t.r, cap0 + cap1, kappa * whole_slope(t, inverse * inverse));
 }
 
-// A point where the horizon cuts the outline, in (f, a, g): from the receiver, and from the light's centre.
-struct Crossing {
-    vec3<double> direct, offset;
-};
-
-// The visible part of an outline, arc by arc in its order.
-struct OutlineWalk {
-    vec3<double> center;
-    bool far = false; // the offsets then know the angle between two crossings better than the points themselves
-    double sum = 0.0;
-    bool below = false;      // sunk, and not risen since
-    bool rose_first = false; // began below the horizon
-    Crossing sank_at{};
-    Crossing first_rise{};
-
-    GONIO_FORCE_INLINE void close(const Crossing& at) {
-        sum += far ? horizon_arc(center + sank_at.offset, at.offset - sank_at.offset)
-                   : 0.5 * simd::atan2(length(cross(sank_at.direct, at.direct)), dot(sank_at.direct, at.direct));
-    }
-    GONIO_FORCE_INLINE void sink(const Crossing& at) {
-        sank_at = at;
-        below = true;
-    }
-    GONIO_FORCE_INLINE void rise(const Crossing& at) {
-        if (below) {
-            close(at);
-        } else {
-            first_rise = at;
-            rose_first = true;
-        }
-        below = false;
-    }
-    GONIO_FORCE_INLINE void finish() {
-        if (below && rose_first) close(first_rise);
-    }
-};
-
-GONIO_FORCE_INLINE double wrapped(double angle) {
-    constexpr double turn = 6.28318530717958647693;
-    return angle - turn * __builtin_floor(angle / turn + 0.5);
+// In the chosen lanes the nearer end alone: a capsule without length, its axis laid square to the way there.
+template<class S>
+GONIO_FORCE_INLINE void nearer_sphere(TubePose<S>& t, simd::mask_of<S> chosen, simd::mask_of<S> end0) {
+    const S z = simd::select(end0, t.z0, t.z1);
+    const S tangent = simd::max(simd::select(end0, t.tangent0, t.tangent1), S(0));
+    const S distance = simd::sqrt(simd::mul_add(t.d, t.d, z * z));
+    const S inverse = reciprocal_or_zero(distance);
+    const S n_f = simd::mul_add(t.d, t.n_f, z * t.n_a) * inverse;
+    const S n_a = simd::abs(t.d * t.n_a - z * t.n_f) * inverse;
+    t.half = simd::select(chosen, S(0), t.half);
+    t.z = simd::select(chosen, S(0), t.z);
+    t.z_rest = simd::select(chosen, S(0), t.z_rest);
+    t.z0 = simd::select(chosen, S(0), t.z0);
+    t.z1 = simd::select(chosen, S(0), t.z1);
+    t.d = simd::select(chosen, distance, t.d);
+    t.inverse_d = simd::select(chosen, inverse, t.inverse_d);
+    t.gap2 = simd::select(chosen, tangent, t.gap2);
+    t.tangent0 = simd::select(chosen, tangent, t.tangent0);
+    t.tangent1 = simd::select(chosen, tangent, t.tangent1);
+    t.n_f = simd::select(chosen, n_f, t.n_f);
+    t.n_a = simd::select(chosen, n_a, t.n_a);
+    t.up = simd::select(chosen, distance * n_f, t.up);
 }
 
-// One of the great arcs: the points (base, z, side) for z from `from` to `to`; n·m = −`slope`. Their height over the
-// horizon is z n_a + lift.
-GONIO_FORCE_INLINE void walk_great_arc(OutlineWalk& walk, const TubeParts<double>& t, double from, double to,
-                                       double base, double side, double slope) {
-    const double lift = base * t.n_f + side * t.n_g;
-    const bool from_above = from * t.n_a + lift >= 0.0;
-    const bool to_above = to * t.n_a + lift >= 0.0;
-    if (!from_above && !to_above) return;
-    double crossing = from;
-    if (from_above != to_above)
-        crossing = simd::max(simd::min(-lift / t.n_a, simd::max(from, to)), simd::min(from, to));
-    const double first = from_above ? from : crossing;
-    const double last = to_above ? to : crossing;
-    const double angle = simd::atan2(simd::sqrt(t.gap2) * simd::abs(last - first), t.gap2 + first * last);
-    walk.sum += 0.5 * angle * slope;
-    const Crossing at{{base, crossing, side}, {-t.r * (t.r / t.d), crossing - walk.center.y, side}};
-    if (!from_above) walk.rise(at);
-    if (!to_above) walk.sink(at);
-}
+// D² − r² is at least this share of D²: on the surface the tangent points would fall together; a trace apart, they keep
+// their order.
+template<class S>
+inline constexpr double least_tube_gap2 = 1e-13;
+template<>
+inline constexpr double least_tube_gap2<double> = 1e-24;
 
-// An end's circle, from azimuth −h to h; `u` and `v` in (f, a, g).
-struct EndCircle {
-    vec3<double> offset; // of the sphere's centre from the light's
-    vec3<double> axis, u, v;
-    double radius, sine, cosine, half;
-    double n_axis, n_u, n_v;
-};
-
-GONIO_FORCE_INLINE void walk_end(OutlineWalk& walk, const EndCircle& end, bool from_above, bool to_above) {
-    constexpr double pi = 3.14159265358979323846;
-    const double m = end.sine * simd::sqrt(end.n_u * end.n_u + end.n_v * end.n_v);
-    const double k = end.cosine * end.n_axis;
-    const double middle = simd::atan2(end.n_v, end.n_u); // of what is above the horizon
-    const double reach = simd::atan2(simd::sqrt(simd::max((m - k) * (m + k), 0.0)), -k);
-    const double hidden = pi - reach;
-    const double h = end.half;
-    const auto arc = [&](double from, double to) __attribute__((always_inline)) {
-        walk.sum += cap_arc(end.sine, end.cosine, end.n_axis, end.n_u, end.n_v, from, to);
-    };
-    const auto at = [&](double phi) __attribute__((always_inline)) {
-        const vec3<double> round = end.u * simd::cos(phi) + end.v * simd::sin(phi);
-        return Crossing{end.axis * end.cosine + round * end.sine,
-                        end.offset + (round * end.cosine - end.axis * end.sine) * end.radius};
-    };
-    // Of the visible and the hidden part the smaller is put beside the end that is in it: no ambiguous turn.
-    if (from_above && to_above) {
-        const double dip = wrapped(middle + pi);
-        if (hidden > 0.0 && simd::abs(dip) < h) {
-            const double sinks = simd::max(dip - hidden, -h);
-            const double rises = simd::min(dip + hidden, h);
-            arc(-h, sinks);
-            walk.sink(at(sinks));
-            walk.rise(at(rises));
-            arc(rises, h);
-        } else {
-            arc(-h, h);
-        }
-    } else if (from_above) {
-        const double sinks = hidden > reach ? -h + wrapped(middle + h) + reach : h + wrapped(middle + pi - h) - hidden;
-        const double phi = simd::max(simd::min(sinks, h), -h);
-        arc(-h, phi);
-        walk.sink(at(phi));
-    } else if (to_above) {
-        const double rises = hidden > reach ? h + wrapped(middle - h) - reach : -h + wrapped(middle + pi + h) + hidden;
-        const double phi = simd::max(simd::min(rises, h), -h);
-        walk.rise(at(phi));
-        arc(phi, h);
-    } else {
-        const double bump = wrapped(middle);
-        if (reach > 0.0 && simd::abs(bump) < h) {
-            const double rises = simd::max(bump - reach, -h);
-            const double sinks = simd::min(bump + reach, h);
-            walk.rise(at(rises));
-            arc(rises, sinks);
-            walk.sink(at(sinks));
-        }
-    }
-}
-
-GONIO_FORCE_INLINE double tube_straddling(const TubeParts<double>& t) {
-    const double gap = simd::sqrt(t.gap2);
-    const double s = simd::min(t.r / t.d, 1.0);
-    const double kappa = gap / t.d;
-    const double d0 = simd::sqrt(t.d * t.d + t.z0 * t.z0);
-    const double d1 = simd::sqrt(t.d * t.d + t.z1 * t.z1);
-    const double up0 = t.d * t.n_f + t.z0 * t.n_a;
-    const double up1 = t.d * t.n_f + t.z1 * t.n_a;
-    const double plus = kappa * t.n_g - s * t.n_f; // n·m±
-    const double minus = -kappa * t.n_g - s * t.n_f;
-
-    // The tangent points are (base, z_i, ±side): D − r s = D κ².
-    const double base = gap * kappa;
-    const double side = t.r * kappa;
-    OutlineWalk walk{{t.d, 0.5 * (t.z0 + t.z1), 0.0}, t.d * t.d + t.z0 * t.z1 > t.r * t.r + t.l * t.l};
-    const double cos0 = simd::sqrt(t.gap2 + t.z0 * t.z0) / d0;
-    const double cos1 = simd::sqrt(t.gap2 + t.z1 * t.z1) / d1;
-    const auto above = [&](double z, double g) __attribute__((always_inline)) {
-        return z * t.n_a + (base * t.n_f + g * t.n_g) >= 0.0;
-    };
-
-    walk_great_arc(walk, t, t.z0, t.z1, base, side, -plus);
-    walk_end(walk,
-             {{0.0, t.z1 - walk.center.y, 0.0},
-              {t.d / d1, t.z1 / d1, 0.0},
-              {-t.z1 / d1, t.d / d1, 0.0},
-              {0.0, 0.0, -1.0},
-              t.r,
-              t.r / d1,
-              cos1,
-              simd::atan2(d1 * kappa, s * t.z1),
-              up1 / d1,
-              (t.d * t.n_a - t.z1 * t.n_f) / d1,
-              -t.n_g},
-             above(t.z1, side), above(t.z1, -side));
-    walk_great_arc(walk, t, t.z1, t.z0, base, -side, -minus);
-    walk_end(walk,
-             {{0.0, t.z0 - walk.center.y, 0.0},
-              {t.d / d0, t.z0 / d0, 0.0},
-              {t.z0 / d0, -t.d / d0, 0.0},
-              {0.0, 0.0, 1.0},
-              t.r,
-              t.r / d0,
-              cos0,
-              simd::atan2(d0 * kappa, -s * t.z0),
-              up0 / d0,
-              (t.z0 * t.n_f - t.d * t.n_a) / d0,
-              t.n_g},
-             above(t.z0, -side), above(t.z0, side));
-    walk.finish();
-    return clamp_irradiance(walk.sum);
-}
-
-struct ExactTube {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[11]) {
-        const vec3<double> normal{v[8], v[9], v[10]};
-        const TubeParts<double> t = tube_parts<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], v[7], normal);
-        if (!(t.r > 0.0)) return 0.0;
-        const double beyond = simd::max(simd::max(t.z0, -t.z1), 0.0);
-        if (t.gap2 + beyond * beyond < 0.0) return 3.14159265358979323846;
-        // Beyond an end and within the prolonged tube, the nearer sphere hides the rest.
-        if (t.gap2 <= 0.0 && beyond > 0.0) return irradiance_sphere(t.z0 > 0.0 ? t.end0 : t.end1, t.r, normal);
-        TubeParts<double> on = t;
-        // On the surface the tangent points fall together; a trace apart, they keep their order.
-        on.gap2 = simd::max(t.gap2, 1e-24 * t.d * t.d);
-        const double up0 = dot(normal, t.end0);
-        const double up1 = dot(normal, t.end1);
-        if (up0 <= -t.r && up1 <= -t.r) return 0.0;
-        return up0 >= t.r && up1 >= t.r ? tube_above(on) : tube_straddling(on);
-    }
-};
+struct TubeInDouble;
 
 } // namespace detail
 
 // E/L [sr] of a capsule about `center` [m, from the receiver] along `axis`: a cylinder of `length_m` without its ends,
 // which are half spheres of the same radius. `axis` and the receiver's `normal` are unit. Inside π; on the surface the
 // limit π(1 + n·l)/2 from outside. Any finite input; negative sizes count as positive; radius 0 gives 0, length 0 the
-// sphere. In float and packs, capsules that the horizon cuts and receivers near the surface or the prolonged tube are
-// evaluated in double, lane by lane.
+// sphere. In float and packs, receivers within 5e-5 of the radius from the surface are evaluated in double, lane by
+// lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    if constexpr (__is_same(S, double)) {
-        return detail::ExactTube::evaluate(
-            {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, length_m, normal.x, normal.y, normal.z});
-    } else {
-        const detail::TubeParts<S> t = detail::tube_parts(center, axis, radius, length_m, normal);
-        const S up0 = dot(normal, t.end0);
-        const S up1 = dot(normal, t.end1);
-        const S lower = simd::min(up0, up1);
-        const S slack = S(4e-6) * (t.d + simd::abs(t.z0) + simd::abs(t.z1) + t.r);
-        const auto maybe_lit = simd::both(t.r > S(0), simd::max(up0, up1) > -t.r - slack);
-        const auto clear = t.gap2 > S(0.25) * t.r * t.r + S(1e-4) * t.z0 * t.z1;
-        const auto easy = simd::both(clear, simd::both(lower > t.r + slack, t.r > S(0)));
-        const auto hard = simd::both(maybe_lit, !easy);
-        const S above = simd::select(easy, detail::tube_above(t), S(0));
-        if (!simd::any(hard)) return above;
-        return detail::in_double<detail::ExactTube>(
-            hard, above,
-            {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, length_m, normal.x, normal.y, normal.z});
+    constexpr double pi = 3.14159265358979323846;
+    detail::TubePose<S> t = detail::tube_pose(center, axis, radius, length_m, normal);
+    const auto beyond0 = t.z0 > S(0); // before end 0, or past end 1
+    const auto beyond1 = t.z1 < S(0);
+    // Squares of the distances to the nearest point of the axis, less r².
+    const S nearest2 = simd::select(beyond0, t.tangent0, simd::select(beyond1, t.tangent1, t.gap2));
+    const auto exists = t.r > S(0);
+    const auto inside = simd::both(exists, nearest2 < S(0));
+    const auto lit = simd::both(simd::both(exists, !inside), t.up + t.half * t.n_a > -t.r);
+    S e = simd::select(inside, S(pi), S(0));
+    if (!simd::any(lit)) return e;
+
+    // Beyond an end and within the prolonged tube, the nearer sphere hides the rest.
+    const auto ahead = simd::both(t.gap2 <= S(0), simd::either(beyond0, beyond1));
+    if (simd::any(simd::both(lit, ahead))) detail::nearer_sphere(t, ahead, beyond0);
+    t.gap2 = simd::max(t.gap2, S(detail::least_tube_gap2<S>) * t.d * t.d);
+    const auto cut = t.up - t.half * t.n_a < t.r;
+    const S in_front = simd::any(simd::both(lit, cut)) ? detail::tube_clipped(t, cut) : detail::tube_above(t);
+    e = simd::select(lit, detail::clamp_irradiance(in_front), e);
+    if constexpr (!__is_same(S, double)) {
+        // Where the tangent points turn within the rounding of the way to the surface.
+        const S least2 = simd::max(S(1e-4) * t.r * t.r, S(1e-8) * t.half * t.half);
+        const auto touching = simd::both(lit, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
+        if (simd::any(touching))
+            return detail::in_double<detail::TubeInDouble>(
+                touching, e,
+                {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, length_m, normal.x, normal.y, normal.z});
     }
+    return e;
 }
+
+namespace detail {
+
+struct TubeInDouble {
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[11]) {
+        return irradiance_tube<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], v[7], {v[8], v[9], v[10]});
+    }
+};
+
+} // namespace detail
 
 } // namespace gonio::shading

@@ -55,6 +55,10 @@ struct MaterialConstants {
     float alpha = 0.25F;           // what enters D and V; taken as at least minimum_alpha
 };
 
+// Ways in which renderers take the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,
+// irradiance_named.hpp). `ue4` is of its own for the tube only; for the other shapes it is `point`.
+enum class Approximation : std::uint8_t { point, frostbite, ue4 };
+
 struct Kernels {
     simd::InstructionSet set;
     const char* name; // of the set
@@ -67,6 +71,9 @@ struct Kernels {
     // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
     // in sr, times the window) for an area light.
     void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
+
+    // The same by an approximation, of one side; 0 for a punctual light. May exceed π.
+    void (*approximate_irradiance)(const Surfaces&, const LightConstants&, Approximation, float* lx);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

@@ -4,9 +4,12 @@
 // not be a function that other files could call.
 #pragma once
 
+#include <gonio/shading/irradiance_named.hpp>
+#include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/shade_area.hpp>
+#include <gonio/simd/twin.hpp>
 
 #include <cstddef>
 
@@ -110,6 +113,33 @@ GONIO_FORCE_INLINE void for_each_packet(std::size_t count, const Work& work) {
     if (first < count) work(Packet<S>{first, count - first});
 }
 
+template<class S, Approximation method>
+GONIO_FORCE_INLINE S approximate(const SphereLight<S>& light, vec3<S> center, vec3<S> n) {
+    if constexpr (method == Approximation::frostbite) return irradiance_sphere_frostbite(center, light.radius, n);
+    if constexpr (method == Approximation::ue4) return irradiance_sphere_ue4(center, light.radius, n);
+    return irradiance_sphere_point(center, light.radius, n);
+}
+template<class S, Approximation method>
+GONIO_FORCE_INLINE S approximate(const DiskLight<S>& light, vec3<S> center, vec3<S> n) {
+    if constexpr (method == Approximation::frostbite)
+        return irradiance_disk_frostbite(center, light.axis, light.radius, n);
+    return irradiance_disk_point(center, light.axis, light.radius, n);
+}
+template<class S, Approximation method>
+GONIO_FORCE_INLINE S approximate(const RectangleLight<S>& light, vec3<S> center, vec3<S> n) {
+    if constexpr (method == Approximation::frostbite)
+        return irradiance_rectangle_frostbite(center, light.axis, light.width_direction, light.width, light.height, n);
+    return irradiance_rectangle_point(center, light.axis, light.width_direction, light.width, light.height, n);
+}
+template<class S, Approximation method>
+GONIO_FORCE_INLINE S approximate(const TubeLight<S>& light, vec3<S> center, vec3<S> n) {
+    if constexpr (method == Approximation::frostbite)
+        return irradiance_tube_frostbite(center, light.axis, light.radius, light.length, n);
+    if constexpr (method == Approximation::ue4)
+        return irradiance_tube_ue4(center, light.axis, light.radius, light.length, n);
+    return irradiance_tube_point(center, light.axis, light.radius, light.length, n);
+}
+
 template<class S, class Light, class Material>
 void shade_batch(const Surfaces& surfaces, const LightConstants& light_constants,
                  const MaterialConstants& material_constants, float* const rgb[3]) {
@@ -137,6 +167,29 @@ void irradiance_batch(const Surfaces& surfaces, const LightConstants& light_cons
         per_point(packet, light_constants, light);
         packet.store(illuminance(point, light), lx);
     });
+}
+
+template<class S, class Light, Approximation method>
+void approximate_batch(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    Light light;
+    constants(light_constants, light);
+    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+        const vec3<S> center = light.center - packet.load(surfaces.position);
+        const S faded = window(center, light.inverse_range);
+        packet.store(finite(approximate<S, method>(light, center, packet.load(surfaces.normal)) * faded), lx);
+    });
+}
+
+template<class S, class Light>
+void approximate_light(const Surfaces& surfaces, const LightConstants& light, Approximation method, float* lx) {
+    switch (method) {
+    case Approximation::point:
+        return approximate_batch<S, Light, Approximation::point>(surfaces, light, lx);
+    case Approximation::frostbite:
+        return approximate_batch<S, Light, Approximation::frostbite>(surfaces, light, lx);
+    case Approximation::ue4:
+        return approximate_batch<S, Light, Approximation::ue4>(surfaces, light, lx);
+    }
 }
 
 template<class S, class Light>
@@ -169,17 +222,36 @@ void shade_any(const Surfaces& surfaces, const LightConstants& light, const Mate
 
 template<class S>
 void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
+    using Two = simd::paired<S>; // two chains fill each other's gaps; the tube's leave none
     switch (light.kind) {
     case LightConstants::Kind::punctual:
         return irradiance_batch<S, PunctualLight<S>>(surfaces, light, lx);
     case LightConstants::Kind::sphere:
         return irradiance_batch<S, SphereLight<S>>(surfaces, light, lx);
     case LightConstants::Kind::disk:
-        return irradiance_batch<S, DiskLight<S>>(surfaces, light, lx);
+        return irradiance_batch<Two, DiskLight<Two>>(surfaces, light, lx);
     case LightConstants::Kind::rectangle:
-        return irradiance_batch<S, RectangleLight<S>>(surfaces, light, lx);
+        return irradiance_batch<Two, RectangleLight<Two>>(surfaces, light, lx);
     case LightConstants::Kind::tube:
-        return irradiance_batch<S, TubeLight<S>>(surfaces, light, lx);
+        return irradiance_batch<Two, TubeLight<Two>>(surfaces, light, lx);
+    }
+}
+
+template<class S>
+void approximate_any(const Surfaces& surfaces, const LightConstants& light, Approximation method, float* lx) {
+    switch (light.kind) {
+    case LightConstants::Kind::punctual:
+        for (std::size_t i = 0; i < surfaces.count; ++i)
+            lx[i] = 0.0F;
+        return;
+    case LightConstants::Kind::sphere:
+        return approximate_light<S, SphereLight<S>>(surfaces, light, method, lx);
+    case LightConstants::Kind::disk:
+        return approximate_light<S, DiskLight<S>>(surfaces, light, method, lx);
+    case LightConstants::Kind::rectangle:
+        return approximate_light<S, RectangleLight<S>>(surfaces, light, method, lx);
+    case LightConstants::Kind::tube:
+        return approximate_light<S, TubeLight<S>>(surfaces, light, method, lx);
     }
 }
 

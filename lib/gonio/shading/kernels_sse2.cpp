@@ -7,6 +7,7 @@ namespace {
 using S = simd::pack<float, simd::sse2>;
 }
 
-constinit const Kernels kernels_sse2{simd::InstructionSet::sse2, "sse2", S::lanes, shade_any<S>, irradiance_any<S>};
+constinit const Kernels kernels_sse2{simd::InstructionSet::sse2, "sse2", S::lanes, shade_any<S>, irradiance_any<S>,
+                                     approximate_any<S>};
 
 } // namespace gonio::shading::detail

@@ -32,10 +32,13 @@ GONIO_FORCE_INLINE S cap_arc(S sin_sigma, S cos_sigma, S n_a, S n_u, S n_v, S ph
     return S(0.5) * sin_sigma * (sin_sigma * (phi1 - phi0) * n_a - cos_sigma * slanted);
 }
 
-// Half the angle from p to q = p + step, which lie on the horizon: in [0, π/2].
+// Half the angle from p to q = p + step about the normal, in [0, π/2]. Both lie on the horizon but for rounding: what
+// takes them off it is left out, as between opposite points it would be the whole error.
 template<class S>
-GONIO_FORCE_INLINE S horizon_arc(vec3<S> p, vec3<S> step) {
-    return S(0.5) * simd::atan2(length(cross(p, step)), dot(p, p + step));
+GONIO_FORCE_INLINE S horizon_arc(vec3<S> p, vec3<S> step, vec3<S> normal) {
+    const vec3<S> q = p + step;
+    const S along = simd::mul_add(-dot(normal, p), dot(normal, q), dot(p, q));
+    return S(0.5) * simd::atan2_above(simd::abs(dot(normal, fused_cross(p, step))), along);
 }
 
 namespace detail {
@@ -53,8 +56,8 @@ GONIO_FORCE_INLINE vec3<S> perpendicular(vec3<S> v, vec3<S> axis) {
     return once - axis * dot(axis, once);
 }
 
-// `easy` where `hard` is false; elsewhere Exact::evaluate in double, lane by lane, on the same float inputs.
-// A function of its own, so that the packets that need it do not burden those that do not.
+// `easy` where `hard` is false; elsewhere Exact::evaluate in double, lane by lane, on the same float inputs: for
+// receivers that all but touch the light. A function of its own, so that other packets do not carry its burden.
 template<class Exact, class S, std::size_t count>
 [[gnu::noinline]] S in_double(simd::mask_of<S> hard, S easy, const S (&inputs)[count]) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;

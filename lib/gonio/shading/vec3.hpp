@@ -1,7 +1,7 @@
 // vec3<S>: three numbers of a scalar S: float, double or a pack. GLM is the public vocabulary and rejects packs.
 #pragma once
 
-#include <gonio/simd/pack.hpp>
+#include <gonio/simd/twin.hpp>
 
 namespace gonio::shading {
 
@@ -25,6 +25,13 @@ GONIO_FORCE_INLINE vec3<S> cross(vec3<S> a, vec3<S> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// The same, two roundings per component where there is FMA; a × a is then 0 within rounding only.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> fused_cross(vec3<S> a, vec3<S> b) {
+    return {simd::mul_add(a.y, b.z, -(a.z * b.y)), simd::mul_add(a.z, b.x, -(a.x * b.z)),
+            simd::mul_add(a.x, b.y, -(a.y * b.x))};
+}
+
 template<class S>
 GONIO_FORCE_INLINE S length(vec3<S> a) {
     return simd::sqrt(dot(a, a));
@@ -40,6 +47,11 @@ template<class S>
 GONIO_FORCE_INLINE vec3<S> select(simd::mask_of<S> condition, vec3<S> if_true, vec3<S> if_false) {
     return {simd::select(condition, if_true.x, if_false.x), simd::select(condition, if_true.y, if_false.y),
             simd::select(condition, if_true.z, if_false.z)};
+}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<simd::wider<S>> widen(vec3<S> a) {
+    return {simd::widen(a.x), simd::widen(a.y), simd::widen(a.z)};
 }
 
 // 1/x, and 0 where x is 0.

@@ -6,7 +6,7 @@
 // Outside the domain a function returns what its comment says. A NaN that goes in comes out unless said otherwise.
 #pragma once
 
-#include <gonio/simd/pack.hpp>
+#include <gonio/simd/twin.hpp>
 
 namespace gonio::simd {
 
@@ -30,6 +30,19 @@ GONIO_FORCE_INLINE S polynomial(S t, float first, float second, Rest... rest) {
 template<class S>
 GONIO_FORCE_INLINE S asin_small(S x, S x2) {
     return mul_add(x * x2, polynomial(x2, 0.166667521F, 0.0749529749F, 0.0454703756F, 0.0241795145F, 0.0421663076F), x);
+}
+
+// (atan(x) − x)/x³, given x² ≤ 1. In halves and quarters (G. Estrin, 1960), not by Horner's rule: half of the time
+// of an arc would else be spent waiting for this.
+template<class S>
+GONIO_FORCE_INLINE S atan_excess_series(S square) {
+    const S t = max(square, S(1e-9F)); // below it nothing changes, and t⁴ would be no normal number: slow
+    const S t2 = t * t;
+    const S low = mul_add(t2, polynomial(t, -0.142789081F, 0.11036396F), polynomial(t, -0.333333313F, 0.199997559F));
+    const S high =
+        mul_add(t2, polynomial(t, -0.0361159481F, 0.0136559475F), polynomial(t, -0.0866695791F, 0.0627121776F));
+    const S t4 = t2 * t2;
+    return mul_add(t4, mul_add(t4, S(-0.00242356909F), high), low);
 }
 
 template<class S>
@@ -76,9 +89,7 @@ GONIO_FORCE_INLINE S pick_quadrant(const SinCosParts<S>& parts, integer_of<S> qu
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan_excess(S x) {
     const S t = x * x;
-    return x * t *
-           detail::polynomial(t, -0.333333313F, 0.199997559F, -0.142789081F, 0.11036396F, -0.0866695791F, 0.0627121776F,
-                              -0.0361159481F, 0.0136559475F, -0.00242356909F);
+    return x * t * detail::atan_excess_series(t);
 }
 GONIO_FORCE_INLINE double atan_excess(double x) {
     if (x > 0.25) return __builtin_atan(x) - x;
@@ -89,13 +100,34 @@ GONIO_FORCE_INLINE double atan_excess(double x) {
     return x * t * sum;
 }
 
+// atan(√t)/√t − 1 for 0 ≤ t ≤ 1, relative to itself. ≤ 4 ulp for floats; in double ≤ 1e-13.
+template<SinglePrecision S>
+GONIO_FORCE_INLINE S atan_ratio_excess(S t) {
+    return t * detail::atan_excess_series(t);
+}
+GONIO_FORCE_INLINE double atan_ratio_excess(double t) {
+    const double x = __builtin_sqrt(t);
+    return x > 0.0 ? atan_excess(x) / x : 0.0;
+}
+
+// atanh(√t)/√t for 0 ≤ t ≤ 1/4: ≤ 2 ulp for floats.
+template<SinglePrecision S>
+GONIO_FORCE_INLINE S atanh_ratio(S t) {
+    return mul_add(t, detail::polynomial(t, 0.333337307F, 0.199782163F, 0.146691427F, 0.082437031F, 0.181740075F),
+                   S(1));
+}
+GONIO_FORCE_INLINE double atanh_ratio(double t) {
+    const double x = __builtin_sqrt(t);
+    return x < 1e-5 ? 1.0 + t / 3.0 : __builtin_atanh(x) / x;
+}
+
 // ≤ 3 ulp for any x.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan(S x) {
     const S magnitude = abs(x);
     const auto steep = magnitude > S(1);
     const S t = select(steep, S(1) / magnitude, magnitude);
-    const S angle = t + atan_excess(t);
+    const S angle = mul_add(t, atan_ratio_excess(t * t), t);
     return copysign(select(steep, S(1.57079637F) - angle, angle), x);
 }
 GONIO_FORCE_INLINE double atan(double x) {
@@ -110,10 +142,22 @@ GONIO_FORCE_INLINE S atan2(S y, S x) {
     const auto steep = ay > ax;
     const S larger = select(steep, ay, ax);
     const S t = select(steep, ax, ay) / select(larger > S(0), larger, S(1));
-    S angle = t + atan_excess(t);
+    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be no normal number: slow
     angle = select(steep, S(1.57079637F) - angle, angle);
     angle = select(x < S(0), S(3.14159274F) - angle, angle);
     return copysign(angle, y);
+}
+// The same for y ≥ 0 (−0 and NaN too), in [0, π]: a tenth of the time less. What is below 1e-37 counts as 0.
+template<SinglePrecision S>
+GONIO_FORCE_INLINE S atan2_above(S y, S x) {
+    const S ax = abs(x);
+    const S t = min(ax, y) / max(max(ax, y), S(1e-37F));
+    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be no normal number: slow
+    angle = select(y > ax, S(1.57079637F) - angle, angle);
+    return select(x < S(0), S(3.14159274F) - angle, angle);
+}
+GONIO_FORCE_INLINE double atan2_above(double y, double x) {
+    return __builtin_atan2(abs(y), x + 0.0);
 }
 GONIO_FORCE_INLINE double atan2(double y, double x) {
     return __builtin_atan2(y, x + 0.0);

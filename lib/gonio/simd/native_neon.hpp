@@ -22,6 +22,9 @@ struct Native<neon> {
     GONIO_FORCE_INLINE static real min(real a, real b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return vfmaq_f32(c, a, b); }
+    GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
+        return vfmaq_f64(c, a, b);
+    }
     // Bit i is the sign of lane i.
     GONIO_FORCE_INLINE static int sign_bits(real x) {
         const int32x4_t shifts = {0, 1, 2, 3};

@@ -29,6 +29,9 @@ struct Native<sse2> {
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm_max_ps(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
+    GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
+        return _mm_add_pd(_mm_mul_pd(a, b), c);
+    }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm_movemask_ps(x); }
     static constexpr int all_sign_bits = 0xF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm_cvtps_pd(x); }
@@ -48,6 +51,9 @@ struct Native<avx2> {
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm256_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm256_max_ps(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm256_fmadd_ps(a, b, c); }
+    GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
+        return _mm256_fmadd_pd(a, b, c);
+    }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm256_movemask_ps(x); }
     static constexpr int all_sign_bits = 0xFF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm256_cvtps_pd(_mm256_castps256_ps128(x)); }
@@ -67,6 +73,9 @@ struct Native<avx512> {
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm512_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm512_max_ps(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm512_fmadd_ps(a, b, c); }
+    GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
+        return _mm512_fmadd_pd(a, b, c);
+    }
     GONIO_FORCE_INLINE static int sign_bits(real x) { return _mm512_movepi32_mask(_mm512_castps_si512(x)); }
     static constexpr int all_sign_bits = 0xFFFF;
     GONIO_FORCE_INLINE static half_double low(real x) { return _mm512_cvtps_pd(_mm512_castps512_ps256(x)); }

@@ -1,4 +1,5 @@
 // pack<float, Isa>: as many floats as one register of an instruction set holds, with the arithmetic of a float.
+// pack<double, Isa>: the same number of doubles, with the arithmetic alone.
 //
 // `Isa` is a type (sse2, avx2, avx512, neon), so that it stands in the mangled name of every template that uses the
 // pack: code of one set can never be taken for that of another. Everything is inlined; nothing fails or allocates.
@@ -55,6 +56,37 @@ struct pack<float, Isa> {
     GONIO_FORCE_INLINE friend mask<Isa> operator>=(pack a, pack b) { return {a.v >= b.v}; }
     GONIO_FORCE_INLINE friend mask<Isa> operator==(pack a, pack b) { return {a.v == b.v}; }
 };
+
+// As many doubles as a pack of floats has lanes, in two registers: for the few sums that cancel in float.
+template<class Isa>
+struct pack<double, Isa> {
+    using half = typename Native<Isa>::half_double;
+
+    half low, high;
+
+    GONIO_FORCE_INLINE friend pack operator+(pack a, pack b) { return {a.low + b.low, a.high + b.high}; }
+    GONIO_FORCE_INLINE friend pack operator-(pack a, pack b) { return {a.low - b.low, a.high - b.high}; }
+    GONIO_FORCE_INLINE friend pack operator*(pack a, pack b) { return {a.low * b.low, a.high * b.high}; }
+    GONIO_FORCE_INLINE friend pack operator-(pack a) { return {-a.low, -a.high}; }
+};
+
+template<class Isa>
+struct Wider<pack<float, Isa>> {
+    using type = pack<double, Isa>;
+};
+
+template<class Isa>
+GONIO_FORCE_INLINE pack<double, Isa> widen(pack<float, Isa> x) {
+    return {Native<Isa>::low(x.v), Native<Isa>::high(x.v)};
+}
+template<class Isa>
+GONIO_FORCE_INLINE void narrow(pack<double, Isa> x, pack<float, Isa>& to) {
+    to.v = Native<Isa>::narrow(x.low, x.high);
+}
+template<class Isa>
+GONIO_FORCE_INLINE pack<double, Isa> mul_add(pack<double, Isa> a, pack<double, Isa> b, pack<double, Isa> c) {
+    return {Native<Isa>::mul_add(a.low, b.low, c.low), Native<Isa>::mul_add(a.high, b.high, c.high)};
+}
 
 template<class Isa>
 struct Traits<pack<float, Isa>> {
@@ -141,12 +173,10 @@ GONIO_FORCE_INLINE pack<float, Isa> copysign(pack<float, Isa> x, pack<float, Isa
 template<class Isa>
 GONIO_FORCE_INLINE pack<float, Isa> difference_of_squares(pack<float, Isa> x, pack<float, Isa> y, pack<float, Isa> z,
                                                           pack<float, Isa> r) {
-    using N = Native<Isa>;
-    const auto formula = [](auto dx, auto dy, auto dz, auto dr) __attribute__((always_inline)) {
-        return (dx * dx - dr * dr) + dy * dy + dz * dz;
-    };
-    return pack<float, Isa>(N::narrow(formula(N::low(x.v), N::low(y.v), N::low(z.v), N::low(r.v)),
-                                      formula(N::high(x.v), N::high(y.v), N::high(z.v), N::high(r.v))));
+    const auto dx = widen(x), dy = widen(y), dz = widen(z), dr = widen(r);
+    pack<float, Isa> result;
+    narrow((dx * dx - dr * dr) + dy * dy + dz * dz, result);
+    return result;
 }
 
 template<class Isa>

@@ -133,6 +133,27 @@ GONIO_FORCE_INLINE double reciprocal_power_of_two(double x) {
     return __builtin_bit_cast(double, (std::int64_t{2046} << 52) - exponent);
 }
 
+// The double that stands for a float in between, where differences cancel: widen, compute, narrow.
+template<class S>
+struct Wider {
+    using type = double;
+};
+template<class S>
+using wider = typename Wider<S>::type;
+
+GONIO_FORCE_INLINE double widen(float x) {
+    return static_cast<double>(x);
+}
+GONIO_FORCE_INLINE double widen(double x) {
+    return x;
+}
+GONIO_FORCE_INLINE void narrow(double x, float& to) {
+    to = static_cast<float>(x);
+}
+GONIO_FORCE_INLINE void narrow(double x, double& to) {
+    to = x;
+}
+
 // Loads and stores; the partial ones take the first `count` (1 … lanes) and repeat the last of them in the other lanes.
 template<RealScalar T>
 GONIO_FORCE_INLINE void load(const T* from, T& to) {

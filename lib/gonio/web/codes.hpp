@@ -1,5 +1,8 @@
-// The diagnostic codes of the web room: what `gonio explain CODE` says and what resolve_web may emit. A code is stable.
+// The diagnostic codes of the web room: what `gonio explain CODE` says, and what resolving (01), writing a web back
+// into a file (02) and the check of plausibility (03) may emit. A code is stable.
 #pragma once
+
+#include <gonio/base/diagnostics.hpp>
 
 #include <string_view>
 
@@ -9,9 +12,9 @@ struct WebCode {
     std::string_view code;
     std::string_view title;
     std::string_view explanation;
+    Severity severity = Severity::warning;
 };
 
-// All are warnings.
 inline constexpr WebCode web_codes[] = {
     {"WEB0101", "the last C-plane is missing",
      "A table without symmetry should list its first plane again at 360°. This one ends one step before; the gap is "
@@ -28,6 +31,123 @@ inline constexpr WebCode web_codes[] = {
      "Stray light that is subtracted from a measurement can leave values below 0. They count in flux and samples as "
      "they are; textures and pictures hold 0 for them."},
     {"WEB0106", "no light", "Every intensity of the table is 0."},
+    {"WEB0107", "a table that encloses no directions",
+     "A table of type A or B needs at least two horizontal and two vertical angles: between them lies its light. One "
+     "angle alone is a line of directions, which carries no flux."},
+
+    {"WEB0201", "keywords left out",
+     "The target has no place for these keywords: EULUMDAT keeps the company, the luminaire's name and number, the "
+     "report's number, the date and the lamp, and nothing else."},
+    {"WEB0202", "TILT factors applied",
+     "The target cannot hold the factors for a tilted lamp. The table was multiplied by the factor of one tilt, 0 "
+     "unless another was asked for, and the others are lost."},
+    {"WEB0203", "other lamp sets left out",
+     "EULUMDAT lists alternative sets of lamps; the target describes one. The intensities are those of the set that "
+     "was "
+     "asked for, the first by default."},
+    {"WEB0204", "spectrum left out", "The source holds a spectrum. LM-63 and EULUMDAT have no place for one."},
+    {"WEB0205", "resampled to type C",
+     "The source was measured in type A or B coordinates and the target holds type C alone. The web was rotated truly "
+     "and sampled on C-planes; between the samples it is interpolated, with the error that is stated."},
+    {"WEB0206", "gamma range padded with zeros",
+     "There is no light outside the angles of a table, but many readers repeat its first and last value there, and the "
+     "formats ask for tables that begin at 0 or 90 and end at 90 or 180 degrees. Zeros were written outside, beginning "
+     "0.0001 degrees beyond the last value.",
+     Severity::note},
+    {"WEB0207", "dark sector padded with zeros",
+     "The planes do not cover the circle, and the sector between them is dark. It was written as planes of zeros that "
+     "begin 0.0001 degrees beside the last lit plane.",
+     Severity::note},
+    {"WEB0208", "symmetry written out",
+     "The target has no such symmetry, or its readers do not know it: the mirrored planes were written out. Nothing is "
+     "lost by it.",
+     Severity::note},
+    {"WEB0209", "shape of the luminous opening changed",
+     "The target has no code for this shape; the nearest one with the same sizes was written."},
+    {"WEB0210", "fields of EULUMDAT left out",
+     "LM-63 has no place for the housing's size, the file's name, the ratios, or the tilt during the measurement."},
+    {"WEB0211", "file generation type left out",
+     "LM-63-2019 says in its twelfth number how a file came about: measured, simulated, scaled, by what laboratory. "
+     "Other formats do not."},
+    {"WEB0212", "text made ASCII",
+     "The portable dialect is written in ASCII. Letters lost their accents, and other signs became question marks."},
+    {"WEB0213", "lumens are those of the table",
+     "The portable dialect has one lamp whose lumens are the flux of the table. Of -1, absolute photometry, some "
+     "loaders "
+     "fail and others make 1000 lumens; and some scale the light to the lumens that are declared.",
+     Severity::note},
+    {"WEB0214", "planes at 0 and 360 degrees kept apart",
+     "The source has two different planes at the same angle. EULUMDAT lists it once; the other was written 0.0001 "
+     "degrees before the full turn.",
+     Severity::note},
+    {"WEB0215", "required keywords added",
+     "LM-63-2002 and later require [TEST], [TESTLAB], [ISSUEDATE] and [MANUFAC]. What the source does not tell was "
+     "written as \"unknown\".",
+     Severity::note},
+    {"WEB0217", "TILT factors taken into the file",
+     "The source names another file that holds its TILT factors. They are written as TILT=INCLUDE, because that file "
+     "need not lie beside the one that is written.",
+     Severity::note},
+    {"WEB0218", "emitters added up",
+     "TM-33 describes each emitter of a luminaire; the target has one table and one lamp. The intensities were added, "
+     "the lamp's description is that of the first emitter."},
+
+    {"WEB0301", "more light than the lamps give",
+     "The table's flux exceeds the lumens that the file declares for its lamps. Lumens of another lamp, a factor that "
+     "was applied twice, or absolute photometry with lumens written beside it. The table is believed."},
+    {"WEB0302", "hardly any of the lamps' light",
+     "The table's flux is below a tenth of the lumens that the file declares. Lumens of another lamp or a missing "
+     "factor "
+     "show like this. The table is believed."},
+    {"WEB0303", "more lumens per watt than light can have",
+     "Light of 555 nm alone has 683 lumens per watt, and nothing has more. The input watts are wrong, or the table is.",
+     Severity::error},
+    {"WEB0304", "more lumens per watt than any luminaire has",
+     "Above 300 lumens per watt no white light source is known. The input watts are likely those of another lamp."},
+    {"WEB0305", "no input power", "The file gives no watts, so that there is no efficacy.", Severity::note},
+    {"WEB0306", "luminous opening of an odd size",
+     "A size above 50 metres, or one that is not 0 and below half a millimetre, is written in another unit than the "
+     "one "
+     "that the file names."},
+    {"WEB0307", "brighter than the sun",
+     "The greatest intensity over the area of the luminous opening is above the luminance of the sun's disk, 1.6e9 "
+     "cd/m2. "
+     "The opening is written in another unit, or the table is."},
+    {"WEB0308", "a lone value",
+     "One value of the table stands far above all its neighbours, as no optic makes it: a digit too many, or an error "
+     "of "
+     "the measurement."},
+    {"WEB0309", "light at the edge of the table",
+     "The table ends where the light still has more than a tenth of its peak. What lies beyond was not measured, and "
+     "is "
+     "taken as dark; programs that continue the last value see another light."},
+    {"WEB0310", "a hemisphere that is dark",
+     "The table lists a whole hemisphere of zeros. It could end at 90 degrees and mean the same.", Severity::note},
+    {"WEB0311", "more planes than the light needs",
+     "The light is the same in mirrored planes, which the formats allow to leave out.", Severity::note},
+    {"WEB0312", "downward flux fraction does not fit the table",
+     "Line 22 of EULUMDAT is the share of the light that goes below the horizon, in per cent. It differs from that of "
+     "the table by more than two per cent of the whole."},
+    {"WEB0313", "light output ratio does not fit the table",
+     "Line 23 of EULUMDAT is the share of the lamps' flux that leaves the luminaire, in per cent. It differs from the "
+     "table's by more than two per cent."},
+    {"WEB0314", "direct ratios that cannot be",
+     "A direct ratio is a share of the downward flux and rises with the room's index: they lie between 0 and 1 and do "
+     "not fall."},
+    {"WEB0315", "lamps without flux",
+     "EULUMDAT lists candela for each 1000 lumens of the lamps. With no lumens there is no light."},
+    {"WEB0316", "luminous area larger than the luminaire",
+     "The luminous area is a part of the luminaire. Its sizes, in millimetres, are larger."},
+    {"WEB0317", "colour that cannot be",
+     "A colour temperature of light sources lies between 1000 and 25000 kelvin, and a colour rendering index does not "
+     "exceed 100."},
 };
+
+// nullptr when there is no such code.
+constexpr const WebCode* find_web_code(std::string_view code) {
+    for (const WebCode& entry : web_codes)
+        if (entry.code == code) return &entry;
+    return nullptr;
+}
 
 } // namespace gonio

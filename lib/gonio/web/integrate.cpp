@@ -4,12 +4,61 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <vector>
 
 namespace gonio {
 
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// ∫ of w cosφ over the latitudes [low, high]: the colatitude's sine.
+double integrate_linear_cos(double low, double high, double w_low, double w_high) {
+    constexpr double quarter = 0.5 * std::numbers::pi;
+    return integrate_linear_sin(low + quarter, high + quarter, w_low, w_high);
+}
+
+// The rule of the industry in its place: the mean of the ends.
+double mean_cos(double low, double high, double w_low, double w_high) {
+    const double mean = 0.5 * (w_low + w_high);
+    return integrate_linear_cos(low, high, mean, mean);
+}
+
+// What each stored intensity counts for in an integral over one axis: ∫ of its hat function by `cell`, which integrates
+// a linear function over an interval.
+template<class Cell>
+std::vector<double> hat_integrals(std::span<const double> angles_deg, Cell&& cell) {
+    std::vector<double> weights(angles_deg.size(), 0.0);
+    for (std::size_t i = 1; i < angles_deg.size(); ++i) {
+        const double low = angles_deg[i - 1] * radians_per_degree;
+        const double high = angles_deg[i] * radians_per_degree;
+        weights[i - 1] += cell(low, high, 1.0, 0.0);
+        weights[i] += cell(low, high, 0.0, 1.0);
+    }
+    return weights;
+}
+
+// Types A and B: latitudes by `latitude_cell`, longitudes by the trapezoid rule, which is exact for linear functions.
+template<class LatitudeCell>
+Lumens over_latitudes(const Web& web, LatitudeCell&& latitude_cell) {
+    const auto longitude_cell = [](double low, double high, double w_low, double w_high) {
+        return 0.5 * (w_low + w_high) * (high - low);
+    };
+    const bool latitude_is_vertical = web.photometry() == Photometry::a;
+    const std::vector<double> across = latitude_is_vertical ? hat_integrals(web.horizontal_deg(), longitude_cell)
+                                                            : hat_integrals(web.horizontal_deg(), latitude_cell);
+    const std::vector<double> along = latitude_is_vertical ? hat_integrals(web.vertical_deg(), latitude_cell)
+                                                           : hat_integrals(web.vertical_deg(), longitude_cell);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < across.size(); ++i) {
+        const std::span<const double> column = web.column(i);
+        double column_sum = 0.0;
+        for (std::size_t j = 0; j < along.size(); ++j)
+            column_sum += along[j] * column[j];
+        sum += across[i] * column_sum;
+    }
+    return Lumens(sum * image_count(web.stored_symmetry()));
+}
 
 // Sums plane integrals over C: each is linear in C between planes, so the trapezoid rule is exact.
 template<class PlaneIntegral>
@@ -45,6 +94,7 @@ double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, d
 }
 
 Lumens flux(const Web& web) {
+    if (web.photometry() != Photometry::c) return over_latitudes(web, integrate_linear_cos);
     const std::span<const double> gammas = web.gammas_deg();
     return over_planes(web, [&](std::span<const double> column) {
         double sum = 0.0;
@@ -56,6 +106,7 @@ Lumens flux(const Web& web) {
 }
 
 Lumens zonal_flux(const Web& web) {
+    if (web.photometry() != Photometry::c) return over_latitudes(web, mean_cos);
     const std::span<const double> gammas = web.gammas_deg();
     return over_planes(web, [&](std::span<const double> column) {
         double sum = 0.0;

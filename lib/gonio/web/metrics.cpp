@@ -1,4 +1,7 @@
+#include <gonio/base/sort_unique.hpp>
+#include <gonio/web/goniometer.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/resample.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,26 +14,6 @@ namespace gonio {
 
 namespace {
 
-// Every C at which the interpolant may bend, over [0°, 360°].
-std::vector<double> bends_deg(const Web& web) {
-    std::vector<double> all;
-    for (const double c : web.planes_deg())
-        for (const double image : {c, 180.0 - c, 180.0 + c, 360.0 - c})
-            all.push_back(std::fmod(image + 720.0, 360.0));
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-// Whether I(C) = I(mirror(C)) for every C: both sides are piecewise linear and bend only at the listed angles.
-template<class Mirror>
-bool mirrors(const Web& web, const std::vector<double>& bends, double limit_cd, Mirror&& mirror) {
-    for (const double c : bends)
-        for (const double gamma : web.gammas_deg())
-            if (std::abs(web.candela(c, gamma) - web.candela(mirror(c), gamma)) > limit_cd) return false;
-    return true;
-}
-
 // A section through the web along a great circle: intensity against the signed angle from a pole, towards C positive.
 class Section {
 public:
@@ -41,13 +24,17 @@ public:
         return web_.candela(signed_deg >= 0.0 ? c_deg_ : c_deg_ + 180.0, zenith_ ? 180.0 - from_pole : from_pole);
     }
 
-    // The angles from the pole at which the section bends, ascending, 0 and 180 included.
+    // Whether the section is linear between its knots; type A and B are not, but nearly so.
+    bool linear() const { return web_.photometry() == Photometry::c; }
+
+    // The angles from the pole at which the section bends, ascending, 0 and 180 included; of types A and B, every
+    // twentieth of a degree.
     std::vector<double> knots_deg() const {
+        if (!linear()) return even_angles(0.0, 180.0, 3600);
         std::vector<double> knots{0.0, 180.0};
         for (const double gamma : web_.gammas_deg())
             knots.push_back(zenith_ ? 180.0 - gamma : gamma);
-        std::sort(knots.begin(), knots.end());
-        knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+        sort_unique(knots);
         return knots;
     }
 
@@ -56,6 +43,15 @@ private:
     double c_deg_;
     bool zenith_;
 };
+
+// Where the section falls through the threshold between an angle that is bright enough and one that is not.
+double crossing(const Section& section, double sign, double bright, double dark, double threshold) {
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (bright + dark);
+        (section.candela(sign * middle) >= threshold ? bright : dark) = middle;
+    }
+    return bright;
+}
 
 // The outermost angle from the pole on one side (sign ±1) that is at least as bright as the threshold; nothing when the
 // side has none. Searched inside 90°, and outwards from 90° while the light stays that bright.
@@ -73,7 +69,12 @@ std::optional<double> outermost(const Section& section, double sign, double thre
         } else if (from_cd >= threshold) {
             // A table that ends in the dark drops at its edge and is not linear behind it.
             const double inside = section.candela(sign * (from + 1e-9));
-            best = inside < threshold ? from : from + (from_cd - threshold) / (from_cd - to_cd) * (to - from);
+            if (inside < threshold)
+                best = from;
+            else if (section.linear())
+                best = from + (from_cd - threshold) / (from_cd - to_cd) * (to - from);
+            else
+                best = crossing(section, sign, from, to, threshold);
         }
         if (to >= 90.0 && to_cd < threshold) break;
         from = to;
@@ -92,6 +93,7 @@ std::optional<double> innermost(const Section& section, double sign, double thre
         if (here_cd >= threshold) {
             const double inside = section.candela(sign * (knots[k] - 1e-9));
             if (inside < threshold * (1.0 - 1e-6) && inside <= 0.0) return knots[k];
+            if (!section.linear()) return crossing(section, sign, knots[k], knots[k - 1], threshold);
             return knots[k - 1] + (threshold - before_cd) / (here_cd - before_cd) * (knots[k] - knots[k - 1]);
         }
         before_cd = here_cd;
@@ -102,41 +104,60 @@ std::optional<double> innermost(const Section& section, double sign, double thre
 } // namespace
 
 Peak peak(const Web& web) {
-    Peak best{Candelas(web.column(0)[0]), web.planes_deg()[0], web.gammas_deg()[0]};
-    for (std::size_t i = 0; i < web.planes_deg().size(); ++i) {
+    Peak best{Candelas(web.column(0)[0]), web.horizontal_deg()[0], web.vertical_deg()[0]};
+    for (std::size_t i = 0; i < web.horizontal_deg().size(); ++i) {
         const std::span<const double> column = web.column(i);
         for (std::size_t j = 0; j < column.size(); ++j)
             if (column[j] > best.intensity.value)
-                best = {Candelas(column[j]), web.planes_deg()[i], web.gammas_deg()[j]};
+                best = {Candelas(column[j]), web.horizontal_deg()[i], web.vertical_deg()[j]};
     }
-    return best;
+    if (web.photometry() == Photometry::c) return best;
+    const GoniometerAngles at = angles_of(Photometry::c, direction_of(web.photometry(), {best.c_deg, best.gamma_deg}));
+    // Without the rounding of sines: 90°, not 89.99999999999999°.
+    const auto settled = [](double deg) { return std::round(deg * 1e9) / 1e9; };
+    return {best.intensity, std::fmod(settled(at.horizontal_deg), 360.0), settled(at.vertical_deg)};
 }
 
-Symmetry detected_symmetry(const Web& web, double tolerance) {
-    if (web.stored_symmetry() == Symmetry::axial) return Symmetry::axial;
-    const double limit = tolerance * std::abs(peak(web).intensity.value);
-    const std::vector<double> bends = bends_deg(web);
-    if (mirrors(web, bends, limit, [&](double) { return bends.front(); })) return Symmetry::axial;
-    const bool across_0_180 = mirrors(web, bends, limit, [](double c) { return 360.0 - c; });
-    const bool across_90_270 = mirrors(web, bends, limit, [](double c) { return 540.0 - c; });
-    if (across_0_180 && across_90_270) return Symmetry::quadrant;
-    if (across_0_180) return Symmetry::bilateral_0_180;
-    if (across_90_270) return Symmetry::bilateral_90_270;
-    return Symmetry::none;
+namespace {
+
+// Whether the beam's axis is taken to point to the zenith.
+bool points_up(const Web& web, const Peak& top) {
+    return top.gamma_deg > 90.0 || (web.photometry() == Photometry::c && web.gammas_deg().front() >= 90.0);
 }
+
+} // namespace
 
 std::optional<Radians> spread_angle(const Web& web, double c_deg, double fraction) {
-    const Peak top = peak(web);
-    if (!(top.intensity.value > 0.0)) return std::nullopt;
-    const double threshold = fraction * top.intensity.value;
-    const bool upwards = top.gamma_deg > 90.0 || web.gammas_deg().front() >= 90.0;
-    const Section section(web, c_deg, upwards);
-    const std::optional<double> right = outermost(section, 1.0, threshold);
-    const std::optional<double> left = outermost(section, -1.0, threshold);
+    return spread_angle(web, c_deg, fraction * peak(web).intensity);
+}
+
+std::optional<Radians> spread_angle(const Web& web, double c_deg, Candelas threshold) {
+    if (!(threshold.value > 0.0)) return std::nullopt;
+    const Section section(web, c_deg, points_up(web, peak(web)));
+    const double limit = threshold.value;
+    const std::optional<double> right = outermost(section, 1.0, limit);
+    const std::optional<double> left = outermost(section, -1.0, limit);
     if (right && left) return degrees(std::min(*right + *left, 360.0));
-    if (right) return degrees(*right - *innermost(section, 1.0, threshold));
-    if (left) return degrees(*left - *innermost(section, -1.0, threshold));
+    if (right) return degrees(*right - *innermost(section, 1.0, limit));
+    if (left) return degrees(*left - *innermost(section, -1.0, limit));
     return std::nullopt;
+}
+
+Candelas center_beam(const Web& web) {
+    return Candelas(web.candela(0.0, points_up(web, peak(web)) ? 180.0 : 0.0));
+}
+
+std::optional<Radians> cie_beam_angle(const Web& web, double c_deg) {
+    return spread_angle(web, c_deg, 0.5 * center_beam(web));
+}
+
+int nema_type(Radians field_angle) {
+    constexpr std::array limits{18.0, 29.0, 46.0, 70.0, 100.0, 130.0};
+    const double angle = to_degrees(field_angle);
+    int type = 1;
+    for (const double limit : limits)
+        type += angle > limit + 1e-9 ? 1 : 0; // degrees that came through radians
+    return type;
 }
 
 } // namespace gonio

@@ -1,4 +1,6 @@
+#include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/resolve.hpp>
+#include <gonio/web/transform.hpp>
 
 #include <fmt/format.h>
 
@@ -15,9 +17,10 @@ namespace {
 
 struct Table {
     Symmetry stored = Symmetry::none;
-    std::vector<double> planes_deg;
-    std::vector<double> gammas_deg;
-    std::vector<double> candela; // [plane][gamma], before `factor`
+    std::vector<double> planes_deg; // or H
+    std::vector<double> gammas_deg; // or V
+    std::vector<double> candela;    // [plane][gamma], before `factor`
+    Photometry photometry = Photometry::c;
 };
 
 void warn(Diagnostics& diagnostics, const Profile& profile, const char* code, std::string message,
@@ -37,6 +40,7 @@ Table without_duplicates(const Table& table) {
     };
     Table out;
     out.stored = table.stored;
+    out.photometry = table.photometry;
     const std::size_t rows = table.gammas_deg.size();
     for (std::size_t j = 0; j < rows; ++j)
         if (!repeats(table.gammas_deg, j)) out.gammas_deg.push_back(table.gammas_deg[j]);
@@ -49,10 +53,17 @@ Table without_duplicates(const Table& table) {
     return out;
 }
 
+bool repeats_an_angle(const Table& table) {
+    const auto repeats = [](const std::vector<double>& angles) {
+        return std::adjacent_find(angles.begin(), angles.end()) != angles.end();
+    };
+    return repeats(table.planes_deg) || repeats(table.gammas_deg);
+}
+
 // A full table lists C0 and 360°; many writers leave the last plane out. Only a gap of one step is taken for that.
 void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnostics) {
     const std::size_t n = table.planes_deg.size();
-    if (table.stored != Symmetry::none || n < 2) return;
+    if (table.photometry != Photometry::c || table.stored != Symmetry::none || n < 2) return;
     const double span = table.planes_deg.back() - table.planes_deg.front();
     if (span >= 360.0 - 1e-9) return;
     double widest = 0.0;
@@ -88,6 +99,19 @@ Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
     return Symmetry::none;
 }
 
+// Types A and B: angles that start at 0 stand for both sides (LM-63: H from 0 is symmetric about the vertical plane;
+// the same is held for V, whose lower half is nowhere else).
+Symmetry take_symmetry_of_types_a_b(Table& table) {
+    for (std::vector<double>* angles : {&table.planes_deg, &table.gammas_deg})
+        for (double& angle : *angles)
+            if (near_deg(angle, 0.0)) angle = 0.0;
+    const bool across = table.planes_deg.size() > 1 && table.planes_deg.front() == 0.0;
+    const bool along = table.gammas_deg.size() > 1 && table.gammas_deg.front() == 0.0;
+    if (across && along) return Symmetry::quadrant;
+    if (across) return Symmetry::bilateral_90_270;
+    return along ? Symmetry::bilateral_0_180 : Symmetry::none;
+}
+
 // TILT's factor at a mounting tilt: linear between the listed angles, the nearest end beyond them.
 double tilt_factor(const IesTilt& tilt, double tilt_deg) {
     if (tilt.angles_deg.empty() || tilt.factors.size() != tilt.angles_deg.size()) return 1.0;
@@ -101,13 +125,14 @@ double tilt_factor(const IesTilt& tilt, double tilt_deg) {
 
 Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& profile, const ResolveOptions& options,
                                           Diagnostics& diagnostics) {
-    if (file.photometry != Photometry::c)
-        return fail(Failure::unsupported,
-                    fmt::format("photometry type {} is read but not evaluated yet, only type C is",
-                                file.photometry == Photometry::a ? 'A' : 'B'),
-                    {}, profile.source);
-    Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, file.candela};
-    table.stored = take_symmetry_of_ies_planes(table.planes_deg);
+    Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, file.candela, file.photometry};
+    table.stored = table.photometry == Photometry::c ? take_symmetry_of_ies_planes(table.planes_deg)
+                                                     : take_symmetry_of_types_a_b(table);
+    if (table.photometry != Photometry::c && (table.planes_deg.size() < 2 || table.gammas_deg.size() < 2))
+        warn(diagnostics, profile, "WEB0107",
+             fmt::format("{} horizontal and {} vertical angles of a type {} table enclose no directions: dark",
+                         table.planes_deg.size(), table.gammas_deg.size(),
+                         file.photometry == Photometry::a ? 'A' : 'B'));
     if (table.stored == Symmetry::axial && table.planes_deg.front() != 0.0)
         warn(diagnostics, profile, "WEB0103",
              fmt::format("the only C-plane is at {}°: taken for every C", table.planes_deg.front()));
@@ -184,36 +209,59 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
     return std::pair{std::move(table), lamps.flux_lm / 1000.0 * file.conversion_factor};
 }
 
+// TM-33 holds the same light in other words.
+Result<std::pair<Table, double>> table_of(const Tm33File& file, const Profile& profile, const ResolveOptions& options,
+                                          Diagnostics& diagnostics) {
+    Result<IesFile> light = lm63_of(file);
+    if (light) return table_of(*light, profile, options, diagnostics);
+    for (Diagnostic& diagnostic : light.error().diagnostics)
+        diagnostic.location.file = profile.source;
+    return pass_on(light);
+}
+
+// By how much a file of the other tradition is turned; a multiple of 90°, which is exact for every goniometer.
+double azimuth_turn_deg(const Profile& profile, AzimuthConvention wanted) {
+    const bool eulumdat = std::holds_alternative<LdtFile>(profile.file);
+    if (wanted == AzimuthConvention::eulumdat && !eulumdat) return 90.0;
+    if (wanted == AzimuthConvention::lm63 && eulumdat) return -90.0;
+    return 0.0;
+}
+
 } // namespace
 
 Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options) {
     Diagnostics diagnostics;
     const auto* ies = std::get_if<IesFile>(&profile.file);
-    auto read = ies != nullptr ? table_of(*ies, profile, options, diagnostics)
-                               : table_of(std::get<LdtFile>(profile.file), profile, options);
+    const auto* tm33 = std::get_if<Tm33File>(&profile.file);
+    auto read = ies != nullptr    ? table_of(*ies, profile, options, diagnostics)
+                : tm33 != nullptr ? table_of(*tm33, profile, options, diagnostics)
+                                  : table_of(std::get<LdtFile>(profile.file), profile, options);
     if (!read) return pass_on(read);
     auto& [raw, factor] = *read;
-    Table table = without_duplicates(raw);
+    Table table = repeats_an_angle(raw) ? without_duplicates(raw) : std::move(raw);
     close_the_circle(table, profile, diagnostics);
 
+    if (factor != 1.0)
+        for (double& cd : table.candela)
+            cd *= factor;
     std::size_t negative = 0;
-    for (double& cd : table.candela) {
-        cd *= factor;
+    for (const double cd : table.candela)
         negative += cd < 0.0 ? 1 : 0;
-    }
     if (negative > 0)
         warn(diagnostics, profile, "WEB0105", fmt::format("{} intensities are negative: kept as they are", negative),
              "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
     if (std::all_of(table.candela.begin(), table.candela.end(), [](double cd) { return cd == 0.0; }))
         warn(diagnostics, profile, "WEB0106", "every intensity is 0: this luminaire emits no light");
 
-    Result<Web> web =
-        Web::create(table.stored, std::move(table.planes_deg), std::move(table.gammas_deg), std::move(table.candela));
+    Result<Web> web = Web::create(table.photometry, table.stored, std::move(table.planes_deg),
+                                  std::move(table.gammas_deg), std::move(table.candela));
     if (!web) {
         for (Diagnostic& diagnostic : web.error().diagnostics)
             diagnostic.location.file = profile.source;
         return pass_on(web);
     }
+    const double turn = azimuth_turn_deg(profile, options.azimuth);
+    if (turn != 0.0) *web = rotated(*web, turn).web;
     return ResolvedWeb{std::move(*web), std::move(diagnostics)};
 }
 
@@ -222,6 +270,7 @@ std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOpti
         if (ies->lumens_per_lamp <= 0.0) return std::nullopt;
         return ies->lumens_per_lamp * ies->lamp_count;
     }
+    if (const auto* tm33 = std::get_if<Tm33File>(&profile.file)) return declared_flux_lm(*tm33);
     const auto& ldt = std::get<LdtFile>(profile.file);
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > ldt.lamp_sets.size()) return std::nullopt;
     const LdtLampSet& lamps = ldt.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];

@@ -1,3 +1,5 @@
+#include <gonio/web/goniometer.hpp>
+#include <gonio/web/plane_range.hpp>
 #include <gonio/web/web.hpp>
 
 #include <fmt/format.h>
@@ -18,25 +20,49 @@ bool strictly_ascending(const std::vector<double>& angles) {
     return !angles.empty();
 }
 
-struct Range {
-    double low;
-    double high;
-};
+// Where the planes may be listed: those of no symmetry need not begin at 0°.
+AngleRange listed_range(Symmetry stored) {
+    const bool free = stored == Symmetry::axial || stored == Symmetry::none;
+    return free ? AngleRange{-360.0, 720.0} : plane_range(stored);
+}
 
-// Where the planes of a symmetry may lie.
-Range plane_range(Symmetry symmetry) {
-    switch (symmetry) {
-    case Symmetry::quadrant:
-        return {0.0, 90.0};
-    case Symmetry::bilateral_0_180:
-        return {0.0, 180.0};
-    case Symmetry::bilateral_90_270:
-        return {90.0, 270.0};
-    case Symmetry::axial:
-    case Symmetry::none:
-        break;
-    }
-    return {-360.0, 720.0};
+Result<void> check_angles(const std::vector<double>& horizontal, const char* horizontal_name,
+                          const std::vector<double>& vertical, const char* vertical_name,
+                          const std::vector<double>& candela) {
+    if (!strictly_ascending(horizontal))
+        return fail(Failure::malformed,
+                    fmt::format("the {} are not strictly ascending finite angles", horizontal_name));
+    if (!strictly_ascending(vertical))
+        return fail(Failure::malformed, fmt::format("the {} are not strictly ascending finite angles", vertical_name));
+    if (candela.size() / vertical.size() != horizontal.size() || candela.size() % vertical.size() != 0)
+        return fail(Failure::malformed,
+                    fmt::format("{} {} and {} {} need {} candela values, not {}", horizontal.size(), horizontal_name,
+                                vertical.size(), vertical_name, horizontal.size() * vertical.size(), candela.size()));
+    if (!std::all_of(candela.begin(), candela.end(), [](double cd) { return std::isfinite(cd); }))
+        return fail(Failure::malformed, "a candela value is not finite");
+    return {};
+}
+
+// What LM-75's angles of types A and B may be: `mirrored` angles are stored on their positive side only.
+Result<void> check_range(const std::vector<double>& angles, const char* name, double limit, bool mirrored) {
+    const double low = mirrored ? 0.0 : -limit;
+    if (angles.front() >= low && angles.back() <= limit) return {};
+    return fail(Failure::malformed, fmt::format("the {} run from {}° to {}°, outside {}° to {}°", name, angles.front(),
+                                                angles.back(), low, limit));
+}
+
+// A direction's angle may miss the end of the table by rounding: 1e-9° counts as on it.
+double onto_the_end(double angle_deg, const std::vector<double>& angles_deg) {
+    for (const double end : {angles_deg.front(), angles_deg.back()})
+        if (std::abs(angle_deg - end) <= 1e-9) return end;
+    return angle_deg;
+}
+
+bool mirrored_in_90_270(Symmetry stored) {
+    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270;
+}
+bool mirrored_in_0_180(Symmetry stored) {
+    return stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180;
 }
 
 } // namespace
@@ -104,32 +130,43 @@ bool Web::Axis::locate(double angle_deg, std::size_t& cell, double& weight) cons
     return true;
 }
 
-Web::Web(Symmetry stored, Axis planes, Axis gammas, std::vector<double> candela)
-    : stored_(stored), planes_(std::move(planes)), gammas_(std::move(gammas)), candela_(std::move(candela)) {}
+Web::Web(Photometry photometry, Symmetry stored, Axis planes, Axis gammas, std::vector<double> candela)
+    : photometry_(photometry),
+      stored_(stored),
+      planes_(std::move(planes)),
+      gammas_(std::move(gammas)),
+      candela_(std::move(candela)) {}
 
 Result<Web> Web::create(Symmetry stored, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                         std::vector<double> candela) {
-    if (!strictly_ascending(planes_deg))
-        return fail(Failure::malformed, "the C-planes are not strictly ascending finite angles");
-    if (!strictly_ascending(gammas_deg))
-        return fail(Failure::malformed, "the gamma angles are not strictly ascending finite angles");
+    if (Result<void> checked = check_angles(planes_deg, "C-planes", gammas_deg, "gamma angles", candela); !checked)
+        return pass_on(checked);
     if (gammas_deg.front() < 0.0 || gammas_deg.back() > 180.0)
         return fail(Failure::malformed, fmt::format("gamma angles run from {}° to {}°, outside 0°–180°",
                                                     gammas_deg.front(), gammas_deg.back()));
-    const Range range = plane_range(stored);
+    const AngleRange range = listed_range(stored);
     if (planes_deg.front() < range.low || planes_deg.back() > range.high ||
         planes_deg.back() - planes_deg.front() > 360.0 + 1e-9)
         return fail(Failure::malformed, fmt::format("C-planes from {}° to {}° do not fit a web of symmetry {}",
                                                     planes_deg.front(), planes_deg.back(), to_text(stored)));
     if (stored == Symmetry::axial && planes_deg.size() != 1)
         return fail(Failure::malformed, "an axial web has one plane");
-    if (candela.size() / gammas_deg.size() != planes_deg.size() || candela.size() % gammas_deg.size() != 0)
-        return fail(Failure::malformed,
-                    fmt::format("{} planes of {} gamma angles need {} candela values, not {}", planes_deg.size(),
-                                gammas_deg.size(), planes_deg.size() * gammas_deg.size(), candela.size()));
-    if (!std::all_of(candela.begin(), candela.end(), [](double cd) { return std::isfinite(cd); }))
-        return fail(Failure::malformed, "a candela value is not finite");
-    return Web(stored, Axis(std::move(planes_deg)), Axis(std::move(gammas_deg)), std::move(candela));
+    return Web(Photometry::c, stored, Axis(std::move(planes_deg)), Axis(std::move(gammas_deg)), std::move(candela));
+}
+
+Result<Web> Web::create(Photometry photometry, Symmetry stored, std::vector<double> horizontal_deg,
+                        std::vector<double> vertical_deg, std::vector<double> candela) {
+    if (photometry == Photometry::c)
+        return create(stored, std::move(horizontal_deg), std::move(vertical_deg), std::move(candela));
+    const bool a = photometry == Photometry::a;
+    Result<void> checked = check_angles(horizontal_deg, "horizontal angles", vertical_deg, "vertical angles", candela);
+    if (checked)
+        checked = check_range(horizontal_deg, "horizontal angles", a ? 180.0 : 90.0, mirrored_in_90_270(stored));
+    if (checked) checked = check_range(vertical_deg, "vertical angles", a ? 90.0 : 180.0, mirrored_in_0_180(stored));
+    if (!checked) return pass_on(checked);
+    if (stored == Symmetry::axial)
+        return fail(Failure::malformed, fmt::format("a web of type {} cannot be stored as axial", a ? 'A' : 'B'));
+    return Web(photometry, stored, Axis(std::move(horizontal_deg)), Axis(std::move(vertical_deg)), std::move(candela));
 }
 
 double Web::folded_c_deg(double c_deg) const {
@@ -161,24 +198,44 @@ double Web::folded_c_deg(double c_deg) const {
     return c;
 }
 
-double Web::candela(double c_deg, double gamma_deg) const {
+double Web::interpolate(double horizontal_deg, double vertical_deg) const {
     std::size_t row = 0;
     double row_weight = 0.0;
-    if (!gammas_.locate(gamma_deg, row, row_weight) || !std::isfinite(c_deg)) return 0.0;
+    if (!gammas_.locate(vertical_deg, row, row_weight)) return 0.0;
     std::size_t plane = 0;
     double plane_weight = 0.0;
-    if (!planes_.locate(folded_c_deg(c_deg), plane, plane_weight)) return 0.0;
+    if (!planes_.locate(horizontal_deg, plane, plane_weight)) return 0.0;
 
     // A weight of 0 does not touch its neighbour, which may not exist.
-    const auto along_gamma = [&](std::size_t p) {
+    const auto along_vertical = [&](std::size_t p) {
         const std::span<const double> values = column(p);
         return row_weight == 0.0 ? values[row] : values[row] + row_weight * (values[row + 1] - values[row]);
     };
-    const double low = along_gamma(plane);
-    return plane_weight == 0.0 ? low : low + plane_weight * (along_gamma(plane + 1) - low);
+    const double low = along_vertical(plane);
+    return plane_weight == 0.0 ? low : low + plane_weight * (along_vertical(plane + 1) - low);
+}
+
+double Web::candela_at(double horizontal_deg, double vertical_deg) const {
+    if (!std::isfinite(horizontal_deg)) return 0.0;
+    if (photometry_ == Photometry::c) return interpolate(folded_c_deg(horizontal_deg), vertical_deg);
+    return interpolate(mirrored_in_90_270(stored_) ? std::abs(horizontal_deg) : horizontal_deg,
+                       mirrored_in_0_180(stored_) ? std::abs(vertical_deg) : vertical_deg);
+}
+
+double Web::candela(double c_deg, double gamma_deg) const {
+    if (photometry_ == Photometry::c) return candela_at(c_deg, gamma_deg);
+    if (!std::isfinite(c_deg) || !(gamma_deg >= 0.0 && gamma_deg <= 180.0)) return 0.0;
+    return candela(direction_of(Photometry::c, {c_deg, gamma_deg}));
 }
 
 double Web::candela(const glm::dvec3& direction) const {
+    if (photometry_ != Photometry::c) {
+        const glm::dvec3 folded(mirrored_in_90_270(stored_) ? std::abs(direction.x) : direction.x,
+                                mirrored_in_0_180(stored_) ? std::abs(direction.y) : direction.y, direction.z);
+        const GoniometerAngles angles = angles_of(photometry_, folded);
+        return interpolate(onto_the_end(angles.horizontal_deg, planes_.angles_deg),
+                           onto_the_end(angles.vertical_deg, gammas_.angles_deg));
+    }
     if (stored_ == Symmetry::axial) {
         const Radians gamma(std::atan2(std::hypot(direction.x, direction.y), -direction.z));
         return candela(0.0, to_degrees(gamma));

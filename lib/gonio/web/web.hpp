@@ -1,9 +1,11 @@
 // Web: the photometric web, candela by direction; the one form of a measured light that everything downstream takes.
 //
-// The grid is the file's own (type C: half planes C around the vertical axis, γ from the nadir), angles strictly
-// ascending and in degrees, so that a table angle is hit exactly; symmetry is kept and not expanded; every factor is
-// already applied, candela are absolute. Between the grid's angles the intensity is linear in C and in γ; outside
-// them, after symmetry, it is 0. Frame: γ = 0 is −Z, C0 is +X, C90 is +Y (gonio/base/frame.hpp).
+// The grid is the file's own and of its own goniometer, A, B or C (gonio/web/goniometer.hpp), angles strictly ascending
+// and in degrees, so that a table angle is hit exactly; symmetry is kept and not expanded; every factor is already
+// applied, candela are absolute. Between the grid's angles the intensity is linear in both of them; outside them,
+// after symmetry, it is 0. Frame: γ = 0 is −Z, C0 is +X, C90 is +Y (gonio/base/frame.hpp).
+// Every web is asked by direction or by (C, γ). Who reads the grid itself must look at photometry() first: a web of
+// type A or B has no C-planes and no γ (gonio/web/resample.hpp makes a web that has).
 // Evaluation costs two searches (none on even grids) and no allocation; a Web does not change once made and may be read
 // by any number of threads.
 #pragma once
@@ -11,27 +13,29 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/profile/profile.hpp>
 
 #include <glm/vec3.hpp>
 
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace gonio {
 
-// How the stored planes cover the circle.
+// How the stored grid covers the directions: which mirrors the light has and the grid therefore leaves out.
 enum class Symmetry {
-    axial,            // one plane for every C
-    quadrant,         // planes 0°–90°, mirrored in both axes
-    bilateral_0_180,  // planes 0°–180°, mirrored in the C0–C180 plane
-    bilateral_90_270, // planes 90°–270°, mirrored in the C90–C270 plane
-    none              // planes as they stand
+    axial,            // C: one plane for every C; A and B never
+    quadrant,         // mirrored in both; C: planes 0°–90°, A and B: H ≥ 0 and V ≥ 0
+    bilateral_0_180,  // mirrored in the C0–C180 plane; C: planes 0°–180°, A and B: V ≥ 0
+    bilateral_90_270, // mirrored in the C90–C270 plane; C: planes 90°–270°, A and B: H ≥ 0
+    none              // as it stands
 };
 
 const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 
-// How many images of the stored planes make the circle: 4, 2 or 1.
+// How many images of the stored grid make the light: 4, 2 or 1.
 double image_count(Symmetry stored);
 
 class Web {
@@ -42,25 +46,47 @@ public:
     static Result<Web> create(Symmetry stored, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                               std::vector<double> candela);
 
-    // Intensity towards (C, γ). Any finite C; γ in [0°, 180°], 0 outside. NaN gives 0.
+    // Of any goniometer; `candela` is [horizontal][vertical]. Photometry::c is create(). Fails (malformed) as that
+    // does, and for A and B unless latitudes lie in [−90°, 90°], longitudes in [−180°, 180°], and the angles that
+    // `stored` mirrors are not negative; A and B are never axial.
+    static Result<Web> create(Photometry photometry, Symmetry stored, std::vector<double> horizontal_deg,
+                              std::vector<double> vertical_deg, std::vector<double> candela);
+
+    // Intensity towards (C, γ), whatever the goniometer. Any finite C; γ in [0°, 180°], 0 outside. NaN gives 0.
     double candela(double c_deg, double gamma_deg) const;
 
     // Intensity along a direction of the light's own frame, of any length > 0.
     double candela(const glm::dvec3& direction) const;
 
-    Symmetry stored_symmetry() const { return stored_; }
-    std::span<const double> planes_deg() const { return planes_.angles_deg; }
-    std::span<const double> gammas_deg() const { return gammas_.angles_deg; }
+    // Intensity at the grid's own angles: (C, γ), or (H, V) of type A or B. Hits the table exactly. NaN gives 0.
+    double candela_at(double horizontal_deg, double vertical_deg) const;
 
-    // A stored plane's column of intensities, one per γ.
-    std::span<const double> column(std::size_t plane) const {
-        return {candela_.data() + plane * gammas_.angles_deg.size(), gammas_.angles_deg.size()};
+    Photometry photometry() const { return photometry_; }
+    Symmetry stored_symmetry() const { return stored_; }
+
+    // The stored grid: C-planes and γ, or H and V.
+    std::span<const double> horizontal_deg() const { return planes_.angles_deg; }
+    std::span<const double> vertical_deg() const { return gammas_.angles_deg; }
+
+    // The same by their names in type C, which the web must be of.
+    std::span<const double> planes_deg() const {
+        assert(photometry_ == Photometry::c);
+        return planes_.angles_deg;
+    }
+    std::span<const double> gammas_deg() const {
+        assert(photometry_ == Photometry::c);
+        return gammas_.angles_deg;
+    }
+
+    // The intensities of a stored horizontal angle (a C-plane), one per vertical angle.
+    std::span<const double> column(std::size_t horizontal) const {
+        return {candela_.data() + horizontal * gammas_.angles_deg.size(), gammas_.angles_deg.size()};
     }
 
     // The same light with every intensity multiplied by `factor` ≥ 0.
     Web scaled(double factor) const;
 
-    // C folded by the stored symmetry into the range of the stored planes; the planes may still not reach it.
+    // Type C: C folded by the stored symmetry into the range of the stored planes; the planes may still not reach it.
     double folded_c_deg(double c_deg) const;
 
 private:
@@ -74,8 +100,11 @@ private:
         bool locate(double angle_deg, std::size_t& cell, double& weight) const;
     };
 
-    Web(Symmetry stored, Axis planes, Axis gammas, std::vector<double> candela);
+    Web(Photometry photometry, Symmetry stored, Axis planes, Axis gammas, std::vector<double> candela);
 
+    double interpolate(double horizontal_deg, double vertical_deg) const;
+
+    Photometry photometry_;
     Symmetry stored_;
     Axis planes_;
     Axis gammas_;

@@ -1,5 +1,7 @@
 #include <gonio/base/atomic_file.hpp>
 
+#include "../temporary_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -18,17 +20,11 @@ namespace fs = std::filesystem;
 
 class AtomicFile : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "gonio-test-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder = pattern;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
     std::string path(const char* name) const { return (folder / name).string(); }
     std::ptrdiff_t entries() const { return std::distance(fs::directory_iterator(folder), fs::directory_iterator()); }
 
-    fs::path folder;
+    test::TemporaryFolder own;
+    const fs::path& folder = own.path();
 };
 
 TEST_F(AtomicFile, WritesAndReadsBack) {

@@ -128,11 +128,11 @@ TEST(Photometry, EveryPairRoundTrips) {
                 const PhotometricUnit given = parse_photometric_unit(from).value();
                 const PhotometricUnit asked = parse_photometric_unit(to).value();
                 const double number = 12.3456;
-                const Result<Emission> there = emission_of(shape, {number, given, std::nullopt});
+                const Result<Emission> there = emission_of(shape, {number, given});
                 ASSERT_TRUE(there) << kind_of(shape) << " " << from;
                 const Result<double> other = express(shape, *there, asked);
                 ASSERT_TRUE(other) << kind_of(shape) << " " << to;
-                const Result<Emission> back = emission_of(shape, {*other, asked, std::nullopt});
+                const Result<Emission> back = emission_of(shape, {*other, asked});
                 ASSERT_TRUE(back);
                 const Result<double> again = express(shape, *back, given);
                 ASSERT_TRUE(again);
@@ -147,7 +147,7 @@ TEST(Photometry, EveryPairRoundTrips) {
 TEST(Photometry, DarkIsDarkInEveryUnit) {
     for (const auto& [shape, units] : convertibles()) {
         const PhotometricUnit unit = parse_photometric_unit(units.front()).value();
-        const Result<Emission> dark = emission_of(shape, {0.0, unit, std::nullopt});
+        const Result<Emission> dark = emission_of(shape, {0.0, unit});
         ASSERT_TRUE(dark);
         for (const std::string& to : units) {
             const Result<double> number = express(shape, *dark, parse_photometric_unit(to).value());

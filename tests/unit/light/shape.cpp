@@ -1,5 +1,6 @@
 #include <gonio/light/shape.hpp>
 
+#include "../temporary_folder.hpp"
 #include "shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -112,9 +113,8 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
 }
 
 TEST(Shape, MasksAreLoadedLikeProfiles) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gonio-mask-test";
-    std::filesystem::create_directories(folder);
-    const std::string file = (folder / "mask.ies").string();
+    const test::TemporaryFolder folder;
+    const std::string file = (folder.path() / "mask.ies").string();
     std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n200 100\n";
     for (const char* kind : {"point:", "spot:outer=40deg,", "frustum:h=60deg,v=40deg,"}) {
         Shape shape = test::shape(std::string(kind) + "mask=" + file);
@@ -129,7 +129,7 @@ TEST(Shape, MasksAreLoadedLikeProfiles) {
     }
     EXPECT_EQ(mask_of(test::shape("spot:outer=40deg")).file, nullptr);
     Diagnostics diagnostics;
-    Shape missing = test::shape("point:mask=" + (folder / "none.ies").string());
+    Shape missing = test::shape("point:mask=" + (folder.path() / "none.ies").string());
     const Result<void> loaded = load_profile(missing, diagnostics);
     ASSERT_FALSE(loaded);
     EXPECT_EQ(loaded.error().failure, Failure::io);

@@ -122,14 +122,14 @@ TEST(SphereCases, AreInTheirStrataAndTheSameEachTime) {
 
 // The harness on its first subject: what is known of the three methods must come out of it.
 TEST(SphereMethods, ExactFrostbiteAndPoint) {
-    SphereComparison options;
+    ComparisonOptions options;
     options.cases = 2000;
     options.timing.samples = 3;
     options.timing.sample_seconds = 1e-3;
     const auto result = compare_sphere_methods(options);
     ASSERT_TRUE(result.has_value());
     int exact_methods = 0;
-    for (const SphereMeasurement& m : *result) {
+    for (const MethodMeasurement& m : *result) {
         SCOPED_TRACE(m.name + " " + m.precision);
         EXPECT_GT(m.timing.ns_per_item, 0.0);
         EXPECT_EQ(m.error.absolute.count, options.cases);

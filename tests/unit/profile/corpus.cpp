@@ -53,15 +53,12 @@ TEST_F(ProfileCorpus, EveryGoodFileIsReadAndKeepsItselfWhenWritten) {
             EXPECT_FALSE(d.code.empty()) << to_text(d);
             EXPECT_EQ(d.location.file, path);
         }
-        const bool ies = std::holds_alternative<IesFile>(read->file);
-        const std::string written =
-            ies ? write_ies(std::get<IesFile>(read->file)) : write_ldt(std::get<LdtFile>(read->file));
+        const std::string written = write_profile(*read);
         // Recognised from its own bytes, without a name.
         const Result<Profile> again = read_profile(written, "again");
         ASSERT_TRUE(again) << path << '\n' << all_text(again.error().diagnostics);
         EXPECT_TRUE(test::equal(read->file, again->file)) << path;
-        EXPECT_EQ(ies ? write_ies(std::get<IesFile>(again->file)) : write_ldt(std::get<LdtFile>(again->file)), written)
-            << path;
+        EXPECT_EQ(write_profile(*again), written) << path;
     }
 }
 

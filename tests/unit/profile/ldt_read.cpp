@@ -104,7 +104,7 @@ TEST(LdtRead, EverySymmetryStoresItsPlanes) {
 }
 
 TEST(LdtRead, LampSetsStandOneAfterTheOther) {
-    TextLines lines = with(lamp(), 26, "2");
+    TextLines lines = with(with(lamp(), 26, "2"), 23, "100");
     lines.insert(lines.begin() + 32, {"-3", "HIT", "3600", "4000", ">90", "40"});
     const LdtFile file = file_of(lines);
     ASSERT_EQ(file.lamp_sets.size(), 2U);
@@ -116,6 +116,8 @@ TEST(LdtRead, LampSetsStandOneAfterTheOther) {
     EXPECT_EQ(file.lamp_sets[1].color_rendering, ">90");
     EXPECT_EQ(file.lamp_sets[1].input_watts, 40.0);
     expect_silent(read(lines));
+    expect_says(read(with(lines, 23, "87.5")),
+                "lamp: warning[LDT0408]: absolute photometry, and the light output ratio is 87.5");
     expect_says(read(with(lamp(), 27, "0")), "lamp:27:1: warning[LDT0210]: a set of no lamps");
     expect_error(read(with(lamp(), 26, "0")), "lamp:26:1: error[LDT0201]: 0 is no number of lamp sets");
     expect_error(read(with(lamp(), 26, "2147483647")),
@@ -155,6 +157,21 @@ TEST(LdtRead, Codes) {
     expect_error(read(with(lamp(), 3, "5")), "lamp:3:1: error[LDT0202]: symmetry 5, expected 0 to 4");
     expect_says(read(with(lamp(), 9, std::string(79, 'x'))),
                 "lamp:9:79: warning[LDT0106]: the luminaire's name has 79 characters, 78 are allowed");
+    expect_silent(read(with(lamp(), 9, std::string(78, 'x') + "   ")));
+    expect_says(read(with(lamp(), 28, std::string(25, 'x'))),
+                "lamp:28:25: warning[LDT0106]: the type of lamps has 25 characters, 24 are allowed");
+    expect_says(read(with(lamp(), 30, std::string(17, 'x'))),
+                "lamp:30:17: warning[LDT0106]: the colour temperature has 17 characters, 16 are allowed");
+    expect_says(read(with(lamp(), 31, "1A/>90+")),
+                "lamp:31:7: warning[LDT0106]: the colour rendering has 7 characters, 6 are allowed");
+}
+
+TEST(LdtRead, FileNamesMayBeLongerThanDosAllowed) {
+    expect_silent(read(with(lamp(), 11, "a-long-file-name.ldt")));
+    expect_silent(read(with(lamp(), 11, "eight_ch.ldt"), true));
+    expect_says(read(with(lamp(), 11, "nine_char.LDT"), true),
+                "lamp:11:9: warning[LDT0107]: the file name has 9 characters, 8 are allowed");
+    EXPECT_EQ(file_of(with(lamp(), 11, " a-long-file-name.ldt ")).file_name, " a-long-file-name.ldt ");
 }
 
 TEST(LdtRead, Truncated) {

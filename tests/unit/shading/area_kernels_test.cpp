@@ -281,7 +281,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
 }
 
 TEST(AreaMethods, ErrorsOfEachAreWhatTheyAreKnownFor) {
-    gonio::measure::SphereComparison options;
+    gonio::measure::ComparisonOptions options;
     options.cases = 2000;
     options.timing.samples = 3;
     options.timing.sample_seconds = 1e-3;

@@ -7,6 +7,7 @@
 
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
+#include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
 
 #include "poses.hpp"
@@ -21,7 +22,7 @@ namespace area {
 using poses::Random;
 using poses::Vec;
 
-enum class Shape { disk, rectangle, tube };
+enum class Shape { disk, rectangle, tube, sphere };
 
 struct Pose {
     Shape shape = Shape::disk;
@@ -45,6 +46,8 @@ S exact(const Pose& pose) {
                                                     of(pose.normal));
     case Shape::tube:
         return gonio::shading::irradiance_tube(of(pose.center), of(pose.axis), p, q, of(pose.normal));
+    case Shape::sphere:
+        return gonio::shading::irradiance_sphere(of(pose.center), p, of(pose.normal));
     }
     return S(0);
 }
@@ -52,6 +55,7 @@ S exact(const Pose& pose) {
 inline double bounding_radius(const Pose& pose) {
     switch (pose.shape) {
     case Shape::disk:
+    case Shape::sphere:
         return pose.p;
     case Shape::rectangle:
         return 0.5 * std::hypot(pose.p, pose.q);

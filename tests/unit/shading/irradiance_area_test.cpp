@@ -4,12 +4,11 @@
 #include <gonio/shading/occlusion.hpp>
 
 #include "area_truth.hpp"
+#include "reference_rows.hpp"
 
 #include <gtest/gtest.h>
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -71,29 +70,15 @@ INSTANTIATE_TEST_SUITE_P(Shapes, AreaIrradiance, testing::Values(Shape::disk, Sh
 TEST_P(AreaIrradiance, StoredReferenceValues) {
     const std::string folder = GONIO_TEST_REFERENCE;
     if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
-    std::ifstream file(folder + "/irradiance.csv");
-    ASSERT_TRUE(file) << folder;
-    std::string line;
     int rows = 0;
     double worst_share = 0.0;
-    while (std::getline(file, line)) {
-        if (line.rfind(name_of(GetParam()) + ",", 0) != 0) continue;
-        std::vector<double> v;
-        const char* const end = line.data() + line.size();
-        for (const char* at = line.data() + name_of(GetParam()).size() + 1; at < end;) {
-            double value = 0.0;
-            const auto [next, error] = std::from_chars(at, end, value);
-            ASSERT_EQ(error, std::errc()) << line;
-            v.push_back(value);
-            at = next + 1;
-        }
-        ASSERT_EQ(v.size(), 15U) << line;
+    for (const reference::Row& v : reference::rows(folder, name_of(GetParam()))) {
         const Pose pose{GetParam(), {v[0], v[1], v[2]},   {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9],
                         v[10],      {v[11], v[12], v[13]}};
         const double plain_bar = 1e-10 * v[14] + 1e-15 * subtended(pose);
         const double error = std::fabs(exact<double>(pose) - v[14]);
         if (error > plain_bar) {
-            EXPECT_LE(error, 50.0 * conditioning(pose)) << line;
+            EXPECT_LE(error, 50.0 * conditioning(pose)) << "row " << rows;
         }
         worst_share = std::max(worst_share, error / plain_bar);
         ++rows;

@@ -6,13 +6,12 @@
 #include <gonio/shading/kernels.hpp>
 
 #include "poses.hpp"
+#include "reference_rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -54,28 +53,13 @@ double conditioning(const Pose& pose) {
 TEST(SphereIrradiance, StoredReferenceValues) {
     const std::string folder = GONIO_TEST_REFERENCE;
     if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
-    std::ifstream file(folder + "/irradiance.csv");
-    ASSERT_TRUE(file) << folder;
-    std::string line;
     int rows = 0;
     double worst_share = 0.0;
-    while (std::getline(file, line)) {
-        if (line.rfind("sphere,", 0) != 0) continue;
-        std::vector<double> v;
-        const char* at = line.data() + 7;
-        const char* const end = line.data() + line.size();
-        while (at < end) {
-            double value = 0.0;
-            const auto [next, error] = std::from_chars(at, end, value);
-            ASSERT_EQ(error, std::errc()) << line;
-            v.push_back(value);
-            at = next + 1;
-        }
-        ASSERT_EQ(v.size(), 15U) << line;
+    for (const reference::Row& v : reference::rows(folder, "sphere")) {
         const Pose pose{{v[0], v[1], v[2]}, v[9], {v[11], v[12], v[13]}};
         const double bar = std::max(1e-10 * v[14] + 1e-15 * subtended(pose), 50.0 * conditioning(pose));
         const double error = std::fabs(exact(pose) - v[14]);
-        EXPECT_LE(error, bar) << line;
+        EXPECT_LE(error, bar) << "row " << rows;
         worst_share = std::max(worst_share, error / bar);
         ++rows;
     }

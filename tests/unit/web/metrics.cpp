@@ -67,35 +67,5 @@ TEST(Peak, IsTheGreatestAndTheFirstOfEquals) {
     EXPECT_EQ(top.gamma_deg, 45.0);
 }
 
-// A web of each symmetry, written out in full planes, is recognised.
-TEST(Symmetry, IsDetectedFromTheNumbers) {
-    struct Case {
-        Symmetry stored;
-        std::vector<double> planes;
-    };
-    for (const Case& c :
-         {Case{Symmetry::axial, {0}}, Case{Symmetry::quadrant, steps(0, 90, 7)},
-          Case{Symmetry::bilateral_0_180, steps(0, 180, 13)}, Case{Symmetry::bilateral_90_270, steps(90, 270, 13)},
-          Case{Symmetry::none, steps(0, 345, 24)}}) {
-        const Web web = random_web(c.stored, c.planes, steps(0, 90, 10), 21);
-        std::vector<double> planes = steps(0, 360, 25);
-        std::vector<double> candela;
-        for (const double plane : planes)
-            for (const double gamma : web.gammas_deg())
-                candela.push_back(web.candela(plane == 360.0 ? 0.0 : plane, gamma));
-        const Web full = *Web::create(Symmetry::none, planes, steps(0, 90, 10), candela);
-        EXPECT_EQ(detected_symmetry(full), c.stored) << to_text(c.stored);
-        EXPECT_EQ(detected_symmetry(web), c.stored) << to_text(c.stored);
-    }
-}
-
-TEST(Symmetry, OfUnevenPlanesIsThatOfTheInterpolant) {
-    // 10° has no partner at 350°, but lies on the line between its neighbours' mirror images.
-    const Web mirrored = *Web::create(Symmetry::none, {0, 10, 180, 360}, {0, 90}, {0, 0, 10, 10, 180, 180, 0, 0});
-    EXPECT_EQ(detected_symmetry(mirrored), Symmetry::bilateral_0_180);
-    const Web bent = *Web::create(Symmetry::none, {0, 10, 180, 360}, {0, 90}, {0, 0, 50, 50, 180, 180, 0, 0});
-    EXPECT_EQ(detected_symmetry(bent), Symmetry::none);
-}
-
 } // namespace
 } // namespace gonio

@@ -152,12 +152,42 @@ TEST(Resolve, LampSetsAreAlternatives) {
     EXPECT_EQ(missing.error().failure, Failure::usage);
 }
 
-TEST(Resolve, OtherPhotometriesAreRefusedByName) {
-    Profile profile = ies(IesVersion::lm63_2002, {0}, {1, 1});
-    std::get<IesFile>(profile.file).photometry = Photometry::b;
-    const auto resolved = resolve_web(profile);
-    ASSERT_FALSE(resolved);
-    EXPECT_EQ(resolved.error().failure, Failure::unsupported);
+TEST(Resolve, AzimuthTurnsTheOtherTraditionByAQuarterTurn) {
+    const Profile file = ies(IesVersion::lm63_2002, {0, 90, 180}, {1, 0, 2, 0, 3, 0});
+    ResolveOptions eulumdat;
+    eulumdat.azimuth = AzimuthConvention::eulumdat;
+    ResolveOptions lm63;
+    lm63.azimuth = AzimuthConvention::lm63;
+    const Web plain = resolve_web(file)->web;
+    const Web turned = resolve_web(file, eulumdat)->web;
+    EXPECT_EQ(turned.stored_symmetry(), Symmetry::bilateral_90_270);
+    for (double c = 0.0; c < 360.0; c += 7.5)
+        EXPECT_NEAR(turned.candela(c + 90.0, 30.0), plain.candela(c, 30.0), 1e-12);
+    EXPECT_EQ(resolve_web(file, lm63)->web.stored_symmetry(), Symmetry::bilateral_0_180);
+    for (const int symmetry : {0, 1, 2, 3, 4}) {
+        const Web own = resolve_web(ldt(symmetry))->web;
+        const Web back = resolve_web(ldt(symmetry), lm63)->web;
+        for (double c = 0.0; c < 360.0; c += 7.5) {
+            EXPECT_NEAR(back.candela(c - 90.0, 30.0), own.candela(c, 30.0), 1e-10) << symmetry;
+            EXPECT_EQ(resolve_web(ldt(symmetry), eulumdat)->web.candela(c, 30.0), own.candela(c, 30.0));
+        }
+    }
+}
+
+TEST(Resolve, ATiltFactorScalesWhateverTheGoniometer) {
+    for (const Photometry type : {Photometry::a, Photometry::b, Photometry::c}) {
+        IesFile table;
+        table.photometry = type;
+        table.vertical_deg = {0, 30, 60};
+        table.horizontal_deg = {0, 45, 90};
+        table.candela = {8, 4, 2, 8, 4, 2, 8, 4, 2};
+        table.tilt_keyword = "INCLUDE";
+        table.tilt = {1, {0, 30, 90}, {1.0, 0.9, 0.5}};
+        const Profile file{"test.ies", table, {}};
+        EXPECT_DOUBLE_EQ(resolve_web(file)->web.candela_at(45, 30), 4.0);
+        EXPECT_DOUBLE_EQ(resolve_web(file, {1, 15.0})->web.candela_at(45, 30), 4.0 * 0.95);
+        EXPECT_DOUBLE_EQ(resolve_web(file, {1, 60.0})->web.candela_at(45, 30), 4.0 * 0.7);
+    }
 }
 
 } // namespace

@@ -108,6 +108,10 @@ int main() {
         "atan, x=sqrt t in [0,1]: x + x t P(t), relative to x t P(t)", atan_excess,
         [&](Real t) { return -1 / atan_excess(t); }, 0, 1, 9);
     fit(
+        "atanh, x=sqrt t in [0,1/2]: x + x t P(t)",
+        [&](Real t) { return t < tiny ? 1.0L / 3 + t / 5 : (std::atanh(root(t)) / root(t) - 1) / t; },
+        [&](Real t) { return t < tiny ? tiny : t * root(t) / std::atanh(root(t)); }, 0, 0.25L, 5);
+    fit(
         "asin, x=sqrt t in [0,1/2]: x + x t P(t)",
         [&](Real t) { return t < tiny ? 1.0L / 6 + 3 * t / 40 : (std::asin(root(t)) / root(t) - 1) / t; },
         [&](Real t) { return t < tiny ? tiny : t * root(t) / std::asin(root(t)); }, 0, 0.25L, 5);

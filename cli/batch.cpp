@@ -1,0 +1,106 @@
+#include "batch.hpp"
+
+#include <gonio/base/parallel.hpp>
+
+#include "progress.hpp"
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+// Takes outcomes in any order and says them in the order of the inputs.
+class Narrator {
+public:
+    Narrator(const Batch& batch, ReportKind kind, Console& console)
+        : batch_(batch),
+          kind_(kind),
+          console_(console),
+          progress_(batch.inputs.size(), console.shows_progress()),
+          waiting_(batch.inputs.size()) {}
+
+    void take(std::size_t index, Outcome outcome) {
+        const std::scoped_lock lock(mutex_);
+        waiting_[index] = std::move(outcome);
+        if (waiting_[next_].has_value()) progress_.clear();
+        for (; next_ < waiting_.size() && waiting_[next_].has_value(); ++next_) {
+            say(batch_.inputs[next_], *waiting_[next_]);
+            waiting_[next_].reset();
+            status_ = console_.flush(status_);
+        }
+        ++taken_;
+        progress_.show(taken_, batch_.inputs[index]);
+    }
+
+    int close() {
+        progress_.clear();
+        const std::size_t count = batch_.inputs.size();
+        if (kind_ == ReportKind::json && !(count == 1 && reports_.empty()))
+            console_.print(dump(count == 1 ? reports_.front() : reports_, 2));
+        if (count > 1)
+            console_.note(
+                failed_ == 0 ? fmt::format("{} files {}", count, batch_.done)
+                             : fmt::format("{} files: {} {}, {} failed", count, count - failed_, batch_.done, failed_));
+        return status_;
+    }
+
+private:
+    void say(const std::string& input, Outcome& outcome) {
+        for (const std::string& remark : outcome.remarks)
+            console_.remark(remark);
+        if (outcome.error) {
+            ++failed_;
+            name_input(*outcome.error, input);
+            status_ = worse(status_, console_.fail(*outcome.error));
+            // A file that could not be read still has its place in a report of several.
+            outcome.report = {{"schema", batch_.schema},
+                              {"file", input},
+                              {"diagnostics", diagnostics_json(outcome.error->diagnostics)}};
+        } else {
+            console_.say(outcome.diagnostics);
+            status_ = worse(status_, outcome.status);
+            console_.print(kind_ == ReportKind::words ? outcome.words : std::string());
+        }
+        if (outcome.report.is_null()) return;
+        if (kind_ == ReportKind::jsonl) console_.print(dump(outcome.report, -1));
+        if (kind_ == ReportKind::json) reports_.push_back(std::move(outcome.report));
+    }
+
+    // In a batch a message without a file would not tell which input it is about.
+    void name_input(Error& error, const std::string& input) const {
+        if (batch_.inputs.size() == 1) return;
+        for (Diagnostic& diagnostic : error.diagnostics)
+            if (diagnostic.location.file.empty()) diagnostic.location.file = input;
+    }
+
+    const Batch& batch_;
+    ReportKind kind_;
+    Console& console_;
+    std::mutex mutex_;
+    Progress progress_;
+    std::vector<std::optional<Outcome>> waiting_; // done, and not yet said
+    std::size_t next_ = 0;                        // the input whose turn it is
+    std::size_t taken_ = 0;
+    std::size_t failed_ = 0;
+    int status_ = 0;
+    Json reports_ = Json::array();
+};
+
+} // namespace
+
+ReportKind report_kind(const Arguments& arguments) {
+    if (arguments.has("--jsonl")) return ReportKind::jsonl;
+    return arguments.has("--json") ? ReportKind::json : ReportKind::words;
+}
+
+int run_batch(const Batch& batch, ReportKind kind, Console& console, const std::function<Outcome(std::size_t)>& work) {
+    Narrator narrator(batch, kind, console);
+    parallel_for(batch.inputs.size(), batch.threads, [&](std::size_t index) { narrator.take(index, work(index)); });
+    return narrator.close();
+}
+
+} // namespace gonio::cli

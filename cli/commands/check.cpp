@@ -1,0 +1,178 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/profile/read.hpp>
+#include <gonio/web/plausibility.hpp>
+
+#include "../arguments.hpp"
+#include "../batch.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../json_text.hpp"
+#include "../options/common.hpp"
+#include "../options/profile_input.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <string_view>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array groups{profile_input_group, json_group, threads_group, common_group};
+constexpr std::array examples{
+    Example{"gonio check lamp.ies", "what is wrong with the file, and what of its light cannot be"},
+    Example{"gonio check --strict library", "a folder; every departure from the standards counts"},
+    Example{"gonio explain WEB0301", "what a code means"},
+};
+
+struct Checked {
+    Diagnostics diagnostics;
+    int status = 0; // 0, 1, or that of a file that could not be read
+    bool readable = true;
+    int errors = 0;
+    int warnings = 0;
+    int notes = 0;
+};
+
+// Resolving repeats what the readers have said with a place.
+void drop_repetitions(Diagnostics& diagnostics) {
+    constexpr std::array<std::pair<std::string_view, std::array<std::string_view, 3>>, 6> repeated{
+        {{"WEB0101", {"IES0309", "TM30304", ""}},
+         {"WEB0102", {"IES0306", "", ""}},
+         {"WEB0103", {"IES0308", "", ""}},
+         {"WEB0104", {"IES0213", "", ""}},
+         {"WEB0105", {"IES0401", "LDT0401", "TM30401"}},
+         {"WEB0106", {"IES0402", "LDT0402", "TM30402"}}}};
+    const auto is_said = [&](std::string_view code) {
+        return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) { return d.code == code; });
+    };
+    for (const auto& [code, by] : repeated) {
+        const bool repeats = std::any_of(by.begin(), by.end(), is_said);
+        if (repeats) std::erase_if(diagnostics, [&, name = code](const Diagnostic& d) { return d.code == name; });
+    }
+}
+
+void count(Checked& checked, bool strict) {
+    for (const Diagnostic& diagnostic : checked.diagnostics) {
+        checked.errors += diagnostic.severity == Severity::error ? 1 : 0;
+        checked.warnings += diagnostic.severity == Severity::warning ? 1 : 0;
+        checked.notes += diagnostic.severity == Severity::note ? 1 : 0;
+    }
+    if (checked.errors > 0 || (strict && checked.warnings > 0)) checked.status = std::max(checked.status, 1);
+}
+
+Checked unreadable(const Error& error) {
+    Checked checked;
+    checked.diagnostics = error.diagnostics;
+    checked.status = static_cast<int>(error.failure);
+    checked.readable = false;
+    return checked;
+}
+
+// What strict reading calls an error can mostly be read all the same: only what nobody can read is unreadable.
+Checked check(const std::string& bytes, const std::string& file, const ProfileInputOptions& options) {
+    ReadOptions read = options.read;
+    if (file != "-") read.read_beside = reader_beside(file);
+    read.strict = false;
+    Result<Profile> profile = read_profile(bytes, file, read);
+    if (!profile) return unreadable(profile.error());
+    Checked checked;
+    checked.diagnostics = profile->diagnostics;
+    if (options.read.strict) {
+        read.strict = true;
+        const Result<Profile> strict = read_profile(bytes, file, read);
+        checked.diagnostics = strict ? strict->diagnostics : strict.error().diagnostics;
+    }
+    Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);
+    if (!resolved) {
+        Error error = std::move(resolved.error());
+        error.diagnostics.insert(error.diagnostics.begin(), checked.diagnostics.begin(), checked.diagnostics.end());
+        return unreadable(error);
+    }
+    const Diagnostics implausible = check_plausibility(*profile, resolved->web, options.resolve);
+    for (const Diagnostics* const more : std::array<const Diagnostics*, 2>{&resolved->diagnostics, &implausible})
+        checked.diagnostics.insert(checked.diagnostics.end(), more->begin(), more->end());
+    drop_repetitions(checked.diagnostics);
+    return checked;
+}
+
+std::string counted(int number, std::string_view what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+std::string verdict(const Checked& checked) {
+    std::string text;
+    for (const auto& [number, what] :
+         {std::pair{checked.errors, "error"}, std::pair{checked.warnings, "warning"}, std::pair{checked.notes, "note"}})
+        if (number > 0) text += (text.empty() ? "" : ", ") + counted(number, what);
+    if (text.empty()) return "no fault found";
+    return checked.readable ? text : "unreadable, " + text;
+}
+
+Json to_json(const std::string& file, const Checked& checked) {
+    return {{"schema", "gonio.check/1"},    {"file", file},
+            {"readable", checked.readable}, {"passed", checked.status == 0},
+            {"errors", checked.errors},     {"warnings", checked.warnings},
+            {"notes", checked.notes},       {"diagnostics", diagnostics_json(checked.diagnostics)}};
+}
+
+int run(const Arguments& arguments, Console& console) {
+    Result<std::vector<std::string>> files = input_files(arguments);
+    if (!files) return console.fail(files.error());
+    Result<ProfileInputOptions> options = profile_input(arguments);
+    if (!options) return console.fail(options.error());
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return console.fail(threads.error());
+
+    const ReportKind kind = report_kind(arguments);
+    std::atomic<std::size_t> clean = 0;
+    std::atomic<std::size_t> passed = 0;
+    std::atomic<std::size_t> failed = 0;
+    std::atomic<std::size_t> not_read = 0;
+    const int status = run_batch({*files, "gonio.check/1", "checked", *threads}, kind, console, [&](std::size_t index) {
+        const std::string& file = (*files)[index];
+        Outcome outcome;
+        Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+        if (!bytes) {
+            outcome.error = std::move(bytes.error());
+            return outcome;
+        }
+        Checked checked = check(*bytes, file, *options);
+        count(checked, options->read.strict);
+        (checked.diagnostics.empty() ? clean
+         : !checked.readable         ? not_read
+         : checked.status == 0       ? passed
+                                     : failed) += 1;
+        outcome.status = checked.status;
+        if (kind == ReportKind::words)
+            outcome.words = fmt::format("{}: {}\n", file, verdict(checked));
+        else
+            outcome.report = to_json(file, checked);
+        outcome.diagnostics = std::move(checked.diagnostics);
+        return outcome;
+    });
+    if (files->size() > 1)
+        console.note(fmt::format("{} without fault, {} passed with remarks, {} did not pass, {} unreadable",
+                                 clean.load(), passed.load(), failed.load(), not_read.load()));
+    return status;
+}
+
+} // namespace
+
+extern const Command check_command;
+const Command check_command{"check",
+                            "validate profiles: their text, their numbers, and whether such a light can be",
+                            "FILE… [options]",
+                            "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
+                            "or @LIST for a list of files. Exit status 4: unreadable; 1: an error, or with --strict a\n"
+                            "warning; 0: neither.",
+                            groups,
+                            examples,
+                            run};
+
+} // namespace gonio::cli

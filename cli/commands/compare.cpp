@@ -1,0 +1,156 @@
+#include <gonio/base/unit_text.hpp>
+#include <gonio/web/compare.hpp>
+#include <gonio/web/metrics.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../json_text.hpp"
+#include "../options/common.hpp"
+#include "../options/profile_input.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array compare_options{
+    Option{"--rtol", "FRACTION", "differ when any direction differs by more than this fraction of the peak (1e-6)"},
+};
+constexpr std::array groups{OptionGroup{"comparison", compare_options}, profile_input_group, json_group, common_group};
+constexpr std::array examples{
+    Example{"gonio compare lamp.ies lamp.ldt", "0 when they are the same light, 1 and the worst direction when not"},
+    Example{"gonio compare new.ies old.ies --rtol 0.02", "alike to 2 % of the peak"},
+};
+
+constexpr int differ = 1; // exit status
+
+struct Side {
+    std::string file;
+    double peak_cd = 0.0;
+    double flux_lm = 0.0;
+};
+
+struct Report {
+    Side a;
+    Side b;
+    WebDifference difference;
+    double rtol = 1e-6;
+
+    bool equal() const { return difference.relative <= rtol; }
+    double flux_difference_lm() const { return b.flux_lm - a.flux_lm; }
+    // Of the greater flux; nothing between two dark webs.
+    std::optional<double> flux_relative() const {
+        const double most = std::max(std::abs(a.flux_lm), std::abs(b.flux_lm));
+        return most > 0.0 ? std::optional(flux_difference_lm() / most) : std::nullopt;
+    }
+};
+
+Json to_json(const Side& side) {
+    return {{"file", side.file}, {"peak_cd", side.peak_cd}, {"flux_lm", side.flux_lm}};
+}
+
+Json to_json(const Report& report, const Diagnostics& diagnostics) {
+    const WebDifference& d = report.difference;
+    return {{"schema", "gonio.compare/1"},
+            {"a", to_json(report.a)},
+            {"b", to_json(report.b)},
+            {"equal", report.equal()},
+            {"rtol", report.rtol},
+            {"max_difference_cd", d.greatest.value},
+            {"max_difference_relative", d.relative},
+            {"max_difference_c_deg", d.c_deg},
+            {"max_difference_gamma_deg", d.gamma_deg},
+            {"a_cd", d.a.value},
+            {"b_cd", d.b.value},
+            {"rms_difference_cd", d.rms.value},
+            {"flux_difference_lm", report.flux_difference_lm()},
+            {"flux_difference_relative", number_or_null(report.flux_relative())},
+            {"exact", d.exact},
+            {"diagnostics", diagnostics_json(diagnostics)}};
+}
+
+std::string to_text(const Report& report) {
+    const WebDifference& d = report.difference;
+    std::string text = fmt::format("{} and {}: {} within {} of the peak\n", report.a.file, report.b.file,
+                                   report.equal() ? "equal" : "not equal", rounded(report.rtol));
+    const auto line = [&](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<12}{}\n", name, value);
+    };
+    line("peak", fmt::format("{} cd and {} cd", rounded(report.a.peak_cd), rounded(report.b.peak_cd)));
+    line("flux", fmt::format("{} lm and {} lm, {} % apart", rounded(report.a.flux_lm), rounded(report.b.flux_lm),
+                             rounded(100.0 * std::abs(report.flux_relative().value_or(0.0)), 3)));
+    line("greatest", d.greatest.value > 0.0
+                         ? fmt::format("{} cd, {} of the peak, at C {}°, gamma {}°: {} cd and {} cd",
+                                       rounded(d.greatest.value, 4), rounded(d.relative, 3), rounded(d.c_deg),
+                                       rounded(d.gamma_deg), rounded(d.a.value), rounded(d.b.value))
+                         : std::string("none"));
+    line("rms", fmt::format("{} cd", rounded(d.rms.value, 4)));
+    if (!d.exact) line("note", "of two goniometers: compared at every half degree and at both tables' angles");
+    return text;
+}
+
+Result<double> tolerance(const Arguments& arguments) {
+    const auto text = arguments.value("--rtol");
+    if (!text) return 1e-6;
+    const std::optional<double> value = parse_number(*text);
+    if (!value || *value < 0.0)
+        return fail(Failure::usage, fmt::format("--rtol takes a fraction from 0, not '{}'", *text), "for example 1e-3");
+    return *value;
+}
+
+Result<int> compare(const Arguments& arguments, Console& console) {
+    Result<std::vector<std::string>> files = input_files(arguments);
+    if (files && files->size() != 2)
+        return fail(Failure::usage, fmt::format("two profiles are compared, {} are given", files->size()),
+                    "for example: gonio compare lamp.ies lamp.ldt");
+    if (!files) return pass_on(files);
+    if (files->front() == "-" && files->back() == "-")
+        return fail(Failure::usage, "standard input cannot be both profiles");
+    Result<double> rtol = tolerance(arguments);
+    if (!rtol) return pass_on(rtol);
+    Result<ProfileInputOptions> options = profile_input(arguments);
+    if (!options) return pass_on(options);
+    Result<LoadedProfile> a = load(files->front(), *options);
+    if (!a) return pass_on(a);
+    Result<LoadedProfile> b = load(files->back(), *options);
+    if (!b) return pass_on(b);
+    Diagnostics diagnostics = a->diagnostics;
+    diagnostics.insert(diagnostics.end(), b->diagnostics.begin(), b->diagnostics.end());
+    console.say(diagnostics);
+
+    Report report;
+    report.rtol = *rtol;
+    report.difference = difference(a->web, b->web);
+    report.a = {files->front(), peak(a->web).intensity.value, report.difference.flux_a.value};
+    report.b = {files->back(), peak(b->web).intensity.value, report.difference.flux_b.value};
+    const bool lines = arguments.has("--jsonl");
+    if (lines || arguments.has("--json"))
+        console.print(dump(to_json(report, diagnostics), lines ? -1 : 2));
+    else
+        console.print(to_text(report));
+    return report.equal() ? 0 : differ;
+}
+
+int run(const Arguments& arguments, Console& console) {
+    const Result<int> status = compare(arguments, console);
+    return status ? *status : console.fail(status.error());
+}
+
+} // namespace
+
+extern const Command compare_command;
+const Command compare_command{"compare",
+                              "the difference of two profiles, the worst direction named",
+                              "A B [--rtol FRACTION]",
+                              "A and B are profiles of any format; one of them may be '-', standard input.\n"
+                              "Exit status 0: equal within --rtol of the peak in every direction; 1: not.",
+                              groups,
+                              examples,
+                              run};
+
+} // namespace gonio::cli

@@ -1,0 +1,187 @@
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/plot/diagram.hpp>
+
+#include "../arguments.hpp"
+#include "../batch.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../options/common.hpp"
+#include "../options/output.hpp"
+#include "../options/profile_input.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array diagram_options{
+    Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone (polar)", "diagrams"},
+    Option{"-s,--size", "WxH", "pixels across and down (720x720)"},
+    Option{"--plane", "DEG", "polar, cartesian, cone: a plane to draw, with its opposite; again for more (0deg 90deg)"},
+    Option{"--per-klm", "", "intensities for 1000 lm of flux, to compare shapes"},
+    Option{"--height", "LENGTH", "isolux, cone: of the light above the plane (3m)"},
+    Option{"--extent", "LENGTH", "isolux: from the middle of the plane to its edges (twice the height)"},
+    Option{"--title", "TEXT", "a headline"},
+};
+constexpr std::array groups{OptionGroup{"diagram", diagram_options}, output_group, profile_input_group, threads_group,
+                            common_group};
+constexpr std::array examples{
+    Example{"gonio plot lamp.ies -o lamp.svg", "a polar diagram of the planes C0 and C90"},
+    Example{"gonio plot old.ies new.ldt --diagram cartesian --per-klm -o both.svg", "two profiles over each other"},
+    Example{"gonio plot street.ldt --diagram isolux --height 8m -o street.svg", "lux on the ground"},
+    Example{"gonio plot catalogue -O diagrams", "one diagram for each profile below a folder"},
+};
+
+struct Request {
+    const DiagramKind* diagram = nullptr;
+    PlotOptions plot;
+    ProfileInputOptions input;
+};
+
+Result<double> positive_length(const Arguments& arguments, std::string_view name, double otherwise) {
+    const auto text = arguments.value(name);
+    if (!text) return otherwise;
+    Result<double> length = parse_amount(*text, Dimension::length, name);
+    if (!length) return pass_on(length);
+    if (!(*length > 0.0)) return fail(Failure::usage, fmt::format("{} takes a length above 0, not '{}'", name, *text));
+    return *length;
+}
+
+Result<void> read_planes(const Arguments& arguments, PlotOptions& plot) {
+    const std::vector<std::string> texts = arguments.values("--plane");
+    if (texts.empty()) return {};
+    plot.planes_deg.clear();
+    for (const std::string& text : texts) {
+        Result<double> angle = parse_amount(text, Dimension::angle, "--plane");
+        if (!angle) return pass_on(angle);
+        plot.planes_deg.push_back(to_degrees(Radians(*angle)));
+    }
+    return {};
+}
+
+Result<Request> parse(const Arguments& arguments) {
+    Request request;
+    Result<const DiagramKind*> diagram = find_diagram(arguments.value("--diagram").value_or("polar"));
+    if (!diagram) return pass_on(diagram);
+    request.diagram = *diagram;
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        request.plot.width_px = size->width;
+        request.plot.height_px = size->height;
+    }
+    Result<void> planes = read_planes(arguments, request.plot);
+    if (!planes) return pass_on(planes);
+    Result<double> height = positive_length(arguments, "--height", request.plot.mounting_height_m);
+    if (!height) return pass_on(height);
+    Result<double> extent = positive_length(arguments, "--extent", request.plot.extent_m);
+    if (!extent) return pass_on(extent);
+    request.plot.mounting_height_m = *height;
+    request.plot.extent_m = *extent;
+    request.plot.per_klm = arguments.has("--per-klm");
+    request.plot.title = arguments.value("--title").value_or("");
+    Result<ProfileInputOptions> input = profile_input(arguments);
+    if (!input) return pass_on(input);
+    request.input = *input;
+    return request;
+}
+
+// A file's name without its folder: a label has little room.
+std::string label_of(const std::string& file) {
+    if (file == "-") return "standard input";
+    return file.substr(file.rfind('/') + 1);
+}
+
+Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, const std::string& output) {
+    Result<std::string> svg = request.diagram->draw(webs, request.plot);
+    if (!svg) return pass_on(svg);
+    return write_output(output, *svg);
+}
+
+// All profiles over each other in one diagram: one that cannot be read would be missing, so nothing is drawn then.
+Result<int> draw_together(const std::vector<std::string>& files, const Request& request, const std::string& output,
+                          Console& console) {
+    std::vector<LoadedProfile> profiles;
+    for (const std::string& file : files) {
+        Result<LoadedProfile> loaded = load(file, request.input);
+        if (!loaded) return pass_on(loaded);
+        console.say(loaded->diagnostics);
+        profiles.push_back(std::move(*loaded));
+    }
+    std::vector<PlottedWeb> webs;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        webs.push_back({label_of(files[i]), &profiles[i].web});
+    Result<void> drawn = draw(webs, request, output);
+    if (!drawn) return pass_on(drawn);
+    return 0;
+}
+
+int draw_each(const std::vector<Job>& jobs, const Request& request, unsigned threads, Console& console) {
+    std::vector<std::string> names;
+    for (const Job& job : jobs)
+        names.push_back(job.input);
+    return run_batch({names, "gonio.plot/1", "drawn", threads}, ReportKind::words, console, [&](std::size_t index) {
+        Outcome outcome;
+        Result<LoadedProfile> loaded = load(jobs[index].input, request.input);
+        if (!loaded) {
+            outcome.error = std::move(loaded.error());
+            return outcome;
+        }
+        const PlottedWeb web{label_of(jobs[index].input), &loaded->web};
+        Result<void> drawn = draw({&web, 1}, request, jobs[index].output);
+        if (!drawn) outcome.error = std::move(drawn.error());
+        outcome.diagnostics = std::move(loaded->diagnostics);
+        return outcome;
+    });
+}
+
+Result<int> plot(const Arguments& arguments, Console& console) {
+    Result<std::vector<std::string>> files = input_files(arguments);
+    if (!files) return pass_on(files);
+    Result<Request> request = parse(arguments);
+    if (!request) return pass_on(request);
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    const std::optional<std::string> together = arguments.value("--output");
+    if (together && !arguments.has("--output-dir")) {
+        if (*together != "-" && !together->ends_with(".svg"))
+            return fail(Failure::usage, fmt::format("the name '{}' does not end in .svg", *together),
+                        "diagrams are written as SVG");
+        if (!arguments.has("--dry-run")) return draw_together(*files, *request, *together, console);
+        console.print(*together + "\n");
+        return 0;
+    }
+    Result<std::vector<Job>> jobs = plan_outputs(arguments, *files, "svg");
+    if (!jobs) return pass_on(jobs);
+    std::erase_if(*jobs, [](const Job& job) { return job.skip; });
+    if (!arguments.has("--dry-run")) return draw_each(*jobs, *request, *threads, console);
+    for (const Job& job : *jobs)
+        console.print(fmt::format("{} -> {}\n", job.input, job.output));
+    return 0;
+}
+
+int run(const Arguments& arguments, Console& console) {
+    const Result<int> status = plot(arguments, console);
+    return status ? *status : console.fail(status.error());
+}
+
+} // namespace
+
+extern const Command plot_command;
+const Command plot_command{
+    "plot",
+    "diagrams of profiles as SVG: polar, cartesian, heat map, isolux, cone",
+    "FILE… -o OUT.svg | FILE… -O DIR",
+    "FILE is a profile, a folder of them, '-' for standard input, or @LIST for a list of files.\n"
+    "With -o all profiles share one diagram, with -O each has its own.",
+    groups,
+    examples,
+    run};
+
+} // namespace gonio::cli

@@ -1,0 +1,87 @@
+#include "profile_output.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/profile/read.hpp>
+#include <gonio/web/compare.hpp>
+#include <gonio/web/integrate.hpp>
+#include <gonio/web/metrics.hpp>
+
+#include "output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace gonio::cli {
+
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
+    return out;
+}
+
+std::string_view extension_of(std::string_view file) {
+    const std::size_t dot = file.rfind('.');
+    return dot == std::string_view::npos ? std::string_view{} : file.substr(dot + 1);
+}
+
+} // namespace
+
+Result<ProfileTarget> profile_target(const Arguments& arguments, const std::string& output) {
+    const auto named = arguments.value("--to");
+    const auto dialect = arguments.value("--dialect");
+    const std::string extension = lower(extension_of(output));
+    const std::string format = named ? lower(*named) : extension == "xml" ? std::string("tm33") : extension;
+    const std::array formats{ProfileTarget::lm63, ProfileTarget::eulumdat, ProfileTarget::tm33};
+    std::optional<ProfileTarget> target = find_profile_target(format);
+    if (target && std::find(formats.begin(), formats.end(), *target) == formats.end()) target.reset();
+    if (named && !target) return unknown_name("format", *named, std::array<std::string_view, 3>{"ies", "ldt", "tm33"});
+    if (dialect) {
+        const std::optional<ProfileTarget> edition = find_profile_target(*dialect);
+        if (!edition || std::find(formats.begin(), formats.end(), *edition) != formats.end())
+            return unknown_name("dialect", *dialect,
+                                std::array<std::string_view, 4>{"lm-63-1995", "lm-63-2002", "lm-63-2019", "portable"});
+        if (target && *target != ProfileTarget::lm63)
+            return fail(Failure::usage,
+                        fmt::format("--dialect {} is of IES, the output is to be {}", *dialect, format));
+        return *edition;
+    }
+    if (!target)
+        return fail(Failure::usage,
+                    output == "-" ? std::string("standard output has no name that tells the format")
+                                  : fmt::format("the name '{}' does not tell a format", output),
+                    "end it in .ies, .ldt or .xml, or add --to");
+    return *target;
+}
+
+Result<ProfileOutput> profile_output(const Arguments& arguments) {
+    const auto file = arguments.value("--output");
+    if (!file) return fail(Failure::usage, "no output is given", "use -o FILE, ending in .ies, .ldt or .xml");
+    const Result<ProfileTarget> target = profile_target(arguments, *file);
+    if (!target) return Unexpected(target.error());
+    return ProfileOutput{*file, *target};
+}
+
+Result<WrittenProfile> write_luminaire(const Luminaire& luminaire, const ProfileOutput& output) {
+    Result<MadeProfile> made = to_profile(luminaire.web, luminaire.header, output.target);
+    if (!made) return pass_on(made);
+    const std::string bytes = write_profile(made->profile, output.target);
+    Result<Profile> again = read_profile(bytes, output.file);
+    Result<ResolvedWeb> web = again ? resolve_web(*again) : Result<ResolvedWeb>(pass_on(again));
+    if (!web) {
+        const std::string reason = web.error().diagnostics.empty() ? "" : web.error().diagnostics.back().message;
+        return fail(Failure::internal, fmt::format("what was made cannot be read again: {}", reason));
+    }
+    if (Result<void> written = write_output(output.file, bytes); !written) return pass_on(written);
+    WrittenProfile result;
+    result.flux_lm = flux(web->web).value;
+    result.peak_cd = peak(web->web).intensity.value;
+    result.max_error_cd = difference(luminaire.web, web->web).greatest.value;
+    result.diagnostics = std::move(made->diagnostics);
+    return result;
+}
+
+} // namespace gonio::cli

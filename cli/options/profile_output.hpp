@@ -1,0 +1,48 @@
+// Writing a luminaire that a command has made as a profile.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/web/luminaire.hpp>
+#include <gonio/web/to_profile.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../json_text.hpp"
+
+#include <array>
+#include <string>
+
+namespace gonio::cli {
+
+inline constexpr std::array profile_output_options{
+    Option{"-o,--output", "FILE", "the profile to write; '-' is standard output (with --to)"},
+    Option{"--to", "FORMAT", "its format, where the name does not tell", "formats"},
+    Option{"--dialect", "NAME", "of IES: lm-63-1995, lm-63-2002, lm-63-2019, portable (lm-63-2002)", "dialects"},
+};
+
+inline constexpr OptionGroup profile_output_group{"output", profile_output_options};
+
+// What --to, --dialect or the output's name ask for. Fails (usage) where none of them tells, and where they disagree.
+Result<ProfileTarget> profile_target(const Arguments& arguments, const std::string& output);
+
+struct ProfileOutput {
+    std::string file;
+    ProfileTarget target = ProfileTarget::lm63_2002;
+};
+
+// Fails (usage) without -o, on an unknown format or dialect, and where neither --to nor the name tells the format.
+Result<ProfileOutput> profile_output(const Arguments& arguments);
+
+// What was written, as it reads back.
+struct WrittenProfile {
+    double flux_lm = 0.0;
+    double peak_cd = 0.0;
+    double max_error_cd = 0.0; // of the bytes, against the luminaire
+    Diagnostics diagnostics;   // what the format cannot hold
+};
+
+// Writes the luminaire. Fails (io) where the file cannot be written, as to_profile() does, and (internal) where the
+// bytes cannot be read again.
+Result<WrittenProfile> write_luminaire(const Luminaire& luminaire, const ProfileOutput& output);
+
+} // namespace gonio::cli

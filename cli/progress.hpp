@@ -1,0 +1,30 @@
+// A progress bar on standard error, for work that takes over a second. One thread at a time.
+#pragma once
+
+#include "stopwatch.hpp"
+
+#include <cstddef>
+#include <string_view>
+
+namespace gonio::cli {
+
+class Progress {
+public:
+    // `wanted`: whether somebody would see it.
+    Progress(std::size_t total, bool wanted) : total_(total), wanted_(wanted) {}
+
+    // Redraws the bar, at most ten times a second: so many are done, this one last.
+    void show(std::size_t done, std::string_view latest);
+
+    // Takes the bar away, so that a message can be written.
+    void clear();
+
+private:
+    Stopwatch since_start_;
+    std::size_t total_;
+    double last_ms_ = 0.0;
+    bool wanted_;
+    bool drawn_ = false;
+};
+
+} // namespace gonio::cli

@@ -1,0 +1,232 @@
+#include "question.hpp"
+
+#include <gonio/base/kind_text.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+// What there is to say about a shape when nothing was asked for.
+std::vector<std::string> usual_units(const Shape& shape) {
+    struct Usual {
+        static std::vector<std::string> punctual() { return {"lm", "cd", "lx@1m"}; }
+        static std::vector<std::string> area() { return {"lm", "cd", "nt", "ev"}; }
+        std::vector<std::string> operator()(const PointShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const SpotShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const FrustumShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const ProfileShape&) const { return punctual(); }
+        std::vector<std::string> operator()(const SphereShape&) const { return area(); }
+        std::vector<std::string> operator()(const DiskShape&) const { return area(); }
+        std::vector<std::string> operator()(const RectShape&) const { return area(); }
+        std::vector<std::string> operator()(const TubeShape&) const { return area(); }
+        std::vector<std::string> operator()(const SunShape&) const { return {"lx", "nt", "ev"}; }
+    };
+    return std::visit(Usual{}, shape);
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+    std::vector<std::string> parts;
+    for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
+        parts.emplace_back(text.substr(0, comma));
+        text.remove_prefix(comma + 1);
+    }
+    parts.emplace_back(text);
+    return parts;
+}
+
+bool is_luminance(Dimension dimension) {
+    return dimension == Dimension::luminance || dimension == Dimension::luminance_ev;
+}
+
+bool has_luminance(const Shape& shape) {
+    return std::holds_alternative<SphereShape>(shape) || std::holds_alternative<DiskShape>(shape) ||
+           std::holds_alternative<RectShape>(shape) || std::holds_alternative<TubeShape>(shape) ||
+           std::holds_alternative<SunShape>(shape);
+}
+
+// A luminance of what has no area is that of the assumed shape with the same flux.
+bool takes_assumed(const Shape& shape, const UnitsRequest& request, Dimension dimension) {
+    return request.assumed && is_luminance(dimension) && !has_luminance(shape);
+}
+
+Result<Emission> emission(const Shape& shape, const PhotometricValue& value, const UnitsRequest& request,
+                          ConversionSteps* steps) {
+    if (!takes_assumed(shape, request, value.unit.unit->dimension)) return emission_of(shape, value, steps);
+    Result<Emission> assumed = emission_of(*request.assumed, value, steps);
+    if (!assumed) return assumed;
+    return with_same_flux(*request.assumed, *assumed, shape);
+}
+
+Result<double> express_as(const Shape& shape, const Emission& emitted, const PhotometricUnit& unit,
+                          const UnitsRequest& request, ConversionSteps* steps) {
+    if (!takes_assumed(shape, request, unit.unit->dimension)) return express(shape, emitted, unit, steps);
+    Result<Emission> assumed = with_same_flux(shape, emitted, *request.assumed);
+    if (!assumed) return pass_on(assumed);
+    return express(*request.assumed, *assumed, unit, steps);
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+// The row's value and shape, read and loaded, with nothing computed yet.
+Result<UnitsAnswer> read_row(std::string_view row, const UnitsRequest& request) {
+    UnitsAnswer read;
+    const std::size_t comma = row.find(',');
+    read.value_text = trimmed(row.substr(0, comma));
+    read.shape_text = comma == std::string_view::npos ? request.shape : std::string(trimmed(row.substr(comma + 1)));
+    Result<PhotometricValue> value = parse_photometric_value(read.value_text);
+    if (!value) return pass_on(value);
+    Result<Shape> shape = parse_shape(read.shape_text);
+    if (!shape) return pass_on(shape);
+    read.value = *value;
+    read.shape = std::move(*shape);
+    if (Result<void> loaded = load_profile(read.shape, read.diagnostics); !loaded) return pass_on(loaded);
+    return read;
+}
+
+Result<std::vector<PhotometricUnit>> wanted_units(const UnitsRequest& request, const Shape& shape) {
+    std::vector<PhotometricUnit> units;
+    for (const std::string& text : request.wanted.empty() ? usual_units(shape) : request.wanted) {
+        Result<PhotometricUnit> unit = parse_photometric_unit(text);
+        if (!unit) return pass_on(unit);
+        units.push_back(*unit);
+    }
+    return units;
+}
+
+// What the policy does to the flux is not what the number says: worth a warning.
+void warn(const Policy& policy, const PolicyMeaning& meaning, const std::string& value, Diagnostics& diagnostics) {
+    Diagnostic said;
+    said.severity = Severity::warning;
+    if (!meaning.own) {
+        said.severity = Severity::note;
+        said.message = fmt::format("{} does not use this unit: {} keeps its physical meaning", policy.name, value);
+    } else if (std::abs(meaning.emitted_over_said - 1.0) > 1e-12) {
+        said.message = fmt::format("{} emits {} times the flux that {} says: {}", policy.name,
+                                   rounded(meaning.emitted_over_said, 4), value, meaning.formula);
+        said.hint = fmt::format("from {}", policy.source);
+    } else {
+        return;
+    }
+    diagnostics.push_back(std::move(said));
+}
+
+Result<void> solve(const UnitsRequest& request, const Emission& emitted, UnitsAnswer& result) {
+    const PhotometricValue& target = *request.solve;
+    const double lux = target.unit.unit->dimension == Dimension::illuminance_ev
+                           ? illuminance(EvLux(target.number)).value
+                           : target.number * target.unit.unit->base_per_unit;
+    if (!target.unit.distance) {
+        Result<Meters> distance = distance_of(result.shape, emitted, Lux(lux));
+        if (!distance) return pass_on(distance);
+        result.distance = *distance;
+        return {};
+    }
+    Result<Emission> needed = emission_of(result.shape, target);
+    if (!needed) return pass_on(needed);
+    Result<double> lumens = express(result.shape, *needed, {find_unit("lm"), std::nullopt, std::nullopt});
+    if (!lumens) return pass_on(lumens);
+    result.needed_lumens = *lumens;
+    if (emitted.intensity.value > 0.0) result.needed_factor = needed->intensity / emitted.intensity;
+    return {};
+}
+
+} // namespace
+
+Result<UnitsRequest> units_request(const Arguments& arguments) {
+    UnitsRequest request;
+    request.shape = arguments.value("--shape").value_or("point");
+    for (const std::string& list : arguments.values("--to"))
+        for (std::string& unit : split_at_commas(list))
+            request.wanted.push_back(std::move(unit));
+    const std::string policy = arguments.value("--policy").value_or("physical");
+    if (policy != "all") {
+        Result<const Policy*> found = find_policy(policy);
+        if (!found) return pass_on(found);
+        request.policy = *found;
+    }
+    if (const auto text = arguments.value("--assume")) {
+        Result<Shape> assumed = parse_shape(*text);
+        if (!assumed) return pass_on(assumed);
+        if (!has_luminance(*assumed) || std::holds_alternative<SunShape>(*assumed))
+            return fail(Failure::usage, fmt::format("--assume takes a shape with an area, not '{}'", *text),
+                        "for example --assume sphere:r=1cm");
+        request.assumed = std::move(*assumed);
+    }
+    if (const auto text = arguments.value("--solve")) {
+        Result<PhotometricValue> target = parse_photometric_value(*text);
+        if (!target) return pass_on(target);
+        const Dimension dimension = target->unit.unit->dimension;
+        if (dimension != Dimension::illuminance && dimension != Dimension::illuminance_ev)
+            return fail(Failure::usage, fmt::format("--solve takes an illuminance, not '{}'", *text),
+                        "0.1lx asks for a distance, 500lx@2m for a flux");
+        request.solve = *target;
+    }
+    request.explain = arguments.has("--explain");
+    return request;
+}
+
+Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
+    Result<UnitsAnswer> read = read_row(row, request);
+    if (!read) return read;
+    UnitsAnswer& result = *read;
+    result.policy = request.policy;
+    Result<PolicyMeaning> meaning = policy_meaning(*request.policy, result.shape, result.value.unit.unit->dimension);
+    if (!meaning) return pass_on(meaning);
+    warn(*request.policy, *meaning, result.value_text, result.diagnostics);
+
+    Result<Emission> emitted = emission(result.shape, physical_value(*meaning, result.value), request, &result.steps);
+    if (!emitted) return pass_on(emitted);
+    Result<std::vector<PhotometricUnit>> units = wanted_units(request, result.shape);
+    if (!units) return pass_on(units);
+    for (const PhotometricUnit& unit : *units) {
+        Result<double> number = express_as(result.shape, *emitted, unit, request, &result.steps);
+        if (!number) return pass_on(number);
+        Result<PolicyMeaning> own = policy_meaning(*request.policy, result.shape, unit.unit->dimension);
+        if (!own) return pass_on(own);
+        result.answers.push_back({unit, policy_number(*own, unit, *number)});
+    }
+    if (request.solve)
+        if (Result<void> solved = solve(request, *emitted, result); !solved) return pass_on(solved);
+    return read;
+}
+
+Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& request) {
+    Result<UnitsAnswer> read = read_row(row, request);
+    if (!read) return pass_on(read);
+    PolicyTable table{std::move(*read), {}};
+    const UnitsAnswer& question = table.question;
+    Result<std::vector<PhotometricUnit>> units = wanted_units(request, question.shape);
+    if (!units) return pass_on(units);
+    for (const Policy& policy : policies()) {
+        PolicyRow made;
+        made.policy = &policy;
+        Result<PolicyMeaning> meaning = policy_meaning(policy, question.shape, question.value.unit.unit->dimension);
+        if (!meaning && meaning.error().failure != Failure::unsupported) return pass_on(meaning);
+        if (!meaning) {
+            made.lacks = meaning.error().diagnostics.back().message;
+            table.rows.push_back(std::move(made));
+            continue;
+        }
+        made.meaning = *meaning;
+        Result<Emission> emitted = emission(question.shape, physical_value(*meaning, question.value), request, nullptr);
+        if (!emitted) return pass_on(emitted);
+        for (const PhotometricUnit& unit : *units) {
+            Result<double> number = express_as(question.shape, *emitted, unit, request, nullptr);
+            if (!number) return pass_on(number);
+            made.answers.push_back({unit, *number});
+        }
+        table.rows.push_back(std::move(made));
+    }
+    return table;
+}
+
+} // namespace gonio::cli

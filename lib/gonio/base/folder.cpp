@@ -1,0 +1,52 @@
+#include <gonio/base/folder.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace gonio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Unexpected unreadable(const std::string& folder, const std::error_code& error) {
+    return fail(Failure::io, "cannot read the folder: " + error.message(), {}, folder);
+}
+
+bool ends_in(std::string_view name, std::span<const std::string_view> extensions) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos) return false;
+    std::string extension(name.substr(dot + 1));
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+} // namespace
+
+bool is_folder(const std::string& path) {
+    std::error_code error;
+    return fs::is_directory(path, error);
+}
+
+Result<std::vector<std::string>> files_in(const std::string& folder, std::span<const std::string_view> extensions) {
+    std::vector<std::string> files;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, error);
+    if (error) return unreadable(folder, error);
+    while (entry != fs::recursive_directory_iterator()) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.'))
+            entry.disable_recursion_pending();
+        else if (ends_in(name, extensions) && entry->is_regular_file(error) && !error)
+            files.push_back(entry->path().string());
+        const std::string at = entry->path().string();
+        entry.increment(error);
+        if (error) return unreadable(at, error);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+} // namespace gonio

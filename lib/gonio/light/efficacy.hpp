@@ -1,0 +1,26 @@
+// Luminous efficacy: how many lumens a watt is taken for. Photometry gives no answer by itself, so it is a number, or a
+// convention with a name.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace gonio {
+
+// Of radiated watts where a program converts by it, of electrical watts where a lamp is meant: never the same thing.
+struct NamedEfficacy {
+    std::string_view name; // "khronos-177"
+    double lm_per_w = 0.0;
+    bool electrical = false;
+    std::string_view says; // who means it so
+};
+
+std::span<const NamedEfficacy> named_efficacies();
+
+// "90lm/W", "90", "khronos-177"; in lm/W. Fails (usage) on what is not above 0 or exceeds 683.002 lm/W, the efficacy of
+// light at 555 nm; (unsupported) on a spectrum.
+Result<double> parse_efficacy(std::string_view text);
+
+} // namespace gonio

@@ -1,0 +1,50 @@
+// Policies: what other programs mean by a photometric number.
+//
+// Programs disagree about the same number: a spot of 800 lm has 800/π, 800/4π or 800/2π(1 − cos b) candela on its axis,
+// and none of these is the flux that its lobe emits. A policy says, for each shape and unit, how much of the flux that
+// the number promises is emitted in that program; from there everything is photometry (gonio/light/photometry.hpp).
+// A unit that a program does not use keeps its physical meaning, so that `800lm` can be asked for in a program's watts.
+//
+// What a program does was read from its source or documentation, named with each policy; versions change.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/photometry.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+struct Policy {
+    std::string_view name; // "unity-hdrp"
+    std::string_view summary;
+    std::string_view source;
+};
+
+// "physical" first.
+std::span<const Policy> policies();
+
+// Fails (usage) on an unknown name, naming the nearest.
+Result<const Policy*> find_policy(std::string_view name);
+
+// What a policy makes of a unit for one shape.
+struct PolicyMeaning {
+    bool own = false;                 // whether the program uses this unit; else it keeps its physical meaning
+    double emitted_over_said = 1.0;   // the flux that is emitted over the flux that the number promises
+    double luminance_at_ev_0 = 0.125; // nt; what an exposure value of 0 stands for
+    std::string formula;              // the program's: "I = Φ/π"
+    std::string note;                 // what else differs; often empty
+};
+
+// Profiles and masks must be loaded. Fails (unsupported) where the program has no such light.
+Result<PolicyMeaning> policy_meaning(const Policy& policy, const Shape& shape, Dimension dimension);
+
+// The physical value that emits as much as `value` does in the program.
+PhotometricValue physical_value(const PolicyMeaning& meaning, PhotometricValue value);
+
+// The number of `unit`s to write in the program for what is `number` of them physically.
+double policy_number(const PolicyMeaning& meaning, const PhotometricUnit& unit, double number);
+
+} // namespace gonio

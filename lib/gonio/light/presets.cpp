@@ -1,0 +1,49 @@
+#include <gonio/base/kind_text.hpp>
+#include <gonio/light/presets.hpp>
+
+#include <array>
+#include <vector>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::string_view replacement_lamps = "Regulation (EU) No 874/2012, equivalence of lamps";
+constexpr std::string_view handbook = "IES Lighting Handbook, luminances of common sources";
+
+constexpr std::array presets{
+    LightPreset{"candle", "1cd", "sphere:r=1cm", "a candle's flame", "the old unit of intensity: about 1 cd"},
+    LightPreset{"incandescent-40", "470lm", "sphere:r=3cm", "40 W tungsten lamp, frosted", replacement_lamps},
+    LightPreset{"incandescent-60", "806lm", "sphere:r=3cm", "60 W tungsten lamp, frosted, or the LED that replaces it",
+                replacement_lamps},
+    LightPreset{"incandescent-100", "1521lm", "sphere:r=3cm", "100 W tungsten lamp, frosted", replacement_lamps},
+    LightPreset{"fluorescent-tube", "3350lm", "tube:r=1.3cm,l=1.2m", "T8 tube of 36 W", "IEC 60081, rated flux"},
+    LightPreset{"headlamp-h7", "1500lm", "point", "a car's H7 lamp, bare", "UN Regulation No. 37"},
+    LightPreset{"monitor", "250nt", "rect:w=53cm,h=30cm", "a 24 inch office display, white",
+                "ISO 9241-307, usual office setting"},
+    LightPreset{"reference-display", "80nt", "rect:w=53cm,h=30cm", "the display that sRGB was made for",
+                "IEC 61966-2-1"},
+    LightPreset{"overcast-sky", "2000nt", "sun:angle=180deg", "the whole sky, overcast", handbook},
+    LightPreset{"clear-sky", "8000nt", "sun:angle=180deg", "the whole sky, clear, without the sun", handbook},
+    LightPreset{"full-sun", "100klx", "sun:angle=0.53deg", "the sun at noon, without the sky",
+                "IES Lighting Handbook, daylight"},
+    LightPreset{"full-moon", "0.25lx", "sun:angle=0.52deg", "the full moon, high in a clear sky",
+                "Krisciunas and Schaefer, 1991, magnitude -12.7"},
+};
+
+} // namespace
+
+std::span<const LightPreset> light_presets() {
+    return presets;
+}
+
+Result<const LightPreset*> find_preset(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const LightPreset& preset : presets) {
+        if (preset.name == name) return &preset;
+        names.push_back(preset.name);
+    }
+    return unknown_name("preset", name, names);
+}
+
+} // namespace gonio

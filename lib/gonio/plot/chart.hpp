@@ -1,0 +1,43 @@
+// A chart with two linear axes: where values lie on the page, grid lines, numbers and names of the axes.
+// Internal to the room.
+#pragma once
+
+#include <gonio/plot/frame.hpp>
+#include <gonio/plot/svg.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::plot_detail {
+
+struct Axis {
+    std::string_view name;  // "gamma [°]"
+    std::vector<double> at; // where the lines stand: ascending, at least two; the first and last bound the axis
+};
+
+class Chart {
+public:
+    // Takes what of `area` the numbers and names leave. `y_down`: values grow downwards. `square`: one unit is as long
+    // in both directions.
+    Chart(const Area& area, Axis x, Axis y, bool y_down = false, bool square = false);
+
+    SvgPoint at(double x, double y) const;
+    const Area& inner() const { return inner_; }
+
+    // Grid lines in `style`, numbers and names; to be drawn before or after what is charted.
+    void draw_lines(Svg& svg, std::string_view style) const;
+    void draw_numbers(Svg& svg) const;
+
+private:
+    Area inner_;
+    Axis x_;
+    Axis y_;
+    bool y_down_;
+};
+
+// Values by colour: a strip beside a chart, `levels` ascending, each colour holding from its level to the next one.
+void draw_color_scale(Svg& svg, const Area& area, const std::vector<double>& levels,
+                      const std::vector<std::string>& colors, std::string_view unit);
+
+} // namespace gonio::plot_detail

@@ -1,0 +1,33 @@
+#include <gonio/base/kind_text.hpp>
+#include <gonio/plot/diagram.hpp>
+
+#include <array>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::array kinds{
+    DiagramKind{"polar", "intensity around the nadir, a curve for each plane", polar_diagram},
+    DiagramKind{"cartesian", "intensity against gamma along an axis", cartesian_diagram},
+    DiagramKind{"heat-map", "intensity by colour over C and gamma", heat_map_diagram},
+    DiagramKind{"isolux", "illuminance on the plane below, in lines of equal lux", isolux_diagram},
+    DiagramKind{"cone", "width of the beam and illuminance at five distances", cone_diagram},
+};
+
+} // namespace
+
+std::span<const DiagramKind> diagram_kinds() {
+    return kinds;
+}
+
+Result<const DiagramKind*> find_diagram(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const DiagramKind& kind : kinds) {
+        if (kind.name == name) return &kind;
+        names.push_back(kind.name);
+    }
+    return unknown_name("diagram", name, names);
+}
+
+} // namespace gonio

@@ -1,0 +1,164 @@
+#include <gonio/base/sort_unique.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/plot/axis.hpp>
+#include <gonio/plot/frame.hpp>
+#include <gonio/plot/palette.hpp>
+#include <gonio/web/integrate.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gonio::plot_detail {
+
+namespace {
+
+constexpr int least_px = 160;
+constexpr int most_px = 16384;
+constexpr double margin_px = 16.0;
+constexpr double line_px = 20.0; // of the legend
+constexpr double swatch_px = 28.0;
+constexpr double letter_px = 7.4; // about the width of one at 12 px
+constexpr double curve_step_deg = 0.5;
+
+// The γ at which a curve is evaluated on one side of the nadir.
+std::vector<double> curve_gammas(const Web& web) {
+    std::vector<double> gammas = even_steps(0.0, 180.0, curve_step_deg);
+    for (const double own : web.gammas_deg())
+        if (own >= 0.0 && own <= 180.0) gammas.push_back(own);
+    // Where the table ends the intensity falls to 0 at once: the curve needs both values.
+    constexpr double hair_deg = 1e-9;
+    const double ends[] = {web.gammas_deg().front() - hair_deg, web.gammas_deg().back() + hair_deg};
+    for (const double end : ends)
+        if (end > 0.0 && end < 180.0) gammas.push_back(end);
+    sort_unique(gammas);
+    return gammas;
+}
+
+// Lines that the legend takes when entries stand side by side while they fit.
+struct LegendPlace {
+    double x = 0.0;
+    std::size_t line = 0;
+};
+
+std::vector<LegendPlace> place_legend(std::span<const LegendEntry> legend, double width) {
+    std::vector<LegendPlace> places;
+    LegendPlace at;
+    for (const LegendEntry& entry : legend) {
+        const double needed = swatch_px + 8.0 + letter_px * static_cast<double>(entry.text.size()) + 16.0;
+        if (at.x > 0.0 && at.x + needed > width) at = {0.0, at.line + 1};
+        places.push_back(at);
+        at.x += needed;
+    }
+    return places;
+}
+
+} // namespace
+
+Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most) {
+    for (const int side : {options.width_px, options.height_px})
+        if (side < least_px || side > most_px)
+            return fail(Failure::usage, fmt::format("a diagram is {} to {} pixels wide and high, not {}x{}", least_px,
+                                                    most_px, options.width_px, options.height_px));
+    if (webs.empty()) return fail(Failure::usage, "there is nothing to draw");
+    if (webs.size() > most)
+        return fail(Failure::usage, fmt::format("this diagram shows one profile, and {} are given", webs.size()),
+                    "draw them one by one with -O DIR, or together as polar or cartesian");
+    return {};
+}
+
+Svg begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
+               std::span<const LegendEntry> legend, Area& area) {
+    std::string name = options.title;
+    if (name.empty())
+        for (const PlottedWeb& plotted : webs)
+            name += (name.empty() ? "" : ", ") + plotted.label;
+    Svg svg(options.width_px, options.height_px, fmt::format("{}: {}", name, diagram));
+    area = {margin_px, margin_px, options.width_px - margin_px, options.height_px - margin_px};
+    if (!options.title.empty()) {
+        svg.text({0.5 * options.width_px, margin_px + 12.0}, options.title, TextAnchor::middle, 16.0,
+                 R"(font-weight="bold")");
+        area.top += 28.0;
+    }
+    const std::vector<LegendPlace> places = place_legend(legend, area.width());
+    if (!places.empty()) area.bottom -= line_px * static_cast<double>(places.back().line + 1) + 4.0;
+    for (std::size_t i = 0; i < legend.size(); ++i) {
+        const double x = area.left + places[i].x;
+        const double y = area.bottom + 16.0 + line_px * static_cast<double>(places[i].line);
+        svg.line({x, y - 4.0}, {x + swatch_px, y - 4.0},
+                 fmt::format(R"(stroke="{}" stroke-width="2"{})", legend[i].color,
+                             legend[i].dashed ? R"( stroke-dasharray="6 4")" : ""));
+        svg.text({x + swatch_px + 8.0, y}, legend[i].text);
+    }
+    return svg;
+}
+
+Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options) {
+    if (!options.per_klm) return 1.0;
+    const double flux_lm = flux(*plotted.web).value;
+    if (!(flux_lm > 0.0))
+        return fail(Failure::usage, "the profile has no flux that candela per 1000 lm could refer to", {},
+                    plotted.label);
+    return 1000.0 / flux_lm;
+}
+
+std::vector<CurvePoint> plane_curve(const Web& web, double c_deg, double scale) {
+    const std::vector<double> gammas = curve_gammas(web);
+    const auto at = [&](double c, double gamma) { return std::fmax(0.0, scale * web.candela(c, gamma)); };
+    std::vector<CurvePoint> points;
+    points.reserve(2 * gammas.size());
+    for (std::size_t i = gammas.size(); i-- > 0;)
+        points.push_back({-gammas[i], at(c_deg + 180.0, gammas[i])});
+    for (const double gamma : gammas)
+        points.push_back({gamma, at(c_deg, gamma)});
+    return points;
+}
+
+Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    std::vector<PlaneCurve> curves;
+    for (std::size_t w = 0; w < webs.size(); ++w) {
+        Result<double> scale = intensity_scale(webs[w], options);
+        if (!scale) return pass_on(scale);
+        const Web& web = *webs[w].web;
+        const bool axial = web.stored_symmetry() == Symmetry::axial;
+        for (std::size_t p = 0; p < options.planes_deg.size() && (p == 0 || !axial); ++p) {
+            const double c_deg = options.planes_deg[p];
+            PlaneCurve curve;
+            curve.legend.text = axial ? webs[w].label
+                                      : fmt::format("{} C{}–C{}", webs[w].label, rounded(c_deg),
+                                                    rounded(std::fmod(c_deg + 180.0, 360.0)));
+            curve.legend.color = series_color(webs.size() == 1 ? p : w);
+            curve.legend.dashed = p > 0;
+            curve.points = plane_curve(web, c_deg, *scale);
+            curves.push_back(std::move(curve));
+        }
+    }
+    return curves;
+}
+
+Result<double> greatest(std::span<const PlaneCurve> curves, std::span<const PlottedWeb> webs) {
+    double top = 0.0;
+    for (const PlaneCurve& curve : curves)
+        for (const CurvePoint& point : curve.points)
+            top = std::fmax(top, point.intensity);
+    Result<void> fine = check_top(top, webs, "the profile is dark in the planes that are drawn",
+                                  "choose others with --plane, for example --plane 45deg");
+    if (!fine) return pass_on(fine);
+    return top;
+}
+
+Result<void> check_top(double top, std::span<const PlottedWeb> webs, std::string dark, std::string hint) {
+    if (top >= 1e-200 && top <= 1e200) return {};
+    const std::string file = webs.size() == 1 ? webs[0].label : std::string();
+    if (!(top > 0.0)) return fail(Failure::usage, std::move(dark), std::move(hint), file);
+    return fail(Failure::usage, fmt::format("the profile reaches {}, which no diagram can show", rounded(top, 3)), {},
+                file);
+}
+
+std::string intensity_text(double intensity, const PlotOptions& options) {
+    return rounded(intensity, 4) + (options.per_klm ? " cd/klm" : " cd");
+}
+
+} // namespace gonio::plot_detail

@@ -1,0 +1,68 @@
+// What the diagrams share: the page with its title and legend, curves along a plane, and how a request is refused.
+// Internal to the room.
+#pragma once
+
+#include <gonio/plot/diagram.hpp>
+#include <gonio/plot/svg.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gonio::plot_detail {
+
+// Where a diagram may draw, below the title and above the legend.
+struct Area {
+    double left = 0.0;
+    double top = 0.0;
+    double right = 0.0;
+    double bottom = 0.0;
+
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
+};
+
+struct LegendEntry {
+    std::string text;
+    std::string color;
+    bool dashed = false;
+};
+
+// Fails unless there is a web to draw, at most `most`, on a page of at least 160 and at most 16384 pixels a side.
+Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most);
+
+// A page with the title at its top and the legend at its foot; what is left of it goes to `area`.
+Svg begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
+               std::span<const LegendEntry> legend, Area& area);
+
+// 1, or what turns candela into candela per 1000 lm. Fails when the web has no flux to divide by.
+Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options);
+
+struct CurvePoint {
+    double gamma_deg = 0.0; // negative on the side of C + 180°
+    double intensity = 0.0; // never negative
+};
+
+// The intensities in one plane and its opposite from γ = −180° to 180°, dense enough to be joined by straight lines,
+// with both sides of every end of the table.
+std::vector<CurvePoint> plane_curve(const Web& web, double c_deg, double scale);
+
+// The curves of a diagram of planes: one for each web and plane, dashed after the web's first. An axial web has one.
+struct PlaneCurve {
+    LegendEntry legend;
+    std::vector<CurvePoint> points;
+};
+
+Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, const PlotOptions& options);
+
+// The greatest intensity of all curves. Fails when they are all dark, and as check_top.
+Result<double> greatest(std::span<const PlaneCurve> curves, std::span<const PlottedWeb> webs);
+
+// Fails unless the greatest value of a diagram is one that an axis can carry: 1e-200 to 1e200. `dark` and `hint` are
+// what to say of a web without light there.
+Result<void> check_top(double top, std::span<const PlottedWeb> webs, std::string dark, std::string hint);
+
+// "3535 cd", "2950 cd/klm"
+std::string intensity_text(double intensity, const PlotOptions& options);
+
+} // namespace gonio::plot_detail

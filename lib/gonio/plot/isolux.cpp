@@ -1,0 +1,119 @@
+#include <gonio/base/unit_text.hpp>
+#include <gonio/plot/axis.hpp>
+#include <gonio/plot/bands.hpp>
+#include <gonio/plot/chart.hpp>
+#include <gonio/plot/diagram.hpp>
+#include <gonio/plot/frame.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gonio {
+
+using namespace plot_detail;
+
+namespace {
+
+constexpr int cells = 160;
+constexpr double scale_room_px = 76.0;
+constexpr double decades = 2.0; // below the brightest point that lines are drawn
+
+// E = I cosγ / d² on the plane z = 0 from a point at height h that shines straight down.
+Field field_of(const Web& web, double height_m, double extent_m) {
+    Field field;
+    for (int i = 0; i <= cells; ++i)
+        field.xs.push_back(extent_m * (2.0 * i / cells - 1.0));
+    field.ys = field.xs;
+    for (const double y : field.ys)
+        for (const double x : field.xs) {
+            const glm::dvec3 ray(x, y, -height_m);
+            const double square = x * x + y * y + height_m * height_m;
+            field.values.push_back(web.candela(ray) * height_m / (square * std::sqrt(square)));
+        }
+    return field;
+}
+
+// A line's lux stands where the line is farthest along +X, so that the numbers of nested lines stand in a row.
+void label_line(Svg& svg, const Chart& chart, const ContourLine& line, double level) {
+    double length = 0.0;
+    const FieldPoint* rightmost = line.points.data();
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        if (line.points[i].x > rightmost->x) rightmost = &line.points[i];
+        if (i == 0) continue;
+        const SvgPoint from = chart.at(line.points[i - 1].x, line.points[i - 1].y);
+        const SvgPoint to = chart.at(line.points[i].x, line.points[i].y);
+        length += std::hypot(to.x - from.x, to.y - from.y);
+    }
+    if (length < 60.0) return; // the number would hide the line
+    SvgPoint at = chart.at(rightmost->x, rightmost->y);
+    at.x = std::min(at.x, chart.inner().right - 14.0);
+    svg.label({at.x, at.y + 4.0}, rounded(level), TextAnchor::middle, 11.0);
+}
+
+} // namespace
+
+Result<std::string> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    Result<void> fine = check_request(webs, options, 1);
+    if (!fine) return pass_on(fine);
+    Result<double> scale = intensity_scale(webs[0], options);
+    if (!scale) return pass_on(scale);
+    const double height_m = options.mounting_height_m;
+    const double extent_m = options.extent_m > 0.0 ? options.extent_m : 2.0 * height_m;
+    Field field = field_of(*webs[0].web, height_m, extent_m);
+    double top = 0.0;
+    for (double& value : field.values) {
+        value *= *scale;
+        top = std::fmax(top, value);
+    }
+    Result<void> bright = check_top(top, webs, "no light reaches the plane below the luminaire",
+                                    "it may shine upwards: try the polar diagram");
+    if (!bright) return pass_on(bright);
+
+    Area area;
+    Svg svg = begin_page(webs, options, "illuminance on the plane below", {}, area);
+    const Area left{area.left, area.top, area.right - scale_room_px, area.bottom - 18.0};
+    const std::vector<double> meters = ticks(-extent_m, extent_m, 8);
+    const std::vector<double> inside = [&] { // the ticks within the square, and its edges
+        std::vector<double> at{-extent_m};
+        for (const double meter : meters)
+            if (meter > -0.999 * extent_m && meter < 0.999 * extent_m) at.push_back(meter);
+        at.push_back(extent_m);
+        return at;
+    }();
+    const Chart chart(left, {"C0 → [m]", inside}, {"C90 ↑ [m]", inside}, false, true);
+    const std::vector<double> levels = levels_1_2_5(top * std::pow(10.0, -decades), top);
+    const std::vector<std::string> colors = band_colors(levels.size());
+    svg.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
+    svg.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
+                  R"(fill="#2a0033")");
+    draw_bands(svg, chart, field, levels, colors);
+    svg.end_clip();
+    chart.draw_lines(svg, R"(stroke="#fff" stroke-opacity="0.2")");
+    std::vector<std::pair<double, std::vector<ContourLine>>> lines;
+    for (const double level : levels)
+        lines.emplace_back(level, contour_lines(field, level));
+    for (const auto& [level, contours] : lines)
+        for (const ContourLine& line : contours) {
+            SvgPath path;
+            for (const FieldPoint& point : line.points)
+                path.empty() ? path.move_to(chart.at(point.x, point.y)) : path.line_to(chart.at(point.x, point.y));
+            if (line.closed) path.close();
+            svg.path(path, R"(fill="none" stroke="#333" stroke-width="0.8")");
+        }
+    for (const auto& [level, contours] : lines) // above all lines
+        for (const ContourLine& line : contours)
+            label_line(svg, chart, line, level);
+    chart.draw_numbers(svg);
+    draw_color_scale(svg, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
+                     options.per_klm ? "lx/klm" : "lx");
+    svg.text({chart.inner().left, area.bottom},
+             fmt::format("height {} m, brightest {}", rounded(height_m),
+                         rounded(top, 4) + (options.per_klm ? " lx/klm" : " lx")),
+             TextAnchor::start, 12.0);
+    return svg.finish();
+}
+
+} // namespace gonio

@@ -1,0 +1,124 @@
+#include <gonio/base/unit_text.hpp>
+#include <gonio/plot/axis.hpp>
+#include <gonio/plot/diagram.hpp>
+#include <gonio/plot/frame.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio {
+
+using namespace plot_detail;
+
+namespace {
+
+constexpr double label_room_px = 26.0;
+
+// Whether every curve is dark more than this share of the greatest intensity above (or below) the horizontal.
+bool is_dark(std::span<const PlaneCurve> curves, double top, bool above) {
+    for (const PlaneCurve& curve : curves)
+        for (const CurvePoint& point : curve.points)
+            if ((std::fabs(point.gamma_deg) > 90.0) == above && point.intensity > 0.005 * top) return false;
+    return true;
+}
+
+// The circle of the diagram, or the half of it that holds light.
+struct Dial {
+    SvgPoint center;
+    double radius = 0.0;
+    double least_deg = 0.0; // γ of the part that is drawn
+    double most_deg = 180.0;
+
+    SvgPoint at(double gamma_deg, double share) const {
+        const double angle = gamma_deg * (std::numbers::pi / 180.0);
+        return {center.x + radius * share * std::sin(angle), center.y + radius * share * std::cos(angle)};
+    }
+};
+
+Dial place_dial(const Area& area, bool lower, bool upper) {
+    Dial dial;
+    const double width = area.width() - 2.0 * label_room_px;
+    const double height = area.height() - 2.0 * label_room_px;
+    const bool half = lower != upper;
+    dial.radius = std::min(0.5 * width, half ? height : 0.5 * height);
+    const double spare = half ? 0.5 * (height - dial.radius) : 0.5 * height;
+    dial.center.x = 0.5 * (area.left + area.right);
+    dial.center.y = half ? (lower ? area.top + label_room_px + spare : area.bottom - label_room_px - spare)
+                         : area.top + label_room_px + spare;
+    dial.least_deg = lower ? 0.0 : 90.0;
+    dial.most_deg = upper ? 180.0 : 90.0;
+    return dial;
+}
+
+void draw_arc(Svg& svg, const Dial& dial, double share, std::string_view style) {
+    SvgPath path;
+    for (const double side : {-1.0, 1.0}) {
+        bool first = true;
+        for (const double gamma : even_steps(dial.least_deg, dial.most_deg, 2.0)) {
+            const SvgPoint point = dial.at(side * gamma, share);
+            first ? path.move_to(point) : path.line_to(point);
+            first = false;
+        }
+    }
+    svg.path(path, style);
+}
+
+void draw_grid(Svg& svg, const Dial& dial, const std::vector<double>& rings, const PlotOptions& options) {
+    for (const double ring : rings)
+        if (ring > 0.0) draw_arc(svg, dial, ring / rings.back(), R"(fill="none" stroke="#ccc")");
+    for (const double gamma : even_steps(dial.least_deg, dial.most_deg, 30.0))
+        for (const double side : {-1.0, 1.0}) {
+            if (side < 0.0 && (gamma == 0.0 || gamma == 180.0)) continue;
+            svg.line(dial.center, dial.at(side * gamma, 1.0), R"(stroke="#ddd")");
+            const SvgPoint at = dial.at(side * gamma, 1.0 + 16.0 / dial.radius);
+            svg.text({at.x, at.y + 4.0}, fmt::format("{:.0f}°", gamma), TextAnchor::middle, 11.0, R"(fill="#555")");
+        }
+    const double along = dial.least_deg == 0.0 ? 15.0 : 165.0;
+    for (const double ring : rings) {
+        if (ring <= 0.0) continue;
+        const SvgPoint at = dial.at(along, ring / rings.back());
+        svg.label({at.x, at.y + 4.0}, ring == rings.back() ? intensity_text(ring, options) : rounded(ring, 4),
+                  TextAnchor::middle, 11.0);
+    }
+}
+
+} // namespace
+
+Result<std::string> polar_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    Result<void> fine = check_request(webs, options, webs.size());
+    if (!fine) return pass_on(fine);
+    Result<std::vector<PlaneCurve>> curves = plane_curves(webs, options);
+    if (!curves) return pass_on(curves);
+    Result<double> top = greatest(*curves, webs);
+    if (!top) return pass_on(top);
+
+    std::vector<LegendEntry> legend;
+    for (const PlaneCurve& curve : *curves)
+        legend.push_back(curve.legend);
+    Area area;
+    Svg svg = begin_page(webs, options, "polar diagram of the luminous intensity", legend, area);
+    const Dial dial = place_dial(area, !is_dark(*curves, *top, false), !is_dark(*curves, *top, true));
+    const std::vector<double> rings = ticks(0.0, *top, 5);
+    draw_grid(svg, dial, rings, options);
+    for (const PlaneCurve& curve : *curves) {
+        SvgPath path;
+        bool down = false; // whether the pen is
+        for (const CurvePoint& point : curve.points) {
+            const double gamma = std::fabs(point.gamma_deg);
+            const bool drawn = gamma >= dial.least_deg && gamma <= dial.most_deg;
+            if (drawn) {
+                const SvgPoint at = dial.at(point.gamma_deg, point.intensity / rings.back());
+                down ? path.line_to(at) : path.move_to(at);
+            }
+            down = drawn;
+        }
+        svg.path(path, fmt::format(R"(fill="none" stroke="{}" stroke-width="2" stroke-linejoin="round"{})",
+                                   curve.legend.color, curve.legend.dashed ? R"( stroke-dasharray="6 4")" : ""));
+    }
+    return svg.finish();
+}
+
+} // namespace gonio

@@ -1,0 +1,35 @@
+// The points of a TM-33 table, brought onto a grid. Internal.
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <string>
+#include <vector>
+
+namespace gonio::profile_detail {
+
+struct PointTable {
+    enum class Problem {
+        none,
+        angle_missing, // a point without both angles
+        not_a_number,
+        not_finite,
+        duplicate, // two points at the same angles
+        incomplete // the angles make a grid that has more places than there are points
+    };
+
+    std::vector<double> horizontal_deg; // ascending, each angle once
+    std::vector<double> vertical_deg;
+    std::vector<double> values; // [horizontal][vertical]
+    std::size_t points = 0;
+    bool plain = true; // no point carries more than its angles and its value
+
+    Problem problem = Problem::none;
+    const char* where = nullptr; // in the parsed buffer: what the problem is with
+    std::string text;            // and what stands there
+};
+
+// Points in any order: planes first, angles first, or mixed.
+PointTable read_points(pugi::xml_node parent);
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,80 @@
+// Where the text is in the bytes of a file, and whether it is text at all.
+#include <gonio/profile/parse.hpp>
+#include <gonio/profile/scanner.hpp>
+
+#include <algorithm>
+
+namespace gonio::profile_detail {
+
+namespace {
+
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+
+// Bytes that no text has. Beyond the head of a file only NUL counts: a stray one in a remark harms nothing.
+std::size_t find_control(std::string_view bytes, std::size_t begin, std::size_t end) {
+    constexpr std::size_t head = 4096;
+    const auto is_control = [](char byte) {
+        const auto c = static_cast<unsigned char>(byte);
+        return c < ' ' && (c < '\t' || c > '\r');
+    };
+    const std::string_view looked_at = bytes.substr(begin, std::min(head, end) - std::min(begin, std::min(head, end)));
+    // First whether there is one, which compilers do for many bytes at once, and then where.
+    unsigned char found = 0;
+    for (const char c : looked_at)
+        found |= static_cast<unsigned char>(is_control(c));
+    if (found != 0)
+        return begin + static_cast<std::size_t>(std::find_if(looked_at.begin(), looked_at.end(), is_control) -
+                                                looked_at.begin());
+    return std::min(bytes.substr(0, end).find('\0', std::max(head, begin)), end);
+}
+
+} // namespace
+
+// A mark, or NUL in every other of the first bytes: no other text has them.
+Utf16 utf16_of(std::string_view bytes) {
+    if (bytes.starts_with("\xFF\xFE")) return Utf16::little_endian;
+    if (bytes.starts_with("\xFE\xFF")) return Utf16::big_endian;
+    constexpr std::size_t looked_at = 8;
+    if (bytes.size() < looked_at) return Utf16::no;
+    const auto alternates = [&](std::size_t nul) {
+        for (std::size_t i = 0; i < looked_at; ++i)
+            if ((bytes[i] == '\0') != (i % 2 == nul)) return false;
+        return true;
+    };
+    return alternates(1) ? Utf16::little_endian : alternates(0) ? Utf16::big_endian : Utf16::no;
+}
+
+// Takes marks, Ctrl-Z and NUL padding away from both ends; fails on what is no text.
+Result<TextRange> find_text(std::string_view bytes, Report& report) {
+    TextRange text{0, bytes.size()};
+    if (bytes.starts_with(utf8_mark)) report.add("PRF0104", 0, "the file begins with a byte order mark");
+    while (bytes.substr(text.begin).starts_with(utf8_mark))
+        text.begin += utf8_mark.size();
+    const std::string_view begins = bytes.substr(text.begin);
+    if (begins.starts_with("\xFE\xFF") || begins.starts_with("\xFF\xFE"))
+        return report.fail("PRF0106", text.begin, "the mark of UTF-16 stands behind that of UTF-8", "save it as UTF-8");
+    while (text.end > text.begin && bytes[text.end - 1] == '\0')
+        --text.end;
+    const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
+    if (nothing) return report.fail("PRF0101", no_place, "the file is empty");
+    // Bytes that no text has; Ctrl-Z only counts as an end where what stands before it is text.
+    const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
+    if (const std::size_t i = find_control(bytes, text.begin, ctrl_z); i != ctrl_z)
+        return report.fail("PRF0102", i, "not a photometric file, a text has no control bytes such as this");
+    if (begins.starts_with("\x89PNG"))
+        return report.fail("PRF0102", text.begin, "not a photometric file, but a PNG picture");
+    const auto is_data = [](char c) { return !is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A'; };
+    const auto* const after = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(ctrl_z), bytes.end(), is_data);
+    if (text.end == text.begin || ctrl_z == text.begin)
+        return report.fail("PRF0102", text.begin, "not a photometric file, there is no text in it");
+    if (after != bytes.end())
+        report.add("PRF0105", static_cast<std::size_t>(after - bytes.begin()), "data behind Ctrl-Z, the end of text");
+    text.end = ctrl_z;
+    return text;
+}
+
+} // namespace gonio::profile_detail

@@ -1,0 +1,28 @@
+// The luminous opening as each format encodes it: the way back of gonio/profile/luminous_opening.hpp.
+#pragma once
+
+#include <gonio/profile/luminous_opening.hpp>
+#include <gonio/profile/profile.hpp>
+
+namespace gonio {
+
+// Writes the opening into the three dimensions of an LM-63 header, in metres, by the sign codes of the file's edition.
+// Returns what a reader will see there: the same shape, or the nearest that the edition has a code for.
+LuminousOpening set_opening(IesFile& file, const LuminousOpening& opening);
+
+// Writes the opening into EULUMDAT's fields, which know rectangles, boxes, disks and upright cylinders.
+LuminousOpening set_opening(LdtFile& file, const LuminousOpening& opening);
+
+// The size of a luminaire's housing in metres; 0, 0, 0 where it is not known.
+struct HousingSize {
+    double length_m = 0.0;
+    double width_m = 0.0;
+    double height_m = 0.0;
+};
+
+// Writes both into a TM-33 document, whose only emitter `emitter` will be: what is flat as an area of the bottom face,
+// a box as the luminaire's own size.
+LuminousOpening set_opening(Tm33File& file, Tm33Emitter& emitter, const LuminousOpening& opening,
+                            const HousingSize& housing);
+
+} // namespace gonio

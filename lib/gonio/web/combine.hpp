@@ -1,0 +1,26 @@
+// Several luminaires as one.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/web/web.hpp>
+
+#include <span>
+
+namespace gonio {
+
+struct WeightedWeb {
+    const Web* web;
+    double weight; // ≥ 0
+};
+
+// Σ weightᵢ · webᵢ, aims and C0 upon each other. Exact on the union of all grids; where a table ends in the bright, the
+// sum has a ramp 0.0001° wide. Symmetry is that of the sum. Webs of type A and B are resampled to type C first unless
+// all are of that type; `max_error` is what that costs at most in any direction [cd]. Fails (usage) without webs.
+struct CombinedWeb {
+    Web web;
+    double max_error_cd = 0.0;
+};
+
+Result<CombinedWeb> combined(std::span<const WeightedWeb> webs);
+
+} // namespace gonio

@@ -1,0 +1,77 @@
+// The parts of to_profile, one for each format. Internal to the web room.
+#pragma once
+
+#include <gonio/base/diagnostics.hpp>
+#include <gonio/profile/profile.hpp>
+#include <gonio/web/codes.hpp>
+#include <gonio/web/grid.hpp>
+#include <gonio/web/profile_header.hpp>
+#include <gonio/web/web.hpp>
+
+#include <string>
+
+namespace gonio::web_detail {
+
+// A code of the table, checked at compile time.
+struct WebCodeName {
+    const WebCode* entry;
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
+    consteval WebCodeName(const char* text) : entry(find_web_code(text)) {
+        if (entry == nullptr) throw "no such diagnostic code"; // not a constant expression: refused by the compiler
+    }
+};
+
+// What was lost or changed while a file was made.
+class Losses {
+public:
+    explicit Losses(std::string source) : source_(std::move(source)) {}
+
+    void add(WebCodeName code, std::string message, std::string hint = {}) {
+        Diagnostic diagnostic;
+        diagnostic.code = code.entry->code;
+        diagnostic.severity = code.entry->severity;
+        diagnostic.location.file = source_;
+        diagnostic.message = std::move(message);
+        diagnostic.hint = std::move(hint);
+        diagnostics_.push_back(std::move(diagnostic));
+    }
+
+    Diagnostics take() { return std::move(diagnostics_); }
+
+private:
+    std::string source_;
+    Diagnostics diagnostics_;
+};
+
+// The nearest number of that many significant digits: what went through a factor and back is not written with sixteen.
+double rounded_to(double value, int digits);
+
+// What a header holds that no target but its own format can: said for every target.
+void report_other_losses(const ProfileHeader& header, bool keeps_generation_type, Losses& losses);
+
+// Which planes of a type C web a format allows.
+enum class Lm63Planes {
+    full_turn,   // one, or all of them
+    half_from_0, // and symmetric ones over 0° to 90° and 0° to 180°
+    any_half     // and over 90° to 270°
+};
+
+// The table of a web as LM-63 and TM-33 list it: planes from 0°, closed at 360° where they go around, vertical angles
+// that begin and end where the formats have them.
+Grid lm63_grid(const Web& web, Lm63Planes allowed, Losses& losses);
+
+struct IesRequest {
+    IesVersion version = IesVersion::lm63_2002;
+    bool portable = false;
+};
+
+// The portable dialect needs a web of type C.
+IesFile make_ies(const Web& web, const ProfileHeader& header, IesRequest request, Losses& losses);
+
+// The web must be of type C.
+LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses);
+
+Tm33File make_tm33(const Web& web, const ProfileHeader& header, Losses& losses);
+
+} // namespace gonio::web_detail

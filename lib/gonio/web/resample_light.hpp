@@ -1,0 +1,30 @@
+// Any light by direction made into a type C web, with its error. Internal to the web room.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/web/goniometer.hpp>
+#include <gonio/web/resample.hpp>
+#include <gonio/web/web.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace gonio::web_detail {
+
+struct Light {
+    std::function<double(double c_deg, double gamma_deg)> candela;
+    std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is looked for there too
+};
+
+// (C, γ) of every point of a web's own table, mirrors not written out.
+std::vector<GoniometerAngles> table_directions(const Web& web);
+
+// On the given grid, which `stored` mirrors; the flux error is against `flux`.
+Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<double> planes_deg,
+                              std::vector<double> gammas_deg, Lumens flux);
+
+// On even steps from 5° halved until the error is at most `tolerance` · peak or the step is 0.3125°; γ over the half or
+// whole sphere that is not dark.
+ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens flux, double tolerance);
+
+} // namespace gonio::web_detail

@@ -1,0 +1,239 @@
+#include <gonio/profile/write.hpp>
+#include <gonio/web/compare.hpp>
+#include <gonio/web/goniometer.hpp>
+#include <gonio/web/integrate.hpp>
+#include <gonio/web/make_profile.hpp>
+#include <gonio/web/metrics.hpp>
+#include <gonio/web/resample.hpp>
+#include <gonio/web/to_profile.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+using web_detail::IesRequest;
+using web_detail::Losses;
+
+constexpr std::array<std::pair<ProfileTarget, const char*>, 7> target_names{{{ProfileTarget::lm63, "ies"},
+                                                                             {ProfileTarget::lm63_1995, "lm-63-1995"},
+                                                                             {ProfileTarget::lm63_2002, "lm-63-2002"},
+                                                                             {ProfileTarget::lm63_2019, "lm-63-2019"},
+                                                                             {ProfileTarget::portable, "portable"},
+                                                                             {ProfileTarget::eulumdat, "ldt"},
+                                                                             {ProfileTarget::tm33, "tm33"}}};
+
+IesRequest request_of(ProfileTarget target) {
+    switch (target) {
+    case ProfileTarget::lm63_1995:
+        return {IesVersion::lm63_1995, false};
+    case ProfileTarget::lm63_2019:
+        return {IesVersion::lm63_2019, false};
+    case ProfileTarget::portable:
+        return {IesVersion::lm63_2002, true};
+    case ProfileTarget::lm63:
+    case ProfileTarget::lm63_2002:
+    case ProfileTarget::eulumdat:
+    case ProfileTarget::tm33:
+        break;
+    }
+    return {IesVersion::lm63_2002, false};
+}
+
+bool is_default(const ResolveOptions& options) {
+    return options == ResolveOptions{};
+}
+
+// TILT=<file> as TILT=INCLUDE: the file beside the source need not be beside what is written.
+void include_tilt(MadeProfile& made) {
+    auto* ies = std::get_if<IesFile>(&made.profile.file);
+    if (ies == nullptr || ies->tilt.angles_deg.empty() || ies->tilt_keyword == "INCLUDE") return;
+    Losses losses(made.profile.source);
+    losses.add("WEB0217", fmt::format("the factors of TILT={} are written as TILT=INCLUDE", ies->tilt_keyword));
+    Diagnostics said = losses.take();
+    made.diagnostics.insert(made.diagnostics.end(), said.begin(), said.end());
+    ies->tilt_keyword = "INCLUDE";
+}
+
+// LM-63 of one edition as LM-63 of another or as TM-33: what the table is multiplied by stays beside it.
+Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profile, ProfileTarget target) {
+    Profile bare = profile;
+    auto& table = std::get<IesFile>(bare.file);
+    table.candela_multiplier = 1.0;
+    table.ballast_factor = 1.0;
+    table.field_12 = 1.0;
+    table.tilt = {};
+    Result<ResolvedWeb> resolved = resolve_web(bare);
+    if (!resolved) return pass_on(resolved);
+    ProfileHeader header = header_of(profile);
+    header.tilt_applied = false;
+    Result<MadeProfile> made = to_profile(resolved->web, header, target);
+    if (!made) return pass_on(made);
+    const bool field_12_is_factor = file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
+    const double ballast_factor = file.ballast_factor * (field_12_is_factor ? file.field_12 : 1.0);
+    if (target == ProfileTarget::tm33) {
+        Tm33Emitter& emitter = std::get<Tm33File>(made->profile.file).emitters.front();
+        if (file.candela_multiplier != 1.0) emitter.intensity->multiplier = file.candela_multiplier;
+        if (ballast_factor != 1.0) emitter.ballast_factor = ballast_factor;
+        emitter.tilt = file.tilt;
+        const Result<ResolvedWeb> whole = resolve_web(profile);
+        if (whole) emitter.luminous_flux_lm = flux(whole->web).value;
+        return made;
+    }
+    auto& out = std::get<IesFile>(made->profile.file);
+    out.lamp_count = file.lamp_count;
+    out.lumens_per_lamp = file.lumens_per_lamp;
+    out.candela_multiplier = file.candela_multiplier;
+    out.ballast_factor = ballast_factor;
+    out.tilt_keyword = file.tilt_keyword;
+    out.tilt = file.tilt;
+    include_tilt(*made);
+    // The name of a file that could not be read is kept where the edition allows one.
+    if (out.tilt.angles_deg.empty() && out.version == IesVersion::lm63_2019) out.tilt_keyword = "NONE";
+    return made;
+}
+
+void report_resampling(const ResampledWeb& resampled, const Web& web, Losses& losses) {
+    const double bright = std::abs(peak(web).intensity.value);
+    losses.add(
+        "WEB0205",
+        fmt::format("type {} resampled to {} by {} angles of type C: off by up to {:.2g} of the peak at C {:.4g}, "
+                    "gamma {:.4g}, flux by {:.2g} lm",
+                    web.photometry() == Photometry::a ? 'A' : 'B', resampled.web.planes_deg().size(),
+                    resampled.web.gammas_deg().size(), bright > 0.0 ? resampled.max_error.value / bright : 0.0,
+                    resampled.max_error_c_deg, resampled.max_error_gamma_deg, resampled.flux_error.value));
+}
+
+} // namespace
+
+double web_detail::rounded_to(double value, int digits) {
+    std::array<char, 64> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+    double rounded = value;
+    if (error == std::errc()) std::from_chars(text.data(), end, rounded);
+    return rounded;
+}
+
+void web_detail::report_other_losses(const ProfileHeader& header, bool keeps_generation_type, Losses& losses) {
+    if (header.tilt_applied) losses.add("WEB0202", "the TILT table was applied for one tilt and is left out");
+    if (header.other_lamp_sets > 0)
+        losses.add("WEB0203", fmt::format("{} other lamp sets left out", header.other_lamp_sets),
+                   "--lamp-set takes another");
+    if (header.spectra > 0)
+        losses.add("WEB0204",
+                   fmt::format("{} {} left out", header.spectra, header.spectra == 1 ? "spectrum" : "spectra"));
+    if (header.emitters > 1)
+        losses.add("WEB0218", fmt::format("{} emitters added up, the first one's description kept", header.emitters));
+    if (header.file_generation_type != 1.0 && !keeps_generation_type)
+        losses.add("WEB0211", fmt::format("file generation type {} left out", header.file_generation_type));
+}
+
+const char* to_text(ProfileTarget target) {
+    for (const auto& [known, name] : target_names)
+        if (known == target) return name;
+    return "";
+}
+
+std::optional<ProfileTarget> find_profile_target(std::string_view name) {
+    for (const auto& [target, known] : target_names)
+        if (name == known) return target;
+    return std::nullopt;
+}
+
+std::optional<ProfileTarget> target_of(const Profile& profile) {
+    const auto* ies = std::get_if<IesFile>(&profile.file);
+    if (std::holds_alternative<LdtFile>(profile.file)) return ProfileTarget::eulumdat;
+    if (ies == nullptr) return ProfileTarget::tm33;
+    switch (ies->version) {
+    case IesVersion::lm63_1995:
+        return ProfileTarget::lm63_1995;
+    case IesVersion::lm63_2002:
+        return ProfileTarget::lm63_2002;
+    case IesVersion::lm63_2019:
+        return ProfileTarget::lm63_2019;
+    case IesVersion::lm63_1986:
+    case IesVersion::lm63_1991:
+        break;
+    }
+    return std::nullopt;
+}
+
+Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, ProfileTarget target) {
+    Losses losses(header.source);
+    MadeProfile made;
+    made.profile.source = header.source;
+    const bool type_c_alone = target == ProfileTarget::eulumdat || target == ProfileTarget::portable;
+    std::optional<Web> of_type_c;
+    if (type_c_alone && web.photometry() != Photometry::c) {
+        Result<ResampledWeb> resampled = resampled_to_c(web);
+        if (!resampled) return pass_on(resampled);
+        report_resampling(*resampled, web, losses);
+        of_type_c = std::move(resampled->web);
+    }
+    const Web& written = of_type_c ? *of_type_c : web;
+    if (target == ProfileTarget::eulumdat)
+        made.profile.file = web_detail::make_ldt(written, header, losses);
+    else if (target == ProfileTarget::tm33)
+        made.profile.file = web_detail::make_tm33(written, header, losses);
+    else
+        made.profile.file = web_detail::make_ies(written, header, request_of(target), losses);
+    made.diagnostics = losses.take();
+    return made;
+}
+
+Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options) {
+    const auto* ies = std::get_if<IesFile>(&profile.file);
+    if (target == ProfileTarget::lm63 && ies != nullptr && !is_default(options))
+        return convert_profile(profile, target_of(profile).value_or(ProfileTarget::lm63_2002), options);
+    if (is_default(options)) {
+        if (target_of(profile) == target || (target == ProfileTarget::lm63 && ies != nullptr)) {
+            MadeProfile kept{profile, {}};
+            kept.profile.diagnostics.clear();
+            include_tilt(kept);
+            return kept;
+        }
+        if (ies != nullptr && target != ProfileTarget::eulumdat && target != ProfileTarget::portable)
+            return with_factors_apart(*ies, profile, target);
+    }
+    Result<ResolvedWeb> resolved = resolve_web(profile, options);
+    if (!resolved) return pass_on(resolved);
+    return to_profile(resolved->web, header_of(profile, options), target);
+}
+
+ConversionError conversion_error(const Web& source, const Web& made) {
+    ConversionError error;
+    const double bright = std::abs(peak(source).intensity.value);
+    if (source.photometry() != made.photometry()) {
+        const WebDifference found = difference(source, made);
+        return {found.greatest, bright > 0.0 ? found.greatest.value / bright : 0.0, found.c_deg, found.gamma_deg};
+    }
+    double greatest = -1.0;
+    for (const Web* const web : {&source, &made}) {
+        for (const double h : web->horizontal_deg()) {
+            for (const double v : web->vertical_deg()) {
+                const double off = std::abs(source.candela_at(h, v) - made.candela_at(h, v));
+                if (off <= greatest) continue;
+                greatest = off;
+                const GoniometerAngles at = angles_of(Photometry::c, direction_of(source.photometry(), {h, v}));
+                const bool type_c = source.photometry() == Photometry::c;
+                error = {Candelas(off), 0.0, type_c ? h : at.horizontal_deg, type_c ? v : at.vertical_deg};
+            }
+        }
+    }
+    error.relative = bright > 0.0 ? greatest / bright : 0.0;
+    return error;
+}
+
+std::string write_profile(const Profile& profile, ProfileTarget target) {
+    const auto* ies = std::get_if<IesFile>(&profile.file);
+    return ies != nullptr && target == ProfileTarget::portable ? write_ies(*ies, 132) : write_profile(profile);
+}
+
+} // namespace gonio

@@ -1,0 +1,77 @@
+// Web + header → Profile: the way back, into any format and dialect.
+//
+// The file that is made means the same web: resolved again it agrees with the one given to 1e-6 of the peak or better
+// (numbers are written exactly; scaling to cd/klm rounds once). Of what the target cannot hold, everything is said in
+// the diagnostics: codes WEB02… of gonio/web/codes.hpp. Azimuths are kept; the 90° between the conventions of LM-63 and
+// EULUMDAT are not applied here.
+//
+// Tables are written as readers expect them. Vertical angles begin at 0 or 90 and end at 90 or 180 degrees, padded with
+// zeros where the web's table ends elsewhere. LM-63 without symmetry has planes from 0 to 360, both included; symmetric
+// ones are kept as they are, but planes from 90 to 270 in LM-63-1995 only. EULUMDAT lists its planes over 0 to 360
+// without the last and stores those that Isym asks for. TM-33 has the tables of LM-63-1995.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/profile/profile.hpp>
+#include <gonio/web/profile_header.hpp>
+#include <gonio/web/resolve.hpp>
+#include <gonio/web/web.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+enum class ProfileTarget {
+    lm63, // the edition of the source where it has one, else 2002
+    lm63_1995,
+    lm63_2002,
+    lm63_2019,
+    portable, // LM-63-2002 as every loader in use reads it
+    eulumdat,
+    tm33 // ANSI/IES TM-33-23
+};
+
+const char* to_text(ProfileTarget target); // "ies", "lm-63-2002", "portable", "ldt", "tm33"
+
+// Nothing for a name that is none of these.
+std::optional<ProfileTarget> find_profile_target(std::string_view name);
+
+// A file made of a web, or of another file, and what was lost on the way.
+struct MadeProfile {
+    Profile profile; // its own diagnostics are empty
+    Diagnostics diagnostics;
+};
+
+// Any web and header. The portable dialect is LM-63-2002 with one lamp, multiplier, ballast factor and twelfth field 1,
+// TILT=NONE, the table's flux as the lamps' lumens, metres, ASCII, planes over the full turn or a single one at 0, and
+// values of at most nine digits. A web of type A or B keeps its coordinates in LM-63, and is resampled to type C for
+// the portable dialect and EULUMDAT, with the error said. Does not fail for a web that exists.
+Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, ProfileTarget target);
+
+// A file as another one. Into its own format and edition it is kept field by field; into another edition of
+// LM-63, and TM-33 from LM-63, the multiplier, the ballast factor and TILT stay factors; else it is resolved with
+// `options` and made anew. `options` other than the default always make it anew.
+Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options = {});
+
+// The target that a file already is of: its format, and its edition where there is a dialect of that name.
+std::optional<ProfileTarget> target_of(const Profile& profile);
+
+// How far a made web is from the one it was made of, at all angles of both tables: that is where the difference of two
+// interpolants is greatest. The 0.0001° beside a dark range are not looked into. Webs of different goniometers are
+// compared by gonio/web/compare.hpp.
+struct ConversionError {
+    Candelas max;
+    double relative = 0.0; // to the source's peak; 0 where that is dark
+    double c_deg = 0.0;
+    double gamma_deg = 0.0;
+};
+
+ConversionError conversion_error(const Web& source, const Web& made);
+
+// The bytes of a profile; the portable dialect has no line above 132 characters, line end included.
+std::string write_profile(const Profile& profile, ProfileTarget target);
+
+} // namespace gonio

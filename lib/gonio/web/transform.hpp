@@ -1,0 +1,40 @@
+// The same luminaire turned, mirrored, cut, evened out or brighter.
+//
+// Exact unless said: the interpolant of the result is the transformed interpolant of the web, at all angles. What has
+// to be resampled comes back as a ResampledWeb (gonio/web/resample.hpp) and states its error. Symmetry is kept where
+// the transformed light has it.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/web/resample.hpp>
+#include <gonio/web/web.hpp>
+
+namespace gonio {
+
+// Turned about the axis: what shone towards C shines towards C + angle. Exact at any angle for type C, and at multiples
+// of 90° for types A and B, a quarter turn of one being a web of the other; else they are resampled to type C, to 1 %
+// of the peak.
+ResampledWeb rotated(const Web& web, double angle_deg);
+
+enum class MirrorPlane { c0_180, c90_270 };
+
+// Mirrored in a plane through the axis: what shone towards C shines towards −C, or 180° − C.
+Web mirrored(const Web& web, MirrorPlane plane);
+
+// The axis leaned by `angle_deg` towards C = `towards_c_deg`: what shone along the nadir shines along γ = angle there.
+// Resampled as resampled_to_c() does, to `tolerance` of the peak. An angle of 0 changes nothing.
+ResampledWeb tilted(const Web& web, double angle_deg, double towards_c_deg, double tolerance = 0.01);
+
+// The mean of the light and its images under the mirrors of `symmetry`; axial is the mean over C. The flux stays. Webs
+// of type A and B cannot be axial: fails (unsupported).
+Result<Web> symmetrized(const Web& web, Symmetry symmetry);
+
+// Dark outside gamma_low ≤ γ ≤ gamma_high, as it was within: the table ends there. Fails (usage) unless 0° ≤ low < high
+// ≤ 180°, (unsupported) for types A and B, and (usage) where nothing of the table is left.
+Result<Web> cropped(const Web& web, double gamma_low_deg, double gamma_high_deg);
+
+// Every intensity scaled so that flux() is `flux`. Fails (usage) unless both fluxes are greater than 0.
+Result<Web> scaled_to(const Web& web, Lumens flux);
+
+} // namespace gonio

@@ -1,0 +1,43 @@
+// Where a web's flux goes: zones of γ, CIE flux codes, the zones of the IES luminaire classification.
+//
+// Everything is the exact integral of the interpolant for type C and by quadrature to 1e-6 for types A and B
+// (gonio/web/rings.hpp), γ counted from the nadir and C as in the web.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/web/web.hpp>
+
+#include <array>
+#include <optional>
+
+namespace gonio {
+
+// The flux between two γ within [0°, 180°].
+Lumens zone_flux(const Web& web, double gamma_low_deg, double gamma_high_deg);
+
+// The eighteen zones of 10°, from the nadir.
+std::array<Lumens, 18> ten_degree_zones(const Web& web);
+
+// CIE 52 (EN 13032-2): the flux within the cones of π/2, π and 3π/2 sr about the nadir (γ of 41.4°, 60° and 75.5°) as
+// parts of that of the lower hemisphere, the lower hemisphere's as a part of the whole (DFF), and the whole as a part
+// of the lamps' (LOR), which is 1 for absolute photometry. Nothing where the divisor is not greater than 0.
+struct CieFluxCode {
+    std::array<std::optional<double>, 3> within;
+    std::optional<double> downward;
+    std::optional<double> light_output_ratio;
+};
+
+CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps);
+
+// IES TM-15: luminaire classification system. Front is the half on the side of C0, back that of C180.
+// Secondary solid angles: low 0–30°, medium 30–60°, high 60–80°, very high 80–90°; up 90–100° and 100–180°.
+struct LuminaireClassification {
+    std::array<Lumens, 4> front;
+    std::array<Lumens, 4> back;
+    Lumens up_low;
+    Lumens up_high;
+};
+
+LuminaireClassification luminaire_classification(const Web& web);
+
+} // namespace gonio

@@ -1,0 +1,43 @@
+// libFuzzer: whatever the bytes, the rig reader neither crashes nor allocates what was only announced; a failure is one
+// error that names the source; what was read resolves, or fails with an error, and is the same when read again.
+#include <gonio/scene/rig.hpp>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace {
+
+using namespace gonio;
+
+void check_failure(const Error& error) {
+    if (error.diagnostics.empty() || error.diagnostics.back().severity != Severity::error) std::abort();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as text
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    // Files that lights name are looked for where there are none; their readers have targets of their own.
+    const std::string folder = "no such folder";
+    Result<Rig> rig = read_rig(text, "fuzz.json", folder);
+    if (!rig) {
+        check_failure(rig.error());
+        return 0;
+    }
+    const Result<Rig> again = read_rig(text, "fuzz.json", folder);
+    if (!again || again->lights.size() != rig->lights.size() || again->materials.size() != rig->materials.size())
+        std::abort();
+    const std::size_t lights = rig->lights.size();
+    Diagnostics diagnostics;
+    const Result<std::vector<Light>> resolved = resolve_lights(*std::move(rig), diagnostics, 1);
+    if (!resolved) {
+        check_failure(resolved.error());
+    } else if (resolved->size() != lights) {
+        std::abort();
+    }
+    return 0;
+}

@@ -1,0 +1,221 @@
+#include <gonio/plot/diagram.hpp>
+#include <gonio/plot/frame.hpp>
+#include <gonio/plot/svg.hpp>
+#include <gonio/web/metrics.hpp>
+
+#include "../web/webs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace gonio {
+namespace {
+
+using test::random_web;
+using test::steps;
+
+Web isotropic(double candela) {
+    return *Web::create(Symmetry::axial, {0.0}, {0.0, 180.0}, {candela, candela});
+}
+
+// A narrow downlight, cos^n-like, that ends at 90°.
+Web downlight() {
+    const std::vector<double> gammas = steps(0.0, 90.0, 46);
+    std::vector<double> candela;
+    for (const double gamma : gammas)
+        candela.push_back(1000.0 * std::pow(std::cos(gamma * std::numbers::pi / 180.0), 12.0));
+    return *Web::create(Symmetry::axial, {0.0}, gammas, candela);
+}
+
+// Every element is closed, in order, and no number is missing. Enough XML for what is written here.
+void expect_whole(const std::string& svg) {
+    std::vector<std::string> open;
+    for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+        const std::size_t end = svg.find('>', at);
+        ASSERT_NE(end, std::string::npos);
+        const std::string tag = svg.substr(at + 1, end - at - 1);
+        ASSERT_EQ(tag.find('<'), std::string::npos);
+        if (tag.starts_with('/')) {
+            ASSERT_FALSE(open.empty());
+            EXPECT_EQ(open.back(), tag.substr(1));
+            open.pop_back();
+        } else if (!tag.ends_with('/')) {
+            open.push_back(tag.substr(0, tag.find(' ')));
+        }
+    }
+    EXPECT_TRUE(open.empty());
+    for (const char* number : {"nan", "inf"})
+        for (const char* before : {"\"", " ", "M", "L", "-", ">"})
+            EXPECT_EQ(svg.find(std::string(before) + number), std::string::npos);
+}
+
+struct Ring {
+    double radius = 0.0;
+    double unroundness = 0.0;
+};
+
+// The closed paths with that attribute, as circles around the mean of their points.
+std::vector<Ring> rings(const std::string& svg, std::string_view attribute) {
+    std::vector<Ring> found;
+    for (std::size_t at = svg.find("<path d=\""); at != std::string::npos; at = svg.find("<path d=\"", at + 1)) {
+        const std::size_t begin = at + 9;
+        const std::size_t end = svg.find('"', begin);
+        const std::string rest = svg.substr(end, svg.find('>', end) - end);
+        if (rest.find(attribute) == std::string::npos) continue;
+        std::vector<SvgPoint> points;
+        for (const char* c = svg.data() + begin; c < svg.data() + end; ++c) {
+            if (*c != 'M' && *c != 'L') continue;
+            char* next = nullptr;
+            SvgPoint point;
+            point.x = std::strtod(c + 1, &next);
+            point.y = std::strtod(next, nullptr);
+            points.push_back(point);
+        }
+        double left = points[0].x, right = left, top = points[0].y, bottom = top;
+        for (const SvgPoint& p : points) {
+            left = std::fmin(left, p.x), right = std::fmax(right, p.x);
+            top = std::fmin(top, p.y), bottom = std::fmax(bottom, p.y);
+        }
+        Ring ring;
+        ring.radius = 0.25 * (right - left + bottom - top);
+        for (const SvgPoint& p : points)
+            ring.unroundness =
+                std::fmax(ring.unroundness,
+                          std::fabs(std::hypot(p.x - 0.5 * (left + right), p.y - 0.5 * (top + bottom)) - ring.radius));
+        found.push_back(ring);
+    }
+    return found;
+}
+
+TEST(Diagram, CurvesAreTheInterpolantWithTheEndsOfTheTable) {
+    const Web web = random_web(Symmetry::none, steps(0.0, 360.0, 9), {10.0, 33.3, 70.0, 121.7}, 3);
+    const auto curve = plot_detail::plane_curve(web, 30.0, 2.0);
+    double before = -180.0;
+    for (const auto& point : curve) {
+        EXPECT_DOUBLE_EQ(point.intensity,
+                         2.0 * web.candela(point.gamma_deg < 0.0 ? 210.0 : 30.0, std::fabs(point.gamma_deg)));
+        EXPECT_LE(before, point.gamma_deg);
+        before = point.gamma_deg;
+    }
+    // A straight line between neighbours is the interpolant: nothing bends between them.
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const double middle = 0.5 * (curve[i - 1].gamma_deg + curve[i].gamma_deg);
+        if (curve[i].gamma_deg - curve[i - 1].gamma_deg < 1e-6 || std::fabs(middle) < 1e-6) continue;
+        EXPECT_NEAR(0.5 * (curve[i - 1].intensity + curve[i].intensity),
+                    2.0 * web.candela(middle < 0.0 ? 210.0 : 30.0, std::fabs(middle)), 1e-6 * 2000.0);
+    }
+}
+
+TEST(Diagram, AnIsotropicLightIsACircleInThePolarDiagram) {
+    const Web web = isotropic(500.0);
+    const PlottedWeb plotted{"globe", &web};
+    PlotOptions options;
+    const auto svg = polar_diagram({&plotted, 1}, options);
+    ASSERT_TRUE(svg.has_value());
+    expect_whole(*svg);
+    const auto curves = rings(*svg, R"(stroke-width="2")");
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_LT(curves[0].unroundness, 0.02) << "hundredths of a pixel are written";
+}
+
+TEST(Diagram, IsoluxLinesOfAnIsotropicLightHaveTheRadiiOfTheInverseSquareLaw) {
+    const double candela = 1000.0;
+    const double height_m = 2.5;
+    const Web web = isotropic(candela);
+    const PlottedWeb plotted{"globe", &web};
+    PlotOptions options;
+    options.mounting_height_m = height_m;
+    options.extent_m = 12.0;
+    const auto svg = isolux_diagram({&plotted, 1}, options);
+    ASSERT_TRUE(svg.has_value());
+    expect_whole(*svg);
+    const auto lines = rings(*svg, R"(stroke-width="0.8")");
+    // 160 lx under the light; two decades below it: 2, 5, 10, 20, 50, 100 lx.
+    const std::vector<double> levels{2, 5, 10, 20, 50, 100};
+    ASSERT_EQ(lines.size(), levels.size());
+    const auto radius_m = [&](double lux) {
+        return std::sqrt(std::pow(candela * height_m / lux, 2.0 / 3.0) - height_m * height_m);
+    };
+    const double px_per_m = lines[0].radius / radius_m(levels[0]);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        // Cells are 0.15 m; the chord's error there is below a tenth of a pixel.
+        EXPECT_NEAR(lines[i].radius, px_per_m * radius_m(levels[i]), 0.1) << levels[i] << " lx";
+        EXPECT_LT(lines[i].unroundness, 0.1);
+    }
+}
+
+TEST(Diagram, TheConeIsAsWideAsTheBeam) {
+    const Web web = downlight();
+    const PlottedWeb plotted{"downlight", &web};
+    PlotOptions options;
+    options.mounting_height_m = 2.0;
+    const auto svg = cone_diagram({&plotted, 1}, options);
+    ASSERT_TRUE(svg.has_value());
+    expect_whole(*svg);
+    const double beam = spread_angle(web, 0.0, 0.5)->value;
+    char angle[32];
+    (void)std::snprintf(angle, sizeof angle, "beam angle %.1f°", to_degrees(Radians(beam)));
+    EXPECT_NE(svg->find(angle), std::string::npos) << angle;
+    char width[32];
+    (void)std::snprintf(width, sizeof width, ">%.4g<", 2.0 * 2.0 * std::tan(0.5 * beam));
+    EXPECT_NE(svg->find(width), std::string::npos) << width;
+    EXPECT_NE(svg->find(">250<"), std::string::npos) << "1000 cd at 2 m";
+}
+
+TEST(Diagram, EveryKindDrawsEverySymmetryAndIsRepeatable) {
+    const Web webs[] = {downlight(), random_web(Symmetry::quadrant, steps(0.0, 90.0, 7), steps(0.0, 90.0, 19), 1),
+                        random_web(Symmetry::bilateral_90_270, steps(90.0, 270.0, 9), steps(0.0, 180.0, 13), 2),
+                        random_web(Symmetry::none, steps(0.0, 360.0, 25), steps(0.0, 60.0, 13), 4)};
+    for (const DiagramKind& kind : diagram_kinds())
+        for (const Web& web : webs) {
+            const PlottedWeb plotted{"a & b <c>", &web};
+            PlotOptions options;
+            options.title = "\x01\"quoted\"";
+            options.per_klm = true;
+            const auto svg = kind.draw({&plotted, 1}, options);
+            if (!svg) {
+                EXPECT_EQ(kind.name, "cone") << svg.error().diagnostics.back().message;
+                continue;
+            }
+            expect_whole(*svg);
+            EXPECT_EQ(*kind.draw({&plotted, 1}, options), *svg);
+        }
+}
+
+TEST(Diagram, WhatCannotBeDrawnIsRefused) {
+    const Web dark = isotropic(0.0);
+    const Web upward = *Web::create(Symmetry::axial, {0.0}, {100.0, 180.0}, {5.0, 5.0});
+    const Web blinding = isotropic(1e305);
+    for (const DiagramKind& kind : diagram_kinds()) {
+        const PlottedWeb plotted[] = {{"dark", &dark}, {"up", &upward}, {"blinding", &blinding}};
+        const PlotOptions options;
+        for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
+            const auto svg = kind.draw({&plotted[i], 1}, options);
+            ASSERT_FALSE(svg.has_value()) << kind.name;
+            EXPECT_EQ(svg.error().failure, Failure::usage);
+        }
+        PlotOptions per_klm;
+        per_klm.per_klm = true;
+        EXPECT_FALSE(kind.draw({&plotted[0], 1}, per_klm).has_value());
+        PlotOptions tiny;
+        tiny.width_px = 10;
+        EXPECT_FALSE(kind.draw({&plotted[1], 1}, tiny).has_value());
+        EXPECT_FALSE(kind.draw({}, options).has_value());
+        EXPECT_EQ(kind.draw({&plotted[1], 1}, options).has_value(), kind.name != "isolux" && kind.name != "cone");
+    }
+    EXPECT_FALSE(find_diagram("polr").has_value());
+}
+
+TEST(Diagram, NumbersHaveNoNegativeZeroAndNoExponent) {
+    EXPECT_EQ(svg_number(-0.001), "0");
+    EXPECT_EQ(svg_number(12.5), "12.5");
+    EXPECT_EQ(svg_number(1e6), "1000000");
+    EXPECT_EQ(svg_number(-3.14159), "-3.14");
+}
+
+} // namespace
+} // namespace gonio

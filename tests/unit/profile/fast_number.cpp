@@ -1,0 +1,296 @@
+// The quick ways to read a number give the very double that std::from_chars gives.
+#include <gonio/profile/fast_number.hpp>
+#include <gonio/profile/scanner.hpp>
+#include <gonio/profile/token_scan.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <memory>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace gonio::profile_detail;
+
+// The number at the begin of `text`, followed by enough that is none.
+bool read(std::string text, double& value, std::size_t& length) {
+    text += " ";
+    text.append(static_cast<std::size_t>(decimal_lookahead), '7');
+    const char* const behind = read_decimal(text.data(), text.data() + text.size(), value);
+    if (behind == nullptr) return false;
+    length = static_cast<std::size_t>(behind - text.data());
+    return true;
+}
+
+void expect_same(const std::string& text) {
+    double value = 0.0;
+    std::size_t length = 0;
+    if (!read(text, value, length)) {
+        ADD_FAILURE() << text << " was not taken";
+        return;
+    }
+    double expected = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), expected);
+    const std::string padded = "99999999 " + text + " " + std::string(static_cast<std::size_t>(decimal_lookahead), '7');
+    double converted = 0.0;
+    if (!convert_token(padded.data() + 9, padded.data() + 9 + text.size(), converted) ||
+        std::bit_cast<std::uint64_t>(converted) != std::bit_cast<std::uint64_t>(expected))
+        ADD_FAILURE() << text << " as a token gave " << converted;
+    if (end != text.data() + text.size() || length != text.size() ||
+        std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(expected))
+        ADD_FAILURE() << text << " gave " << value;
+}
+
+TEST(FastNumber, TakesWhatFilesWrite) {
+    for (const std::string text : {"0",
+                                   "1",
+                                   "-1",
+                                   "0.0",
+                                   "-0",
+                                   "-0.5",
+                                   ".5",
+                                   "5.",
+                                   "12345678",
+                                   "1234567.",
+                                   "123456.7",
+                                   "0.123456",
+                                   "0.1234567",
+                                   "00012.500",
+                                   "9999999",
+                                   "99999999",
+                                   "9007199254740992",
+                                   "9007199254740993",
+                                   "9007199254740991",
+                                   "0.30000000000000004",
+                                   "123456789012345678",
+                                   "1234567890123456789",
+                                   "9999999999999999999",
+                                   "0.1",
+                                   "100000.25",
+                                   "0.0000000000000000001",
+                                   "0.9999999999999999999",
+                                   "1.7976931348623157",
+                                   "4503599627370496.5",
+                                   "4503599627370497.5",
+                                   "9007199254740992.5",
+                                   "9007199254740993.5",
+                                   "18014398509481985",
+                                   "2.5",
+                                   "0.000",
+                                   "-.5"})
+        expect_same(text);
+}
+
+TEST(FastNumber, LeavesTheRestAlone) {
+    for (const std::string text :
+         {"", "-", ".", "-.", "+1", "--1", "1e5", "1E5", "1.5e-3", "1.2.3", "1-2", "0x10", "inf", "nan", "1;",
+          "12345678901234567890", "1.23456789012345678901", "12_3", "1.5d0"}) {
+        double value = 42.0;
+        std::size_t length = 0;
+        EXPECT_FALSE(read(text, value, length)) << text;
+        const std::string padded =
+            "99999999 " + text + " " + std::string(static_cast<std::size_t>(decimal_lookahead), '7');
+        const bool classified = text.find_first_not_of("-./0123456789") == std::string::npos && !text.empty();
+        EXPECT_FALSE(classified && convert_token(padded.data() + 9, padded.data() + 9 + text.size(), value)) << text;
+        EXPECT_EQ(value, 42.0) << text;
+    }
+}
+
+TEST(FastNumber, EveryByteBehindANumberEndsItOrNot) {
+    for (int c = 0; c < 256; ++c)
+        for (const std::string digits :
+             {"7", "1234567", "12345678", "1.5", "123456.7", "1234567.8", "0.12345678901234567"}) {
+            const char byte = static_cast<char>(c);
+            const std::string text = digits + byte + std::string(static_cast<std::size_t>(decimal_lookahead), '\n');
+            double value = 0.0;
+            const char* const behind = read_decimal(text.data(), text.data() + text.size(), value);
+            const bool more = (c >= '0' && c <= '9') || (c == '.' && digits.find('.') == std::string::npos);
+            if (!more) {
+                EXPECT_EQ(behind == text.data() + digits.size(), ends_number(byte)) << digits << " " << c;
+            }
+        }
+}
+
+// Every byte in every place of a word that is otherwise digits.
+TEST(FastNumber, AStrangeByteInATokenIsNeverADigit) {
+    for (int c = 0; c < 256; ++c)
+        for (std::size_t length = 1; length <= 8; ++length)
+            for (std::size_t at = 0; at < length; ++at) {
+                std::string text(length, '5');
+                text[at] = static_cast<char>(c);
+                const std::string padded = "1234567 " + text + std::string(40, ' ');
+                double value = 0.0;
+                if (c < '-' || c > '9') continue; // kept away by the classes
+                const bool taken = convert_token(padded.data() + 8, padded.data() + 8 + length, value);
+                double expected = 0.0;
+                bool plain = true;
+                const bool number = scan_number(text, expected, plain) == Token::number && plain && text[0] != '+';
+                EXPECT_EQ(taken, number) << text;
+                if (number) {
+                    EXPECT_EQ(value, expected) << text;
+                }
+            }
+}
+
+TEST(TokenScan, ClassifiesEveryByteInAnyPlace) {
+    const auto is_numeric = [](char c) { return c >= '-' && c <= '9'; };
+    for (int c = 0; c < 256; ++c)
+        for (std::size_t at = 0; at < 64; ++at)
+            for (const char fill : {'5', ' ', '\xFF', '\0'}) {
+                std::string text(64, fill);
+                text[at] = static_cast<char>(c);
+                std::uint64_t numeric = 0;
+                bool other = false;
+                for (std::size_t i = 0; i < 64; ++i) {
+                    numeric |= std::uint64_t{is_numeric(text[i])} << i;
+                    other = other || (!is_numeric(text[i]) && !ends_number(text[i]));
+                }
+                for (const ByteClasses& classes : {classify_portable(text.data()), classify_64(text.data())}) {
+                    ASSERT_EQ(classes.numeric, numeric) << c << " " << at;
+                    ASSERT_EQ(classes.other, other) << c << " " << at;
+                }
+            }
+}
+
+TEST(TokenScan, FindsTokensOfAnyLengthBetweenAnySeparators) {
+    std::mt19937 random(3);
+    for (int run = 0; run < 2000; ++run) {
+        std::string text;
+        std::vector<std::pair<std::size_t, std::size_t>> expected;
+        while (text.size() < 3000) {
+            const std::size_t begin = text.size();
+            text.append(1 + random() % (run % 7 == 0 ? 200 : 9), '1');
+            expected.emplace_back(begin, text.size());
+            for (std::size_t k = 0; k <= random() % (run % 5 == 0 ? 90 : 3); ++k)
+                text += " ,\t\r\n"[random() % 5];
+        }
+        // A byte of another kind ends what is looked at, together with its piece of 64.
+        const std::size_t stop = run % 3 == 0 ? random() % text.size() : text.size();
+        if (stop < text.size()) text[stop] = 'E';
+        std::size_t i = 0;
+        for_each_token(text.data(), text.data() + text.size(), [&](const char* begin, const char* end) {
+            EXPECT_EQ(static_cast<std::size_t>(begin - text.data()), expected[i].first);
+            EXPECT_EQ(static_cast<std::size_t>(end - text.data()), expected[i].second);
+            return ++i != expected.size();
+        });
+        const std::size_t whole = std::min(
+            (text.size() - static_cast<std::size_t>(decimal_lookahead)) & ~std::size_t{63}, stop & ~std::size_t{63});
+        EXPECT_TRUE(i == expected.size() || expected[i].second >= whole) << i;
+    }
+}
+
+TEST(TokenScan, QuickAndSlowReadingAgreeOnAnyTable) {
+    std::mt19937_64 random(5);
+    for (int run = 0; run < 300; ++run) {
+        std::string text = "TILT=NONE\r\n";
+        const std::size_t begin = text.size();
+        for (int i = 0; i < 700; ++i) {
+            static constexpr const char* odd[] = {
+                "1e3", "-2.5E-1", "+4", "12345678901234567890.5", "-0.0", "0.12345678901234567"};
+            if (random() % 50 == 0)
+                text += odd[random() % std::size(odd)];
+            else
+                text += std::to_string(random() % 100000) +
+                        (random() % 2 != 0 ? "." + std::to_string(random() % 1000) : "");
+            text += random() % 20 == 0 ? "\r\n" : random() % 10 == 0 ? " , " : " ";
+        }
+        std::vector<double> slow;
+        NumberScanner one_by_one(text, begin, text.size());
+        for (double value = 0.0; one_by_one.next(value) == Token::number;)
+            slow.push_back(value);
+        std::vector<double> quick(slow.size());
+        std::size_t count = 0;
+        NumberScanner scanner(text, begin, text.size());
+        double lowest = 0.0;
+        double highest = 0.0;
+        while (count < quick.size()) {
+            count += scanner.next_quickly(std::span(quick).subspan(count), lowest, highest);
+            if (count == quick.size()) break;
+            ASSERT_EQ(scanner.next(quick[count]), Token::number);
+            lowest = std::min(lowest, quick[count]);
+            highest = std::max(highest, quick[count]);
+            ++count;
+        }
+        ASSERT_EQ(slow.size(), 700U);
+        EXPECT_EQ(quick, slow);
+        EXPECT_EQ(lowest, std::min(0.0, *std::min_element(slow.begin(), slow.end())));
+        EXPECT_EQ(highest, *std::max_element(slow.begin(), slow.end()));
+        EXPECT_TRUE(scanner.at_end());
+    }
+}
+
+// Blocks of just the size of the text, so that AddressSanitizer sees the first byte behind it.
+TEST(FastNumber, NeverReadsBehindTheEnd) {
+    for (std::size_t size = 1; size < 80; ++size)
+        for (std::size_t point = 0; point <= size; ++point)
+            for (const bool negative : {false, true})
+                for (const char last : {'1', '\n'}) {
+                    const std::unique_ptr<char[]> text(new char[size]);
+                    std::fill_n(text.get(), size, '1');
+                    text[size - 1] = last;
+                    if (point < size) text[point] = '.';
+                    if (negative) text[0] = '-';
+                    double value = 0.0;
+                    static_cast<void>(read_decimal(text.get(), text.get() + size, value));
+                    NumberScanner scanner({text.get(), size}, 0, size);
+                    static_cast<void>(scanner.next(value));
+                    static_cast<void>(scanner.next(value));
+                }
+}
+
+TEST(FastNumber, MillionsOfNumbersAsFromChars) {
+    std::mt19937_64 random(7);
+    const auto digits = [&](int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i)
+            text += static_cast<char>('0' + random() % 10);
+        return text;
+    };
+    for (int i = 0; i < 2'000'000; ++i) {
+        // At most 19 digits that matter, the point anywhere or nowhere.
+        const int count = 1 + static_cast<int>(random() % 19);
+        std::string text = digits(count);
+        if (random() % 4 != 0) text.insert(random() % (text.size() + 1), ".");
+        if (random() % 8 == 0) text.insert(0, "-");
+        expect_same(text);
+        if (HasFailure()) return;
+    }
+}
+
+// Halfway between two doubles, and beside it: where a wrong rounding shows.
+TEST(FastNumber, TiesAndTheirNeighbours) {
+    std::mt19937_64 random(11);
+    for (int i = 0; i < 300'000; ++i) {
+        const std::uint64_t mantissa = (std::uint64_t{1} << 53U) + (random() >> 11U);
+        const unsigned shift = static_cast<unsigned>(random() % 10);
+        const std::uint64_t middle = (mantissa << (shift + 1)) | (std::uint64_t{1} << shift); // 54 + shift bits + 1
+        for (const std::int64_t off : {-1, 0, 1}) {
+            std::string text = std::to_string(middle + static_cast<std::uint64_t>(off));
+            if (text.size() <= 19) expect_same(text);
+            if (text.size() < 19) expect_same(text.insert(text.size() - random() % text.size(), "."));
+        }
+        if (HasFailure()) return;
+    }
+}
+
+TEST(FastNumber, ShortestTextOfRandomDoublesReadsBack) {
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> candela(0.0, 1e5);
+    for (int i = 0; i < 500'000; ++i) {
+        const double number = candela(random) * (i % 3 == 0 ? 1e-4 : 1.0);
+        std::array<char, 40> buffer{};
+        const auto [end, error] =
+            std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed);
+        const std::string text(buffer.data(), end);
+        double value = 0.0;
+        NumberScanner scanner(text, 0, text.size());
+        ASSERT_EQ(scanner.next(value), Token::number);
+        ASSERT_EQ(value, number) << text;
+    }
+}
+
+} // namespace
