@@ -5,7 +5,8 @@
 // not finite, the functions that take one say what they accept.
 #pragma once
 
-#include <cmath>
+#include <gonio/base/exposure_value.hpp>
+
 #include <compare>
 #include <numbers>
 
@@ -38,7 +39,7 @@ using Radians = Quantity<struct RadianUnit>;
 using Meters = Quantity<struct MeterUnit>;
 using Steradians = Quantity<struct SteradianUnit>;
 
-// Exposure value at ISO 100 of a luminance, and of an illuminance.
+// Exposure value at ISO 100 of a luminance, and of an illuminance (gonio/base/exposure_value.hpp).
 using Ev100 = Quantity<struct Ev100Unit>;
 using EvLux = Quantity<struct EvLuxUnit>;
 
@@ -49,22 +50,19 @@ constexpr double to_degrees(Radians angle) {
     return angle.value * (180.0 / std::numbers::pi);
 }
 
-// L = 2^(EV−3): a reflected-light meter with the calibration constant K = 12.5 (ISO 2720).
 inline Nits luminance(Ev100 ev) {
-    return Nits(std::exp2(ev.value - 3.0));
+    return Nits(luminance_of_ev(ev.value));
 }
 // Needs L > 0; 0 gives −∞.
 inline Ev100 ev100(Nits luminance) {
-    return Ev100(std::log2(luminance.value) + 3.0);
+    return Ev100(ev_of_luminance(luminance.value));
 }
-
-// E = 2.5·2^EV: an incident-light meter with the calibration constant C = 250 (ISO 2720).
 inline Lux illuminance(EvLux ev) {
-    return Lux(2.5 * std::exp2(ev.value));
+    return Lux(illuminance_of_ev(ev.value));
 }
 // Needs E > 0; 0 gives −∞.
 inline EvLux ev_lux(Lux illuminance) {
-    return EvLux(std::log2(illuminance.value / 2.5));
+    return EvLux(ev_of_illuminance(illuminance.value));
 }
 
 } // namespace gonio

@@ -1,15 +1,12 @@
 // Lobes: how a spot and a frustum share their intensity among directions, and the flux that follows.
 //
 // A lobe is the factor in [0, 1] on the intensity along the axis. Angles are radians from the axis. Every form here is
-// free of cancellation: it is accurate to a few ulp for cones of a millionth of a degree and for inner and outer angles
-// that differ in their last digits, where the textbook forms in 1 − cos are off by orders of magnitude.
+// free of cancellation, where the textbook forms in 1 − cos are off by orders of magnitude.
 #pragma once
 
 #include <gonio/light/shape.hpp>
 
 #include <glm/vec3.hpp>
-
-#include <string>
 
 namespace gonio {
 
@@ -27,6 +24,6 @@ Steradians lobe_solid_angle(const SpotShape& spot);
 Steradians lobe_solid_angle(const FrustumShape& frustum);
 
 // "Φ = 4π sin²(b/2) I": what lobe_solid_angle() computes, for people; a and b are the inner and outer half angles.
-std::string flux_formula(const SpotShape& spot);
+const char* flux_formula(const SpotShape& spot);
 
 } // namespace gonio

@@ -17,8 +17,11 @@
 #include <gonio/base/result.hpp>
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/shape.hpp>
+#include <gonio/light/shape_factors.hpp>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -39,22 +42,44 @@ struct Emission {
     Lux illuminance;    // of the sun, on a plane across its direction
 };
 
-// `steps`, where given, receives what was done. Profiles and masks must be loaded. Fails (usage) where the pair has no
-// meaning: nits of a point, lumens of the sun, a distance inside the shape or none, candela of a dark web or mask.
-Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps = nullptr);
+// The conversions of one shape, prepared once: for many values of the same shape, of which a web or a mask is
+// integrated only at the first flux.
+class ShapePhotometry {
+public:
+    // Profiles and masks must be loaded. Fails (usage) on a web or a mask that is dark everywhere.
+    static Result<ShapePhotometry> of(Shape shape);
 
-// The number of `unit`s that an emission of this shape is. Fails as above, and on the exposure value of 0. Where the
-// inverse square is not exact, `steps` also receive its value and its relative error.
+    // `steps`, where given, receives what was done. Fails (usage) where the pair has no meaning: nits of a point,
+    // lumens of the sun, a distance inside the shape or none; and on what is too large or too small for a number.
+    Result<Emission> emission_of(const PhotometricValue& value, ConversionSteps* steps = nullptr);
+
+    // The number of `unit`s that an emission of this shape is. Fails as above, and on the exposure value of 0. Where
+    // the inverse square is not exact, `steps` also receive its value and its relative error.
+    Result<double> express(const Emission& emission, const PhotometricUnit& unit, ConversionSteps* steps = nullptr);
+
+    // The distance from the shape's centre at which a receiver that faces it gets `illuminance` > 0, exact for the
+    // shape: beyond it there is less. Fails (usage) for the sun, for a shape that is dark along its direction, and
+    // where even contact gives less; relative error below 1e-14.
+    Result<Meters> distance_of(const Emission& emission, Lux illuminance) const;
+
+private:
+    ShapePhotometry(Shape shape, ShapeFactors factors) : shape_(std::move(shape)), factors_(std::move(factors)) {}
+    const Factor& flux();
+    Result<double> strength_of(const PhotometricValue& value, ConversionSteps* steps);
+
+    Shape shape_;
+    ShapeFactors factors_;
+    std::optional<Factor> flux_; // once it was needed
+};
+
+// The same for one value.
+Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps = nullptr);
 Result<double> express(const Shape& shape, const Emission& emission, const PhotometricUnit& unit,
                        ConversionSteps* steps = nullptr);
+Result<Meters> distance_of(const Shape& shape, const Emission& emission, Lux illuminance);
 
 // The emission of `to` that has the flux of `from`: the same lamp in another shape. Fails as emission_of() and
 // express().
 Result<Emission> with_same_flux(const Shape& from, const Emission& emission, const Shape& to);
-
-// The distance from the shape's centre at which a receiver that faces it gets `illuminance` > 0, exact for the shape:
-// beyond it there is less. Fails (usage) for the sun, for a shape that is dark along its direction, and where even
-// contact gives less; relative error below 1e-14.
-Result<Meters> distance_of(const Shape& shape, const Emission& emission, Lux illuminance);
 
 } // namespace gonio

@@ -297,6 +297,8 @@ Result<Facts> facts_of(const Shape& shape) {
                           std::holds_alternative<FrustumShape>(shape) || std::holds_alternative<ProfileShape>(shape);
     if (!punctual) return facts;
     facts.masked = mask_of(shape).web != nullptr;
+    if (const auto* spot = std::get_if<SpotShape>(&shape); spot != nullptr && !(spot->outer.value > 0.0))
+        return fail(Failure::unsupported, "a spot of 0deg has no flux that could be compared");
     Result<PhotometricValue> lumen = parse_photometric_value("1lm");
     if (!lumen) return pass_on(lumen);
     Result<Emission> emission = emission_of(shape, *lumen);

@@ -60,22 +60,34 @@ Result<Meters> positive_length(const KindText& text, std::string_view key) {
     return Meters(*meters);
 }
 
-enum class Limit { included, excluded };
+// Which angles a key takes: from `least_deg` to `most_deg`, either with or without the bound itself.
+struct AngleRange {
+    double least_deg = 0.0;
+    double most_deg = 0.0;
+    bool takes_least = false;
+    bool takes_most = true;
+};
 
-// An angle greater than 0 and up to `limit_deg`. What text in degrees rounds to above the limit is the limit.
-Result<Radians> positive_angle(const KindText& text, std::string_view key, const char* example, double limit_deg,
-                               Limit limit) {
+constexpr AngleRange half_angles{0.0, 90.0, true, true};
+constexpr AngleRange full_angles{0.0, 180.0, true, true};
+constexpr AngleRange apex_angles{0.0, 180.0, false, false};
+constexpr AngleRange diameters{0.0, 180.0, false, true};
+
+// What text in degrees rounds to above the greatest angle is the greatest.
+Result<Radians> angle(const KindText& text, std::string_view key, const char* example, const AngleRange& range) {
     Result<std::string> value = needed(text, key, "ANGLE", example);
     if (!value) return pass_on(value);
     Result<double> angle = parse_amount(*value, Dimension::angle, fmt::format("{} of '{}'", key, text.kind));
     if (!angle) return pass_on(angle);
-    const double most = limit_deg / 180.0 * pi;
+    const double least = range.least_deg / 180.0 * pi;
+    const double most = range.most_deg / 180.0 * pi;
     if (*angle > most && *angle < most * (1.0 + 1e-15)) *angle = most;
-    const bool fits = *angle > 0.0 && (limit == Limit::included ? *angle <= most : *angle < most);
+    const bool fits =
+        (range.takes_least ? *angle >= least : *angle > least) && (range.takes_most ? *angle <= most : *angle < most);
     if (!fits)
-        return fail(Failure::usage,
-                    fmt::format("{} of '{}' must be greater than 0deg and {} {}deg, not {}", key, text.kind,
-                                limit == Limit::included ? "at most" : "less than", limit_deg, *value));
+        return fail(Failure::usage, fmt::format("{} of '{}' must be {} {}deg and {} {}deg, not {}", key, text.kind,
+                                                range.takes_least ? "at least" : "greater than", range.least_deg,
+                                                range.takes_most ? "at most" : "less than", range.most_deg, *value));
     return Radians(*angle);
 }
 
@@ -132,8 +144,8 @@ Result<Shape> spot(const KindText& text) {
         return fail(Failure::usage, "'spot' takes outer or cone, not both",
                     "outer is the half angle, cone the full one");
     SpotShape made;
-    Result<Radians> outer = by_cone ? positive_angle(text, "cone", "80deg", 180.0, Limit::included)
-                                    : positive_angle(text, "outer", "40deg", 90.0, Limit::included);
+    Result<Radians> outer =
+        by_cone ? angle(text, "cone", "80deg", full_angles) : angle(text, "outer", "40deg", half_angles);
     if (!outer) return pass_on(outer);
     made.outer = by_cone ? *outer / 2.0 : *outer;
     if (const std::string* inner_text = text.value("inner")) {
@@ -161,9 +173,9 @@ Result<Shape> spot(const KindText& text) {
 
 Result<Shape> frustum(const KindText& text) {
     if (Result<void> known = keys<3>(text, {"h", "v", "mask"}); !known) return pass_on(known);
-    Result<Radians> h = positive_angle(text, "h", "60deg,v=40deg", 180.0, Limit::excluded);
+    Result<Radians> h = angle(text, "h", "60deg,v=40deg", apex_angles);
     if (!h) return pass_on(h);
-    Result<Radians> v = positive_angle(text, "v", "40deg,h=60deg", 180.0, Limit::excluded);
+    Result<Radians> v = angle(text, "v", "40deg,h=60deg", apex_angles);
     if (!v) return pass_on(v);
     Result<std::string> mask = mask_file(text);
     if (!mask) return pass_on(mask);
@@ -208,9 +220,9 @@ Result<Shape> tube(const KindText& text) {
 
 Result<Shape> sun(const KindText& text) {
     if (Result<void> known = keys<1>(text, {"angle"}); !known) return pass_on(known);
-    Result<Radians> angle = positive_angle(text, "angle", "0.53deg", 180.0, Limit::included);
-    if (!angle) return pass_on(angle);
-    return Shape(SunShape{*angle});
+    Result<Radians> diameter = angle(text, "angle", "0.53deg", diameters);
+    if (!diameter) return pass_on(diameter);
+    return Shape(SunShape{*diameter});
 }
 
 Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics& diagnostics) {

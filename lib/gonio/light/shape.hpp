@@ -27,7 +27,8 @@ enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, 
 
 const char* to_text(Falloff falloff); // "smoothstep-cos"
 
-// 0 ≤ inner ≤ outer ≤ π/2, half angles from the axis; inner = outer is `hard`.
+// 0 ≤ inner ≤ outer ≤ π/2, half angles from the axis; inner = outer is `hard`. An outer angle of 0 is a ray: it has an
+// intensity and no flux.
 struct SpotShape {
     Radians outer;
     Radians inner;

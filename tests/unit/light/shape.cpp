@@ -66,7 +66,7 @@ TEST(Shape, AreaShapesTakeLengths) {
 
 TEST(Shape, WhatMakesNoShapeIsRefused) {
     for (const char* text : {"spot",
-                             "spot:outer=0deg",
+                             "spot:outer=-1deg",
                              "spot:outer=-1deg",
                              "spot:outer=91deg",
                              "spot:outer=40",
@@ -106,8 +106,7 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
     };
     EXPECT_EQ(reason("spot:outer=40deg,falloff=lineer-cos").hint.find("did you mean 'linear-cos'?"), 0U);
     EXPECT_EQ(reason("disk:r=1m,twosided").hint.find("did you mean 'two-sided'?"), 0U);
-    EXPECT_EQ(reason("spot:outer=95deg").message,
-              "outer of 'spot' must be greater than 0deg and at most 90deg, not 95deg");
+    EXPECT_EQ(reason("spot:outer=95deg").message, "outer of 'spot' must be at least 0deg and at most 90deg, not 95deg");
     EXPECT_EQ(reason("frustum:h=200deg,v=1deg").message,
               "h of 'frustum' must be greater than 0deg and less than 180deg, not 200deg");
 }
