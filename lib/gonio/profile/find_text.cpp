@@ -14,22 +14,19 @@ bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
-// Bytes that no text has. Beyond the head of a file only NUL counts: a stray one in a remark harms nothing.
+// Bytes that no text has. Behind the first line only NUL counts: a stray one in a remark harms nothing, and where a
+// line is must not decide whether a file can be read, because writing moves it.
 std::size_t find_control(std::string_view bytes, std::size_t begin, std::size_t end) {
-    constexpr std::size_t head = 4096;
     const auto is_control = [](char byte) {
         const auto c = static_cast<unsigned char>(byte);
         return c < ' ' && (c < '\t' || c > '\r');
     };
-    const std::string_view looked_at = bytes.substr(begin, std::min(head, end) - std::min(begin, std::min(head, end)));
-    // First whether there is one, which compilers do for many bytes at once, and then where.
-    unsigned char found = 0;
-    for (const char c : looked_at)
-        found |= static_cast<unsigned char>(is_control(c));
-    if (found != 0)
-        return begin + static_cast<std::size_t>(std::find_if(looked_at.begin(), looked_at.end(), is_control) -
-                                                looked_at.begin());
-    return std::min(bytes.substr(0, end).find('\0', std::max(head, begin)), end);
+    std::size_t i = begin;
+    while (i < end && is_line_end(bytes[i]))
+        ++i;
+    for (; i < end && !is_line_end(bytes[i]); ++i)
+        if (is_control(bytes[i])) return i;
+    return std::min(bytes.substr(0, end).find('\0', i), end);
 }
 
 } // namespace

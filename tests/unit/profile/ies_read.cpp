@@ -1,6 +1,8 @@
 // Every rule of the LM-63 reader with the smallest file that triggers it.
 #include <gonio/profile/read.hpp>
+#include <gonio/profile/write.hpp>
 
+#include "equal.hpp"
 #include "expect.hpp"
 
 #include <gtest/gtest.h>
@@ -205,7 +207,21 @@ TEST(IesRead, Numbers) {
     expect_error(glued, "lamp:11:5: error[IES0201]: '1.5-3' stands where a number is expected");
     EXPECT_EQ(glued.error().diagnostics.back().hint, "if these are two numbers, put a blank between them");
     expect_error(read(with(lamp, 11, "100 8\x01 0")),
-                 "lamp:11:6: error[PRF0102]: not a photometric file, a text has no control bytes such as this");
+                 "lamp:11:5: error[IES0201]: '8\\x01' stands where a number is expected");
+}
+
+// Writing drops text that stands before it, so the place of a stray byte must not decide.
+TEST(IesRead, AControlByteInARemarkIsKeptWhereverItStands) {
+    for (const std::size_t before : {0U, 4000U, 4090U, 5000U}) {
+        const std::string text = joined(with(lamp, 2, "[OTHER] " + std::string(before, 'x') + "\r\n[MORE] a\x02z"));
+        const Result<Profile> read_once = read(text);
+        ASSERT_TRUE(read_once) << before;
+        const std::string written = write_ies(std::get<IesFile>(read_once->file));
+        EXPECT_NE(written.find("a\x02z"), std::string::npos);
+        const Result<Profile> read_twice = read(written);
+        ASSERT_TRUE(read_twice) << before;
+        EXPECT_TRUE(test::equal(read_once->file, read_twice->file));
+    }
 }
 
 TEST(IesRead, StrictSaysWhatTheTolerantReadingTakesSilently) {
