@@ -80,7 +80,8 @@ struct Tm33Places {
     std::size_t symmetry = no_place;
 };
 
-void check_tm33_intensity(const Tm33Emitter& emitter, const Tm33Places& places, Report& report);
+// Planes and poles are those of type C alone.
+void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33Places& places, Report& report);
 
 // What the checks ask of a table of `planes` rows.
 struct Poles {
