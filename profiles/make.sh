@@ -37,16 +37,32 @@ both street lm-63-1995 street --planes 10deg --lumens 6000lm --watts 45W --openi
 both pendant lm-63-1995 cosine:power=1.5,up=0.5 --gammas 5deg --lumens 2000lm --watts 18W --opening disk:d=40cm \
     --name "Pendant, a third of its light upwards" --lamp "LED module" --absolute
 
-# A type B table, measured as floodlights are; EULUMDAT holds it resampled.
+# A type B table, measured as floodlights are; what holds type C alone has it resampled.
 "$gonio" make batwing:reach=30deg,across=15deg,edge=1 -q --type B --planes 5deg --gammas 5deg --lumens 12000lm --watts 95W \
     --opening rect:w=30cm,l=20cm --name "Floodlight, wide and low" --lamp "LED module" --number flood "${made[@]}" \
     -o flood.ies
 "$gonio" edit flood.ies -q --resample 7.5deg,2.5deg -o flood.ldt
 
-# No symmetry: a wall-washer that was not hung straight. As TM-33 too.
+# No symmetry: a wall-washer that was not hung straight.
 "$gonio" make wall-washer -q --planes 15deg --gammas 5deg --lumens 1500lm --watts 15W --opening disk:d=10cm \
     --name "Accent light, turned by 30 degrees" --lamp "LED module" --number accent "${texts[@]}" -o straight.ies
-for name in accent.ies accent.ldt accent.xml; do
+for name in accent.ies accent.ldt; do
     "$gonio" edit straight.ies -q --rotate 30deg -o "$name"
 done
 rm straight.ies
+
+# Every one of them as TM-33, and in each edition and dialect of LM-63.
+luminaires=(*.ies)
+for file in "${luminaires[@]}"; do
+    "$gonio" convert "$file" -q -o "${file%.ies}.xml"
+done
+for dialect in lm-63-1995 lm-63-2002 lm-63-2019 portable; do
+    mkdir -p "$dialect"
+    for file in "${luminaires[@]}"; do
+        if [[ $dialect/$file == portable/flood.ies ]]; then
+            "$gonio" edit "$file" -q --resample 7.5deg,2.5deg --dialect portable -o portable/flood.ies
+        else
+            "$gonio" convert "$file" -q --dialect "$dialect" -o "$dialect/$file"
+        fi
+    done
+done

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 #include <utility>
@@ -16,7 +17,19 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> profile_extensions{"ies", "ldt"};
+constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml", "tm33"};
+
+// Much is written as XML. A file that cannot be read is kept: reading it says why.
+bool is_other_xml(const std::string& file) {
+    constexpr std::size_t looked_at = 8192;
+    constexpr std::string_view extension = ".xml";
+    const bool named = file.size() > extension.size() &&
+                       std::equal(extension.rbegin(), extension.rend(), file.rbegin(),
+                                  [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+    if (!named) return false;
+    const Result<std::string> start = read_file_start(file, looked_at);
+    return start && !begins_as_tm33(*start);
+}
 
 Result<void> add_input(const std::string& name, std::vector<std::string>& files) {
     if (!is_folder(name)) {
@@ -25,9 +38,11 @@ Result<void> add_input(const std::string& name, std::vector<std::string>& files)
     }
     Result<std::vector<std::string>> inside = files_in(name, profile_extensions);
     if (!inside) return pass_on(inside);
+    std::erase_if(*inside, is_other_xml);
     if (inside->empty())
         return fail(Failure::usage, "the folder holds no profile",
-                    fmt::format("file names end in .{}", fmt::join(profile_extensions, ", .")), name);
+                    fmt::format("file names end in .{}, and XML is of TM-33", fmt::join(profile_extensions, ", .")),
+                    name);
     files.insert(files.end(), std::make_move_iterator(inside->begin()), std::make_move_iterator(inside->end()));
     return {};
 }

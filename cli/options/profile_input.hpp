@@ -32,8 +32,8 @@ struct ProfileInputOptions {
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
 
 // The positional words with every @LIST replaced by the file names it holds, one a line, and every folder by the
-// profiles below it, sorted by name. Fails (io) when a list or a folder cannot be read and (usage) when there is no
-// word at all, or no profile in a folder.
+// profiles below it, sorted by name; XML that is no TM-33 is left out there. Fails (io) when a list or a folder cannot
+// be read and (usage) when there is no word at all, or no profile in a folder.
 Result<std::vector<std::string>> input_files(const Arguments& arguments);
 
 // A file with its bytes, as read and as resolved; "-" is standard input.

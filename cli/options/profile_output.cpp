@@ -70,7 +70,7 @@ Result<WrittenProfile> write_luminaire(const Luminaire& luminaire, const Profile
     if (!made) return pass_on(made);
     const std::string bytes = write_profile(made->profile, output.target);
     Result<Profile> again = read_profile(bytes, output.file);
-    Result<ResolvedWeb> web = again ? resolve_web(*again) : Result<ResolvedWeb>(pass_on(again));
+    Result<ResolvedWeb> web = again ? resolve_web(std::move(*again)) : Result<ResolvedWeb>(pass_on(again));
     if (!web) {
         const std::string reason = web.error().diagnostics.empty() ? "" : web.error().diagnostics.back().message;
         return fail(Failure::internal, fmt::format("what was made cannot be read again: {}", reason));

@@ -66,6 +66,14 @@ private:
     int fd_;
 };
 
+Result<void> check_readable(int fd, const std::string& path) {
+    if (fd < 0) return io_failure("read", path, errno);
+    struct stat status {};
+    if (::fstat(fd, &status) == 0 && S_ISDIR(status.st_mode))
+        return fail(Failure::io, "cannot read: it is a folder", "name a file in it", path);
+    return {};
+}
+
 Result<std::string> read_all(int fd, const std::string& name, std::size_t max_bytes) {
     std::string bytes;
     std::size_t used = 0;
@@ -121,11 +129,24 @@ std::string behind_links(const std::string& path) {
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
-    if (file.get() < 0) return io_failure("read", path, errno);
-    struct stat status {};
-    if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
-        return fail(Failure::io, "cannot read: it is a folder", "name a file in it", path);
+    if (Result<void> readable = check_readable(file.get(), path); !readable) return pass_on(readable);
     return read_all(file.get(), path, max_bytes);
+}
+
+Result<std::string> read_file_start(const std::string& path, std::size_t count) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+    if (Result<void> readable = check_readable(file.get(), path); !readable) return pass_on(readable);
+    std::string bytes(count, '\0');
+    std::size_t used = 0;
+    while (used < count) {
+        const ssize_t got = ::read(file.get(), bytes.data() + used, count - used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return io_failure("read", path, errno);
+        if (got == 0) break;
+        used += static_cast<std::size_t>(got);
+    }
+    bytes.resize(used);
+    return bytes;
 }
 
 Result<std::string> read_standard_input(std::size_t max_bytes) {

@@ -21,6 +21,9 @@ inline constexpr std::size_t max_file_bytes = std::size_t{256} << 20;
 // and on more than `max_bytes`: never allocates what a size announces before it has been read.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes = max_file_bytes);
 
+// The first `count` bytes of a file, or as many as it has. Fails as read_file does.
+Result<std::string> read_file_start(const std::string& path, std::size_t count);
+
 // As read_file, from standard input.
 Result<std::string> read_standard_input(std::size_t max_bytes = max_file_bytes);
 

@@ -229,7 +229,7 @@ Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
     std::move(profile->diagnostics.begin(), profile->diagnostics.end(), std::back_inserter(diagnostics));
-    Result<ResolvedWeb> resolved = resolve_web(*profile);
+    Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);
     std::move(resolved->diagnostics.begin(), resolved->diagnostics.end(), std::back_inserter(diagnostics));
     return std::make_shared<const Web>(std::move(resolved->web));

@@ -57,7 +57,7 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
     while (text.end > text.begin && bytes[text.end - 1] == '\0')
         --text.end;
     const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
-    if (nothing) return report.fail("PRF0101", no_place, "the file is empty");
+    if (nothing) return report.fail("PRF0101", 0, "the file is empty");
     // Bytes that no text has; Ctrl-Z only counts as an end where what stands before it is text.
     const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
     if (const std::size_t i = find_control(bytes, text.begin, ctrl_z); i != ctrl_z)

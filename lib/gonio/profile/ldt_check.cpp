@@ -7,7 +7,7 @@
 
 namespace gonio::profile_detail {
 
-void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report) {
+void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report) {
     const double first = file.gammas_deg.front();
     const double last = file.gammas_deg.back();
     const bool begins = first == 0.0 || first == 90.0;
@@ -23,17 +23,20 @@ void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report) {
                    fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
     const std::vector<double>& ratios = file.direct_ratios;
     if (std::all_of(ratios.begin(), ratios.end(), [](double r) { return r == 0.0; }))
-        report.add("LDT0404", no_place, "the ten direct ratios are zero");
-    if (file.light_output_ratio_percent == 0.0) report.add("LDT0405", no_place, "the light output ratio is zero");
+        report.add("LDT0404", places.direct_ratios, "the ten direct ratios are zero");
+    if (file.light_output_ratio_percent == 0.0)
+        report.add("LDT0405", places.light_output_ratio, "the light output ratio is zero");
     const bool absolute = std::any_of(file.lamp_sets.begin(), file.lamp_sets.end(),
                                       [](const LdtLampSet& set) { return set.lamp_count < 0; });
     if (absolute && file.light_output_ratio_percent != 0.0 && file.light_output_ratio_percent != 100.0)
         report.add(
-            "LDT0408", no_place,
+            "LDT0408", places.light_output_ratio,
             fmt::format("absolute photometry, and the light output ratio is {}", file.light_output_ratio_percent));
     if (file.conversion_factor != 1.0)
-        report.add("LDT0406", no_place, fmt::format("the conversion factor is {}", file.conversion_factor));
-    if (file.tilt_deg != 0.0) report.add("LDT0407", no_place, fmt::format("measured with a tilt of {}", file.tilt_deg));
+        report.add("LDT0406", places.conversion_factor,
+                   fmt::format("the conversion factor is {}", file.conversion_factor));
+    if (file.tilt_deg != 0.0)
+        report.add("LDT0407", places.tilt, fmt::format("measured with a tilt of {}", file.tilt_deg));
 }
 
 } // namespace gonio::profile_detail

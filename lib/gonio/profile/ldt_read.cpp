@@ -70,6 +70,7 @@ public:
         for (std::size_t i = 0; i < direct_ratio_count; ++i) {
             double ratio = 0.0;
             if (Result<void> read = number(ratio, "direct ratio"); !read) return pass_on(read);
+            if (i == 0) places_.direct_ratios = number_offset_;
             file_.direct_ratios.push_back(ratio);
         }
         if (Result<void> read = read_planes(); !read) return pass_on(read);
@@ -220,7 +221,12 @@ private:
     }
 
     Result<void> read_dimensions() {
-        const std::pair<double*, std::string_view> fields[] = {
+        struct Field {
+            double* value;
+            std::string_view what;
+            std::size_t* place = nullptr;
+        };
+        const Field fields[] = {
             {&file_.length_mm, "length"},
             {&file_.width_mm, "width"},
             {&file_.height_mm, "height"},
@@ -231,12 +237,14 @@ private:
             {&file_.luminous_height_c180_mm, "luminous height in C180"},
             {&file_.luminous_height_c270_mm, "luminous height in C270"},
             {&file_.downward_flux_percent, "downward flux fraction"},
-            {&file_.light_output_ratio_percent, "light output ratio"},
-            {&file_.conversion_factor, "conversion factor"},
-            {&file_.tilt_deg, "tilt"},
+            {&file_.light_output_ratio_percent, "light output ratio", &places_.light_output_ratio},
+            {&file_.conversion_factor, "conversion factor", &places_.conversion_factor},
+            {&file_.tilt_deg, "tilt", &places_.tilt},
         };
-        for (const auto& [field, what] : fields)
-            if (Result<void> read = number(*field, what); !read) return read;
+        for (const Field& field : fields) {
+            if (Result<void> read = number(*field.value, field.what); !read) return read;
+            if (field.place != nullptr) *field.place = number_offset_;
+        }
         return {};
     }
 
@@ -451,7 +459,7 @@ private:
     TextRange text_;
     std::size_t last_text_; // behind the last byte that is neither blank nor line end
     LdtFile file_;
-    TablePlaces places_;
+    LdtPlaces places_;
     std::size_t number_offset_ = 0; // of the number read last
     std::size_t text_offset_ = 0;   // of the text read last
     double lowest_ = 0.0;           // of the table, and 0

@@ -60,9 +60,16 @@ struct TablePlaces {
     double peak = 0.0; // the largest magnitude in the table
 };
 
+struct LdtPlaces : TablePlaces {
+    std::size_t light_output_ratio = 0;
+    std::size_t conversion_factor = 0;
+    std::size_t tilt = 0;
+    std::size_t direct_ratios = 0;
+};
+
 // Says what is odd about a table that could be read: ranges, missing planes, poles that disagree, no light.
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report);
-void check_ldt(const LdtFile& file, const TablePlaces& places, Report& report);
+void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report);
 
 // The shape that the signs of the dimensions code in the file's edition; nothing where it has no such code.
 std::optional<OpeningShape> ies_opening_shape(const IesFile& file);
@@ -73,7 +80,8 @@ struct Tm33Places {
     std::size_t symmetry = no_place;
 };
 
-void check_tm33_intensity(const Tm33Emitter& emitter, const Tm33Places& places, Report& report);
+// Planes and poles are those of type C alone.
+void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33Places& places, Report& report);
 
 // What the checks ask of a table of `planes` rows.
 struct Poles {

@@ -96,6 +96,12 @@ const char* to_text(ProfileFormat format) {
     return format == ProfileFormat::ies ? "IES" : format == ProfileFormat::ldt ? "LDT" : "TM-33";
 }
 
+bool begins_as_tm33(std::string_view bytes) {
+    const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);
+    if (utf16 == profile_detail::Utf16::no) return looks_like_tm33(bytes);
+    return looks_like_tm33(utf16_to_utf8(bytes.substr(0, 8192), utf16 == profile_detail::Utf16::big_endian));
+}
+
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
     std::string converted; // what UTF-16 became
     const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);

@@ -21,6 +21,10 @@ enum class ProfileFormat { ies, ldt, tm33 };
 
 const char* to_text(ProfileFormat format); // "IES", "LDT", "TM-33": as in reports
 
+// Whether a text is XML whose outermost element is TM-33's, as its first bytes tell (4096 are looked at): what tells
+// profiles from the other XML files in a folder. In any encoding that read_profile takes.
+bool begins_as_tm33(std::string_view bytes);
+
 // Gives the bytes of the file `name` that stands beside a profile.
 using ReadBeside = std::function<Result<std::string>(const std::string& name)>;
 

@@ -19,9 +19,22 @@ Tm33Symmetry symmetry_of(const std::vector<double>& planes) {
     return Tm33Symmetry::none;
 }
 
+void check_planes(const Tm33Intensity& intensity, const Tm33Places& places, Report& report) {
+    const std::vector<double>& planes = intensity.horizontal_deg;
+    const Tm33Symmetry seen = symmetry_of(planes);
+    if (intensity.symmetry && *intensity.symmetry != Tm33Symmetry::arbitrary && *intensity.symmetry != seen)
+        report.add(
+            "TM30301", places.symmetry,
+            fmt::format("the stated symmetry does not go with planes from {} to {}", planes.front(), planes.back()));
+    const double gap = 360.0 - (planes.back() - planes.front());
+    if (seen == Tm33Symmetry::none && planes.front() == 0.0 && planes.back() > 180.0 && gap > 0.0)
+        report.add("TM30304", places.table,
+                   fmt::format("the last plane is at {}, the one at 360 is missing", planes.back()));
+}
+
 } // namespace
 
-void check_tm33_intensity(const Tm33Emitter& emitter, const Tm33Places& places, Report& report) {
+void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33Places& places, Report& report) {
     if (!emitter.intensity) return;
     const Tm33Intensity& intensity = *emitter.intensity;
     const std::vector<double>& planes = intensity.horizontal_deg;
@@ -33,20 +46,12 @@ void check_tm33_intensity(const Tm33Emitter& emitter, const Tm33Places& places, 
                                gammas.front(), gammas.back()));
         return;
     }
-    const Tm33Symmetry seen = symmetry_of(planes);
-    if (intensity.symmetry && *intensity.symmetry != Tm33Symmetry::arbitrary && *intensity.symmetry != seen)
-        report.add(
-            "TM30301", places.symmetry,
-            fmt::format("the stated symmetry does not go with planes from {} to {}", planes.front(), planes.back()));
-    const double gap = 360.0 - (planes.back() - planes.front());
-    if (seen == Tm33Symmetry::none && planes.front() == 0.0 && planes.back() > 180.0 && gap > 0.0)
-        report.add("TM30304", places.table,
-                   fmt::format("the last plane is at {}, the one at 360 is missing", planes.back()));
+    if (of_type_c) check_planes(intensity, places, report);
     const auto [lowest, highest] = std::minmax_element(intensity.candela.begin(), intensity.candela.end());
     if (*lowest < 0.0) report.add("TM30401", places.table, "a negative intensity");
     const Poles poles = look_at_poles(gammas, intensity.candela, std::max(std::abs(*lowest), std::abs(*highest)));
     if (poles.all_zero) report.add("TM30402", places.table, "every intensity is zero");
-    if (gammas.front() >= 0.0 && (poles.nadir_differs || poles.zenith_differs))
+    if (of_type_c && (poles.nadir_differs || poles.zenith_differs))
         report.add("TM30403", places.table,
                    fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
 }

@@ -2,6 +2,7 @@
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
 #include <gonio/profile/parse.hpp>
+#include <gonio/profile/tm33_light.hpp>
 
 #include <fmt/format.h>
 
@@ -60,8 +61,9 @@ public:
         }
         if (file_.emitters.empty()) return report_.fail("TM30105", place(root), "the document describes no emitter");
         check_required(root);
+        const bool of_type_c = photometry_of(file_) == Photometry::c;
         for (std::size_t i = 0; i < file_.emitters.size(); ++i)
-            check_tm33_intensity(file_.emitters[i], intensity_places_[i], report_);
+            check_tm33_intensity(file_.emitters[i], of_type_c, intensity_places_[i], report_);
         if (std::none_of(file_.emitters.begin(), file_.emitters.end(), [](const auto& e) { return !!e.intensity; }))
             report_.add("TM30404", place(root), "no emitter has a luminous intensity");
         if (report_.has_error()) return report_.failure();

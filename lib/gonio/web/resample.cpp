@@ -1,18 +1,26 @@
+#include <gonio/base/sort_unique.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/plane_range.hpp>
+#include <gonio/web/refine_grid.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/resample_light.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <span>
 #include <utility>
 
 namespace gonio {
 
 namespace {
+
+using web_detail::finest_step_deg;
+
+constexpr double coarse_step_deg = 2.5;
 
 class WorstError {
 public:
@@ -21,12 +29,27 @@ public:
     void look_at(double c_deg, double gamma_deg) {
         const double error = std::abs(result_.web.candela(c_deg, gamma_deg) - before_.candela(c_deg, gamma_deg));
         if (error <= result_.max_error.value) return;
+        if (is_narrow(result_.web.horizontal_deg(), c_deg) && is_narrow(result_.web.vertical_deg(), gamma_deg)) {
+            result_.jump_error = Candelas(std::max(result_.jump_error.value, error));
+            return;
+        }
         result_.max_error = Candelas(error);
         result_.max_error_c_deg = c_deg;
         result_.max_error_gamma_deg = gamma_deg;
     }
 
 private:
+    // Whether a step that holds the angle is one of the finest; at an angle of the grid there are two.
+    static bool is_narrow(std::span<const double> angles, double angle) {
+        const auto step_ends_at = [&](std::ptrdiff_t i) {
+            return i > 0 && i < std::ssize(angles) &&
+                   angles[static_cast<std::size_t>(i)] - angles[static_cast<std::size_t>(i) - 1] <= finest_step_deg;
+        };
+        const auto first = std::lower_bound(angles.begin(), angles.end(), angle - 1e-9) - angles.begin();
+        const auto last = std::upper_bound(angles.begin(), angles.end(), angle + 1e-9) - angles.begin();
+        return step_ends_at(first) || step_ends_at(last);
+    }
+
     const web_detail::Light& before_;
     ResampledWeb& result_;
 };
@@ -51,8 +74,18 @@ void measure(const web_detail::Light& before, ResampledWeb& result) {
         worst.look_at(at.horizontal_deg, at.vertical_deg);
 }
 
+// Lines of H and V cross the planes C0–C180 and C90–C270 at these γ, and are where the light bends in them.
+std::vector<double> gammas_of_native(const Web& web) {
+    std::vector<double> gammas;
+    for (const std::span<const double> angles : {web.horizontal_deg(), web.vertical_deg()})
+        for (const double angle : angles)
+            gammas.push_back(std::abs(angle));
+    return gammas;
+}
+
 web_detail::Light light_of(const Web& web) {
-    return {[&web](double c, double gamma) { return web.candela(c, gamma); }, web_detail::table_directions(web)};
+    return {[&web](double c, double gamma) { return web.candela(c, gamma); }, web_detail::table_directions(web),
+            web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web)};
 }
 
 // The whole degrees of γ between which there is light; high below low where there is none.
@@ -74,6 +107,19 @@ AngleRange table_gammas(AngleRange bright, double step) {
     const bool up = bright.high > 90.0;
     const bool down = bright.low < 90.0 - step;
     return {down ? 0.0 : 90.0, up ? 180.0 : 90.0};
+}
+
+// Even steps of at most coarse_step_deg between the listed angles.
+std::vector<double> filled(std::vector<double> listed) {
+    sort_unique(listed);
+    std::vector<double> angles{listed.front()};
+    for (std::size_t i = 1; i < listed.size(); ++i) {
+        const double width = listed[i] - listed[i - 1];
+        const auto cells = static_cast<std::size_t>(std::ceil(width / coarse_step_deg - 1e-9));
+        const std::vector<double> between = even_angles(listed[i - 1], listed[i], std::max<std::size_t>(cells, 1));
+        angles.insert(angles.end(), between.begin() + 1, between.end());
+    }
+    return angles;
 }
 
 } // namespace
@@ -108,7 +154,7 @@ Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<d
             candela.push_back(light.candela(c, gamma));
     Result<Web> made = Web::create(stored, std::move(planes_deg), std::move(gammas_deg), std::move(candela));
     if (!made) return pass_on(made);
-    ResampledWeb result{std::move(*made), Candelas(0.0), 0.0, 0.0, Lumens(0.0)};
+    ResampledWeb result{std::move(*made), Candelas(0.0), 0.0, 0.0, Lumens(0.0), Candelas(0.0)};
     measure(light, result);
     result.flux_error = flux(result.web) - flux_before;
     return result;
@@ -116,17 +162,14 @@ Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<d
 
 ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens flux_before, double tolerance) {
     const AngleRange planes = plane_range(stored);
-    const AngleRange bright = bright_gammas(light);
-    for (double step = 5.0;; step *= 0.5) {
-        const AngleRange gammas = table_gammas(bright, step);
-        const auto cells = [&](AngleRange range) {
-            return static_cast<std::size_t>(std::lround((range.high - range.low) / step));
-        };
-        // Even angles within the range of a symmetry are always a grid.
-        ResampledWeb result = *resample(light, stored, even_angles(planes.low, planes.high, cells(planes)),
-                                        even_angles(gammas.low, gammas.high, cells(gammas)), flux_before);
-        if (result.max_error.value <= tolerance * std::abs(peak.value) || step <= 0.3125) return result;
-    }
+    const AngleRange gammas = table_gammas(bright_gammas(light), coarse_step_deg);
+    std::vector<double> own{gammas.low, gammas.high};
+    for (const double gamma : light.gammas_deg)
+        if (gamma > gammas.low + finest_step_deg && gamma < gammas.high - finest_step_deg) own.push_back(gamma);
+    AngleGrid grid = refined_grid(light, {filled({planes.low, planes.high}), filled(std::move(own))},
+                                  Candelas(tolerance * std::abs(peak.value)));
+    // Ascending angles within the range of a symmetry are always a grid.
+    return *resample(light, stored, std::move(grid.planes_deg), std::move(grid.gammas_deg), flux_before);
 }
 
 } // namespace web_detail
@@ -137,7 +180,8 @@ Result<ResampledWeb> resampled_to_c(const Web& web, std::vector<double> planes_d
 }
 
 Result<ResampledWeb> resampled_to_c(const Web& web, double tolerance) {
-    if (web.photometry() == Photometry::c) return ResampledWeb{web, Candelas(0.0), 0.0, 0.0, Lumens(0.0)};
+    if (web.photometry() == Photometry::c)
+        return ResampledWeb{web, Candelas(0.0), 0.0, 0.0, Lumens(0.0), Candelas(0.0)};
     return web_detail::resample(light_of(web), web.stored_symmetry(), peak(web).intensity, flux(web), tolerance);
 }
 

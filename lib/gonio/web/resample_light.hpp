@@ -14,6 +14,7 @@ namespace gonio::web_detail {
 struct Light {
     std::function<double(double c_deg, double gamma_deg)> candela;
     std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is looked for there too
+    std::vector<double> gammas_deg = {};  // γ of a bend that follows a C-plane: a chosen grid has them
 };
 
 // (C, γ) of every point of a web's own table, mirrors not written out.
@@ -23,7 +24,7 @@ std::vector<GoniometerAngles> table_directions(const Web& web);
 Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<double> planes_deg,
                               std::vector<double> gammas_deg, Lumens flux);
 
-// On even steps from 5° halved until the error is at most `tolerance` · peak or the step is 0.3125°; γ over the half or
+// On a grid that refined_grid() makes of steps of 2.5° and the light's own γ, for `tolerance` · peak; γ over the half or
 // whole sphere that is not dark.
 ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens flux, double tolerance);
 

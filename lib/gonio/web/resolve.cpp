@@ -72,6 +72,7 @@ void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnos
     const double gap = 360.0 - span;
     if (gap <= widest * (1.0 + 1e-6)) {
         table.planes_deg.push_back(table.planes_deg.front() + 360.0);
+        table.candela.reserve(table.candela.size() + table.gammas_deg.size()); // else it would grow to twice its size
         append_column(table.candela, table.candela, 0, table.gammas_deg.size());
         if (std::holds_alternative<IesFile>(profile.file))
             warn(diagnostics, profile, "WEB0101",
@@ -123,9 +124,10 @@ double tilt_factor(const IesTilt& tilt, double tilt_deg) {
     return tilt.factors[i - 1] + weight * (tilt.factors[i] - tilt.factors[i - 1]);
 }
 
-Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& profile, const ResolveOptions& options,
-                                          Diagnostics& diagnostics) {
-    Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, file.candela, file.photometry};
+// Of each: `candela` are the file's own, which the caller copied or took from it.
+Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<double> candela, const Profile& profile,
+                                          const ResolveOptions& options, Diagnostics& diagnostics) {
+    Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, std::move(candela), file.photometry};
     table.stored = table.photometry == Photometry::c ? take_symmetry_of_ies_planes(table.planes_deg)
                                                      : take_symmetry_of_types_a_b(table);
     if (table.photometry != Photometry::c && (table.planes_deg.size() < 2 || table.gammas_deg.size() < 2))
@@ -153,20 +155,22 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, const Profile& pr
 // Isym 3: the stored planes are Mc1 = 3Mc/4 + 1 to Mc2 = Mc1 + Mc/2 (Stockmar 1990), which is C270 over C0 to C90.
 // Their mirror images in the C90–C270 plane are C270 over C180 to C90: the web's planes, backwards.
 void take_planes_from_c270(const LdtFile& file, std::size_t stored, Table& table) {
+    const std::vector<double> candela = std::exchange(table.candela, {});
+    table.candela.reserve(candela.size());
     const std::size_t rows = file.gammas_deg.size();
     const std::size_t count = file.planes_deg.size();
     std::size_t first = 0;
     while (first + 1 < count && file.planes_deg[first] < 270.0 - 1e-6)
         ++first;
-    table.candela.clear();
     for (std::size_t i = stored; i-- > 0;) {
         const double c = file.planes_deg[(first + i) % count];
         table.planes_deg.push_back(std::fmod(540.0 - c, 360.0));
-        append_column(table.candela, file.candela_per_klm, i, rows);
+        append_column(table.candela, candela, i, rows);
     }
 }
 
-Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& profile, const ResolveOptions& options) {
+Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<double> candela, const Profile& profile,
+                                          const ResolveOptions& options) {
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
         return fail(Failure::usage,
                     fmt::format("there is no lamp set {}, the file has {}", options.lamp_set, file.lamp_sets.size()),
@@ -175,8 +179,8 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
 
     Table table;
     table.gammas_deg = file.gammas_deg;
-    table.candela = file.candela_per_klm;
-    const std::size_t stored = file.candela_per_klm.size() / std::max<std::size_t>(1, file.gammas_deg.size());
+    table.candela = std::move(candela);
+    const std::size_t stored = table.candela.size() / std::max<std::size_t>(1, file.gammas_deg.size());
     switch (file.symmetry) {
     case 1:
         table.stored = Symmetry::axial;
@@ -213,7 +217,10 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, const Profile& pr
 Result<std::pair<Table, double>> table_of(const Tm33File& file, const Profile& profile, const ResolveOptions& options,
                                           Diagnostics& diagnostics) {
     Result<IesFile> light = lm63_of(file);
-    if (light) return table_of(*light, profile, options, diagnostics);
+    if (light) {
+        std::vector<double> candela = std::exchange(light->candela, {});
+        return table_of(*light, std::move(candela), profile, options, diagnostics);
+    }
     for (Diagnostic& diagnostic : light.error().diagnostics)
         diagnostic.location.file = profile.source;
     return pass_on(light);
@@ -227,31 +234,37 @@ double azimuth_turn_deg(const Profile& profile, AzimuthConvention wanted) {
     return 0.0;
 }
 
-} // namespace
+// The table of LM-63 or EULUMDAT; TM-33 holds several, which are added up elsewhere.
+template<class AnyProfile>
+auto* candela_of(AnyProfile& profile) {
+    if (auto* const ies = std::get_if<IesFile>(&profile.file)) return &ies->candela;
+    auto* const ldt = std::get_if<LdtFile>(&profile.file);
+    return ldt != nullptr ? &ldt->candela_per_klm : nullptr;
+}
 
-Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options) {
+Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela, const ResolveOptions& options) {
     Diagnostics diagnostics;
     const auto* ies = std::get_if<IesFile>(&profile.file);
     const auto* tm33 = std::get_if<Tm33File>(&profile.file);
-    auto read = ies != nullptr    ? table_of(*ies, profile, options, diagnostics)
+    auto read = ies != nullptr    ? table_of(*ies, std::move(candela), profile, options, diagnostics)
                 : tm33 != nullptr ? table_of(*tm33, profile, options, diagnostics)
-                                  : table_of(std::get<LdtFile>(profile.file), profile, options);
+                                  : table_of(std::get<LdtFile>(profile.file), std::move(candela), profile, options);
     if (!read) return pass_on(read);
     auto& [raw, factor] = *read;
     Table table = repeats_an_angle(raw) ? without_duplicates(raw) : std::move(raw);
     close_the_circle(table, profile, diagnostics);
 
-    if (factor != 1.0)
-        for (double& cd : table.candela)
-            cd *= factor;
     std::size_t negative = 0;
-    for (const double cd : table.candela)
+    bool dark = true;
+    for (double& cd : table.candela) { // factor 1 is exact, and one way through the table is cheaper than two
+        cd *= factor;
         negative += cd < 0.0 ? 1 : 0;
+        dark = dark && cd == 0.0;
+    }
     if (negative > 0)
         warn(diagnostics, profile, "WEB0105", fmt::format("{} intensities are negative: kept as they are", negative),
              "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
-    if (std::all_of(table.candela.begin(), table.candela.end(), [](double cd) { return cd == 0.0; }))
-        warn(diagnostics, profile, "WEB0106", "every intensity is 0: this luminaire emits no light");
+    if (dark) warn(diagnostics, profile, "WEB0106", "every intensity is 0: this luminaire emits no light");
 
     Result<Web> web = Web::create(table.photometry, table.stored, std::move(table.planes_deg),
                                   std::move(table.gammas_deg), std::move(table.candela));
@@ -263,6 +276,18 @@ Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& op
     const double turn = azimuth_turn_deg(profile, options.azimuth);
     if (turn != 0.0) *web = rotated(*web, turn).web;
     return ResolvedWeb{std::move(*web), std::move(diagnostics)};
+}
+
+} // namespace
+
+Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options) {
+    const std::vector<double>* const candela = candela_of(profile);
+    return resolve(profile, candela != nullptr ? *candela : std::vector<double>(), options);
+}
+
+Result<ResolvedWeb> resolve_web(Profile&& profile, const ResolveOptions& options) {
+    std::vector<double>* const candela = candela_of(profile);
+    return resolve(profile, candela != nullptr ? std::exchange(*candela, {}) : std::vector<double>(), options);
 }
 
 std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options) {

@@ -38,6 +38,10 @@ struct ResolvedWeb {
 // Fails: malformed where the angles make no web, usage on a lamp set that the file does not have.
 Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options = {});
 
+// The same where the profile is not needed any more: the web takes its table over, so that there never are two. What
+// is left of the profile has no table.
+Result<ResolvedWeb> resolve_web(Profile&& profile, const ResolveOptions& options = {});
+
 // Lumens of the lamps as the file declares them; nothing for absolute photometry, where there is no such number.
 std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options = {});
 

@@ -101,13 +101,16 @@ Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profi
 
 void report_resampling(const ResampledWeb& resampled, const Web& web, Losses& losses) {
     const double bright = std::abs(peak(web).intensity.value);
-    losses.add(
-        "WEB0205",
+    const auto of_peak = [&](Candelas error) { return bright > 0.0 ? error.value / bright : 0.0; };
+    std::string message =
         fmt::format("type {} resampled to {} by {} angles of type C: off by up to {:.2g} of the peak at C {:.4g}, "
                     "gamma {:.4g}, flux by {:.2g} lm",
                     web.photometry() == Photometry::a ? 'A' : 'B', resampled.web.planes_deg().size(),
-                    resampled.web.gammas_deg().size(), bright > 0.0 ? resampled.max_error.value / bright : 0.0,
-                    resampled.max_error_c_deg, resampled.max_error_gamma_deg, resampled.flux_error.value));
+                    resampled.web.gammas_deg().size(), of_peak(resampled.max_error), resampled.max_error_c_deg,
+                    resampled.max_error_gamma_deg, resampled.flux_error.value);
+    if (resampled.jump_error.value > resampled.max_error.value)
+        message += fmt::format("; {:.2g} where the table's own values jump", of_peak(resampled.jump_error));
+    losses.add("WEB0205", std::move(message));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ using std::numbers::pi;
 constexpr double radians_per_degree = pi / 180.0;
 
 ResampledWeb exact(Web web) {
-    return {std::move(web), Candelas(0.0), 0.0, 0.0, Lumens(0.0)};
+    return {std::move(web), Candelas(0.0), 0.0, 0.0, Lumens(0.0), Candelas(0.0)};
 }
 
 double in_one_turn(double deg) {
@@ -167,7 +167,7 @@ ResampledWeb rotated(const Web& web, double angle_deg) {
     web_detail::Light light{[&](double c, double gamma) { return web.candela(c - angle, gamma); }, {}};
     for (const GoniometerAngles at : web_detail::table_directions(web))
         light.points.push_back({at.horizontal_deg + angle, at.vertical_deg});
-    return web_detail::resample(light, Symmetry::none, peak(web).intensity, flux(web), 0.01);
+    return web_detail::resample(light, Symmetry::none, peak(web).intensity, flux(web), resampling_tolerance);
 }
 
 Web mirrored(const Web& web, MirrorPlane plane) {

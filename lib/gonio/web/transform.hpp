@@ -24,7 +24,7 @@ Web mirrored(const Web& web, MirrorPlane plane);
 
 // The axis leaned by `angle_deg` towards C = `towards_c_deg`: what shone along the nadir shines along γ = angle there.
 // Resampled as resampled_to_c() does, to `tolerance` of the peak. An angle of 0 changes nothing.
-ResampledWeb tilted(const Web& web, double angle_deg, double towards_c_deg, double tolerance = 0.01);
+ResampledWeb tilted(const Web& web, double angle_deg, double towards_c_deg, double tolerance = resampling_tolerance);
 
 // The mean of the light and its images under the mirrors of `symmetry`; axial is the mean over C. The flux stays. Webs
 // of type A and B cannot be axial: fails (unsupported).

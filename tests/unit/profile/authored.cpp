@@ -1,5 +1,8 @@
-// The luminaires in profiles/: both formats hold the same light, and as much of it as they declare.
+// The luminaires in profiles/: all formats and dialects hold the same light, and as much of it as they declare.
 #include <gonio/profile/read.hpp>
+#include <gonio/web/compare.hpp>
+#include <gonio/web/integrate.hpp>
+#include <gonio/web/resolve.hpp>
 
 #include "expect.hpp"
 
@@ -101,6 +104,37 @@ INSTANTIATE_TEST_SUITE_P(All, AuthoredProfiles,
                          testing::Values(Authored{"downlight", 1200, 1, IesVersion::lm63_2002},
                                          Authored{"wall-washer", 2500, 2, IesVersion::lm63_2002},
                                          Authored{"bare-tube", 3350, 4, IesVersion::lm63_2019}));
+
+TEST(AuthoredProfilesDialects, OfOneNameAreOneLight) {
+    int files = 0;
+    for (const char* const name :
+         {"accent", "bare-tube", "batwing", "downlight", "flood", "pendant", "street", "wall-washer"}) {
+        const std::string folder = std::string(GONIO_TEST_SOURCE) + "/profiles/";
+        const auto web_of = [&](const std::string& path) {
+            const Result<Profile> read = read_profile_file(path);
+            EXPECT_TRUE(read) << said(read);
+            EXPECT_TRUE(read->diagnostics.empty()) << said(read);
+            return resolve_web(*read)->web;
+        };
+        const Web own = web_of(folder + name + ".ies");
+        for (const std::string& other :
+             {folder + name + ".ldt", folder + name + ".xml", folder + "lm-63-1995/" + name + ".ies",
+              folder + "lm-63-2002/" + name + ".ies", folder + "lm-63-2019/" + name + ".ies",
+              folder + "portable/" + name + ".ies"}) {
+            const Web web = web_of(other);
+            // Seven digits of cd/klm, nine of the portable dialect; the flood is resampled where type C alone is held.
+            const bool resampled = web.photometry() != own.photometry();
+            EXPECT_EQ(resampled, std::string_view(name) == "flood" && other.find(".xml") == std::string::npos &&
+                                     other.find("lm-63-") == std::string::npos);
+            EXPECT_LE(difference(own, web).relative, resampled ? 0.035 : 1e-7) << other;
+            EXPECT_NEAR(gonio::flux(web).value, gonio::flux(own).value,
+                        (resampled ? 1e-3 : 1e-7) * gonio::flux(own).value)
+                << other;
+            ++files;
+        }
+    }
+    EXPECT_EQ(files, 48);
+}
 
 TEST(AuthoredProfilesShape, AreWhatTheirNamesSay) {
     const auto down = authored<IesFile>("downlight.ies");

@@ -1,5 +1,6 @@
 // Real files, read where they are: GONIO_TEST_CORPUS/good must all be read, GONIO_TEST_CORPUS/bad must all be refused.
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/profile/codes.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
@@ -62,15 +63,22 @@ TEST_F(ProfileCorpus, EveryGoodFileIsReadAndKeepsItselfWhenWritten) {
     }
 }
 
-TEST_F(ProfileCorpus, EveryBadFileIsRefusedAsMalformed) {
-    for (const std::string& path : bad) {
-        const Result<Profile> read = read_profile_file(path);
-        ASSERT_FALSE(read) << path;
-        EXPECT_EQ(read.error().failure, Failure::malformed) << path;
-        ASSERT_FALSE(read.error().diagnostics.empty()) << path;
-        EXPECT_EQ(read.error().diagnostics.back().severity, Severity::error) << path;
-        EXPECT_FALSE(read.error().diagnostics.back().code.empty()) << path;
-    }
+// Tolerant and strict alike: with a code, a line and a column, and nothing said behind the reason.
+TEST_F(ProfileCorpus, EveryBadFileIsRefusedWithItsPlace) {
+    ASSERT_FALSE(bad.empty());
+    for (const std::string& path : bad)
+        for (const bool strict : {false, true}) {
+            const Result<Profile> read = read_profile_file(path, {{}, strict, {}});
+            ASSERT_FALSE(read) << path;
+            EXPECT_EQ(read.error().failure, Failure::malformed) << path;
+            ASSERT_FALSE(read.error().diagnostics.empty()) << path;
+            const Diagnostic& reason = read.error().diagnostics.back();
+            EXPECT_EQ(reason.severity, Severity::error) << path;
+            EXPECT_NE(find_profile_code(reason.code), nullptr) << to_text(reason);
+            EXPECT_EQ(reason.location.file, path);
+            EXPECT_GE(reason.location.line, 1U) << to_text(reason);
+            EXPECT_GE(reason.location.column, 1U) << to_text(reason);
+        }
 }
 
 // INDEX.tsv counts what a file's table holds, found by another program.

@@ -117,7 +117,7 @@ TEST(LdtRead, LampSetsStandOneAfterTheOther) {
     EXPECT_EQ(file.lamp_sets[1].input_watts, 40.0);
     expect_silent(read(lines));
     expect_says(read(with(lines, 23, "87.5")),
-                "lamp: warning[LDT0408]: absolute photometry, and the light output ratio is 87.5");
+                "lamp:23:1: warning[LDT0408]: absolute photometry, and the light output ratio is 87.5");
     expect_says(read(with(lamp(), 27, "0")), "lamp:27:1: warning[LDT0210]: a set of no lamps");
     expect_error(read(with(lamp(), 26, "0")), "lamp:26:1: error[LDT0201]: 0 is no number of lamp sets");
     expect_error(read(with(lamp(), 26, "2147483647")),
@@ -258,10 +258,10 @@ TEST(LdtRead, TheTable) {
     TextLines ratios = lamp();
     for (std::size_t i = 32; i < 42; ++i)
         ratios[i] = "0.000";
-    expect_says(read(ratios), "lamp: warning[LDT0404]: the ten direct ratios are zero");
-    expect_says(read(with(lamp(), 23, "0")), "lamp: warning[LDT0405]: the light output ratio is zero");
-    expect_says(read(with(lamp(), 24, "1.5")), "lamp: note[LDT0406]: the conversion factor is 1.5");
-    expect_says(read(with(lamp(), 25, "15")), "lamp: note[LDT0407]: measured with a tilt of 15");
+    expect_says(read(ratios), "lamp:33:1: warning[LDT0404]: the ten direct ratios are zero");
+    expect_says(read(with(lamp(), 23, "0")), "lamp:23:1: warning[LDT0405]: the light output ratio is zero");
+    expect_says(read(with(lamp(), 24, "1.5")), "lamp:24:1: note[LDT0406]: the conversion factor is 1.5");
+    expect_says(read(with(lamp(), 25, "15")), "lamp:25:1: note[LDT0407]: measured with a tilt of 15");
     TextLines three = lamp(2);
     three[3] = "3";
     three.erase(three.begin() + 45);

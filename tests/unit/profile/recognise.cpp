@@ -16,8 +16,8 @@ using namespace gonio::test;
 const std::string ies = "IESNA91\nTILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n100 80 0\n";
 
 TEST(Recognise, WhatIsNoText) {
-    expect_error(read_profile("", "lamp.ies"), "lamp.ies: error[PRF0101]: the file is empty");
-    expect_error(read_profile(" \r\n\t\n", "lamp.ldt"), "lamp.ldt: error[PRF0101]: the file is empty");
+    expect_error(read_profile("", "lamp.ies"), "lamp.ies:1:1: error[PRF0101]: the file is empty");
+    expect_error(read_profile(" \r\n\t\n", "lamp.ldt"), "lamp.ldt:1:1: error[PRF0101]: the file is empty");
     expect_error(read_profile("\xEF\xBB\xBF", "lamp.ldt"),
                  "lamp.ldt:1:4: error[PRF0102]: not a photometric file, there is no text in it");
     expect_error(read_profile(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "lamp.ies"),

@@ -240,6 +240,54 @@ TEST(Resample, OfTypesAAndBStatesItsError) {
     EXPECT_EQ(chosen.web.stored_symmetry(), Symmetry::bilateral_90_270);
 }
 
+// Smooth, and dark where the tables end.
+Web lobe(Photometry type, double end_deg) {
+    const std::vector<double> angles = steps(-end_deg, end_deg, 37);
+    std::vector<double> candela;
+    for (const double h : angles)
+        for (const double v : angles) {
+            const double off = std::hypot((h - 12.0) / 20.0, (v + 5.0) / 35.0);
+            const double end = std::cos(h / end_deg * pi / 2) * std::cos(v / end_deg * pi / 2);
+            candela.push_back(std::max(0.0, 1000.0 * std::exp2(-off * off) * end));
+        }
+    return *Web::create(type, Symmetry::none, angles, angles, candela);
+}
+
+TEST(Resample, FollowsTheLightToTheTolerance) {
+    for (const Photometry type : {Photometry::a, Photometry::b})
+        for (const double tolerance : {0.02, 0.005, 0.002}) {
+            const Web web = lobe(type, 90);
+            const ResampledWeb c = *resampled_to_c(web, tolerance);
+            EXPECT_LE(c.max_error.value, 1.25 * tolerance * peak(web).intensity.value) << tolerance;
+            EXPECT_LE(c.web.planes_deg().size() * c.web.gammas_deg().size(), 65536U);
+            // The principal planes hold the table's own angles, and its values with them.
+            for (const double h : web.horizontal_deg()) {
+                const double at = c.web.candela(h < 0 ? 180.0 : 0.0, std::abs(h));
+                EXPECT_NEAR(at, web.candela_at(h, 0.0), 1e-9) << h;
+            }
+        }
+}
+
+TEST(Resample, IsBoundedWhereTheTableEndsInTheBright) {
+    const std::vector<double> angles = steps(-40, 40, 9);
+    const Web web = *Web::create(Photometry::b, Symmetry::none, angles, angles, std::vector<double>(81, 100.0));
+    const ResampledWeb c = *resampled_to_c(web);
+    EXPECT_LE(c.web.planes_deg().size() * c.web.gammas_deg().size(), 65536U);
+    EXPECT_GT(c.max_error.value, 10.0); // said, not hidden
+    EXPECT_NEAR(c.flux_error.value, 0.0, 5e-3 * flux(web).value);
+}
+
+// Every V meets at H = 90° of type B, and there the table has two values.
+TEST(Resample, TellsAJumpOfTheTableFromItsOwnError) {
+    const Web web = *Web::create(Photometry::b, Symmetry::none, {-90, 0, 90}, {-90, 0, 90},
+                                 {100, 100, 100, 100, 100, 100, 40, 70, 100});
+    const ResampledWeb c = *resampled_to_c(web);
+    EXPECT_LE(c.max_error.value, 1.25 * resampling_tolerance * 100.0);
+    EXPECT_GT(c.jump_error.value, 5.0);
+    EXPECT_LE(c.jump_error.value, 60.0);
+    EXPECT_LE(c.web.planes_deg().size() * c.web.gammas_deg().size(), 65536U);
+}
+
 TEST(NativeSymmetry, IsDetectedAndCompacted) {
     for (const Web& web : some_webs()) {
         EXPECT_EQ(detected_symmetry(web), web.stored_symmetry());

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace gonio {
 namespace {
@@ -188,6 +190,21 @@ TEST(Resolve, ATiltFactorScalesWhateverTheGoniometer) {
         EXPECT_DOUBLE_EQ(resolve_web(file, {1, 15.0})->web.candela_at(45, 30), 4.0 * 0.95);
         EXPECT_DOUBLE_EQ(resolve_web(file, {1, 60.0})->web.candela_at(45, 30), 4.0 * 0.7);
     }
+}
+
+TEST(Resolve, TakesTheTableOfAProfileThatIsGivenAway) {
+    for (const int symmetry : {0, 1, 2, 3, 4}) {
+        Profile given = ldt(symmetry);
+        const Web kept = resolve_web(given)->web;
+        EXPECT_FALSE(std::get<LdtFile>(given.file).candela_per_klm.empty());
+        const Web taken = resolve_web(std::move(given))->web;
+        ASSERT_EQ(taken.horizontal_deg().size(), kept.horizontal_deg().size());
+        for (std::size_t i = 0; i < kept.horizontal_deg().size(); ++i)
+            EXPECT_TRUE(std::equal(kept.column(i).begin(), kept.column(i).end(), taken.column(i).begin())) << symmetry;
+    }
+    Profile given = ies(IesVersion::lm63_2002, {0, 90}, {100, 50, 80, 40});
+    const double* const table = std::get<IesFile>(given.file).candela.data();
+    EXPECT_EQ(resolve_web(std::move(given))->web.column(0).data(), table); // no second copy
 }
 
 } // namespace

@@ -1,0 +1,88 @@
+#include <gonio/web/refine_grid.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gonio::web_detail {
+
+namespace {
+
+// The angles and the middles between them.
+std::vector<double> with_middles(const std::vector<double>& angles) {
+    std::vector<double> all;
+    all.reserve(2 * angles.size() - 1);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        all.push_back(angles[i]);
+        all.push_back(0.5 * (angles[i] + angles[i + 1]));
+    }
+    all.push_back(angles.back());
+    return all;
+}
+
+// A step of one axis, and how far the light in its middle is from the mean of its ends.
+struct Step {
+    bool of_planes = false;
+    std::size_t index = 0;
+    double error = 0.0;
+};
+
+std::vector<Step> errors_of(const Light& light, const AngleGrid& grid) {
+    const std::vector<double> planes = with_middles(grid.planes_deg);
+    const std::vector<double> gammas = with_middles(grid.gammas_deg);
+    const std::size_t rows = gammas.size();
+    std::vector<double> candela;
+    candela.reserve(planes.size() * rows);
+    for (const double c : planes)
+        for (const double gamma : gammas)
+            candela.push_back(light.candela(c, gamma));
+    std::vector<Step> steps;
+    for (std::size_t i = 1; i < planes.size(); i += 2) {
+        Step step{true, i / 2, 0.0};
+        for (std::size_t j = 0; j < rows; ++j)
+            step.error = std::max(step.error, std::abs(candela[i * rows + j] - 0.5 * (candela[(i - 1) * rows + j] +
+                                                                                      candela[(i + 1) * rows + j])));
+        steps.push_back(step);
+    }
+    for (std::size_t j = 1; j < rows; j += 2) {
+        Step step{false, j / 2, 0.0};
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const double* const at = candela.data() + i * rows + j;
+            step.error = std::max(step.error, std::abs(at[0] - 0.5 * (at[-1] + at[1])));
+        }
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+} // namespace
+
+AngleGrid refined_grid(const Light& light, AngleGrid grid, Candelas limit) {
+    for (;;) {
+        std::vector<Step> steps = errors_of(light, grid);
+        const auto angles_of_axis = [&](const Step& step) -> std::vector<double>& {
+            return step.of_planes ? grid.planes_deg : grid.gammas_deg;
+        };
+        std::erase_if(steps, [&](const Step& step) {
+            const std::vector<double>& angles = angles_of_axis(step);
+            return step.error <= 0.5 * limit.value || angles[step.index + 1] - angles[step.index] <= finest_step_deg;
+        });
+        std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.error > b.error; });
+        std::vector<double> planes;
+        std::vector<double> gammas;
+        for (const Step& step : steps) {
+            const std::size_t more_planes = grid.planes_deg.size() + planes.size() + (step.of_planes ? 1 : 0);
+            const std::size_t more_gammas = grid.gammas_deg.size() + gammas.size() + (step.of_planes ? 0 : 1);
+            if (more_planes * more_gammas > most_refined_points) break;
+            const std::vector<double>& angles = angles_of_axis(step);
+            (step.of_planes ? planes : gammas).push_back(0.5 * (angles[step.index] + angles[step.index + 1]));
+        }
+        if (planes.empty() && gammas.empty()) return grid;
+        for (auto& [into, from] : {std::pair{&grid.planes_deg, &planes}, std::pair{&grid.gammas_deg, &gammas}}) {
+            into->insert(into->end(), from->begin(), from->end());
+            std::sort(into->begin(), into->end());
+        }
+    }
+}
+
+} // namespace gonio::web_detail
