@@ -1,5 +1,6 @@
 #include "lists.hpp"
 
+#include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/efficacy.hpp>
@@ -24,7 +25,10 @@ namespace {
 using Entries = std::vector<ListEntry>;
 
 Entries layouts() {
-    return {{"latlong", "columns C from 0° to 360°, rows gamma from 0° (nadir) to 180°"}};
+    Entries entries;
+    for (const LayoutInfo& layout : gonio::layouts())
+        entries.push_back({std::string(layout.name), std::string(layout.summary)});
+    return entries;
 }
 
 Entries shapes() {

@@ -1,8 +1,9 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/bake/latlong.hpp>
+#include <gonio/bake/bake.hpp>
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace gonio::cli {
 
@@ -26,8 +28,11 @@ namespace {
 
 constexpr std::array bake_options{
     Option{"--layout", "LAYOUT", "how directions are laid out (latlong)", "layouts"},
-    Option{"-s,--size", "WxH", "texels across and down (512x256)"},
+    Option{"-s,--size", "WxH", "texels across and down (latlong: 512x256)"},
+    Option{"--cone", "ANGLE", "gnomonic: full angle across the middle (90deg)"},
+    Option{"--border", "N", "gnomonic: dark texels around (0)"},
     Option{"--normalize", "HOW", "what a texel of 1 means: none (candela), peak, mean, flux (none)", "normalizations"},
+    Option{"--pixel", "KIND", "float, half, uint16, uint8: what a texel is stored as (float where the format has it)"},
     Option{"--sidecar", "FILE", "where the JSON that describes the texture goes (OUTPUT.json)"},
     Option{"--no-sidecar", "", "write no such file"},
 };
@@ -41,31 +46,70 @@ constexpr std::array groups{OptionGroup{"texture", bake_options},
 constexpr std::array examples{
     Example{"gonio bake lamp.ies --layout latlong -s 512x256 -o lamp.exr",
             "candela in 32-bit float, and lamp.exr.json"},
+    Example{"gonio bake lamp.ies --layout octahedral-equal-area -s 256x256 -o lamp.exr",
+            "every texel the same solid angle"},
+    Example{"gonio bake spot.ies --layout gnomonic --cone 60deg --border 1 --normalize peak -o cookie.png",
+            "a spot's cookie"},
     Example{"gonio bake lamp.ies --normalize peak -o lamp.exr", "texels between 0 and 1, for engines that scale them"},
     Example{"gonio bake profiles/*.ies -O textures", "a whole folder"},
 };
 
 struct Request {
     BakeOptions bake;
+    std::optional<media::Pixel> pixel;
     ProfileInputOptions input;
     std::optional<std::string> sidecar;
     bool no_sidecar = false;
 };
 
+// The options of the gnomonic layout, which the others refuse.
+Result<void> parse_plane(const Arguments& arguments, BakeOptions& bake) {
+    for (const char* option : {"--cone", "--border"})
+        if (arguments.value(option) && bake.layout != Layout::gnomonic)
+            return fail(Failure::usage, fmt::format("{} belongs to the layout gnomonic", option),
+                        "add --layout gnomonic");
+    if (const auto text = arguments.value("--cone")) {
+        Result<double> cone = parse_amount(*text, Dimension::angle, "--cone");
+        if (!cone) return pass_on(cone);
+        bake.chart.cone = Radians(*cone);
+    }
+    if (const auto text = arguments.value("--border")) {
+        const std::optional<double> border = parse_number(*text);
+        if (!border || *border != std::floor(*border) || *border < 0.0 || *border > max_texture_size)
+            return fail(Failure::usage, fmt::format("--border takes a number of texels, not '{}'", *text));
+        bake.chart.border = static_cast<int>(*border);
+    }
+    return {};
+}
+
 Result<Request> parse(const Arguments& arguments) {
     Request request;
-    const std::string layout = arguments.value("--layout").value_or("latlong");
-    if (layout != "latlong") return unknown_name("layout", layout, std::array<std::string_view, 1>{"latlong"});
+    Result<Layout> layout = parse_layout(arguments.value("--layout").value_or("latlong"));
+    if (!layout) return pass_on(layout);
+    request.bake.layout = *layout;
+    const TextureSize usual = usual_size(*layout);
+    request.bake.width = usual.width;
+    request.bake.height = usual.height;
     if (const auto text = arguments.value("--size")) {
         Result<PixelSize> size = parse_size(*text);
         if (!size) return pass_on(size);
         request.bake.width = size->width;
         request.bake.height = size->height;
     }
+    if (Result<void> plane = parse_plane(arguments, request.bake); !plane) return pass_on(plane);
     if (const auto text = arguments.value("--normalize")) {
         Result<Normalization> normalization = parse_normalization(*text);
         if (!normalization) return pass_on(normalization);
         request.bake.normalization = *normalization;
+    }
+    if (const auto text = arguments.value("--pixel")) {
+        std::vector<std::string_view> names;
+        for (const media::Pixel known :
+             {media::Pixel::float32, media::Pixel::half, media::Pixel::uint16, media::Pixel::uint8}) {
+            names.push_back(media::to_text(known));
+            if (names.back() == *text) request.pixel = known;
+        }
+        if (!request.pixel) return unknown_name("pixel", *text, names);
     }
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
@@ -110,6 +154,38 @@ Result<std::vector<TextureJob>> plan(const Arguments& arguments, const std::vect
     return jobs;
 }
 
+TexelType texel_type(media::Pixel pixel) {
+    switch (pixel) {
+    case media::Pixel::uint8:
+        return TexelType::uint8;
+    case media::Pixel::uint16:
+        return TexelType::uint16;
+    case media::Pixel::half:
+        return TexelType::half;
+    case media::Pixel::float32:
+        break;
+    }
+    return TexelType::float32;
+}
+
+// As asked, or the finest that the format has.
+Result<media::Pixel> pixel_of(const TextureJob& job, const Request& request) {
+    const media::ImageFormat& format = *job.format;
+    const bool holds_floats = has_pixel(format, media::Pixel::float32);
+    const media::Pixel pixel = request.pixel.value_or(holds_floats ? media::Pixel::float32 : format.pixels.front());
+    if (!has_pixel(format, pixel))
+        return fail(Failure::usage, fmt::format("{} has no {} pixels", format.title, media::to_text(pixel)),
+                    "write .exr for float and half, .png or .tif for uint16 and uint8");
+    const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
+    // An integer texture of candela would be white all over.
+    if (integers && request.bake.normalization != Normalization::peak)
+        return fail(
+            Failure::usage,
+            fmt::format("{} stores values from 0 to 1 only", holds_floats ? media::to_text(pixel) : format.title),
+            "add --normalize peak, or write .exr");
+    return pixel;
+}
+
 Result<Outcome> bake(const TextureJob& job, const Request& request, ReportKind kind) {
     Outcome outcome;
     const Stopwatch reading;
@@ -117,20 +193,18 @@ Result<Outcome> bake(const TextureJob& job, const Request& request, ReportKind k
     if (!loaded) return pass_on(loaded);
     const double read_ms = reading.milliseconds();
     const Stopwatch baking;
-    Result<Texture> texture = bake_latlong(loaded->web, request.bake);
+    BakeOptions options = request.bake;
+    Result<media::Pixel> pixel = pixel_of(job, request);
+    if (!pixel) return pass_on(pixel);
+    options.texel_type = texel_type(*pixel);
+    Result<Texture> texture = bake_texture(loaded->web, options);
     if (!texture) return pass_on(texture);
     outcome.remarks.push_back(
         fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.files.input, read_ms, baking.milliseconds()));
-    // An 8-bit texture of candela would be white all over: integers hold [0, 1].
-    const bool holds_floats = has_pixel(*job.format, media::Pixel::float32);
-    const media::Pixel pixel = holds_floats ? media::Pixel::float32 : job.format->pixels.front();
-    if (!holds_floats && request.bake.normalization != Normalization::peak)
-        return fail(Failure::usage, fmt::format("{} stores values from 0 to 1 only", job.format->title),
-                    "add --normalize peak, or write .exr");
-    Result<std::string> bytes = media::encode_image(texture->image, *job.format, write_options(*texture, pixel));
+    Result<std::string> bytes = media::encode_image(texture->image, *job.format, write_options(*texture, *pixel));
     if (!bytes) return pass_on(bytes);
     const std::string sidecar =
-        texture_sidecar(*texture, {job.files.input, sha256(loaded->bytes)}, media::to_text(pixel));
+        texture_sidecar(*texture, {job.files.input, sha256(loaded->bytes)}, media::to_text(*pixel));
     Result<void> written = write_output(job.files.output, *bytes);
     const bool beside = request.sidecar || (job.files.output != "-" && !request.no_sidecar);
     if (written && beside) written = write_file(request.sidecar.value_or(job.files.output + ".json"), sidecar);

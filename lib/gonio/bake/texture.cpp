@@ -1,8 +1,11 @@
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/kind_text.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace gonio {
 
@@ -24,6 +27,27 @@ Result<Normalization> parse_normalization(std::string_view text) {
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return static_cast<Normalization>(i);
     return unknown_name("normalization", text, names);
+}
+
+double as_stored(TexelType type, double value) {
+    const auto on_steps = [&](double steps) { return std::nearbyint(std::clamp(value, 0.0, 1.0) * steps) / steps; };
+    switch (type) {
+    case TexelType::float32:
+        return static_cast<double>(static_cast<float>(value));
+    case TexelType::half: {
+        // 11 bits, of which the last is 2⁻²⁴ at least.
+        int exponent = 0;
+        static_cast<void>(std::frexp(value, &exponent));
+        const int last_bit = std::max(exponent - 11, -24);
+        const double rounded = std::ldexp(std::nearbyint(std::ldexp(value, -last_bit)), last_bit);
+        return rounded > 65504.0 ? std::numeric_limits<double>::infinity() : rounded;
+    }
+    case TexelType::uint16:
+        return on_steps(65535.0);
+    case TexelType::uint8:
+        return on_steps(255.0);
+    }
+    return value;
 }
 
 } // namespace gonio

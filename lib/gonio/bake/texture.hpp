@@ -26,6 +26,13 @@ Result<Normalization> parse_normalization(std::string_view text);
 
 std::span<const std::string_view> normalization_names();
 
+// What a file keeps of a texel. Integers hold [0, 1] on their whole range.
+enum class TexelType { float32, half, uint16, uint8 };
+
+// What becomes of `value` ≥ 0 when it is stored, read back: rounded to nearest, cut to [0, 1] by integers. A half
+// beyond 65504 is infinite.
+double as_stored(TexelType type, double value);
+
 struct Texture {
     std::string layout;           // "latlong"
     std::string texel_convention; // one sentence: which directions a texel stands for, and what of them it holds
@@ -34,8 +41,11 @@ struct Texture {
     double cd_per_unit = 1.0; // candela = texel × cd_per_unit
     Candelas peak;            // of the web
     Lumens flux;              // of the web
-    Lumens texture_flux;      // of the texels as stored, each over its own solid angle
-    Candelas max_error;       // greatest |filtered texture − web|, over the texel centres and the web's grid
+    TexelType texel_type = TexelType::float32;
+    Lumens texture_flux;         // of the texels as stored, each over its own solid angle
+    Candelas quantization_error; // greatest |texel as stored − its mean|, negative means as 0
+    Steradians solid_angle;      // of all texels: 4π unless the layout leaves directions out
+    Candelas max_error;          // greatest |texture, filtered, − web| at the texels' centres and at the web's grid
 };
 
 } // namespace gonio

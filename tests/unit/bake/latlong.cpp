@@ -1,6 +1,6 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/bake/latlong.hpp>
+#include <gonio/bake/bake.hpp>
 #include <gonio/web/integrate.hpp>
 
 #include "../web/webs.hpp"
@@ -44,7 +44,7 @@ TEST(BakeLatlong, HoldsTheFluxAtEverySize) {
             BakeOptions options;
             options.width = width;
             options.height = height;
-            const Texture texture = bake_latlong(web, options).value();
+            const Texture texture = bake_texture(web, options).value();
             EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-7 * flux(web).value)
                 << to_text(stored) << ' ' << width << 'x' << height;
         }
@@ -58,7 +58,7 @@ TEST(BakeLatlong, TexelsAreMeansOverTheirSolidAngle) {
         BakeOptions options;
         options.width = 20;
         options.height = 11;
-        const Texture texture = bake_latlong(web, options).value();
+        const Texture texture = bake_texture(web, options).value();
         for (int j = 0; j < 11; ++j)
             for (int i = 0; i < 20; ++i) {
                 double sum = 0.0;
@@ -80,9 +80,9 @@ TEST(BakeLatlong, ThreadsChangeNothing) {
     const Web web = web_of(Symmetry::none);
     BakeOptions options;
     options.threads = 1;
-    const Texture one = bake_latlong(web, options).value();
+    const Texture one = bake_texture(web, options).value();
     options.threads = 5;
-    const Texture five = bake_latlong(web, options).value();
+    const Texture five = bake_texture(web, options).value();
     EXPECT_EQ(one.image.pixels, five.image.pixels);
     EXPECT_EQ(one.texture_flux, five.texture_flux);
     EXPECT_EQ(one.max_error, five.max_error);
@@ -93,8 +93,8 @@ TEST(BakeLatlong, ScalesAndTurnsWithTheWeb) {
     BakeOptions options;
     options.width = 24;
     options.height = 12;
-    const Texture plain = bake_latlong(web, options).value();
-    const Texture twice = bake_latlong(web.scaled(2.0), options).value();
+    const Texture plain = bake_texture(web, options).value();
+    const Texture twice = bake_texture(web.scaled(2.0), options).value();
     for (std::size_t i = 0; i < plain.image.pixels.size(); ++i)
         EXPECT_EQ(twice.image.pixels[i], 2.0F * plain.image.pixels[i]);
     // One plane further on is one column further on: 24 planes, 24 columns.
@@ -109,8 +109,8 @@ TEST(BakeLatlong, ScalesAndTurnsWithTheWeb) {
     const std::vector<double> gammas(web.gammas_deg().begin(), web.gammas_deg().end());
     const Web closed = *Web::create(Symmetry::none, steps(0, 360, 25), gammas, original);
     const Web turned = *Web::create(Symmetry::none, steps(0, 360, 25), gammas, candela);
-    const Texture a = bake_latlong(closed, options).value();
-    const Texture b = bake_latlong(turned, options).value();
+    const Texture a = bake_texture(closed, options).value();
+    const Texture b = bake_texture(turned, options).value();
     for (int j = 0; j < 12; ++j)
         for (int i = 0; i < 24; ++i)
             EXPECT_NEAR(*b.image.at(i, j), *a.image.at((i + 1) % 24, j), 1e-4);
@@ -123,10 +123,10 @@ TEST(BakeLatlong, NormalizationsMeanWhatTheySay) {
         options.width = 64;
         options.height = 32;
         options.normalization = how;
-        const Texture texture = bake_latlong(web, options).value();
+        const Texture texture = bake_texture(web, options).value();
         EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-7 * flux(web).value);
         options.normalization = Normalization::none;
-        const Texture plain = bake_latlong(web, options).value();
+        const Texture plain = bake_texture(web, options).value();
         EXPECT_NEAR(texture.image.pixels[70] * texture.cd_per_unit, plain.image.pixels[70], 1e-4);
     }
 }
@@ -137,25 +137,25 @@ TEST(BakeLatlong, RefusesSizesAndDarkness) {
         BakeOptions options;
         options.width = width;
         options.height = height;
-        EXPECT_FALSE(bake_latlong(web, options));
+        EXPECT_FALSE(bake_texture(web, options));
     }
     const Web dark = *Web::create(Symmetry::axial, {0}, {0, 90}, {0, 0});
     BakeOptions options;
-    EXPECT_TRUE(bake_latlong(dark, options));
+    EXPECT_TRUE(bake_texture(dark, options));
     options.normalization = Normalization::peak;
-    EXPECT_FALSE(bake_latlong(dark, options));
+    EXPECT_FALSE(bake_texture(dark, options));
 }
 
 TEST(BakeLatlong, NegativeIntensitiesAreStoredAsNothing) {
     const Web web = *Web::create(Symmetry::axial, {0}, {0, 90}, {-5, -5});
-    const Texture texture = bake_latlong(web, {}).value();
+    const Texture texture = bake_texture(web, {}).value();
     for (const float texel : texture.image.pixels)
         EXPECT_EQ(texel, 0.0F);
     EXPECT_NEAR(texture.max_error.value, 5.0, 1e-12);
 }
 
 TEST(Sidecar, SaysWhatTheTexelsMean) {
-    const Texture texture = bake_latlong(web_of(Symmetry::axial), {}).value();
+    const Texture texture = bake_texture(web_of(Symmetry::axial), {}).value();
     const std::string json = texture_sidecar(texture, {"lamp \xff.ies", sha256("abc")}, "float");
     EXPECT_NE(json.find("\"schema\": \"gonio.texture/1\""), std::string::npos);
     EXPECT_NE(json.find("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"), std::string::npos);

@@ -1,5 +1,5 @@
 // Types A and B: directions, evaluation, exact flux, and their integrals over (C, γ), against dense sums of their own.
-#include <gonio/bake/latlong.hpp>
+#include <gonio/bake/bake.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
@@ -201,8 +201,8 @@ TEST(NativeBake, HoldsTheFluxAtEverySize) {
             BakeOptions options;
             options.width = width;
             options.height = height;
-            const Texture texture = bake_latlong(web, options).value();
-            EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-6 * flux(web).value)
+            const Texture texture = bake_texture(web, options).value();
+            EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-7 * flux(web).value)
                 << to_text(web.stored_symmetry()) << ' ' << width << 'x' << height;
         }
 }
@@ -359,7 +359,7 @@ TEST(NativeCorpus, RealTypeBFilesAreBaked) {
         BakeOptions options;
         options.width = 64;
         options.height = 32;
-        EXPECT_NEAR(bake_latlong(resolved->web, options)->texture_flux.value, exact, 1e-6 * exact) << entry.path();
+        EXPECT_NEAR(bake_texture(resolved->web, options)->texture_flux.value, exact, 1e-7 * exact) << entry.path();
         const ResampledWeb c = *resampled_to_c(resolved->web);
         EXPECT_LE(std::abs(c.flux_error.value), 0.01 * exact) << entry.path();
     }

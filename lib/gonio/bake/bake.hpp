@@ -1,0 +1,37 @@
+// Baking: a web as a texture whose texels hold the exact mean of its interpolant over their solid angle, so that the
+// flux is exact at every size.
+#pragma once
+
+#include <gonio/bake/layout.hpp>
+#include <gonio/bake/texture.hpp>
+#include <gonio/web/web.hpp>
+
+namespace gonio {
+
+// Greatest width and height of a texture.
+inline constexpr int max_texture_size = 32768;
+
+struct BakeOptions {
+    Layout layout = Layout::latlong;
+    int width = 512;
+    int height = 256;
+    LayoutOptions chart;
+    Normalization normalization = Normalization::none;
+    TexelType texel_type = TexelType::float32;
+    unsigned threads = 0; // 0 = as many as there are; does not change a bit of the result
+};
+
+// The size that a layout has when none is asked for.
+struct TextureSize {
+    int width = 0;
+    int height = 0;
+};
+TextureSize usual_size(Layout layout);
+
+// Negative means are stored as 0. latlong and v180 of a type C web are closed forms (gonio/bake/latlong.hpp); the
+// others are line integrals around each texel (gonio/bake/texel_flux.hpp), about 1 µs each. Fails (usage) on a size
+// outside [1, max_texture_size] or of more than 2²⁸ texels or that the layout cannot have, and on a normalization by
+// something that is not greater than 0.
+Result<Texture> bake_texture(const Web& web, const BakeOptions& options);
+
+} // namespace gonio

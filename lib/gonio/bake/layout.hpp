@@ -1,0 +1,93 @@
+// Layouts: which direction lies where in a texture.
+//
+// A layout is one or more charts, each a rectangle of texels with a smooth or piecewise smooth map of the unit square
+// to directions of the light's frame (aim −Z, C0 +X, C90 +Y). In a chart s runs along the columns, left to right, and t
+// along the rows, top to bottom, both from 0 to 1.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio {
+
+enum class Layout {
+    latlong,               // C across, γ down
+    v180,                  // γ across, one row: the mean over C
+    octahedral,            // the aim in the middle, its opposite in the corners
+    octahedral_equal_area, // the same with texels of equal solid angle (P. Clarberg, Fast equal-area mapping, 2008)
+    cube_strip,            // faces +X −X +Y −Y +Z −Z side by side
+    cube_cross,            // the same unfolded, 4 × 3 faces
+    gnomonic,              // a plane across the aim: a spot's cookie
+    panorama               // longitude and latitude about +Y, the aim in the middle
+};
+
+struct LayoutInfo {
+    Layout layout;
+    std::string_view name;             // "octahedral-equal-area"
+    std::string_view summary;          // for lists
+    std::string_view texel_convention; // one sentence: which directions a texel stands for
+};
+
+std::span<const LayoutInfo> layouts();
+const LayoutInfo& info_of(Layout layout);
+
+// Fails (usage) on an unknown name.
+Result<Layout> parse_layout(std::string_view text);
+
+// A direction of any length > 0 and how it changes along the chart.
+struct ChartPoint {
+    glm::dvec3 direction;
+    glm::dvec3 along_s;
+    glm::dvec3 along_t;
+};
+
+class Chart {
+public:
+    virtual ~Chart() = default;
+    [[nodiscard]] virtual ChartPoint at(double s, double t) const = 0;
+
+    // Where a direction of any length > 0 lies; nothing when not in this chart.
+    [[nodiscard]] virtual std::optional<glm::dvec2> locate(const glm::dvec3& direction) const = 0;
+
+    // Whether s = 0 and s = 1 are the same directions.
+    [[nodiscard]] virtual bool wraps() const { return false; }
+
+    // Appends where, between `from` and `to`, a line of constant t (`along_s`) or of constant s is not smooth.
+    virtual void folds(bool along_s, double fixed, double from, double to, std::vector<double>& at) const;
+
+protected:
+    Chart() = default;
+    Chart(const Chart&) = default;
+    Chart& operator=(const Chart&) = default;
+};
+
+// A chart in its place in the picture.
+struct PlacedChart {
+    std::unique_ptr<const Chart> chart;
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+struct LayoutOptions {
+    Radians cone = degrees(90.0); // gnomonic: full angle across the chart's middle, in (0°, 180°)
+    int border = 0;               // gnomonic: dark texels around
+};
+
+// The charts of a picture of that size. Fails (usage) on a size that the layout cannot have: an octahedral or gnomonic
+// texture is square, a strip 6:1, a cross 4:3, v180 has one row, and a border leaves a texel.
+Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options);
+
+} // namespace gonio

@@ -1,0 +1,68 @@
+// Integrals of a web along its own meridians, which turn its flux through any outline into a line integral.
+//
+// Every goniometer has a polar axis: γ counts from the nadir for type C, the latitude + 90° from −Y for type A and from
+// −X for type B. With the azimuth α and the polar angle θ of that axis, dω = sinθ dθ dα, and by Green's theorem the
+// flux through an outline is ∮ G(α, θ) dα with G = ∫₀^θ I(α, θ') sinθ' dθ'. Between the breaks, at which the
+// interpolant bends or ends, I is linear in α and in θ, so G has a closed form and is smooth.
+#pragma once
+
+#include <gonio/web/web.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace gonio {
+
+class Meridians {
+public:
+    explicit Meridians(const Web& web);
+
+    // (a, b, c) of a direction of the light's frame: α = atan2(b, a), and c is along the pole of θ = 0.
+    [[nodiscard]] glm::dvec3 local(const glm::dvec3& direction) const {
+        return {glm::dot(direction, azimuth_0_), glm::dot(direction, azimuth_90_), glm::dot(direction, pole_)};
+    }
+    [[nodiscard]] glm::dvec3 pole() const { return pole_; } // θ = 0, in the light's frame
+
+    // Ascending, in radians: α within one turn, θ within [0, π].
+    [[nodiscard]] std::span<const double> azimuth_breaks() const { return azimuths_; }
+    [[nodiscard]] std::span<const double> polar_breaks() const { return polars_; }
+    [[nodiscard]] std::span<const double> polar_break_cosines() const { return cosines_; }
+
+    // Between which breaks an angle lies: the sector, which wraps, and the number of polar breaks at or below θ.
+    [[nodiscard]] std::size_t sector_of(double azimuth) const;
+    [[nodiscard]] std::size_t cell_of(double polar) const;
+
+    // ∫₀^θ and ∫₀^π of I sinθ' dθ' [cd], continued linearly in α from the sector. `cell` is cell_of(polar).
+    struct Integral {
+        double to_here = 0.0;
+        double to_far_pole = 0.0;
+    };
+    [[nodiscard]] Integral integral(std::size_t sector, double azimuth, std::size_t cell, double polar,
+                                    double cos_polar, double sin_polar) const;
+
+private:
+    // I(θ) = intensity + slope·(θ − θⱼ) from the break j on, at one end of a sector; `constant` is G there without its
+    // running terms: G(θ) = constant − I(θ) cosθ + slope·sinθ.
+    struct Piece {
+        double intensity = 0.0;
+        double slope = 0.0;
+        double constant = 0.0;
+    };
+
+    // Pieces of one end of a sector, one for each number of breaks passed.
+    void add_end(std::span<const double> candela);
+
+    glm::dvec3 azimuth_0_{1.0, 0.0, 0.0};
+    glm::dvec3 azimuth_90_{0.0, 1.0, 0.0};
+    glm::dvec3 pole_{0.0, 0.0, -1.0};
+    std::vector<double> azimuths_;
+    std::vector<double> polars_;
+    std::vector<double> cosines_;
+    std::vector<Piece> pieces_; // [sector][end][cell]
+};
+
+} // namespace gonio
