@@ -1,3 +1,4 @@
+#include <gonio/base/unit_text.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/to_profile.hpp>
 
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 
 namespace gonio::cli {
 
@@ -26,6 +28,8 @@ constexpr std::array convert_options{
     Option{"--to", "FORMAT", "ies, ldt or tm33, where the output's name does not tell", "formats"},
     Option{"--dialect", "NAME", "of IES: lm-63-1995, lm-63-2002, lm-63-2019, portable (the source's, else lm-63-2002)",
            "dialects"},
+    Option{"--compact", "FRACTION",
+           "leave out planes that a symmetry gives back to this fraction of the peak; 0: exactly (kept as stored)"},
     Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
@@ -36,7 +40,14 @@ constexpr std::array groups{OptionGroup{"output", convert_options}, profile_inpu
 constexpr std::array examples{
     Example{"gonio convert lamp.ldt -o lamp.ies", "EULUMDAT as LM-63-2002; what is lost is said"},
     Example{"gonio convert *.ies -O game --dialect portable", "IES files that every engine's loader reads alike"},
+    Example{"gonio convert lamp.ies -o small.ies --compact 1e-3", "measured in full, symmetric to 0.1 % of the peak"},
     Example{"gonio convert - --to ldt -o - < lamp.ies", "through pipes"},
+};
+
+struct Request {
+    ProfileTarget target;
+    ProfileInputOptions input;
+    std::optional<double> compact; // tolerance
 };
 
 struct Converted {
@@ -48,10 +59,12 @@ struct Converted {
 };
 
 // Reads, converts, writes, and reads what was written again: the error that is reported is that of the bytes.
-Result<Converted> convert(const Job& job, ProfileTarget target, const ProfileInputOptions& input) {
+Result<Converted> convert(const Job& job, const Request& request) {
+    const auto& [target, input, compact] = request;
     Result<LoadedProfile> loaded = load(job.input, input);
     if (!loaded) return pass_on(loaded);
-    Result<MadeProfile> made = convert_profile(loaded->profile, target, input.resolve);
+    Result<MadeProfile> made = compact ? convert_compacted(loaded->profile, target, *compact, input.resolve)
+                                       : convert_profile(loaded->profile, target, input.resolve);
     if (!made) return pass_on(made);
     const std::string bytes = write_profile(made->profile, target);
     Result<Profile> again = read_profile(bytes, job.output);
@@ -99,18 +112,28 @@ Json to_json(const Job& job, const Converted& converted, ProfileTarget target) {
             {"diagnostics", diagnostics_json(converted.diagnostics)}};
 }
 
-Outcome outcome_of(const Job& job, ProfileTarget target, const ProfileInputOptions& input, ReportKind kind) {
+Outcome outcome_of(const Job& job, const Request& request, ReportKind kind) {
     Outcome outcome;
-    Result<Converted> converted = convert(job, target, input);
+    Result<Converted> converted = convert(job, request);
     if (!converted) {
         outcome.error = std::move(converted.error());
         return outcome;
     }
     outcome.remarks.push_back(fmt::format("{} -> {}: {}, greatest difference {:.3g} of the peak", job.input, job.output,
                                           version_of(converted->profile), converted->error.relative));
-    if (kind != ReportKind::words) outcome.report = to_json(job, *converted, target);
+    if (kind != ReportKind::words) outcome.report = to_json(job, *converted, request.target);
     outcome.diagnostics = std::move(converted->diagnostics);
     return outcome;
+}
+
+Result<std::optional<double>> compact_tolerance(const Arguments& arguments) {
+    const auto text = arguments.value("--compact");
+    if (!text) return std::optional<double>();
+    const std::optional<double> value = parse_number(*text);
+    if (!value || *value < 0.0 || *value >= 1.0)
+        return fail(Failure::usage, fmt::format("--compact takes a fraction from 0 to below 1, not '{}'", *text),
+                    "for example 1e-3");
+    return value;
 }
 
 Result<int> convert_all(const Arguments& arguments, Console& console) {
@@ -127,6 +150,9 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
     if (!jobs) return pass_on(jobs);
     const Result<ProfileTarget> target = profile_target(arguments, jobs->front().output);
     if (!target) return Unexpected(target.error());
+    const Result<std::optional<double>> compact = compact_tolerance(arguments);
+    if (!compact) return Unexpected(compact.error());
+    const Request request{*target, *input, *compact};
     const ReportKind kind = report_kind(arguments);
     if (kind != ReportKind::words && jobs->front().output == "-") return both_to_standard_output("profile");
     std::erase_if(*jobs, [](const Job& job) { return job.skip; });
@@ -139,7 +165,7 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
         return 0;
     }
     return run_batch({names, "gonio.convert/1", "converted", *threads}, kind, console,
-                     [&](std::size_t index) { return outcome_of((*jobs)[index], *target, *input, kind); });
+                     [&](std::size_t index) { return outcome_of((*jobs)[index], request, kind); });
 }
 
 int run(const Arguments& arguments, Console& console) {

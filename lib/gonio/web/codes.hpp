@@ -91,6 +91,10 @@ inline constexpr WebCode web_codes[] = {
     {"WEB0218", "emitters added up",
      "TM-33 describes each emitter of a luminaire; the target has one table and one lamp. The intensities were added, "
      "the lamp's description is that of the first emitter."},
+    {"WEB0219", "stored under its symmetry",
+     "The table's planes repeat one another, as it was asked to look for: those that the symmetry gives back are left "
+     "out. The light is the same, within the tolerance that was asked for.",
+     Severity::note},
 
     {"WEB0301", "more light than the lamps give",
      "The table's flux exceeds the lumens that the file declares for its lamps. Lumens of another lamp, a factor that "

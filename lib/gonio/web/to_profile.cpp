@@ -5,6 +5,7 @@
 #include <gonio/web/make_profile.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/resample.hpp>
+#include <gonio/web/symmetry.hpp>
 #include <gonio/web/to_profile.hpp>
 
 #include <fmt/format.h>
@@ -208,6 +209,26 @@ Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target
     Result<ResolvedWeb> resolved = resolve_web(profile, options);
     if (!resolved) return pass_on(resolved);
     return to_profile(resolved->web, header_of(profile, options), target);
+}
+
+Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget target, double tolerance,
+                                      const ResolveOptions& options) {
+    Result<ResolvedWeb> resolved = resolve_web(profile, options);
+    if (!resolved) return pass_on(resolved);
+    const Web& web = resolved->web;
+    const Web compact = compacted(web, tolerance);
+    if (compact.stored_symmetry() == web.stored_symmetry()) return convert_profile(profile, target, options);
+    if (target == ProfileTarget::lm63) target = target_of(profile).value_or(ProfileTarget::lm63_2002);
+    Result<MadeProfile> made = to_profile(compact, header_of(profile, options), target);
+    if (!made) return made;
+    Losses losses(profile.source);
+    losses.add("WEB0219", fmt::format("symmetry {} stored as {}: {} by {} angles instead of {} by {}",
+                                      to_text(web.stored_symmetry()), to_text(compact.stored_symmetry()),
+                                      compact.horizontal_deg().size(), compact.vertical_deg().size(),
+                                      web.horizontal_deg().size(), web.vertical_deg().size()));
+    Diagnostics said = losses.take();
+    made->diagnostics.insert(made->diagnostics.begin(), said.begin(), said.end());
+    return made;
 }
 
 ConversionError conversion_error(const Web& source, const Web& made) {

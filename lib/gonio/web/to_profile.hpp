@@ -56,6 +56,11 @@ Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, Prof
 // `options` and made anew. `options` other than the default always make it anew.
 Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options = {});
 
+// As convert_profile, but a table that has a higher symmetry than it is stored under, to within `tolerance` of its
+// peak, is made anew under that one (gonio/web/symmetry.hpp), which is said. One that has not is converted as above.
+Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget target, double tolerance,
+                                      const ResolveOptions& options = {});
+
 // The target that a file already is of: its format, and its edition where there is a dialect of that name.
 std::optional<ProfileTarget> target_of(const Profile& profile);
 

@@ -261,6 +261,7 @@ const std::map<std::string, Rule>& smallest_files() {
         {"WEB0215", {ies(), false, T::lm63_2002}},
         {"WEB0217", {ies({{2, "TILT=a.tlt"}}), false, T::lm63, "beside"}},
         {"WEB0218", {"<IESTM33-22><Emitter/>" + tm33("<IESTM33-22><Version>1.1</Version>", ""), false, T::lm63}},
+        {"WEB0219", {ies({{3, "1 1000 1 2 2 1 2 0 0 0"}, {6, "0 90"}, {7, "9 1 9 1"}}), false, T::lm63, "compact"}},
 
         {"WEB0301", {ies({{3, "1 1 1 2 1 1 2 0 0 0"}})}},
         {"WEB0302", {ies({{3, "1 9999 1 2 1 1 2 0 0 0"}})}},
@@ -300,7 +301,8 @@ Diagnostics all_said(const Rule& rule) {
     add(resolved->diagnostics);
     add(check_plausibility(*profile, resolved->web));
     if (!rule.target) return said;
-    const Result<MadeProfile> made = convert_profile(*profile, *rule.target);
+    const Result<MadeProfile> made = rule.name == "compact" ? convert_compacted(*profile, *rule.target, 0.0)
+                                                            : convert_profile(*profile, *rule.target);
     EXPECT_TRUE(made);
     if (made) add(made->diagnostics);
     return said;
