@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gonio {
 
@@ -256,11 +257,15 @@ Result<std::vector<PlacedChart>> cube(Layout layout, int width, int height, int 
     return charts;
 }
 
+std::vector<PlacedChart> one(std::unique_ptr<const Chart> chart, int border, int width, int height) {
+    std::vector<PlacedChart> charts(1);
+    charts[0] = {std::move(chart), border, border, width, height};
+    return charts;
+}
+
 template<class Map>
 std::vector<PlacedChart> whole(int width, int height) {
-    std::vector<PlacedChart> charts;
-    charts.push_back({std::make_unique<Map>(), 0, 0, width, height});
-    return charts;
+    return one(std::make_unique<Map>(), 0, width, height);
 }
 
 } // namespace
@@ -309,11 +314,8 @@ Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height,
                         fmt::format("a plane shows a cone of more than 0deg and less than 180deg, not {}deg",
                                     to_degrees(options.cone)));
         const double reach = std::tan(0.5 * options.cone.value);
-        std::vector<PlacedChart> charts;
-        charts.push_back(
-            {std::make_unique<Plane>(glm::dvec3(0, 0, -1), glm::dvec3(reach, 0, 0), glm::dvec3(0, reach, 0)),
-             options.border, options.border, inside, inside});
-        return charts;
+        return one(std::make_unique<Plane>(glm::dvec3(0, 0, -1), glm::dvec3(reach, 0, 0), glm::dvec3(0, reach, 0)),
+                   options.border, inside, inside);
     }
     case Layout::latlong:
         return whole<Latlong>(width, height);
