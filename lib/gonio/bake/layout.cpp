@@ -215,21 +215,21 @@ public:
 };
 
 // The face of an OpenGL cube map whose middle is the axis; s and t as it looks them up.
-std::unique_ptr<const Chart> cube_face(std::size_t face) {
+std::shared_ptr<const Chart> cube_face(std::size_t face) {
     using glm::dvec3;
     switch (face) {
     case 0:
-        return std::make_unique<Plane>(dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, 1, 0));
+        return std::make_shared<Plane>(dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, 1, 0));
     case 1:
-        return std::make_unique<Plane>(dvec3(-1, 0, 0), dvec3(0, 0, 1), dvec3(0, 1, 0));
+        return std::make_shared<Plane>(dvec3(-1, 0, 0), dvec3(0, 0, 1), dvec3(0, 1, 0));
     case 2:
-        return std::make_unique<Plane>(dvec3(0, 1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1));
+        return std::make_shared<Plane>(dvec3(0, 1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1));
     case 3:
-        return std::make_unique<Plane>(dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, 1));
+        return std::make_shared<Plane>(dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, 1));
     case 4:
-        return std::make_unique<Plane>(dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0));
+        return std::make_shared<Plane>(dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0));
     default:
-        return std::make_unique<Plane>(dvec3(0, 0, -1), dvec3(-1, 0, 0), dvec3(0, 1, 0));
+        return std::make_shared<Plane>(dvec3(0, 0, -1), dvec3(-1, 0, 0), dvec3(0, 1, 0));
     }
 }
 
@@ -257,7 +257,7 @@ Result<std::vector<PlacedChart>> cube(Layout layout, int width, int height, int 
     return charts;
 }
 
-std::vector<PlacedChart> one(std::unique_ptr<const Chart> chart, int border, int width, int height) {
+std::vector<PlacedChart> one(std::shared_ptr<const Chart> chart, int border, int width, int height) {
     std::vector<PlacedChart> charts(1);
     charts[0] = {std::move(chart), border, border, width, height};
     return charts;
@@ -265,7 +265,7 @@ std::vector<PlacedChart> one(std::unique_ptr<const Chart> chart, int border, int
 
 template<class Map>
 std::vector<PlacedChart> whole(int width, int height) {
-    return one(std::make_unique<Map>(), 0, width, height);
+    return one(std::make_shared<Map>(), 0, width, height);
 }
 
 } // namespace
@@ -314,7 +314,7 @@ Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height,
                         fmt::format("a plane shows a cone of more than 0deg and less than 180deg, not {}deg",
                                     to_degrees(options.cone)));
         const double reach = std::tan(0.5 * options.cone.value);
-        return one(std::make_unique<Plane>(glm::dvec3(0, 0, -1), glm::dvec3(reach, 0, 0), glm::dvec3(0, reach, 0)),
+        return one(std::make_shared<Plane>(glm::dvec3(0, 0, -1), glm::dvec3(reach, 0, 0), glm::dvec3(0, reach, 0)),
                    options.border, inside, inside);
     }
     case Layout::latlong:

@@ -74,7 +74,7 @@ protected:
 
 // A chart in its place in the picture.
 struct PlacedChart {
-    std::unique_ptr<const Chart> chart;
+    std::shared_ptr<const Chart> chart;
     int x = 0;
     int y = 0;
     int width = 0;
