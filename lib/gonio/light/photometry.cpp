@@ -15,6 +15,13 @@ namespace gonio {
 
 namespace {
 
+// "90 lm/W", "330.1 lm/W (LED-B3, 380–780 nm)": a computed one in five digits, a given one as it stands.
+std::string efficacy_text(const PhotometricUnit& unit) {
+    const double lm_per_w = unit.efficacy_lm_per_w.value_or(0.0);
+    if (unit.efficacy_of.empty()) return fmt::format("{} lm/W", lm_per_w);
+    return fmt::format("{} lm/W ({})", rounded(lm_per_w, 5), unit.efficacy_of);
+}
+
 using std::numbers::pi;
 
 // A constant between two quantities of a shape, and what it says.
@@ -263,7 +270,7 @@ Result<double> strength_of(const Shape& shape, const Emitter& emitter, const Pho
         double lumens = base;
         if (value.unit.efficacy_lm_per_w) {
             lumens *= *value.unit.efficacy_lm_per_w;
-            note(steps, fmt::format("Φ = P · {} lm/W", *value.unit.efficacy_lm_per_w), lumens, "lm");
+            note(steps, fmt::format("Φ = P · {}", efficacy_text(value.unit)), lumens, "lm");
         }
         const Factor factor = std::visit(FluxFactor{shape, emitter}, shape);
         if (!(factor.value > 0.0))
@@ -343,7 +350,7 @@ Result<double> express(const Shape& shape, const Emission& emission, const Photo
         note(steps, factor.formula, base, "lm");
         if (unit.efficacy_lm_per_w) {
             base /= *unit.efficacy_lm_per_w;
-            note(steps, fmt::format("P = Φ / {} lm/W", *unit.efficacy_lm_per_w), base, "W");
+            note(steps, fmt::format("P = Φ / {}", efficacy_text(unit)), base, "W");
         }
     } else if (is_luminance(dimension)) {
         if (!emitter.luminance) return luminance_refused(emitter);
