@@ -121,7 +121,8 @@ Result<void> compare_temperatures(const CctRequest& request, CctAnswer& answer) 
     if (!methods) return pass_on(methods);
     for (const CctMethod* method : *methods) {
         const Kelvin truth = answer.cct->temperature;
-        answer.versus.push_back({method->name, method->source, truth >= method->coolest && truth <= method->hottest,
+        answer.versus.push_back({method->name, method->source,
+                                 truth.value >= method->coolest.value && truth.value <= method->hottest.value,
                                  method->cct_k(answer.at), 0.0, std::nullopt});
     }
     return {};

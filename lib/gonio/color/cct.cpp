@@ -122,7 +122,7 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
     const Kelvin low = locus == Locus::daylight ? coolest_daylight : coolest;
     const Kelvin high = planckian ? hottest : hottest_daylight;
     const Kelvin T = cct.temperature;
-    if (!(T >= low && T <= high))
+    if (!(T.value >= low.value && T.value <= high.value))
         return fail(Failure::usage,
                     fmt::format("{} K is outside the {} locus", rounded(T.value, 12),
                                 loci[static_cast<std::size_t>(locus)].name),

@@ -344,7 +344,7 @@ Result<std::vector<const CctMethod*>> parse_cct_methods(std::string_view list) {
 
 ColorError error_of(const ColorMethod& method, Kelvin temperature) {
     ColorError error;
-    error.in_range = temperature >= method.coolest && temperature <= method.hottest;
+    error.in_range = temperature.value >= method.coolest.value && temperature.value <= method.hottest.value;
     const glm::dvec3 xyz = method.xyz(temperature);
     const Uv at = to_uv(xyz);
     error.at = at;

@@ -148,7 +148,7 @@ std::optional<Spectrum> find_illuminant(std::string_view name) {
 }
 
 Result<Spectrum> blackbody_spectrum(Kelvin temperature) {
-    if (!(temperature >= coolest && temperature <= hottest))
+    if (!(temperature.value >= coolest.value && temperature.value <= hottest.value))
         return fail(Failure::usage, fmt::format("a black body of {} K is not known", rounded(temperature.value, 12)),
                     "it is given from 500 K to 1e6 K");
     Spectrum spectrum;

@@ -144,7 +144,7 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
         if (words.size() > 2)
             return malformed({source, line, words[2].column}, "more than two columns",
                              "lines are WAVELENGTH,POWER: leave one spectrum in the file");
-        const std::uint32_t behind = static_cast<std::uint32_t>(row.size() + 1);
+        const auto behind = static_cast<std::uint32_t>(row.size() + 1);
         if (words.size() < 2 || words[1].text.empty())
             return malformed({source, line, words.size() < 2 ? behind : words[1].column},
                              fmt::format("no power is given at {} nm", rounded(*nm, 9)));

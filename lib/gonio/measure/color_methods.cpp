@@ -36,7 +36,7 @@ void fill(ColorMeasurement& measured, const Colors& colors, std::size_t cases) {
             measured.worst = error;
             measured.worst_at = kelvin[i];
         }
-        if (kelvin[i] >= Kelvin(2000) && kelvin[i] <= Kelvin(10000))
+        if (kelvin[i].value >= 2000.0 && kelvin[i].value <= 10000.0)
             measured.worst_2_to_10_kk = std::max(measured.worst_2_to_10_kk, error);
     }
     measured.rms = std::sqrt(squares / static_cast<double>(kelvin.size()));
@@ -51,8 +51,8 @@ Result<ColorMeasurement> measure_function(std::string name, Kelvin coolest, Kelv
     ColorMeasurement measured;
     measured.name = std::move(name);
     measured.code = "double";
-    measured.coolest = std::max(coolest, coolest_measured);
-    measured.hottest = std::min(hottest, hottest_measured);
+    measured.coolest = Kelvin(std::max(coolest.value, coolest_measured.value));
+    measured.hottest = Kelvin(std::min(hottest.value, hottest_measured.value));
     fill(
         measured,
         [&](const std::vector<Kelvin>& kelvin, std::vector<glm::dvec3>& colors) {
