@@ -3,6 +3,10 @@
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/color/named_methods.hpp>
+#include <gonio/color/rgb_space.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
@@ -99,7 +103,44 @@ Entries presets() {
 }
 
 Entries spaces() {
-    return {{"rec709", "linear, D65 white: the working space"}};
+    Entries entries;
+    for (const RgbSpaceName& space : rgb_spaces())
+        entries.push_back({std::string(space.name), space.alias.empty()
+                                                        ? std::string(space.says)
+                                                        : fmt::format("{} (also {})", space.says, space.alias)});
+    return entries;
+}
+
+Entries illuminants() {
+    Entries entries;
+    for (const std::string_view name : illuminant_names()) {
+        const std::optional<Spectrum> spectrum = find_illuminant(name);
+        const Result<SpectrumColor> color = color_of(*spectrum);
+        const Xy xy = to_xy(color->uv);
+        entries.push_back({std::string(name), fmt::format("xy {:.4f} {:.4f}", xy.x, xy.y)});
+    }
+    return entries;
+}
+
+Entries loci() {
+    Entries entries;
+    for (const LocusName& locus : locus_names())
+        entries.push_back({std::string(locus.name), std::string(locus.says)});
+    return entries;
+}
+
+Entries tints() {
+    Entries entries;
+    for (const TintConvention& convention : tint_conventions())
+        entries.push_back({std::string(convention.name), std::string(convention.says)});
+    return entries;
+}
+
+Entries color_method_names() {
+    Entries entries;
+    for (const ColorMethod& method : color_methods())
+        entries.push_back({std::string(method.name), std::string(method.source)});
+    return entries;
 }
 
 Entries formats() {
@@ -135,12 +176,15 @@ Entries diagrams() {
 }
 
 constexpr std::array lists{
+    NamedList{"color-methods", "ways to take the colour of a temperature", color_method_names},
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "dialects of IES that convert writes", dialects},
     NamedList{"efficacies", "lumens that a watt is taken for", efficacies},
     NamedList{"formats", "profile formats that are read", formats},
+    NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
+    NamedList{"loci", "curves of colour over temperature", loci},
     NamedList{"materials", "materials of preview", materials},
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
@@ -148,8 +192,9 @@ constexpr std::array lists{
     NamedList{"presets", "everyday sources", presets},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
-    NamedList{"spaces", "colour spaces", spaces},
+    NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
+    NamedList{"tints", "measures of the distance from the locus", tints},
     NamedList{"units", "units of values", units},
 };
 

@@ -5,6 +5,7 @@
 namespace gonio::cli {
 
 extern const Command units_command;
+extern const Command cct_command;
 extern const Command info_command;
 extern const Command check_command;
 extern const Command convert_command;
@@ -26,6 +27,7 @@ extern const Command version_command;
 // clang-format off
 static constexpr std::array all{
     &units_command,
+    &cct_command,
     &info_command,
     &check_command,
     &convert_command,

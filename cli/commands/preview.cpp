@@ -59,6 +59,7 @@ constexpr std::array examples{
 
 struct Request {
     LightDescription light;
+    Diagnostics diagnostics;
     Stage stage;
     RenderOptions render;
     std::optional<Ev100> exposure; // nothing: automatic
@@ -118,7 +119,7 @@ Result<Request> parse(const Arguments& arguments) {
     Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    Result<LightDescription> light = light_input(arguments, request.stage.light_position);
+    Result<LightDescription> light = light_input(arguments, request.stage.light_position, request.diagnostics);
     if (!light) return pass_on(light);
     request.light = std::move(*light);
     Result<void> read = read_picture(arguments, request);
@@ -130,7 +131,7 @@ Result<Request> parse(const Arguments& arguments) {
 Result<int> preview(const Arguments& arguments, Console& console) {
     Result<Request> request = parse(arguments);
     if (!request) return pass_on(request);
-    Diagnostics diagnostics;
+    Diagnostics diagnostics = std::move(request->diagnostics);
     Result<Light> light = resolve_light(request->light, diagnostics);
     if (!light) return pass_on(light);
     console.say(diagnostics);

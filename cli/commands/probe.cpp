@@ -78,7 +78,7 @@ struct Request {
 Result<void> read_lights(const Arguments& arguments, Request& request) {
     const auto rig_file = arguments.value("--rig");
     if (!rig_file) {
-        Result<LightDescription> description = light_input(arguments, {0.0, 0.0, 0.0});
+        Result<LightDescription> description = light_input(arguments, {0.0, 0.0, 0.0}, request.diagnostics);
         if (!description) return pass_on(description);
         Result<Light> light = resolve_light(std::move(*description), request.diagnostics);
         if (!light) return pass_on(light);

@@ -17,7 +17,8 @@ bool is_about_messages(std::string_view color) {
 
 } // namespace
 
-Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position) {
+Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position,
+                                     Diagnostics& diagnostics) {
     const std::vector<std::string>& files = arguments.positional();
     const auto shape_text = arguments.value("--shape");
     if (files.size() > 1) return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()));
@@ -39,7 +40,7 @@ Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec
     }
     const auto color = arguments.value("--color");
     if (color && !is_about_messages(*color)) {
-        Result<glm::dvec3> rgb = parse_light_color(*color);
+        Result<glm::dvec3> rgb = parse_light_color(*color, &diagnostics);
         if (!rgb) return pass_on(rgb);
         light.color = *rgb;
     }

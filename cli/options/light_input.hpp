@@ -14,7 +14,9 @@ namespace gonio::cli {
 inline constexpr std::array light_options{
     Option{"--shape", "SHAPE", "the light's shape, where no FILE is given", "shapes"},
     Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt, 300lx@2m; a profile's own when not given"},
-    Option{"--color", "COLOR", "of the light: d65, #ffd9a0, rgb(1,0.8,0.6); or auto, always, never for messages"},
+    Option{"--color", "COLOR",
+           "of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, always, "
+           "never for messages"},
     Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it; of probe: 0,0,0)"},
     Option{"--direction", "X,Y,Z", "along which it shines (0,0,-1)"},
     Option{"--up", "X,Y,Z", "where C90 of a profile points (0,1,0)"},
@@ -24,9 +26,11 @@ inline constexpr std::array light_options{
 
 inline constexpr OptionGroup light_group{"light", light_options};
 
-// The light of the positional FILE or --shape. Reads no file. Fails (usage) when there is none or both, and on what the
+// The light of the positional FILE or --shape. Reads no profile; what there is to say of the colour goes to
+// `diagnostics`. Fails (usage) when there is none or both, and on what the
 // options cannot mean.
-Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position);
+Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position,
+                                     Diagnostics& diagnostics);
 
 // The first of light_options, other than a --color that is about messages, that is given: "--shape"; empty for none.
 std::string_view given_light_option(const Arguments& arguments);

@@ -72,6 +72,7 @@ std::string unit_text(const PhotometricUnit& unit) {
 void add_unit(Json& json, const PhotometricUnit& unit) {
     if (unit.distance) json["at_m"] = unit.distance->value;
     if (unit.efficacy_lm_per_w) json["efficacy_lm_per_W"] = *unit.efficacy_lm_per_w;
+    if (!unit.efficacy_of.empty()) json["efficacy_of"] = unit.efficacy_of;
 }
 
 Json answers_json(const std::vector<Answer>& answers) {

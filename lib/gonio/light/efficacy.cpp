@@ -1,5 +1,6 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/efficacy.hpp>
 
 #include <fmt/format.h>
@@ -26,22 +27,31 @@ constexpr std::array efficacies{
     NamedEfficacy{"sodium", 120.0, true, "per electrical watt, high-pressure sodium"},
 };
 
+constexpr std::string_view spectrum_prefix = "spectrum:";
+
+Result<Efficacy> efficacy_of_spectrum(const std::string& name) {
+    Result<Spectrum> spectrum = read_spectrum(name);
+    if (!spectrum) return pass_on(spectrum);
+    Result<SpectrumColor> color = color_of(*spectrum);
+    if (!color) return pass_on(color);
+    return Efficacy{color->efficacy_lm_per_w, fmt::format("{}, {}", spectrum->name, to_text(color->band))};
+}
+
 } // namespace
 
 std::span<const NamedEfficacy> named_efficacies() {
     return efficacies;
 }
 
-Result<double> parse_efficacy(std::string_view text) {
+Result<Efficacy> parse_efficacy(std::string_view text) {
     for (const NamedEfficacy& known : efficacies)
-        if (known.name == text) return known.lm_per_w;
-    if (text.starts_with("spectrum:"))
-        return fail(Failure::unsupported, "the efficacy of a spectrum is not computed yet",
-                    "give a number, for example 90lm/W, or one of 'gonio list efficacies'");
+        if (known.name == text) return Efficacy{known.lm_per_w, {}};
+    if (text.starts_with(spectrum_prefix))
+        return efficacy_of_spectrum(std::string(text.substr(spectrum_prefix.size())));
     std::string_view number = text;
     if (number.ends_with("lm/W")) number.remove_suffix(4);
     const std::optional<double> value = parse_number(number);
-    if (value && *value > 0.0 && *value <= greatest_lm_per_w) return *value;
+    if (value && *value > 0.0 && *value <= greatest_lm_per_w) return Efficacy{*value, {}};
     std::vector<std::string_view> names;
     for (const NamedEfficacy& known : efficacies)
         names.push_back(known.name);

@@ -5,6 +5,7 @@
 #include <gonio/base/result.hpp>
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace gonio {
@@ -19,8 +20,14 @@ struct NamedEfficacy {
 
 std::span<const NamedEfficacy> named_efficacies();
 
-// "90lm/W", "90", "khronos-177"; in lm/W. Fails (usage) on what is not above 0 or exceeds 683.002 lm/W, the efficacy of
-// light at 555 nm; (unsupported) on a spectrum.
-Result<double> parse_efficacy(std::string_view text);
+struct Efficacy {
+    double lm_per_w = 0.0;
+    std::string of; // what it was computed from, with its band: "LED-B3, 380–780 nm"; empty for a number
+};
+
+// "90lm/W", "90", "khronos-177", "spectrum:LED-B3", "spectrum:lamp.csv", "spectrum:blackbody:2700K": the luminous flux
+// over the radiant flux in all of the spectrum's wavelengths (gonio/color/spectrum.hpp). Fails (usage) on what is not
+// above 0 or exceeds 683.002 lm/W, the efficacy of light at 555 nm; as read_spectrum does on a spectrum.
+Result<Efficacy> parse_efficacy(std::string_view text);
 
 } // namespace gonio

@@ -1,23 +1,69 @@
+#include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/color/rgb_space.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/light_color.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <charconv>
-#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace gonio {
 
 namespace {
 
-// IEC 61966-2-1.
-double decode_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+Unexpected no_color(std::string_view text) {
+    return fail(Failure::usage, fmt::format("'{}' is no colour", text),
+                "write 2700K, d65, #ffd9a0, rgb(1,0.8,0.6) or an illuminant of 'gonio list illuminants'");
 }
 
-Unexpected no_color(std::string_view text) {
-    return fail(Failure::usage, fmt::format("'{}' is no colour", text), "write d65, #ffd9a0 or rgb(1,0.8,0.6)");
+constexpr std::string_view spectrum_prefix = "spectrum:";
+
+Result<Uv> color_of_spectrum(const Spectrum& spectrum) {
+    Result<SpectrumColor> color = color_of(spectrum);
+    if (!color) return pass_on(color);
+    return color->uv;
+}
+
+// Of a temperature, an illuminant or a spectrum.
+Result<Uv> chromaticity(std::string_view text, std::string_view folder) {
+    if (text.starts_with(spectrum_prefix)) {
+        std::string file(text.substr(spectrum_prefix.size()));
+        if (!folder.empty() && !file.starts_with('/') && !find_illuminant(file) && !file.starts_with("blackbody:"))
+            file = fmt::format("{}/{}", folder, file);
+        Result<Spectrum> spectrum = read_spectrum(file);
+        if (!spectrum) return pass_on(spectrum);
+        return color_of_spectrum(*spectrum);
+    }
+    if (const std::optional<Spectrum> illuminant = find_illuminant(text)) return color_of_spectrum(*illuminant);
+    const Result<Amount> amount = parse_amount(text.substr(0, text.find('/')));
+    if (!amount || amount->unit->dimension != Dimension::temperature) {
+        const std::string_view guess = nearest(text, illuminant_names());
+        if (guess.empty()) return no_color(text);
+        return fail(Failure::usage, fmt::format("'{}' is no colour", text), fmt::format("did you mean '{}'?", guess));
+    }
+    Result<Cct> cct = parse_cct(text);
+    if (!cct) return pass_on(cct);
+    return uv_of(*cct);
+}
+
+glm::dvec3 in_working_space(std::string_view text, Uv at, Diagnostics* diagnostics) {
+    const SpaceColor color = to_space(at, *find_rgb_space("rec709"), Gamut::clip);
+    if (!color.in_gamut && diagnostics != nullptr) {
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.message =
+            fmt::format("'{}' lies outside Rec.709, in which lights are computed: clipped to it, {} in u'v' "
+                        "away, its luminance kept",
+                        text, rounded(color.delta_uv_prime, 2));
+        diagnostics->push_back(std::move(warning));
+    }
+    return color.rgb;
 }
 
 } // namespace
@@ -40,7 +86,7 @@ Result<glm::dvec3> parse_rgb(std::string_view text) {
     return rgb;
 }
 
-Result<glm::dvec3> parse_light_color(std::string_view text) {
+Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics, std::string_view folder) {
     if (text == "d65" || text == "D65") return glm::dvec3(1.0);
     glm::dvec3 rgb(0.0);
     if (text.starts_with("#")) {
@@ -55,11 +101,9 @@ Result<glm::dvec3> parse_light_color(std::string_view text) {
         if (!parsed) return pass_on(parsed);
         rgb = *parsed;
     } else {
-        const Result<Amount> amount = parse_amount(text);
-        if (amount && amount->unit->dimension == Dimension::temperature)
-            return fail(Failure::unsupported, "colour temperatures are not computed yet",
-                        "give the colour as #ffd9a0 or rgb(1,0.8,0.6)");
-        return no_color(text);
+        Result<Uv> at = chromaticity(text, folder);
+        if (!at) return pass_on(at);
+        return in_working_space(text, *at, diagnostics);
     }
     const double y = glm::dot(rgb, rec709_luminance);
     if (!(y > 0.0)) return fail(Failure::usage, fmt::format("'{}' is black: a light has a colour to be seen by", text));

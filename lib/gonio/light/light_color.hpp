@@ -14,9 +14,13 @@ namespace gonio {
 // ITU-R BT.709.
 inline constexpr glm::dvec3 rec709_luminance{0.21263900587151027, 0.71516867876775592, 0.072192315360733714};
 
-// "d65" (white), "rgb(r,g,b)" (linear Rec.709), "#ffd9a0" (sRGB-encoded). Fails: usage on anything else and on black,
-// unsupported on a colour temperature.
-Result<glm::dvec3> parse_light_color(std::string_view text);
+// "2700K" and "2700K/0.003" (black body, with its Duv), "d65" (white), another CIE illuminant ("LED-B3"),
+// "spectrum:FILE" (CSV or TM-33), "rgb(r,g,b)" (linear Rec.709), "#ffd9a0" (sRGB-encoded). Colours outside Rec.709
+// (black bodies below 1900 K among them) are clipped, their luminance kept, and a warning says by how much; without
+// `diagnostics` nobody hears it. A relative FILE is sought in `folder` where one is given. Fails (usage) on anything
+// else and on black, and as uv_of and read_spectrum do.
+Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics = nullptr,
+                                     std::string_view folder = {});
 
 // "rgb(r,g,b)", or one number for all three. No normalisation. Fails (usage) on numbers that are not finite or
 // negative.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 namespace gonio {
 
@@ -46,14 +47,15 @@ Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std
 // What stands behind the '@' of a unit, if anything does.
 Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::string_view> behind_at,
                                       std::string_view text) {
-    PhotometricUnit complete{&unit, std::nullopt, std::nullopt};
+    PhotometricUnit complete{&unit, std::nullopt, std::nullopt, {}};
     if (unit.dimension == Dimension::power) {
         if (!behind_at)
             return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
                         fmt::format("write for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
-        Result<double> efficacy = parse_efficacy(*behind_at);
+        Result<Efficacy> efficacy = parse_efficacy(*behind_at);
         if (!efficacy) return pass_on(efficacy);
-        complete.efficacy_lm_per_w = *efficacy;
+        complete.efficacy_lm_per_w = efficacy->lm_per_w;
+        complete.efficacy_of = std::move(efficacy->of);
         return complete;
     }
     Result<std::optional<Meters>> distance = parse_distance(unit, behind_at);

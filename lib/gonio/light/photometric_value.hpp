@@ -6,6 +6,7 @@
 #include <gonio/base/unit_text.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace gonio {
@@ -16,6 +17,7 @@ struct PhotometricUnit {
     const Unit* unit = nullptr;
     std::optional<Meters> distance;
     std::optional<double> efficacy_lm_per_w;
+    std::string efficacy_of = {}; // the spectrum that the efficacy was computed from, with its band
 };
 
 struct PhotometricValue {
@@ -23,8 +25,9 @@ struct PhotometricValue {
     PhotometricUnit unit;
 };
 
-// "nt", "lx@2m", "evlx@30cm", "lx", "W@90lm/W", "W@khronos-177" (gonio/light/efficacy.hpp). Fails (usage) on units of
-// other dimensions, on a distance that is not greater than 0 and on one that does not belong to an illuminance.
+// "nt", "lx@2m", "evlx@30cm", "lx", "W@90lm/W", "W@khronos-177", "W@spectrum:FILE" (gonio/light/efficacy.hpp). Fails
+// (usage) on units of other dimensions, on a distance that is not greater than 0 and on one that does not belong to an
+// illuminance.
 Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
 
 // "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts.

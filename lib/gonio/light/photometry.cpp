@@ -9,6 +9,13 @@ namespace gonio {
 
 namespace {
 
+// "90 lm/W", "330.1 lm/W (LED-B3, 380–780 nm)": a computed one in five digits, a given one as it stands.
+std::string efficacy_text(const PhotometricUnit& unit) {
+    const double lm_per_w = unit.efficacy_lm_per_w.value_or(0.0);
+    if (unit.efficacy_of.empty()) return fmt::format("{} lm/W", lm_per_w);
+    return fmt::format("{} lm/W ({})", rounded(lm_per_w, 5), unit.efficacy_of);
+}
+
 // Formats only where steps are wanted. A step that several answers share is said once.
 template<class... Arguments>
 void note(ConversionSteps* steps, double value, const char* unit, fmt::format_string<Arguments...> format,
@@ -127,7 +134,7 @@ Result<double> ShapePhotometry::strength_of(const PhotometricValue& value, Conve
         double lumens = base;
         if (value.unit.efficacy_lm_per_w) {
             lumens *= *value.unit.efficacy_lm_per_w;
-            note(steps, lumens, "lm", "Φ = P · {} lm/W", *value.unit.efficacy_lm_per_w);
+            if (steps != nullptr) note(steps, lumens, "lm", "Φ = P · {}", efficacy_text(value.unit));
         }
         const Factor factor = flux();
         if (!(factor.value > 0.0)) return no_flux_refused(shape_);
@@ -195,7 +202,7 @@ Result<double> ShapePhotometry::express(const Emission& emission, const Photomet
         note(steps, base, "lm", "{}", factor.formula);
         if (unit.efficacy_lm_per_w) {
             base /= *unit.efficacy_lm_per_w;
-            note(steps, base, "W", "P = Φ / {} lm/W", *unit.efficacy_lm_per_w);
+            if (steps != nullptr) note(steps, base, "W", "P = Φ / {}", efficacy_text(unit));
         }
     } else if (is_luminance(dimension)) {
         if (!factors_.luminance) return luminance_refused(factors_);

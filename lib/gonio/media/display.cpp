@@ -1,11 +1,9 @@
-#include <gonio/base/atomic_file.hpp>
-#include <gonio/base/nearest.hpp>
 #include <gonio/base/parallel.hpp>
+#include <gonio/media/detail/color_config.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/display.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -28,96 +26,11 @@ constexpr std::array<std::string_view, 7> rec709_names{"lin_rec709",
                                                        "Utility - Linear - Rec.709"};
 
 constexpr const char* rec709 = "lin_rec709";
-constexpr const char* interchange = "aces_interchange";
-
-// A configuration and a processor, closed when they go out of scope.
-class Config {
-public:
-    static Result<Config> open(const std::string& path) {
-        Result<const abi::ColorModule*> module = detail::color_module();
-        if (!module) return pass_on(module);
-        if (!path.empty()) { // OpenColorIO does not tell a missing file from a broken one
-            Result<std::string> readable = read_file(path);
-            if (!readable) return pass_on(readable);
-        }
-        std::array<char, abi::message_bytes> message{};
-        abi::ColorConfig* config = nullptr;
-        if (const int status = (*module)->open_config(path.c_str(), &config, message.data()); status != 0)
-            return fail(detail::failure_of(status),
-                        fmt::format("cannot read the colour configuration: {}", message.data()), {}, path);
-        return Config(*module, config);
-    }
-    Config(Config&& other) noexcept : module_(other.module_), config_(std::exchange(other.config_, nullptr)) {}
-    Config(const Config&) = delete;
-    Config& operator=(const Config&) = delete;
-    Config& operator=(Config&&) = delete;
-    ~Config() {
-        if (config_ != nullptr) module_->close_config(config_);
-    }
-
-    [[nodiscard]] const abi::ColorModule& module() const { return *module_; }
-    [[nodiscard]] const abi::ColorConfig* get() const { return config_; }
-
-    [[nodiscard]] std::vector<std::string> displays() const {
-        return list([&](std::size_t i) { return module_->display_at(config_, i); });
-    }
-    [[nodiscard]] std::vector<std::string> views(const std::string& display) const {
-        return list([&](std::size_t i) { return module_->view_at(config_, display.c_str(), i); });
-    }
-    [[nodiscard]] std::vector<std::string> spaces() const {
-        return list([&](std::size_t i) { return module_->space_at(config_, i); });
-    }
-    [[nodiscard]] std::string default_display() const { return text(module_->default_display(config_)); }
-    [[nodiscard]] std::string default_view(const std::string& display) const {
-        return text(module_->default_view(config_, display.c_str()));
-    }
-    [[nodiscard]] bool has_space(std::string_view name) const {
-        return module_->find_space(config_, std::string(name).c_str()) != nullptr;
-    }
-
-private:
-    Config(const abi::ColorModule* module, abi::ColorConfig* config) : module_(module), config_(config) {}
-
-    template<class At>
-    static std::vector<std::string> list(At at) {
-        std::vector<std::string> names;
-        for (const char* name = at(0); name != nullptr; name = at(names.size()))
-            names.emplace_back(name);
-        return names;
-    }
-    static std::string text(const char* name) { return name != nullptr ? name : ""; }
-
-    const abi::ColorModule* module_;
-    abi::ColorConfig* config_;
-};
-
-class Processor {
-public:
-    Processor(const abi::ColorModule& module, abi::ColorProcessor* processor)
-        : module_(module), processor_(processor) {}
-    Processor(const Processor&) = delete;
-    Processor& operator=(const Processor&) = delete;
-    ~Processor() { module_.close_processor(processor_); }
-
-    Result<void> apply(float* pixels, std::size_t count, int channels) const {
-        std::array<char, abi::message_bytes> message{};
-        if (const int status = module_.apply(processor_, pixels, count, channels, message.data()); status != 0)
-            return fail(detail::failure_of(status), fmt::format("the colour transform failed: {}", message.data()));
-        return {};
-    }
-
-private:
-    const abi::ColorModule& module_;
-    abi::ColorProcessor* processor_;
-};
-
-Unexpected unknown(std::string_view what, std::string_view name, std::vector<std::string> known) {
-    const std::vector<std::string_view> candidates(known.begin(), known.end());
-    const std::string_view near = nearest(name, candidates);
-    return fail(Failure::usage, fmt::format("unknown {} '{}'", what, name),
-                fmt::format("{}there are: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
-                            fmt::join(known, ", ")));
-}
+using detail::Config;
+using detail::interchange;
+using detail::Processor;
+using detail::space_processor;
+using detail::unknown;
 
 // An exact name, else the one name that differs in case only.
 std::optional<std::string> match(const std::string& name, const std::vector<std::string>& known) {
@@ -174,19 +87,6 @@ Result<void> apply_rows(Image& image, const std::vector<const Processor*>& proce
     });
     if (failure) return Unexpected(std::move(*failure));
     return {};
-}
-
-Result<abi::ColorProcessor*> space_processor(const Config& config, const std::string& from, const std::string& to) {
-    for (const std::string& name : {from, to})
-        if (!config.has_space(name)) return unknown("colour space", name, config.spaces());
-    std::array<char, abi::message_bytes> message{};
-    abi::ColorProcessor* processor = nullptr;
-    if (const int status =
-            config.module().space_processor(config.get(), from.c_str(), to.c_str(), &processor, message.data());
-        status != 0)
-        return fail(detail::failure_of(status),
-                    fmt::format("no transform from '{}' to '{}': {}", from, to, message.data()));
-    return processor;
 }
 
 } // namespace

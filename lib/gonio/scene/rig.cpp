@@ -154,8 +154,8 @@ private:
                 Result<std::string> text = text_of(value, unit_hint(value, "lm"));
                 read = text ? keep(parse_photometric_value(*text), light.intensity) : pass_on(text);
             } else if (key == "color") {
-                Result<std::string> text = text_of(value, "for example \"#ffd9a0\" or \"rgb(1,0.8,0.6)\"");
-                read = text ? keep(parse_light_color(*text), light.color) : pass_on(text);
+                Result<std::string> text = text_of(value, "for example \"2700K\" or \"#ffd9a0\"");
+                read = text ? color(*text, light.color, fmt::format("{}.color", path)) : pass_on(text);
             } else if (key == "position") {
                 read = keep(position_of(value), light.position);
             } else if (key == "direction") {
@@ -174,6 +174,25 @@ private:
         }
         if (!has_shape) return refuse(path, "there is no key 'shape'", R"(for example "shape": "sphere:r=10cm")");
         rig_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    // Texts of colours repeat too: what is to be said of one is said where it stands first.
+    Result<void> color(const std::string& text, glm::dvec3& target, const std::string& path) {
+        if (const auto known = colors_.find(text); known != colors_.end()) {
+            target = known->second;
+            return {};
+        }
+        Diagnostics said;
+        Result<glm::dvec3> parsed = parse_light_color(text, &said, folder_);
+        if (!parsed) return pass_on(parsed);
+        target = *parsed;
+        if (colors_.size() < most_remembered) colors_.emplace(text, target);
+        for (Diagnostic& diagnostic : said) {
+            diagnostic.location.file = rig_.source;
+            diagnostic.message = fmt::format("{}: {}", path, diagnostic.message);
+            rig_.diagnostics.push_back(std::move(diagnostic));
+        }
         return {};
     }
 
@@ -292,6 +311,7 @@ private:
     std::string folder_;
     Rig rig_;
     bool schema_seen_ = false;
+    std::map<std::string, glm::dvec3> colors_;
     std::map<std::string, Shape> shapes_;
     std::map<std::pair<bool, std::string>, std::shared_ptr<const Web>> webs_;
 };

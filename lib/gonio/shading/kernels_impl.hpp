@@ -9,36 +9,18 @@
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/shade_area.hpp>
+#include <gonio/simd/packet.hpp>
 #include <gonio/simd/twin.hpp>
 
 #include <cstddef>
 
 namespace gonio::shading::detail {
 
-// One packet of the arrays: full, or the first `count` lanes with the last of them repeated.
 template<class S>
-struct Packet {
-    std::size_t first;
-    std::size_t count;
-
-    GONIO_FORCE_INLINE S load(const float* from) const {
-        S value;
-        if (count == simd::Traits<S>::lanes) {
-            simd::load(from + first, value);
-        } else {
-            simd::load_partial(from + first, count, value);
-        }
-        return value;
-    }
+struct Packet : simd::Packet<S> {
+    using simd::Packet<S>::load;
     GONIO_FORCE_INLINE vec3<S> load(const float* const from[3]) const {
         return {load(from[0]), load(from[1]), load(from[2])};
-    }
-    GONIO_FORCE_INLINE void store(S value, float* to) const {
-        if (count == simd::Traits<S>::lanes) {
-            simd::store(value, to + first);
-        } else {
-            simd::store_partial(value, to + first, count);
-        }
     }
 };
 
@@ -104,15 +86,6 @@ GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& /*packet*/, const Surfaces
     return {S(0), S(0), S(0)};
 }
 
-template<class S, class Work>
-GONIO_FORCE_INLINE void for_each_packet(std::size_t count, const Work& work) {
-    constexpr std::size_t lanes = simd::Traits<S>::lanes;
-    std::size_t first = 0;
-    for (; first + lanes <= count; first += lanes)
-        work(Packet<S>{first, lanes});
-    if (first < count) work(Packet<S>{first, count - first});
-}
-
 template<class S, Approximation method>
 GONIO_FORCE_INLINE S approximate(const SphereLight<S>& light, vec3<S> center, vec3<S> n) {
     if constexpr (method == Approximation::frostbite) return irradiance_sphere_frostbite(center, light.radius, n);
@@ -147,7 +120,7 @@ void shade_batch(const Surfaces& surfaces, const LightConstants& light_constants
     Material material;
     constants(light_constants, light);
     constants(material_constants, material);
-    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     load_view(packet, surfaces, material)};
         per_point(packet, light_constants, light);
@@ -162,7 +135,7 @@ template<class S, class Light>
 void irradiance_batch(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
     Light light;
     constants(light_constants, light);
-    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal), {S(0), S(0), S(0)}};
         per_point(packet, light_constants, light);
         packet.store(illuminance(point, light), lx);
@@ -173,7 +146,7 @@ template<class S, class Light, Approximation method>
 void approximate_batch(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
     Light light;
     constants(light_constants, light);
-    for_each_packet<S>(surfaces.count, [&](const Packet<S>& packet) {
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const vec3<S> center = light.center - packet.load(surfaces.position);
         const S faded = window(center, light.inverse_range);
         packet.store(finite(approximate<S, method>(light, center, packet.load(surfaces.normal)) * faded), lx);

@@ -124,14 +124,23 @@ TEST(Policy, AnUnknownOneIsRefused) {
 }
 
 TEST(Efficacy, NamesAndNumbers) {
-    EXPECT_EQ(*parse_efficacy("90lm/W"), 90.0);
-    EXPECT_EQ(*parse_efficacy("683"), 683.0);
-    EXPECT_EQ(*parse_efficacy("khronos-177"), 177.0);
+    EXPECT_EQ(parse_efficacy("90lm/W")->lm_per_w, 90.0);
+    EXPECT_EQ(parse_efficacy("683")->lm_per_w, 683.0);
+    EXPECT_EQ(parse_efficacy("khronos-177")->lm_per_w, 177.0);
     for (const char* bad : {"0", "-1", "700", "khronos", "", "lm/W", "inf"})
         EXPECT_EQ(parse_efficacy(bad).error().failure, Failure::usage) << bad;
-    EXPECT_EQ(parse_efficacy("spectrum:lamp.csv").error().failure, Failure::unsupported);
     for (const NamedEfficacy& known : named_efficacies())
-        EXPECT_EQ(*parse_efficacy(known.name), known.lm_per_w);
+        EXPECT_EQ(parse_efficacy(known.name)->lm_per_w, known.lm_per_w);
+}
+
+TEST(Efficacy, OfSpectraNamesItsBand) {
+    const Result<Efficacy> led = parse_efficacy("spectrum:LED-B3");
+    ASSERT_TRUE(led);
+    EXPECT_EQ(led->of, "LED-B3, 380–780 nm");
+    EXPECT_NEAR(led->lm_per_w, 316.9, 0.1);
+    EXPECT_EQ(parse_efficacy("spectrum:blackbody:2700K")->of, "blackbody 2700 K, 360–830 nm");
+    EXPECT_NEAR(parse_efficacy("spectrum:blackbody:2700K")->lm_per_w, 113.8, 0.1);
+    EXPECT_EQ(parse_efficacy("spectrum:no such.csv").error().failure, Failure::io);
 }
 
 TEST(Presets, AreLights) {

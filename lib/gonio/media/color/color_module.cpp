@@ -3,6 +3,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -187,6 +188,51 @@ const char* find_space(const ColorConfig* config, const char* name) noexcept {
     });
 }
 
+std::int32_t space_kind(const ColorConfig* config, const char* name) noexcept {
+    try {
+        const OCIO::ConstColorSpaceRcPtr space = config->config->getColorSpace(name);
+        if (!space) return space_unknown;
+        if (space->isData()) return space_data;
+        return space->getReferenceSpaceType() == OCIO::REFERENCE_SPACE_DISPLAY ? space_display : space_scene;
+    } catch (...) {
+        return space_unknown;
+    }
+}
+
+// Multiplies `matrix` by the transform from the left; false where that is no plain 3×3.
+bool append(const OCIO::ConstTransformRcPtr& transform, std::array<double, 9>& matrix) {
+    const auto step = OCIO_DYNAMIC_POINTER_CAST<const OCIO::MatrixTransform>(transform);
+    if (!step || step->getDirection() != OCIO::TRANSFORM_DIR_FORWARD) return false;
+    std::array<double, 16> m{};
+    std::array<double, 4> offset{};
+    step->getMatrix(m.data());
+    step->getOffset(offset.data());
+    std::array<double, 9> product{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        if (offset[row] != 0.0 || m[4 * row + 3] != 0.0) return false;
+        for (std::size_t column = 0; column < 3; ++column)
+            for (std::size_t k = 0; k < 3; ++k)
+                product[3 * row + column] += m[4 * row + k] * matrix[3 * k + column];
+    }
+    matrix = product;
+    return true;
+}
+
+int space_matrix(const ColorConfig* config, const char* source, const char* target, double* matrix,
+                 std::int32_t* is_matrix, char* message) noexcept {
+    return guarded(message, unsupported, [&] {
+        const OCIO::ConstProcessorRcPtr processor = config->config->getProcessor(source, target);
+        const OCIO::GroupTransformRcPtr steps =
+            processor->getOptimizedProcessor(OCIO::OPTIMIZATION_LOSSLESS)->createGroupTransform();
+        std::array<double, 9> product{1, 0, 0, 0, 1, 0, 0, 0, 1};
+        *is_matrix = 1;
+        for (int i = 0; i < steps->getNumTransforms(); ++i)
+            if (!append(steps->getTransform(i), product)) *is_matrix = 0;
+        for (std::size_t i = 0; i < product.size(); ++i)
+            matrix[i] = product[i];
+    });
+}
+
 int display_processor(const ColorConfig* config, const char* source, const char* display, const char* view,
                       ColorProcessor** processor, char* message) noexcept {
     return guarded(message, unsupported, [&] {
@@ -221,9 +267,9 @@ void close_processor(ColorProcessor* processor) noexcept {
     delete processor;
 }
 
-constexpr ColorModule table{color_version,   open_config,     close_config,   display_at, view_at,
-                            space_at,        default_display, default_view,   find_space, display_processor,
-                            space_processor, apply,           close_processor};
+constexpr ColorModule table{color_version, open_config,       close_config,    display_at, view_at,
+                            space_at,      default_display,   default_view,    find_space, space_kind,
+                            space_matrix,  display_processor, space_processor, apply,      close_processor};
 
 } // namespace
 

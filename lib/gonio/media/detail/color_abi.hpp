@@ -12,10 +12,13 @@
 
 namespace gonio::media::abi {
 
-inline constexpr std::uint32_t color_version = 1;
+inline constexpr std::uint32_t color_version = 2;
 
 struct ColorConfig;    // opaque
 struct ColorProcessor; // opaque; lives on its own, without its configuration
+
+// What a colour space is for.
+enum SpaceKind : std::int32_t { space_unknown = 0, space_scene = 1, space_display = 2, space_data = 3 };
 
 struct ColorModule {
     std::uint32_t version; // color_version; stays first
@@ -32,6 +35,12 @@ struct ColorModule {
     const char* (*default_view)(const ColorConfig* config, const char* display);
     // The colour space that a name, alias or role stands for; null when there is none.
     const char* (*find_space)(const ColorConfig* config, const char* name);
+
+    std::int32_t (*space_kind)(const ColorConfig* config, const char* name); // SpaceKind
+
+    // The transform of RGB as rows of a matrix, in double, where it is one and nothing else; `is_matrix` says whether.
+    int (*space_matrix)(const ColorConfig* config, const char* source, const char* target, double matrix[9],
+                        std::int32_t* is_matrix, char* message);
 
     int (*display_processor)(const ColorConfig* config, const char* source, const char* display, const char* view,
                              ColorProcessor** processor, char* message);

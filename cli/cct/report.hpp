@@ -1,0 +1,18 @@
+// Answers of `gonio cct` as text, as a table and as JSON.
+#pragma once
+
+#include "../json_text.hpp"
+#include "question.hpp"
+
+#include <span>
+#include <string>
+
+namespace gonio::cli {
+
+// Everything there is to say of one colour, or a table of several; where --versus is asked for, the methods follow
+// each.
+std::string to_text(std::span<const CctAnswer> answers, const CctRequest& request);
+
+Json to_json(const CctAnswer& answer, const CctRequest& request);
+
+} // namespace gonio::cli

@@ -1,0 +1,19 @@
+// The picture of `gonio cct -o`: colours side by side, and below them what other methods make of them.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/base/result.hpp>
+
+#include "../options/values.hpp"
+#include "question.hpp"
+
+#include <span>
+
+namespace gonio::cli {
+
+// Columns in the order of the answers, all of one width to a pixel; the upper part is the colour, one row below it for
+// each method of --versus. Linear: RGB of the space that was asked for, as reported. Else linear Rec.709 for a display:
+// clipped to its gamut, the greatest component 1. Fails (usage) on a size of fewer pixels than colours or methods.
+Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& request, PixelSize size, bool for_display);
+
+} // namespace gonio::cli

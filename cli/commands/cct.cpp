@@ -1,0 +1,204 @@
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/media/display.hpp>
+#include <gonio/media/image_file.hpp>
+
+#include "../arguments.hpp"
+#include "../cct/question.hpp"
+#include "../cct/report.hpp"
+#include "../cct/strip.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../options/common.hpp"
+#include "../options/output.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array color_options{
+    Option{"--xy", "X,Y", "the temperature of a CIE 1931 chromaticity; again for more"},
+    Option{"--uv-prime", "U,V", "the temperature of a CIE 1976 chromaticity u', v'; again for more"},
+    Option{"--rgb", "R,G,B", "the temperature of a linear RGB in --space; again for more"},
+    Option{"--spectrum", "NAME", "an illuminant, blackbody:2700K, a CSV or TM-33 file; '-' is standard input",
+           "illuminants"},
+    Option{"--duv", "DUV", "distance from the Planckian locus in u, v, positive above it: greener"},
+    Option{"--tint", "TINT", "the same in a program's measure: 10@dng", "tints"},
+    Option{"--locus", "LOCUS", "planckian, daylight, blend (planckian)", "loci"},
+};
+constexpr std::array space_options{
+    Option{"--space", "SPACE", "of the RGB (rec709), also a linear space of the OpenColorIO configuration", "spaces"},
+    Option{"--gamut", "GAMUT", "keep negative components, or clip them with the luminance kept (keep)"},
+    Option{"--normalize", "WHAT",
+           "luminance: Y = 1, so that lumens stay; max: the greatest component is 1 (luminance)"},
+    Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
+    Option{"--band", "BAND", "wavelengths of the radiant flux of an efficacy: 380nm:780nm (all of the spectrum)"},
+    Option{"--versus", "METHOD,…", "how far others are from it: names, or all", "color-methods"},
+};
+constexpr std::array strip_options{
+    Option{"-o,--output", "FILE", "a picture of the colours side by side; '-' is standard output (with --to)"},
+    Option{"-s,--size", "WxH", "its pixels across and down (1024x128)"},
+    Option{"--to", "FORMAT", "its format, where the file name does not tell", "images"},
+};
+constexpr std::array groups{OptionGroup{"colour", color_options}, OptionGroup{"space", space_options},
+                            OptionGroup{"picture", strip_options}, json_group, common_group};
+constexpr std::array examples{
+    Example{"gonio cct 2700K", "the colour of a 2700 K black body"},
+    Example{"gonio cct 2700K/0.003 --space acescg --json", "3e-3 above the locus, in ACEScg"},
+    Example{"gonio cct --xy 0.3127,0.329", "the correlated colour temperature and Duv of D65"},
+    Example{"gonio cct 2000K:10000K:500K", "a table"},
+    Example{"gonio cct 2000K:10000K:50K --versus krystek,helland,usd -o strip.png", "colours beside approximations"},
+    Example{"gonio cct 1850K --versus all", "how far engines are from a candle"},
+    Example{"gonio cct --spectrum lamp.csv --band 380nm:780nm", "colour and luminous efficacy of a measured spectrum"},
+    Example{"cut -d, -f2 lamps.csv | gonio cct - --jsonl", "values on standard input"},
+};
+
+struct Question {
+    std::string text;
+    std::uint32_t line = 0; // of standard input
+    Result<std::vector<CctAnswer>> (*answer)(const std::string&, const CctRequest&) = nullptr;
+};
+
+Result<std::vector<Question>> questions(const Arguments& arguments) {
+    std::vector<Question> all;
+    const auto add = [&](const std::string& word, std::uint32_t line) -> Result<void> {
+        Result<std::vector<std::string>> values = expanded(word);
+        if (!values) {
+            if (line > 0) values.error().diagnostics.back().location = {"-", line, 1};
+            return pass_on(values);
+        }
+        for (std::string& value : *values)
+            all.push_back({std::move(value), line, answer_value});
+        return {};
+    };
+    for (const std::string& word : arguments.positional()) {
+        if (word != "-") {
+            if (Result<void> added = add(word, 0); !added) return pass_on(added);
+            continue;
+        }
+        Result<std::string> text = read_standard_input();
+        if (!text) return pass_on(text);
+        std::string_view rest = *text;
+        for (std::uint32_t line = 1; !rest.empty(); ++line) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            std::string_view row = rest.substr(0, end);
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            const std::size_t first = row.find_first_not_of(" \t\r");
+            if (first == std::string_view::npos) continue;
+            row = row.substr(first, row.find_last_not_of(" \t\r") - first + 1);
+            if (Result<void> added = add(std::string(row), line); !added) return pass_on(added);
+        }
+    }
+    using Answer = decltype(Question::answer);
+    for (const auto& [option, answer] : {std::pair<std::string_view, Answer>{"--xy", answer_xy},
+                                         {"--uv-prime", answer_uv_prime},
+                                         {"--rgb", answer_rgb},
+                                         {"--spectrum", answer_spectrum}})
+        for (const std::string& text : arguments.values(option))
+            all.push_back({text, 0, answer});
+    if (all.empty())
+        return fail(Failure::usage, "no colour is given",
+                    "for example: gonio cct 2700K, gonio cct --xy 0.3127,0.329, gonio cct --spectrum d65");
+    return all;
+}
+
+Result<void> draw(std::span<const CctAnswer> answers, const CctRequest& request, const Arguments& arguments,
+                  const std::string& output) {
+    PixelSize size{1024, 128};
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> parsed = parse_size(*text);
+        if (!parsed) return pass_on(parsed);
+        size = *parsed;
+    }
+    Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), output);
+    if (!format) return pass_on(format);
+    const bool linear = has_pixel(**format, media::Pixel::float32);
+    Result<Image> image = strip(answers, request, size, !linear);
+    if (!image) return pass_on(image);
+    media::ImageWriteOptions write;
+    if (linear) {
+        write.pixel = media::Pixel::float32;
+        write.attributes = {{"gonio:space", request.space.name}};
+    } else {
+        Result<media::DisplayUsed> used = media::apply_display(*image);
+        if (!used) return pass_on(used);
+        write.color_space = "sRGB";
+    }
+    Result<std::string> bytes = media::encode_image(*image, **format, write);
+    if (!bytes) return pass_on(bytes);
+    return write_output(output, *bytes);
+}
+
+Result<int> cct(const Arguments& arguments, Console& console) {
+    Result<CctRequest> request = cct_request(arguments);
+    if (!request) return pass_on(request);
+    Result<std::vector<Question>> asked = questions(arguments);
+    if (!asked) return pass_on(asked);
+    const bool json = arguments.has("--json");
+    const bool lines = arguments.has("--jsonl");
+    const auto output = arguments.value("--output");
+    if (output == "-" && (json || lines)) return both_to_standard_output();
+
+    int status = 0;
+    std::size_t failed = 0;
+    std::vector<CctAnswer> answers;
+    for (const Question& question : *asked) {
+        Result<std::vector<CctAnswer>> found = question.answer(question.text, *request);
+        if (!found) {
+            if (asked->size() == 1 && question.line == 0) return pass_on(found);
+            ++failed;
+            if (question.line > 0)
+                for (Diagnostic& diagnostic : found.error().diagnostics)
+                    if (diagnostic.location.file.empty()) diagnostic.location = {"-", question.line, 1};
+            status = worse(status, console.fail(found.error()));
+            continue;
+        }
+        for (CctAnswer& answer : *found) {
+            console.say(answer.diagnostics);
+            answers.push_back(std::move(answer));
+        }
+    }
+    if (!answers.empty()) {
+        if (output)
+            if (Result<void> drawn = draw(answers, *request, arguments, *output); !drawn) return pass_on(drawn);
+        if (lines) {
+            for (const CctAnswer& answer : answers)
+                console.print(dump(to_json(answer, *request), -1));
+        } else if (json) {
+            Json reports = Json::array();
+            for (const CctAnswer& answer : answers)
+                reports.push_back(to_json(answer, *request));
+            console.print(dump(asked->size() == 1 && reports.size() == 1 ? reports.front() : reports, 2));
+        } else if (!output) {
+            console.print(to_text(answers, *request));
+        }
+    }
+    if (failed > 0)
+        console.note(fmt::format("{} values: {} answered, {} failed", asked->size(), asked->size() - failed, failed));
+    return status;
+}
+
+int run(const Arguments& arguments, Console& console) {
+    const Result<int> status = cct(arguments, console);
+    return status ? *status : console.fail(status.error());
+}
+
+} // namespace
+
+extern const Command cct_command;
+const Command cct_command{"cct",
+                          "colour temperature, Duv, chromaticity, spectra and RGB",
+                          "VALUE… [options]",
+                          "VALUE is a temperature (2700K), one with its Duv (2700K/0.003), a range "
+                          "(2000K:10000K:100K), a CIE illuminant (d65),\n"
+                          "or '-' for lines of these on standard input.",
+                          groups,
+                          examples,
+                          run};
+
+} // namespace gonio::cli

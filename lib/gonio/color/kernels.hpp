@@ -1,0 +1,46 @@
+// Colour temperatures of many lights at once, on the widest unit that the machine has.
+//
+// float, structures of arrays; temperatures in kelvin, 800 K to 1e6 K, |Duv| ≤ 0.1. What lies outside or is NaN gives
+// NaN in all results of that element: nothing is clamped. Largest Δu'v' against the 1 nm sum 3e-7, luminance within
+// 1e-6 of 1. Nothing fails, allocates or throws; calls may run on any thread. Cost: README.md.
+#pragma once
+
+#include <gonio/color/rgb_space.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstddef>
+
+namespace gonio::color {
+
+// A space as the kernels want it. Results are linear RGB of luminance 1, negative where the gamut ends.
+struct RgbConstants {
+    float a[3] = {};
+    float b[3] = {};
+    float c[3] = {};
+};
+RgbConstants rgb_constants(const RgbSpace& space);
+
+struct Kernels {
+    simd::InstructionSet set;
+    const char* name; // of the set
+    std::size_t lanes;
+
+    // u', v' of black bodies.
+    void (*planckian_uv_prime)(const float* temperature_k, std::size_t count, float* const uv_prime[2]);
+
+    // RGB of black bodies.
+    void (*planckian_rgb)(const float* temperature_k, std::size_t count, const RgbConstants& space,
+                          float* const rgb[3]);
+
+    // RGB of colours off the locus, by temperature and Duv.
+    void (*cct_rgb)(const float* temperature_k, const float* duv, std::size_t count, const RgbConstants& space,
+                    float* const rgb[3]);
+
+    // RGB by Krystek's formula (1985), which is made for 1000–15000 K and not checked: what the others are measured by.
+    void (*krystek_rgb)(const float* temperature_k, std::size_t count, const RgbConstants& space, float* const rgb[3]);
+};
+
+// The kernels of `set`, or the scalar ones where simd::available(set) is false.
+const Kernels& kernels(simd::InstructionSet set);
+
+} // namespace gonio::color

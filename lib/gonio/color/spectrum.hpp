@@ -1,0 +1,79 @@
+// Spectra: relative or absolute spectral power over wavelength, and what the eye makes of it.
+//
+// Sources: the CIE illuminants of data/cie_illuminants.csv by name, black bodies, CSV files, TM-33 documents. A
+// spectrum in steps of at most 5 nm is summed at its own wavelengths with the observer there, as its tables are meant
+// (line spectra of 5 nm move by 2e-4 in xy when they are interpolated instead), over 380–780 nm where the steps are 5
+// nm (CIE 015), else over 360–830 nm; a coarser or uneven one is interpolated linearly, then summed at 1 nm or the
+// finest of its steps. Outside its wavelengths a spectrum is 0.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/color/chromaticity.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio {
+
+struct Profile;
+
+struct Spectrum {
+    std::string name;
+    std::vector<double> wavelengths_nm; // strictly ascending
+    std::vector<double> power;          // as many, ≥ 0, not all 0
+    Diagnostics diagnostics;            // of reading it
+};
+
+// Wavelengths in nm, ends included.
+struct Band {
+    double first_nm = 0.0;
+    double last_nm = 0.0;
+};
+// "380nm:780nm". Fails (usage) on anything else, and where the first is not below the last.
+Result<Band> parse_band(std::string_view text);
+std::string to_text(Band band); // "380–780 nm"
+
+struct SpectrumColor {
+    glm::dvec3 xyz{0.0}; // Y = 1
+    Uv uv;
+    double efficacy_lm_per_w = 0.0; // luminous flux over the radiant flux in `band`
+    Band band;
+};
+
+// `band`: over which the radiant flux is taken, summed at 1 nm; all of the spectrum unless given. Fails (usage) on a spectrum without
+// visible light, and on a band in which it has no power.
+Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> band = std::nullopt);
+
+// Names of the CIE illuminants, in the table's order.
+std::vector<std::string_view> illuminant_names();
+
+// By name, letters without case ("d65", "LED-B3"); nothing when there is none. As tabulated, in steps of 5 nm.
+std::optional<Spectrum> find_illuminant(std::string_view name);
+
+// A black body in steps of 1 nm, 360–830 nm [W/(m²·sr·nm), over its greatest]. Fails (usage) outside 500 K to 1e6 K.
+Result<Spectrum> blackbody_spectrum(Kelvin temperature);
+
+// Lines of WAVELENGTH,POWER: nm; separated by comma, semicolon, tab or blanks; '#' begins a comment, and one line of
+// column names may stand first. Fails (malformed) with line and column on what is no number, on negative power, on
+// wavelengths that do not ascend, on gaps (a step above 20 nm, or more than 2.5 times the usual one), on spectra that
+// do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum does not reach 380 and 780 nm.
+Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& source);
+
+// The spectra of a TM-33 document, checked as those of a CSV file; empty for other profiles.
+Result<std::vector<Spectrum>> spectra_of(const Profile& profile);
+
+// The bytes of a CSV file or of a TM-33 document; at least one spectrum. Fails (malformed, unsupported).
+Result<std::vector<Spectrum>> parse_spectra(const std::string& bytes, const std::string& source);
+
+// "d65", "blackbody:2700K", or a file as above. Fails (io, malformed, usage, unsupported).
+Result<std::vector<Spectrum>> read_spectra(const std::string& text);
+
+// The one spectrum of that text. Fails (unsupported) where there are several.
+Result<Spectrum> read_spectrum(const std::string& text);
+
+} // namespace gonio

@@ -1,0 +1,61 @@
+// Ways to take the colour of a temperature and the temperature of a colour: error against the 1 nm sum, and time.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/color/chromaticity.hpp>
+#include <gonio/measure/timing.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gonio::measure {
+
+// Forward: Δu'v' over temperatures that are even in mired, from the hottest of its range (25000 K at most) to its
+// coolest (800 K at least).
+struct ColorMeasurement {
+    std::string name;
+    std::string code; // "double", or the instruction set of a batch kernel
+    Kelvin coolest;
+    Kelvin hottest;
+    double worst = 0.0; // Δu'v'
+    Kelvin worst_at;
+    double rms = 0.0;
+    double worst_2_to_10_kk = 0.0; // between 2000 and 10000 K
+    double luminance_2700k = 1.0;  // of a light of luminance 1
+    Timing timing;                 // per value
+};
+
+// Backward: kelvin, over 1500–40000 K with |Duv| ≤ 0.05, and over 2000–10000 K with |Duv| ≤ 0.005.
+struct CctMeasurement {
+    std::string name;
+    double worst_wide_k = 0.0; // infinite where the method has no answer to some
+    double worst_near_k = 0.0;
+    Timing timing; // per value, over the narrow set
+};
+
+struct ColorComparisonOptions {
+    std::size_t cases = 2000; // temperatures; chromaticities in each of the two sets
+    TimingOptions timing;
+};
+
+// The sum, the kernels of every instruction set and every color_methods(). Fails as time_work does.
+Result<std::vector<ColorMeasurement>> compare_color_methods(const ColorComparisonOptions& options = {});
+
+// Newton on the sum and every cct_methods(). Fails as time_work does.
+Result<std::vector<CctMeasurement>> compare_cct_methods(const ColorComparisonOptions& options = {});
+
+// Temperatures even in mired, both ends included.
+std::vector<Kelvin> temperatures_between(Kelvin coolest, Kelvin hottest, std::size_t count);
+
+// A chromaticity and the temperature it was made from, along the normal of the sum's locus.
+struct OffLocus {
+    Uv at;
+    Cct truth;
+};
+// Seeded, even in mired and in Duv.
+std::vector<OffLocus> chromaticities_between(Kelvin coolest, Kelvin hottest, double greatest_duv, std::size_t count);
+
+} // namespace gonio::measure

@@ -1,0 +1,24 @@
+// Scene-linear colour spaces of OpenColorIO configurations, as matrices.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <glm/mat3x3.hpp>
+
+#include <string>
+
+namespace gonio::media {
+
+struct SceneLinearSpace {
+    std::string name;                // as the configuration has it, where an alias or a role was asked for
+    glm::dmat3 from_aces2065_1{1.0}; // RGB of ACES2065-1 → RGB of the space
+    bool exact = true;               // the configuration's own matrix in double; else measured in float32
+};
+
+// The space of a name, alias or role; `config` is a file, empty: the built-in configuration. Entered through the role
+// aces_interchange, never through the display-referred cie_xyz_d65_interchange, behind which a configuration may keep a
+// tone map. Opens the module gonio-color.so. Fails (io, malformed) on a configuration that cannot be read; (usage) on
+// an unknown name; (unsupported) without the module or that role, and on a space that is no linear space of the scene.
+Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::string& config = {});
+
+} // namespace gonio::media
