@@ -146,13 +146,16 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
     const S m = d.r * d.n_across;
     // What rounding leaves open counts as seen: beside the rim it may be half of the light.
     const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) * (d.x + d.r + simd::abs(d.z));
-    const auto lit = simd::both(simd::both(d.z > S(0), d.r > S(0)), k > -m - slack);
+    const auto in_front = simd::both(d.z > S(0), d.r > S(0));
+    const auto lit = simd::both(in_front, k > -m - slack);
+    // Near the axis, which is of unit length within rounding only, û needs a second step; even m is wrong without it.
+    const auto axial = simd::both(in_front, d.x * d.x < S(1e-8) * d.z * d.z);
     S easy = S(0);
     if (simd::any(d.z == S(0))) {
         const auto touching = simd::both(d.z == S(0), d.beyond2 < S(0));
         easy = simd::select(touching, clamp_irradiance(S(1.57079632679489661923) * (S(1) + d.n_w)), S(0));
     }
-    if (!simd::any(lit)) return {easy, S(0) > S(1)};
+    if (!simd::any(lit)) return {easy, axial};
     d.z = simd::max(d.z, S(least_disk_height<S>));
     const S z2 = d.z * d.z;
     const S near2 = simd::mul_add(d.gap, d.gap, z2);
@@ -166,15 +169,13 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
     const S sum = rim + simd::abs(behind);
     const S y = simd::select(behind > S(0), S(4) * d.x * d.x * z2 / sum, sum);
     const S whole = r2 * simd::mul_add(d.n_w, y, S(2) * d.x * d.z * d.n_u) / (rim * (rim + q));
-    // Where the arcs turn within the rounding of the way to the rim; near the axis, which is of unit length within
-    // rounding only, û needs a second step.
-    const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(1e-3) * r2));
-    const auto axial = d.x * d.x < S(1e-8) * z2;
+    // Where the arcs turn within the rounding of the way to the rim.
+    const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(4e-3) * r2));
     constexpr double pi = 3.14159265358979323846;
     const auto straddling = simd::both(lit, k < m);
     S e = S(pi) * whole;
     if (simd::any(straddling)) e = simd::select(straddling, disk_straddling(d, k, m, near2, far2, rim, whole), e);
-    return {simd::select(lit, clamp_irradiance(e), easy), simd::both(lit, simd::either(close, axial))};
+    return {simd::select(lit, clamp_irradiance(e), easy), simd::either(simd::both(lit, close), axial)};
 }
 
 } // namespace detail
@@ -182,7 +183,7 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
 // E/L [sr] of a disk about `center` [m, from the receiver] that emits towards +`axis` only; `axis` and the receiver's
 // `normal` are unit. Behind its plane 0; in the plane, inside the rim, the limit π(1 + n·w)/2 from the front,
 // w = −axis, and outside 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs,
-// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.03, or 1e-4 of the distance from
+// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.06, or 1e-4 of the distance from
 // the axis, are evaluated in double, lane by lane. `two_sided`: it emits to both sides, and is seen from whichever the
 // receiver is on.
 template<class S>

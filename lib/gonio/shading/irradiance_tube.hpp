@@ -105,7 +105,7 @@ GONIO_FORCE_INLINE Survey<S> survey_tube_end(vec3<S> center, vec3<S> axis, S rad
     simd::narrow(c.y + a.y * back, to_end.y);
     simd::narrow(c.z + a.z * back, to_end.z);
     const S r = size * scale;
-    const S least2 = simd::max(S(1e-4) * r * r, S(1e-8) * half * half); // as for the whole tube
+    const S least2 = simd::max(S(1e-4) * r * r, S(2.5e-6) * half * half); // as for the whole tube
     return {irradiance_sphere(to_end, r, normal), simd::abs(dot(to_end, to_end) - r * r) < least2};
 }
 
@@ -149,7 +149,7 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
     if (!simd::any(outside)) return {easy, S(0) > S(1), end};
     // Square of the distance to the nearest point of the axis, less r².
     const S nearest2 = simd::select(beyond0, t.tangent0, simd::select(beyond1, t.tangent1, t.gap2));
-    const S least2 = simd::max(S(1e-4) * t.r * t.r, S(1e-8) * t.half * t.half);
+    const S least2 = simd::max(S(1e-4) * t.r * t.r, S(2.5e-6) * t.half * t.half);
     const auto hard = simd::both(outside, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
     t.gap2 = simd::max(t.gap2, S(least_tube_gap2<S>) * t.d * t.d);
     const auto cut = t.up - t.half * t.n_a < t.r;
@@ -162,8 +162,8 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
 // E/L [sr] of a capsule about `center` [m, from the receiver] along `axis`: a cylinder of `length_m` without its ends,
 // which are half spheres of the same radius. `axis` and the receiver's `normal` are unit. Inside π; on the surface the
 // limit π(1 + n·l)/2 from outside. Any finite input; negative sizes count as positive; radius 0 gives 0, length 0 the
-// sphere. In float and packs, receivers within 5e-5 of the radius from the surface are evaluated in double, lane by
-// lane.
+// sphere. In float and packs, receivers within 5e-5 of the radius from the surface, and those whose squared
+// distance from it is below 2.5e-6 of the square of half the length, are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const auto tube = detail::survey_tube(center, axis, radius, length_m, normal);

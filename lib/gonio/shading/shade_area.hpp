@@ -168,6 +168,10 @@ GONIO_FORCE_INLINE Representative<S> representative(const TubeLight<S>& light, v
 }
 
 template<class S>
+GONIO_FORCE_INLINE S largest_size(const SphereLight<S>& light) {
+    return simd::abs(light.radius);
+}
+template<class S>
 GONIO_FORCE_INLINE S largest_size(const DiskLight<S>& light) {
     return simd::abs(light.radius);
 }

@@ -14,7 +14,8 @@
 namespace gonio::shading::detail {
 
 inline constexpr std::size_t receivers_per_block = 256;
-inline constexpr std::size_t queue_length = 2 * receivers_per_block + 4 * 32; // 32: the most lanes that there are
+inline constexpr std::size_t most_lanes = 32;
+inline constexpr std::size_t queue_length = 2 * receivers_per_block + 4 * most_lanes;
 
 template<class Light>
 inline constexpr bool has_ends = false;
@@ -179,6 +180,7 @@ struct SortedBatch {
     [[gnu::noinline]] void take(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
         Light<S> spread;
         constants(light, spread);
+        const S size = largest_size(spread);
         std::uint32_t above_bits[packets];
         std::uint32_t cut_bits[packets];
         std::uint32_t end_bits[packets];
@@ -190,17 +192,19 @@ struct SortedBatch {
             const vec3<S> c = spread.center - point.position;
             const S height = dot(point.normal, c);
             const S most = reach(spread, point.normal);
+            // More than rounding leaves open: a receiver on the light, turned to it, sees all of it in its own plane.
+            const S least = -(most + S(3e-6) * ((simd::abs(c.x) + simd::abs(c.y)) + (simd::abs(c.z) + size)));
             std::uint32_t real = lanes_below(count - at);
             if constexpr (has_ends<Light<S>>) {
                 const std::uint32_t is_end =
-                    simd::lane_bits(simd::both(sees_end_alone(spread, c), height >= -most)) & real;
+                    simd::lane_bits(simd::both(sees_end_alone(spread, c), height >= least)) & real;
                 end_bits[at / lanes] = is_end;
                 count_end += simd::bit_count(is_end);
                 real &= ~is_end;
             }
             const std::uint32_t is_above = simd::lane_bits(height > most) & real;
             // What is no number, of a product that overflows, counts as cut.
-            const std::uint32_t is_cut = ~(simd::lane_bits(height < -most) | is_above) & real;
+            const std::uint32_t is_cut = ~(simd::lane_bits(height < least) | is_above) & real;
             above_bits[at / lanes] = is_above;
             cut_bits[at / lanes] = is_cut;
             count_above += simd::bit_count(is_above);
