@@ -29,7 +29,7 @@ struct DiskPose {
 };
 
 template<class S>
-GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
+GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
     const S size = simd::abs(radius);
     const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), size));
     const vec3<simd::wider<S>> c = widen(center * scale);
@@ -42,11 +42,9 @@ GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius,
     simd::narrow(across.y, u.y);
     simd::narrow(across.z, u.z);
     simd::narrow(-depth, d.z);
-    if (simd::any(dot(u, u) < S(1e-8) * d.z * d.z)) { // the axis is of unit length within rounding only
+    if constexpr (__is_same(S, double)) { // the axis is of unit length within rounding only
         across = across - a * dot(a, across);
-        simd::narrow(across.x, u.x);
-        simd::narrow(across.y, u.y);
-        simd::narrow(across.z, u.z);
+        u = across;
     }
     const auto across2 = dot(across, across);
     d.r = size * scale;
@@ -56,16 +54,22 @@ GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius,
 
     d.n_w = -dot(axis, normal);
     constexpr double least = 1e-15;
-    const auto on_axis = x2 < S(least * least);
+    [[maybe_unused]] const auto on_axis = x2 < S(least * least);
     d.x = simd::sqrt(simd::max(x2, S(least * least)));
     d.inverse_x = S(1) / d.x;
     d.n_u = dot(normal + axis * d.n_w, u) * d.inverse_x; // u may be little more than rounding along the axis
     d.n_v = simd::abs(dot(normal, fused_cross(axis, u))) * d.inverse_x;
-    if (simd::any(on_axis)) { // û is then free: along the normal
-        d.n_u = simd::select(on_axis, length(perpendicular(normal, axis)), d.n_u);
-        d.n_v = simd::select(on_axis, S(0), d.n_v);
+    if constexpr (__is_same(S, double)) {
+        if (on_axis) { // û is then free: along the normal
+            d.n_u = length(perpendicular(normal, axis));
+            d.n_v = 0.0;
+        }
     }
     d.n_across = simd::sqrt(simd::mul_add(d.n_u, d.n_u, d.n_v * d.n_v));
+    if (two_sided) {
+        d.n_w = simd::select(d.z < S(0), -d.n_w, d.n_w);
+        d.z = simd::abs(d.z);
+    }
     d.gap = d.beyond2 / (d.x + d.r);
     return d;
 }
@@ -134,55 +138,64 @@ inline constexpr double least_disk_height<double> = 0x1p-500;
 
 struct DiskInDouble;
 
-} // namespace detail
-
-// E/L [sr] of a disk about `center` [m, from the receiver] that emits towards +`axis` only; `axis` and the receiver's
-// `normal` are unit. Behind its plane 0; in the plane, inside the rim, the limit π(1 + n·w)/2 from the front,
-// w = −axis, and outside 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs,
-// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.03, are evaluated in double, lane
-// by lane.
+// As irradiance_disk, but for the hard lanes.
 template<class S>
-GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
-    detail::DiskPose<S> d = detail::disk_pose(center, axis, radius, normal);
+GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
+    DiskPose<S> d = disk_pose(center, axis, radius, normal, two_sided);
     const S k = simd::mul_add(d.z, d.n_w, d.x * d.n_u);
     const S m = d.r * d.n_across;
     // What rounding leaves open counts as seen: beside the rim it may be half of the light.
     const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) * (d.x + d.r + simd::abs(d.z));
-    const auto lit = simd::both(simd::both(d.z > S(0), d.r > S(0)), k > -m - slack);
-    S e = S(0);
+    const auto in_front = simd::both(d.z > S(0), d.r > S(0));
+    const auto lit = simd::both(in_front, k > -m - slack);
+    // Near the axis, which is of unit length within rounding only, û needs a second step; even m is wrong without it.
+    const auto axial = simd::both(in_front, d.x * d.x < S(1e-8) * d.z * d.z);
+    S easy = S(0);
     if (simd::any(d.z == S(0))) {
         const auto touching = simd::both(d.z == S(0), d.beyond2 < S(0));
-        e = simd::select(touching, detail::clamp_irradiance(S(1.57079632679489661923) * (S(1) + d.n_w)), S(0));
+        easy = simd::select(touching, clamp_irradiance(S(1.57079632679489661923) * (S(1) + d.n_w)), S(0));
     }
-    if (!simd::any(lit)) return e;
-
-    d.z = simd::max(d.z, S(detail::least_disk_height<S>));
+    if (!simd::any(lit)) return {easy, axial};
+    d.z = simd::max(d.z, S(least_disk_height<S>));
     const S z2 = d.z * d.z;
     const S near2 = simd::mul_add(d.gap, d.gap, z2);
     const S far = d.x + d.r;
     const S far2 = simd::mul_add(far, far, z2);
     const S rim = simd::sqrt(near2) * simd::sqrt(far2); // the distances of the rim's nearest and farthest point
-    const S q = simd::mul_add(d.x, d.x, simd::mul_add(d.r, d.r, z2));
+    const S r2 = d.r * d.r;
+    const S q = simd::mul_add(d.x, d.x, r2 + z2);
     // Y = rim + z² + r² − x², without cancellation.
     const S behind = d.beyond2 - z2;
     const S sum = rim + simd::abs(behind);
     const S y = simd::select(behind > S(0), S(4) * d.x * d.x * z2 / sum, sum);
-    const S whole = d.r * d.r * simd::mul_add(d.n_w, y, S(2) * d.x * d.z * d.n_u) / (rim * (rim + q));
+    const S whole = r2 * simd::mul_add(d.n_w, y, S(2) * d.x * d.z * d.n_u) / (rim * (rim + q));
+    // Where the arcs turn within the rounding of the way to the rim.
+    const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(4e-3) * r2));
     constexpr double pi = 3.14159265358979323846;
     const auto straddling = simd::both(lit, k < m);
-    S in_front = S(pi) * whole;
-    if (simd::any(straddling))
-        in_front = simd::select(straddling, detail::disk_straddling(d, k, m, near2, far2, rim, whole), in_front);
-    e = simd::select(lit, detail::clamp_irradiance(in_front), e);
+    S e = S(pi) * whole;
+    if (simd::any(straddling)) e = simd::select(straddling, disk_straddling(d, k, m, near2, far2, rim, whole), e);
+    return {simd::select(lit, clamp_irradiance(e), easy), simd::either(simd::both(lit, close), axial)};
+}
+
+} // namespace detail
+
+// E/L [sr] of a disk about `center` [m, from the receiver] that emits towards +`axis` only; `axis` and the receiver's
+// `normal` are unit. Behind its plane 0; in the plane, inside the rim, the limit π(1 + n·w)/2 from the front,
+// w = −axis, and outside 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs,
+// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.06, or 1e-4 of the distance from
+// the axis, are evaluated in double, lane by lane. `two_sided`: it emits to both sides, and is seen from whichever the
+// receiver is on.
+template<class S>
+GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided = false) {
+    const auto disk = detail::survey_disk(center, axis, radius, normal, two_sided);
+    const S e = disk.irradiance;
     if constexpr (!__is_same(S, double)) {
-        // Where the arcs turn within the rounding of the way to the rim.
-        const S r2 = d.r * d.r;
-        const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(1e-3) * r2));
-        const auto touching = simd::both(lit, close);
-        if (simd::any(touching))
-            return detail::in_double<detail::DiskInDouble>(
-                touching, e,
-                {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, normal.x, normal.y, normal.z});
+        if (simd::any(disk.hard))
+            return detail::in_double<detail::DiskInDouble>(disk.hard, e,
+                                                           {center.x, center.y, center.z, axis.x, axis.y, axis.z,
+                                                            radius, normal.x, normal.y, normal.z,
+                                                            S(two_sided ? 1 : 0)});
     }
     return e;
 }
@@ -190,8 +203,8 @@ GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec
 namespace detail {
 
 struct DiskInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[10]) {
-        return irradiance_disk<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], {v[7], v[8], v[9]});
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[11]) {
+        return irradiance_disk<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6], {v[7], v[8], v[9]}, v[10] != 0.0);
     }
 };
 

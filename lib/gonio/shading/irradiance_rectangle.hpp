@@ -24,29 +24,43 @@ struct RectanglePose {
     S up, rise_x, rise_y; // heights over the receiver's plane: of the centre, and by half_x and half_y
 };
 
-template<class S>
+// Formed in W: `wider<S>`, or S itself where roundings of the distance do no harm.
+template<class W, class S>
 GONIO_FORCE_INLINE RectanglePose<S> rectangle_pose(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width,
-                                                   S height, vec3<S> normal) {
+                                                   S height, vec3<S> normal, bool two_sided) {
     const S w = simd::abs(width);
     const S h = simd::abs(height);
     // 1/8: sums of three such numbers stay finite at the largest scale too.
     const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(w, h)));
-    const vec3<simd::wider<S>> c = widen(center * scale);
-    const vec3<simd::wider<S>> a = widen(axis);
-    const vec3<simd::wider<S>> b = widen(width_direction);
-    const auto along_x = dot(b, c);
-    const auto along_y = dot(cross(a, b), c);
+    const vec3<S> scaled = center * scale;
     RectanglePose<S> p;
     p.half_x = S(0.5) * (w * scale);
     p.half_y = S(0.5) * (h * scale);
-    simd::narrow(along_x, p.x);
-    simd::narrow(along_x - simd::widen(p.x), p.x_rest);
-    simd::narrow(along_y, p.y);
-    simd::narrow(along_y - simd::widen(p.y), p.y_rest);
-    simd::narrow(-dot(a, c), p.z);
+    if constexpr (__is_same(W, S)) {
+        p.x = dot(width_direction, scaled);
+        p.y = dot(cross(axis, width_direction), scaled);
+        p.z = -dot(axis, scaled);
+        p.x_rest = S(0);
+        p.y_rest = S(0);
+    } else {
+        const vec3<W> c = widen(scaled);
+        const vec3<W> a = widen(axis);
+        const vec3<W> b = widen(width_direction);
+        const W along_x = dot(b, c);
+        const W along_y = dot(cross(a, b), c);
+        simd::narrow(along_x, p.x);
+        simd::narrow(along_x - simd::widen(p.x), p.x_rest);
+        simd::narrow(along_y, p.y);
+        simd::narrow(along_y - simd::widen(p.y), p.y_rest);
+        simd::narrow(-dot(a, c), p.z);
+    }
     p.n_x = dot(normal, width_direction);
     p.n_y = dot(normal, cross(axis, width_direction));
     p.n_z = -dot(normal, axis);
+    if (two_sided) {
+        p.n_z = simd::select(p.z < S(0), -p.n_z, p.n_z);
+        p.z = simd::abs(p.z);
+    }
     p.rise_x = p.n_x * p.half_x;
     p.rise_y = p.n_y * p.half_y;
     p.up = simd::mul_add(p.n_x, p.x, simd::mul_add(p.n_y, p.y, p.n_z * p.z));
@@ -113,6 +127,76 @@ GONIO_FORCE_INLINE RectangleCut<S> rectangle_cut(const RectanglePose<S>& p) {
             simd::select(before1, p.half_y, at_b),
             before3,
             before1};
+}
+
+// An uncut rectangle from no nearer than a fifth of its half diagonal, no edge of which subtends more than 90°:
+// opposite edges are taken together, as the difference of their angles from the known differences of their distances.
+// Without that, far rectangles cancel. Nothing else cancels either, so the pose may be rounded like any other product.
+template<class S>
+struct RectangleApart {
+    S irradiance;
+    simd::mask_of<S> valid;
+};
+
+template<class S>
+GONIO_FORCE_INLINE RectangleApart<S> rectangle_apart(const RectanglePose<S>& p) {
+    const S x0 = p.x - p.half_x;
+    const S x1 = p.x + p.half_x;
+    const S y0 = p.y - p.half_y;
+    const S y1 = p.y + p.half_y;
+    const S z2 = p.z * p.z;
+    const S to_x0 = simd::mul_add(x0, x0, z2); // squares of the distances of the edges' lines
+    const S to_x1 = simd::mul_add(x1, x1, z2);
+    const S to_y0 = simd::mul_add(y0, y0, z2);
+    const S to_y1 = simd::mul_add(y1, y1, z2);
+    const S dot_x0 = simd::mul_add(y1, y0, to_x0);
+    const S dot_x1 = simd::mul_add(y1, y0, to_x1);
+    const S dot_y0 = simd::mul_add(x1, x0, to_y0);
+    const S dot_y1 = simd::mul_add(x1, x0, to_y1);
+    const S half_diagonal2 = simd::mul_add(p.half_x, p.half_x, p.half_y * p.half_y);
+    const S least_dot = simd::min(simd::min(dot_x0, dot_x1), simd::min(dot_y0, dot_y1));
+    const S square0 = simd::mul_add(y0, y0, to_x0); // of the corners (x0, y0), (x0, y1), (x1, y1), (x1, y0)
+    const S square1 = simd::mul_add(y1, y1, to_x0);
+    const S square2 = simd::mul_add(y1, y1, to_x1);
+    const S square3 = simd::mul_add(y0, y0, to_x1);
+    const S least_square = simd::min(simd::min(square0, square1), simd::min(square2, square3));
+    const auto valid = simd::both(least_square > S(0.04) * half_diagonal2, least_dot >= S(0));
+    const S d0 = simd::sqrt(square0);
+    const S d1 = simd::sqrt(square1);
+    const S d2 = simd::sqrt(square2);
+    const S d3 = simd::sqrt(square3);
+    const S product_x0 = d1 * d0;
+    const S product_x1 = d2 * d3;
+    const S product_y0 = d3 * d0;
+    const S product_y1 = d2 * d1;
+    const S sum_x0 = product_x0 + dot_x0;
+    const S sum_x1 = product_x1 + dot_x1;
+    const S sum_y0 = product_y0 + dot_y0;
+    const S sum_y1 = product_y1 + dot_y1;
+    const S inverse_x = S(1) / (sum_x0 * sum_x1);
+    const S inverse_y = S(1) / (sum_y0 * sum_y1);
+    const S whole_x = p.half_x + p.half_x;
+    const S whole_y = p.half_y + p.half_y;
+    const EdgeAngle<S> arc_x0 = edge_angle(whole_y, to_x0, inverse_x * sum_x1);
+    const EdgeAngle<S> arc_x1 = edge_angle(whole_y, to_x1, inverse_x * sum_x0);
+    const EdgeAngle<S> arc_y0 = edge_angle(whole_x, to_y0, inverse_y * sum_y1);
+    const EdgeAngle<S> arc_y1 = edge_angle(whole_x, to_y1, inverse_y * sum_y0);
+    const S over_x0 = simd::mul_add(p.n_x, p.z, -(p.n_z * x0)); // the arcs' plane normals on n
+    const S over_y0 = simd::mul_add(p.n_y, p.z, -(p.n_z * y0));
+    const S grows_x = (p.x + p.x) * whole_x;
+    const S grows_y = (p.y + p.y) * whole_y;
+    const S both_x = product_x1 + product_x0;
+    const S both_y = product_y1 + product_y0;
+    const S inverse = S(1) / (both_x * both_y);
+    const S more_x = grows_x * simd::mul_add(square0 + square1 + grows_x, inverse * both_y, S(1));
+    const S more_y = grows_y * simd::mul_add(square0 + square3 + grows_y, inverse * both_x, S(1));
+    // Halves of: the outline's sum is twice what stands here, and E/L is half of the sum.
+    const S less_x = whole_y * arc_x0.inverse *
+                     simd::mul_add(more_x * arc_x1.inverse, S(1) + arc_x1.excess, arc_x0.excess - arc_x1.excess);
+    const S less_y = whole_x * arc_y0.inverse *
+                     simd::mul_add(more_y * arc_y1.inverse, S(1) + arc_y1.excess, arc_y0.excess - arc_y1.excess);
+    const S facing = p.n_z * simd::mul_add(p.half_x, arc_x1.by_distance, p.half_y * arc_y1.by_distance);
+    return {facing + simd::mul_add(over_x0, less_x, over_y0 * less_y), valid};
 }
 
 template<class S>
@@ -234,17 +318,26 @@ inline constexpr double least_rectangle_height<double> = 0x1p-500;
 
 struct RectangleInDouble;
 
-} // namespace detail
-
-// E/L [sr] of a rectangle about `center` [m, from the receiver] that emits towards +`axis` only, `width` along
-// `width_direction` and `height` across it. `axis`, `width_direction` (perpendicular) and the receiver's `normal` are
-// unit. Behind its plane 0; in the plane, inside the outline, the limit π(1 + n·w)/2 from the front, w = −axis, and
-// outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp). In float
-// and packs, receivers within 3e-4 of the larger half side over it are evaluated in double, lane by lane.
+// E/L of what is all above the horizon, in front and apart; the other lanes are named hard. Needs no more than float.
 template<class S>
-GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
-                                          vec3<S> normal) {
-    detail::RectanglePose<S> p = detail::rectangle_pose(center, axis, width_direction, width, height, normal);
+GONIO_FORCE_INLINE Survey<S> survey_rectangle_above(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width,
+                                                    S height, vec3<S> normal, bool two_sided) {
+    const RectanglePose<S> p = rectangle_pose<S>(center, axis, width_direction, width, height, normal, two_sided);
+    const auto above = p.up >= simd::abs(p.rise_x) + simd::abs(p.rise_y);
+    const auto exists = simd::both(p.half_x > S(0), p.half_y > S(0));
+    const auto easy = simd::both(simd::both(above, exists), p.z > S(0));
+    if (!simd::any(easy)) return {S(0), !easy};
+    const RectangleApart<S> apart = rectangle_apart(p);
+    return {clamp_irradiance(apart.irradiance), !simd::both(easy, apart.valid)};
+}
+
+// As irradiance_rectangle, but for the hard lanes: just over the light, where arcs turn within the rounding of the way
+// to an edge.
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
+                                              vec3<S> normal, bool two_sided) {
+    RectanglePose<S> p =
+        rectangle_pose<simd::wider<S>>(center, axis, width_direction, width, height, normal, two_sided);
     const auto area = simd::both(p.half_x > S(0), p.half_y > S(0));
     // What rounding leaves open counts as seen: beside the outline it may be half of the light.
     const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) *
@@ -257,22 +350,41 @@ GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> 
         const auto within_x = simd::both((p.x - p.half_x) + p.x_rest<S(0), (p.x + p.half_x) + p.x_rest> S(0));
         const auto within_y = simd::both((p.y - p.half_y) + p.y_rest<S(0), (p.y + p.half_y) + p.y_rest> S(0));
         const auto inside = simd::both(within_x, within_y);
-        e = simd::select(simd::both(inside, p.z == S(0)),
-                         detail::clamp_irradiance(S(1.57079632679489661923) * (S(1) + p.n_z)), S(0));
+        e = simd::select(simd::both(inside, p.z == S(0)), clamp_irradiance(S(1.57079632679489661923) * (S(1) + p.n_z)),
+                         S(0));
     }
-    if (!simd::any(lit)) return e;
-    p.z = simd::max(p.z, S(detail::least_rectangle_height<S>));
-    e = simd::select(lit, detail::rectangle_in_front(p), e);
+    if (!simd::any(lit)) return {e, S(0) > S(1)};
+    const S least = S(3e-4) * simd::max(p.half_x, p.half_y);
+    const auto over = simd::both(simd::abs(p.x) < p.half_x + least, simd::abs(p.y) < p.half_y + least);
+    const auto hard = simd::both(lit, simd::both(p.z < least, over));
+    p.z = simd::max(p.z, S(least_rectangle_height<S>));
+    return {simd::select(lit, rectangle_in_front(p), e), hard};
+}
+
+} // namespace detail
+
+// E/L [sr] of a rectangle about `center` [m, from the receiver] that emits towards +`axis` only, `width` along
+// `width_direction` and `height` across it. `axis`, `width_direction` (perpendicular) and the receiver's `normal` are
+// unit. Behind its plane 0; in the plane, inside the outline, the limit π(1 + n·w)/2 from the front, w = −axis, and
+// outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp). In float
+// and packs, receivers within 3e-4 of the larger half side over it are evaluated in double, lane by lane. `two_sided`:
+// it emits to both sides, and is seen from whichever the receiver is on.
+template<class S>
+GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
+                                          vec3<S> normal, bool two_sided = false) {
     if constexpr (!__is_same(S, double)) {
-        // Just over the light, where arcs turn within the rounding of the way to an edge.
-        const S least = S(3e-4) * simd::max(p.half_x, p.half_y);
-        const auto over = simd::both(simd::abs(p.x) < p.half_x + least, simd::abs(p.y) < p.half_y + least);
-        const auto touching = simd::both(lit, simd::both(p.z < least, over));
-        if (simd::any(touching))
+        const auto above =
+            detail::survey_rectangle_above(center, axis, width_direction, width, height, normal, two_sided);
+        if (!simd::any(above.hard)) return above.irradiance;
+    }
+    const auto rectangle = detail::survey_rectangle(center, axis, width_direction, width, height, normal, two_sided);
+    const S e = rectangle.irradiance;
+    if constexpr (!__is_same(S, double)) {
+        if (simd::any(rectangle.hard))
             return detail::in_double<detail::RectangleInDouble>(
-                touching, e,
+                rectangle.hard, e,
                 {center.x, center.y, center.z, axis.x, axis.y, axis.z, width_direction.x, width_direction.y,
-                 width_direction.z, width, height, normal.x, normal.y, normal.z});
+                 width_direction.z, width, height, normal.x, normal.y, normal.z, S(two_sided ? 1 : 0)});
     }
     return e;
 }
@@ -280,9 +392,9 @@ GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> 
 namespace detail {
 
 struct RectangleInDouble {
-    GONIO_FORCE_INLINE static double evaluate(const double (&v)[14]) {
+    GONIO_FORCE_INLINE static double evaluate(const double (&v)[15]) {
         return irradiance_rectangle<double>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9], v[10],
-                                            {v[11], v[12], v[13]});
+                                            {v[11], v[12], v[13]}, v[14] != 0.0);
     }
 };
 

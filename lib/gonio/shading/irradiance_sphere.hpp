@@ -31,28 +31,39 @@ GONIO_FORCE_INLINE S irradiance_straddling_cap(S s, S kappa, S c) {
     return simd::mul_add(s * s * c, phi, simd::select(w <= kappa, narrow, wide));
 }
 
+// A sphere as if nothing cut it, and where something does.
+template<class S>
+struct SphereAbove {
+    S scaled_radius, s, irradiance;
+    simd::mask_of<S> straddling;
+    simd::mask_of<S> is_cut; // straddling, or so near that s is 1 within rounding or beyond
+
+    GONIO_FORCE_INLINE SphereAbove(const Direction<S>& to_center, S radius) {
+        const S c = to_center.n_dot_l;
+        // The scaled distance is below 7: a larger radius makes no difference and could overflow.
+        scaled_radius = simd::min(simd::abs(radius) * to_center.scale, S(8));
+        s = simd::min(scaled_radius * to_center.inverse_distance, S(1));
+        irradiance = S(std::numbers::pi) * s * s * simd::max(c, S(0));
+        const vec3<S> p = to_center.scaled;
+        const auto near = dot(p, p) * S(1.0 - 1e-5) <= scaled_radius * scaled_radius;
+        straddling = simd::abs(c) < s;
+        is_cut = simd::either(near, straddling);
+    }
+};
+
 // E/L [sr] of a sphere of radius r at `to_center` from the receiver, whose unit normal is `normal`. d < r: π. On the
 // surface π(1 + n·l)/2; d = r = 0 gives 0. Any finite input; r < 0 counts as |r|.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_sphere(const Direction<S>& to_center, S radius) {
-    constexpr double pi = std::numbers::pi;
-    const S c = to_center.n_dot_l;
-    // The scaled distance is below 7: a larger radius makes no difference and could overflow.
-    const S scaled_radius = simd::min(simd::abs(radius) * to_center.scale, S(8));
-    const S s = simd::min(scaled_radius * to_center.inverse_distance, S(1));
-    const S above = S(pi) * s * s * simd::max(c, S(0));
+    const SphereAbove<S> uncut(to_center, radius);
+    if (!simd::any(uncut.is_cut)) return uncut.irradiance;
 
-    // What follows is for packets that the horizon cuts, or that come so near that s is 1 within rounding or beyond.
     const vec3<S> p = to_center.scaled;
-    const S distance_square = dot(p, p);
-    const auto near = distance_square * S(1.0 - 1e-5) <= scaled_radius * scaled_radius;
-    const auto straddling = simd::abs(c) < s;
-    if (!simd::any(simd::either(near, straddling))) return above;
-
-    const S gap = simd::difference_of_squares(p.x, p.y, p.z, scaled_radius); // d² − r², to the last digit
+    const S gap = simd::difference_of_squares(p.x, p.y, p.z, uncut.scaled_radius); // d² − r², to the last digit
     const S kappa = simd::sqrt(simd::max(gap, S(0))) * to_center.inverse_distance;
-    const S cut = simd::max(irradiance_straddling_cap(s, kappa, c), S(0));
-    const S outside = simd::select(straddling, cut, above);
+    const S cut = simd::max(irradiance_straddling_cap(uncut.s, kappa, to_center.n_dot_l), S(0));
+    const S outside = simd::select(uncut.straddling, cut, uncut.irradiance);
+    constexpr double pi = std::numbers::pi;
     return simd::min(simd::select(gap < S(0), S(pi), outside), S(pi));
 }
 

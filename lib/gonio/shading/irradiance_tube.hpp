@@ -53,21 +53,12 @@ GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius,
     simd::narrow(gap2, t.gap2);
     t.tangent0 = simd::mul_add(t.z0, t.z0, t.gap2);
     t.tangent1 = simd::mul_add(t.z1, t.z1, t.gap2);
-    if (simd::any(t.gap2 < S(0))) { // it may cancel, and its sign tells inside from outside
-        simd::narrow(simd::mul_add(z0, z0, gap2), t.tangent0);
-        simd::narrow(simd::mul_add(z1, z1, gap2), t.tangent1);
-    }
-    constexpr double least_d = 1e-15;
-    const auto on_axis = d2 < S(least_d * least_d);
+    constexpr double least_d = 1e-15; // on the axis line, where the tube is not what is seen
     t.d = simd::sqrt(simd::max(d2, S(least_d * least_d)));
     t.inverse_d = S(1) / t.d;
     t.n_f = dot(normal - axis * t.n_a, f) * t.inverse_d; // f may be little more than rounding along the axis
     t.n_a = simd::abs(t.n_a);
     t.n_g = simd::abs(dot(normal, fused_cross(axis, f))) * t.inverse_d;
-    if (simd::any(on_axis)) { // f is then free: along the normal
-        t.n_f = simd::select(on_axis, length(perpendicular(normal, axis)), t.n_f);
-        t.n_g = simd::select(on_axis, S(0), t.n_g);
-    }
     t.up = simd::mul_add(t.d, t.n_f, t.z * t.n_a);
     return t;
 }
@@ -97,28 +88,32 @@ GONIO_FORCE_INLINE S tube_above(const TubePose<S>& t) {
     return theta * s * t.n_f + t.r * simd::mul_add(t.r, cap0 + cap1, kappa * whole_slope(t, inverse * inverse));
 }
 
-// In the chosen lanes the nearer end alone: a capsule without length, its axis laid square to the way there.
+// The nearer end's sphere alone: what is seen from beyond an end and within the prolonged tube.
 template<class S>
-GONIO_FORCE_INLINE void nearer_sphere(TubePose<S>& t, simd::mask_of<S> chosen, simd::mask_of<S> end0) {
-    const S z = simd::select(end0, t.z0, t.z1);
-    const S tangent = simd::max(simd::select(end0, t.tangent0, t.tangent1), S(0));
-    const S distance = simd::sqrt(simd::mul_add(t.d, t.d, z * z));
-    const S inverse = reciprocal_or_zero(distance);
-    const S n_f = simd::mul_add(t.d, t.n_f, z * t.n_a) * inverse;
-    const S n_a = simd::abs(t.d * t.n_a - z * t.n_f) * inverse;
-    t.half = simd::select(chosen, S(0), t.half);
-    t.z = simd::select(chosen, S(0), t.z);
-    t.z_rest = simd::select(chosen, S(0), t.z_rest);
-    t.z0 = simd::select(chosen, S(0), t.z0);
-    t.z1 = simd::select(chosen, S(0), t.z1);
-    t.d = simd::select(chosen, distance, t.d);
-    t.inverse_d = simd::select(chosen, inverse, t.inverse_d);
-    t.gap2 = simd::select(chosen, tangent, t.gap2);
-    t.tangent0 = simd::select(chosen, tangent, t.tangent0);
-    t.tangent1 = simd::select(chosen, tangent, t.tangent1);
-    t.n_f = simd::select(chosen, n_f, t.n_f);
-    t.n_a = simd::select(chosen, n_a, t.n_a);
-    t.up = simd::select(chosen, distance * n_f, t.up);
+GONIO_FORCE_INLINE Survey<S> survey_tube_end(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
+    const S size = simd::abs(radius);
+    const S span = simd::abs(length_m);
+    const S scale =
+        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
+    const vec3<S> scaled = center * scale;
+    const S half = S(0.5) * (span * scale);
+    const auto back = simd::widen(simd::copysign(half, -dot(axis, scaled)));
+    const vec3<simd::wider<S>> c = widen(scaled);
+    const vec3<simd::wider<S>> a = widen(axis);
+    vec3<S> to_end;
+    simd::narrow(c.x + a.x * back, to_end.x);
+    simd::narrow(c.y + a.y * back, to_end.y);
+    simd::narrow(c.z + a.z * back, to_end.z);
+    const S r = size * scale;
+    const S least2 = simd::max(S(1e-4) * r * r, S(2.5e-6) * half * half); // as for the whole tube
+    return {irradiance_sphere(to_end, r, normal), simd::abs(dot(to_end, to_end) - r * r) < least2};
+}
+
+// The same as a function of its own that takes copies, as in_double. Inputs: center, axis, radius, length, normal.
+template<simd::SinglePrecision S>
+[[gnu::noinline]] Survey<S> nearer_end(const S (&inputs)[11]) {
+    return survey_tube_end<S>({inputs[0], inputs[1], inputs[2]}, {inputs[3], inputs[4], inputs[5]}, inputs[6],
+                              inputs[7], {inputs[8], inputs[9], inputs[10]});
 }
 
 // D² − r² is at least this share of D²: on the surface the tangent points would fall together; a trace apart, they keep
@@ -130,41 +125,62 @@ inline constexpr double least_tube_gap2<double> = 1e-24;
 
 struct TubeInDouble;
 
+template<class S>
+struct TubeSurvey {
+    S irradiance;
+    simd::mask_of<S> hard; // the tangent points turn within the rounding of the way to the surface
+    simd::mask_of<S> end;  // beyond an end and within the prolonged tube: the nearer sphere hides the rest
+};
+
+// As irradiance_tube, but for the lanes that are left.
+template<class S>
+GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
+    constexpr double pi = 3.14159265358979323846;
+    TubePose<S> t = tube_pose(center, axis, radius, length_m, normal);
+    const auto beyond0 = t.z0 > S(0); // before end 0, or past end 1
+    const auto beyond1 = t.z1 < S(0);
+    const auto exists = t.r > S(0);
+    const auto within = simd::both(exists, t.gap2 <= S(0));
+    const auto end = simd::both(within, simd::either(beyond0, beyond1));
+    const auto inside = simd::both(simd::both(exists, t.gap2 < S(0)), !end);
+    const auto lit = simd::both(exists, t.up + t.half * t.n_a > -t.r);
+    const auto outside = simd::both(lit, !simd::either(inside, end));
+    const S easy = simd::select(inside, S(pi), S(0));
+    if (!simd::any(outside)) return {easy, S(0) > S(1), end};
+    // Square of the distance to the nearest point of the axis, less r².
+    const S nearest2 = simd::select(beyond0, t.tangent0, simd::select(beyond1, t.tangent1, t.gap2));
+    const S least2 = simd::max(S(1e-4) * t.r * t.r, S(2.5e-6) * t.half * t.half);
+    const auto hard = simd::both(outside, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
+    t.gap2 = simd::max(t.gap2, S(least_tube_gap2<S>) * t.d * t.d);
+    const auto cut = t.up - t.half * t.n_a < t.r;
+    const S e = simd::any(simd::both(outside, cut)) ? tube_clipped(t, cut) : tube_above(t);
+    return {simd::select(outside, clamp_irradiance(e), easy), hard, end};
+}
+
 } // namespace detail
 
 // E/L [sr] of a capsule about `center` [m, from the receiver] along `axis`: a cylinder of `length_m` without its ends,
 // which are half spheres of the same radius. `axis` and the receiver's `normal` are unit. Inside π; on the surface the
 // limit π(1 + n·l)/2 from outside. Any finite input; negative sizes count as positive; radius 0 gives 0, length 0 the
-// sphere. In float and packs, receivers within 5e-5 of the radius from the surface are evaluated in double, lane by
-// lane.
+// sphere. In float and packs, receivers within 5e-5 of the radius from the surface, and those whose squared
+// distance from it is below 2.5e-6 of the square of half the length, are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    constexpr double pi = 3.14159265358979323846;
-    detail::TubePose<S> t = detail::tube_pose(center, axis, radius, length_m, normal);
-    const auto beyond0 = t.z0 > S(0); // before end 0, or past end 1
-    const auto beyond1 = t.z1 < S(0);
-    // Squares of the distances to the nearest point of the axis, less r².
-    const S nearest2 = simd::select(beyond0, t.tangent0, simd::select(beyond1, t.tangent1, t.gap2));
-    const auto exists = t.r > S(0);
-    const auto inside = simd::both(exists, nearest2 < S(0));
-    const auto lit = simd::both(simd::both(exists, !inside), t.up + t.half * t.n_a > -t.r);
-    S e = simd::select(inside, S(pi), S(0));
-    if (!simd::any(lit)) return e;
-
-    // Beyond an end and within the prolonged tube, the nearer sphere hides the rest.
-    const auto ahead = simd::both(t.gap2 <= S(0), simd::either(beyond0, beyond1));
-    if (simd::any(simd::both(lit, ahead))) detail::nearer_sphere(t, ahead, beyond0);
-    t.gap2 = simd::max(t.gap2, S(detail::least_tube_gap2<S>) * t.d * t.d);
-    const auto cut = t.up - t.half * t.n_a < t.r;
-    const S in_front = simd::any(simd::both(lit, cut)) ? detail::tube_clipped(t, cut) : detail::tube_above(t);
-    e = simd::select(lit, detail::clamp_irradiance(in_front), e);
-    if constexpr (!__is_same(S, double)) {
-        // Where the tangent points turn within the rounding of the way to the surface.
-        const S least2 = simd::max(S(1e-4) * t.r * t.r, S(1e-8) * t.half * t.half);
-        const auto touching = simd::both(lit, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
-        if (simd::any(touching))
+    const auto tube = detail::survey_tube(center, axis, radius, length_m, normal);
+    S e = tube.irradiance;
+    if constexpr (__is_same(S, double)) {
+        if (tube.end) e = detail::survey_tube_end(center, axis, radius, length_m, normal).irradiance;
+    } else {
+        auto hard = tube.hard;
+        if (simd::any(tube.end)) {
+            const detail::Survey<S> end = detail::nearer_end<S>(
+                {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, length_m, normal.x, normal.y, normal.z});
+            e = simd::select(tube.end, end.irradiance, e);
+            hard = simd::either(hard, simd::both(tube.end, end.hard));
+        }
+        if (simd::any(hard))
             return detail::in_double<detail::TubeInDouble>(
-                touching, e,
+                hard, e,
                 {center.x, center.y, center.z, axis.x, axis.y, axis.z, radius, length_m, normal.x, normal.y, normal.z});
     }
     return e;

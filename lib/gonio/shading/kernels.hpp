@@ -69,7 +69,8 @@ struct Kernels {
     void (*shade)(const Surfaces&, const LightConstants&, const MaterialConstants&, float* const rgb[3]);
 
     // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
-    // in sr, times the window) for an area light.
+    // in sr, times the window) for an area light. Receivers are sorted by their horizon before they are packed, so `lx`
+    // must not overlap the input.
     void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
 
     // The same by an approximation, of one side; 0 for a punctual light. May exceed π.

@@ -7,84 +7,15 @@
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/kernels.hpp>
+#include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/shade_area.hpp>
-#include <gonio/simd/packet.hpp>
+#include <gonio/shading/sorted_batch.hpp>
 #include <gonio/simd/twin.hpp>
 
 #include <cstddef>
 
 namespace gonio::shading::detail {
-
-template<class S>
-struct Packet : simd::Packet<S> {
-    using simd::Packet<S>::load;
-    GONIO_FORCE_INLINE vec3<S> load(const float* const from[3]) const {
-        return {load(from[0]), load(from[1]), load(from[2])};
-    }
-};
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> broadcast(const float (&v)[3]) {
-    return {S(v[0]), S(v[1]), S(v[2])};
-}
-
-template<class S>
-GONIO_FORCE_INLINE void constants(const LightConstants& from, PunctualLight<S>& to) {
-    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(0), S(from.inverse_range)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const LightConstants& from, SphereLight<S>& to) {
-    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(from.radius), S(from.inverse_range)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const LightConstants& from, DiskLight<S>& to) {
-    to = {broadcast<S>(from.position), broadcast<S>(from.color),
-          broadcast<S>(from.axis),     S(from.radius),
-          S(from.inverse_range),       from.two_sided};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const LightConstants& from, RectangleLight<S>& to) {
-    to = {broadcast<S>(from.position),
-          broadcast<S>(from.color),
-          broadcast<S>(from.axis),
-          broadcast<S>(from.width_direction),
-          S(from.width),
-          S(from.height),
-          S(from.inverse_range),
-          from.two_sided};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const LightConstants& from, TubeLight<S>& to) {
-    to = {
-        broadcast<S>(from.position), broadcast<S>(from.color), broadcast<S>(from.axis), S(from.radius), S(from.length),
-        S(from.inverse_range)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
-    to = {broadcast<S>(from.albedo)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Frostbite<S>& to) {
-    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.f90), S(from.linear_roughness), S(from.alpha)};
-}
-
-template<class S>
-GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
-    light.intensity_cd = packet.load(from.intensity_cd);
-}
-template<class S, class AreaLight>
-GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/, AreaLight& /*light*/) {}
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Frostbite<S>& /*reads*/) {
-    return packet.load(surfaces.view);
-}
-template<class S>
-GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& /*packet*/, const Surfaces& /*surfaces*/,
-                                     const Lambert<S>& /*reads none*/) {
-    return {S(0), S(0), S(0)};
-}
 
 template<class S, Approximation method>
 GONIO_FORCE_INLINE S approximate(const SphereLight<S>& light, vec3<S> center, vec3<S> n) {
@@ -131,15 +62,28 @@ void shade_batch(const Surfaces& surfaces, const LightConstants& light_constants
     });
 }
 
-template<class S, class Light>
-void irradiance_batch(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
-    Light light;
+template<class S>
+void irradiance_punctual(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    PunctualLight<S> light;
     constants(light_constants, light);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
-        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal), {S(0), S(0), S(0)}};
         per_point(packet, light_constants, light);
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal), {S(0), S(0), S(0)}};
         packet.store(illuminance(point, light), lx);
     });
+}
+
+// One float skips by itself what it does not need.
+template<class S, template<class> class Light>
+void irradiance_area(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    if constexpr (simd::Traits<S>::lanes == 1) {
+        Light<S> light;
+        constants(light_constants, light);
+        for (std::size_t i = 0; i < surfaces.count; ++i)
+            lx[i] = illuminance(receiver<S>(surfaces, i), light);
+    } else {
+        irradiance_sorted<S, Light>(surfaces, light_constants, lx);
+    }
 }
 
 template<class S, class Light, Approximation method>
@@ -195,18 +139,18 @@ void shade_any(const Surfaces& surfaces, const LightConstants& light, const Mate
 
 template<class S>
 void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
-    using Two = simd::paired<S>; // two chains fill each other's gaps; the tube's leave none
+    using Two = simd::paired<S>; // two chains fill each other's gaps
     switch (light.kind) {
     case LightConstants::Kind::punctual:
-        return irradiance_batch<S, PunctualLight<S>>(surfaces, light, lx);
+        return irradiance_punctual<S>(surfaces, light, lx);
     case LightConstants::Kind::sphere:
-        return irradiance_batch<S, SphereLight<S>>(surfaces, light, lx);
+        return irradiance_area<Two, SphereLight>(surfaces, light, lx);
     case LightConstants::Kind::disk:
-        return irradiance_batch<Two, DiskLight<Two>>(surfaces, light, lx);
+        return irradiance_area<Two, DiskLight>(surfaces, light, lx);
     case LightConstants::Kind::rectangle:
-        return irradiance_batch<Two, RectangleLight<Two>>(surfaces, light, lx);
+        return irradiance_area<Two, RectangleLight>(surfaces, light, lx);
     case LightConstants::Kind::tube:
-        return irradiance_batch<Two, TubeLight<Two>>(surfaces, light, lx);
+        return irradiance_area<Two, TubeLight>(surfaces, light, lx);
     }
 }
 

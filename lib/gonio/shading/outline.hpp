@@ -56,6 +56,14 @@ GONIO_FORCE_INLINE vec3<S> perpendicular(vec3<S> v, vec3<S> axis) {
     return once - axis * dot(axis, once);
 }
 
+// What a form gives in straight code, without the call of a function (packets would keep their numbers in memory for
+// its sake), and the lanes that are left for others.
+template<class S>
+struct Survey {
+    S irradiance;
+    simd::mask_of<S> hard; // to be asked for otherwise, in double: the receiver all but touches the light
+};
+
 // `easy` where `hard` is false; elsewhere Exact::evaluate in double, lane by lane, on the same float inputs: for
 // receivers that all but touch the light. A function of its own, so that other packets do not carry its burden.
 template<class Exact, class S, std::size_t count>

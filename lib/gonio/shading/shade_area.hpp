@@ -53,16 +53,54 @@ GONIO_FORCE_INLINE vec3<S> facing_axis(const Light& light, vec3<S> to_center) {
 
 template<class S>
 GONIO_FORCE_INLINE S irradiance(const DiskLight<S>& light, vec3<S> to_center, vec3<S> normal) {
-    return irradiance_disk(to_center, facing_axis(light, to_center), light.radius, normal);
+    return irradiance_disk(to_center, light.axis, light.radius, normal, light.two_sided);
 }
 template<class S>
 GONIO_FORCE_INLINE S irradiance(const RectangleLight<S>& light, vec3<S> to_center, vec3<S> normal) {
-    return irradiance_rectangle(to_center, facing_axis(light, to_center), light.width_direction, light.width,
-                                light.height, normal);
+    return irradiance_rectangle(to_center, light.axis, light.width_direction, light.width, light.height, normal,
+                                light.two_sided);
 }
 template<class S>
 GONIO_FORCE_INLINE S irradiance(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     return irradiance_tube(to_center, light.axis, light.radius, light.length, normal);
+}
+
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey(const SphereLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return {irradiance_sphere(to_center, light.radius, normal), S(0) > S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey(const DiskLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_disk(to_center, light.axis, light.radius, normal, light.two_sided);
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey(const RectangleLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_rectangle(to_center, light.axis, light.width_direction, light.width, light.height, normal,
+                            light.two_sided);
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    const auto tube = survey_tube(to_center, light.axis, light.radius, light.length, normal);
+    return Survey<S>{tube.irradiance, simd::either(tube.hard, tube.end)};
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey_end(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_tube_end(to_center, light.axis, light.radius, light.length, normal);
+}
+
+// The same where the sphere about the light is above the horizon; hard are the lanes that `survey` should be asked for.
+template<class Light, class S>
+GONIO_FORCE_INLINE auto survey_above(const Light& light, vec3<S> to_center, vec3<S> normal) {
+    return survey(light, to_center, normal);
+}
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_above(const SphereLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return {SphereAbove<S>(direction(to_center, normal), light.radius).irradiance, S(0) > S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey_above(const RectangleLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_rectangle_above(to_center, light.axis, light.width_direction, light.width, light.height, normal,
+                                  light.two_sided);
 }
 
 // One point that stands for the whole light, everything divided by the distance of the centre (and again by that of the
@@ -129,6 +167,10 @@ GONIO_FORCE_INLINE Representative<S> representative(const TubeLight<S>& light, v
     return {at, r * (S(2) * l * side + S(std::numbers::pi) * r), l};
 }
 
+template<class S>
+GONIO_FORCE_INLINE S largest_size(const SphereLight<S>& light) {
+    return simd::abs(light.radius);
+}
 template<class S>
 GONIO_FORCE_INLINE S largest_size(const DiskLight<S>& light) {
     return simd::abs(light.radius);

@@ -13,13 +13,21 @@ struct ArrayMath {
     using Binary = void (*)(const float* a, const float* b, float* result, std::size_t count);
 
     InstructionSet set;
-    Unary sqrt, exp2, log2, sin, cos, asin, acos, atan, atan_excess, reciprocal_power_of_two;
-    Binary min, max, atan2, pow, copysign;
+    std::size_t lanes;
+    Unary sqrt, exp2, log2, sin, cos, asin, acos, atan, atan_excess, atan_ratio_excess, atanh_ratio,
+        reciprocal_power_of_two;
+    Binary min, max, atan2, atan2_above, pow, copysign;
     // x² + 0.25² + 0.5² − r², whose middle terms make cancellation possible.
     Binary difference_of_squares;
+    // a·b − b, formed in double and rounded once.
+    Binary wide_product_less;
+    // Packet after packet, the lanes where a > b side by side, and 0 in what is left of the packet.
+    Binary choose_greater;
 };
 
 // The functions of `set`, or the scalar ones where available(set) is false. Domains and errors: math.hpp.
 const ArrayMath& array_math(InstructionSet set);
+// The same on two packs at a time (twin.hpp); one float stays one.
+const ArrayMath& array_math_of_twins(InstructionSet set);
 
 } // namespace gonio::simd

@@ -5,6 +5,7 @@
 #include <gonio/simd/math.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace gonio::simd::detail {
 
@@ -59,10 +60,13 @@ GONIO_UNARY(asin)
 GONIO_UNARY(acos)
 GONIO_UNARY(atan)
 GONIO_UNARY(atan_excess)
+GONIO_UNARY(atan_ratio_excess)
+GONIO_UNARY(atanh_ratio)
 GONIO_UNARY(reciprocal_power_of_two)
 GONIO_BINARY(min)
 GONIO_BINARY(max)
 GONIO_BINARY(atan2)
+GONIO_BINARY(atan2_above)
 GONIO_BINARY(pow)
 GONIO_BINARY(copysign)
 #undef GONIO_UNARY
@@ -74,8 +78,38 @@ struct difference_of_squares_function {
 };
 
 template<class S>
+struct wide_product_less_function {
+    GONIO_FORCE_INLINE static S of(S a, S b) {
+        const auto wide = simd::widen(b);
+        S result;
+        simd::narrow(simd::widen(a) * wide - wide, result);
+        return result;
+    }
+};
+
+template<class S>
+struct choose_greater_function {
+    GONIO_FORCE_INLINE static S of(S a, S b) {
+        if constexpr (Traits<S>::lanes == 1) {
+            return select(a > b, a, S(0));
+        } else {
+            constexpr std::size_t lanes = Traits<S>::lanes;
+            float chosen[2 * lanes];
+            const std::uint32_t bits = lane_bits(a > b);
+            store_chosen(Choice<S>(bits), a, &chosen[0]);
+            for (std::size_t i = bit_count(bits); i < lanes; ++i)
+                chosen[i] = 0.0F;
+            S result;
+            load(&chosen[0], result);
+            return result;
+        }
+    }
+};
+
+template<class S>
 constexpr ArrayMath array_math_of(InstructionSet set) {
     return {set,
+            Traits<S>::lanes,
             map<S, sqrt_function<S>>,
             map<S, exp2_function<S>>,
             map<S, log2_function<S>>,
@@ -85,19 +119,28 @@ constexpr ArrayMath array_math_of(InstructionSet set) {
             map<S, acos_function<S>>,
             map<S, atan_function<S>>,
             map<S, atan_excess_function<S>>,
+            map<S, atan_ratio_excess_function<S>>,
+            map<S, atanh_ratio_function<S>>,
             map<S, reciprocal_power_of_two_function<S>>,
             map<S, min_function<S>>,
             map<S, max_function<S>>,
             map<S, atan2_function<S>>,
+            map<S, atan2_above_function<S>>,
             map<S, pow_function<S>>,
             map<S, copysign_function<S>>,
-            map<S, difference_of_squares_function<S>>};
+            map<S, difference_of_squares_function<S>>,
+            map<S, wide_product_less_function<S>>,
+            map<S, choose_greater_function<S>>};
 }
 
 extern const ArrayMath array_math_scalar;
 extern const ArrayMath array_math_sse2;
+extern const ArrayMath array_math_twin_sse2;
 extern const ArrayMath array_math_avx2;
+extern const ArrayMath array_math_twin_avx2;
 extern const ArrayMath array_math_avx512;
+extern const ArrayMath array_math_twin_avx512;
 extern const ArrayMath array_math_neon;
+extern const ArrayMath array_math_twin_neon;
 
 } // namespace gonio::simd::detail

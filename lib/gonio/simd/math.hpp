@@ -147,7 +147,7 @@ GONIO_FORCE_INLINE S atan2(S y, S x) {
     angle = select(x < S(0), S(3.14159274F) - angle, angle);
     return copysign(angle, y);
 }
-// The same for y ≥ 0 (−0 and NaN too), in [0, π]: a tenth of the time less. What is below 1e-37 counts as 0.
+// The same for y ≥ 0 (−0 too), in [0, π]: a tenth of the time less. What is below 1e-37 counts as 0; a NaN stays one.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan2_above(S y, S x) {
     const S ax = abs(x);

@@ -3,6 +3,7 @@
 
 #include <arm_neon.h>
 #include <cstddef>
+#include <cstdint>
 
 namespace gonio::simd {
 
@@ -25,6 +26,10 @@ struct Native<neon> {
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return vfmaq_f64(c, a, b);
     }
+    template<class Mask>
+    GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
+        return vbslq_f32(reinterpret_cast<uint32x4_t>(mask), a, b);
+    }
     // Bit i is the sign of lane i.
     GONIO_FORCE_INLINE static int sign_bits(real x) {
         const int32x4_t shifts = {0, 1, 2, 3};
@@ -35,6 +40,17 @@ struct Native<neon> {
     GONIO_FORCE_INLINE static half_double high(real x) { return vcvt_high_f64_f32(x); }
     GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
         return vcombine_f32(vcvt_f32_f64(low), vcvt_f32_f64(high));
+    }
+    // Which lanes, bit by bit; `store_chosen` writes them side by side and may write rubbish up to a register's length.
+    using choice = std::uint32_t;
+    GONIO_FORCE_INLINE static choice choose(std::uint32_t bits) { return bits; }
+    GONIO_FORCE_INLINE static void store_chosen(choice bits, real x, float* to) {
+        float lane[4];
+        vst1q_f32(&lane[0], x);
+        to[0] = lane[0];
+        to[bits & 1] = lane[1];
+        to[(bits & 1) + ((bits >> 1) & 1)] = lane[2];
+        to[(bits & 1) + ((bits >> 1) & 1) + ((bits >> 2) & 1)] = lane[3];
     }
 };
 

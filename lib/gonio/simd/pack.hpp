@@ -121,7 +121,7 @@ GONIO_FORCE_INLINE bool all(mask<Isa> a) {
 
 template<class Isa>
 GONIO_FORCE_INLINE pack<float, Isa> select(mask<Isa> condition, pack<float, Isa> if_true, pack<float, Isa> if_false) {
-    return pack<float, Isa>(condition.m ? if_true.v : if_false.v);
+    return pack<float, Isa>(Native<Isa>::select(condition.m, if_true.v, if_false.v));
 }
 template<class Isa>
 GONIO_FORCE_INLINE pack<float, Isa> min(pack<float, Isa> a, pack<float, Isa> b) {
@@ -210,6 +210,26 @@ GONIO_FORCE_INLINE void store_partial(pack<float, Isa> from, float* to, std::siz
     store(from, &buffer[0]);
     for (std::size_t i = 0; i < count; ++i)
         to[i] = buffer[i];
+}
+
+// Bit i is set where lane i is.
+template<class Isa>
+GONIO_FORCE_INLINE std::uint32_t lane_bits(mask<Isa> a) {
+    return static_cast<std::uint32_t>(Native<Isa>::sign_bits(reinterpret_cast<typename pack<float, Isa>::vector>(a.m)));
+}
+
+// Lanes chosen by bits. `store_chosen` writes them to `to` side by side, in their order; what follows them, up to a
+// whole pack's length, is overwritten with rubbish.
+template<class S>
+struct Choice;
+template<class Isa>
+struct Choice<pack<float, Isa>> {
+    typename Native<Isa>::choice lanes;
+    GONIO_FORCE_INLINE explicit Choice(std::uint32_t bits) : lanes(Native<Isa>::choose(bits)) {}
+};
+template<class Isa>
+GONIO_FORCE_INLINE void store_chosen(const Choice<pack<float, Isa>>& which, pack<float, Isa> from, float* to) {
+    Native<Isa>::store_chosen(which.lanes, from.v, to);
 }
 
 } // namespace gonio::simd

@@ -172,6 +172,17 @@ GONIO_FORCE_INLINE void store_partial(T from, T* to, std::size_t /*count*/) {
     *to = from;
 }
 
+// How many bits are set: one instruction where the set has it, and no library call where it has none.
+GONIO_FORCE_INLINE std::uint32_t bit_count(std::uint32_t bits) {
+#if defined(__POPCNT__) || defined(__aarch64__)
+    return static_cast<std::uint32_t>(__builtin_popcount(bits));
+#else
+    bits -= (bits >> 1) & 0x55555555U;
+    bits = (bits & 0x33333333U) + ((bits >> 2) & 0x33333333U);
+    return (((bits + (bits >> 4)) & 0x0F0F0F0FU) * 0x01010101U) >> 24;
+#endif
+}
+
 // Integers of the width of float, for the bit work in math.hpp.
 GONIO_FORCE_INLINE std::int32_t bits(float x) {
     return __builtin_bit_cast(std::int32_t, x);

@@ -117,6 +117,10 @@ GONIO_FORCE_INLINE twin<P> copysign(twin<P> x, twin<P> sign) {
     return {copysign(x.a, sign.a), copysign(x.b, sign.b)};
 }
 template<class P>
+GONIO_FORCE_INLINE twin<P> difference_of_squares(twin<P> x, twin<P> y, twin<P> z, twin<P> r) {
+    return {difference_of_squares(x.a, y.a, z.a, r.a), difference_of_squares(x.b, y.b, z.b, r.b)};
+}
+template<class P>
 GONIO_FORCE_INLINE twin<P> reciprocal_power_of_two(twin<P> x) {
     return {reciprocal_power_of_two(x.a), reciprocal_power_of_two(x.b)};
 }
@@ -173,6 +177,26 @@ GONIO_FORCE_INLINE void store_partial(twin<P> from, float* to, std::size_t count
     constexpr std::size_t lanes = Traits<P>::lanes;
     store_partial(from.a, to, count > lanes ? lanes : count);
     if (count > lanes) store_partial(from.b, to + lanes, count - lanes);
+}
+
+template<class P>
+GONIO_FORCE_INLINE std::uint32_t lane_bits(twin_mask<P> x) {
+    return lane_bits(x.a) | (lane_bits(x.b) << Traits<P>::lanes);
+}
+template<class P>
+struct Choice<twin<P>> {
+    Choice<P> a, b;
+    std::uint32_t count_a;
+    GONIO_FORCE_INLINE explicit Choice(std::uint32_t bits)
+        : a(bits & low), b(bits >> Traits<P>::lanes), count_a(bit_count(bits & low)) {}
+
+private:
+    static constexpr std::uint32_t low = (std::uint32_t{1} << Traits<P>::lanes) - 1;
+};
+template<class P>
+GONIO_FORCE_INLINE void store_chosen(const Choice<twin<P>>& which, twin<P> from, float* to) {
+    store_chosen(which.a, from.a, to);
+    store_chosen(which.b, from.b, to + which.count_a);
 }
 
 // Two packs for a pack; one float stays one.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -19,17 +20,21 @@ using gonio::simd::array_math;
 using gonio::simd::ArrayMath;
 using gonio::simd::InstructionSet;
 
-class PackMath : public testing::TestWithParam<InstructionSet> {
+// By set, and whether packs come in twos.
+class PackMath : public testing::TestWithParam<std::tuple<InstructionSet, bool>> {
 protected:
-    const ArrayMath& math = array_math(GetParam());
+    const ArrayMath& math = std::get<1>(GetParam()) ? gonio::simd::array_math_of_twins(std::get<0>(GetParam()))
+                                                    : array_math(std::get<0>(GetParam()));
 };
 
-std::string set_name(const testing::TestParamInfo<InstructionSet>& info) {
-    return gonio::simd::to_text(info.param);
+std::string set_name(const testing::TestParamInfo<std::tuple<InstructionSet, bool>>& info) {
+    return std::string(gonio::simd::to_text(std::get<0>(info.param))) + (std::get<1>(info.param) ? "_twins" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, PackMath,
-                         testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end()),
+                         testing::Combine(testing::ValuesIn(gonio::simd::available_sets().begin(),
+                                                            gonio::simd::available_sets().end()),
+                                          testing::Bool()),
                          set_name);
 
 // One unit in the last place of the float nearest to x.
@@ -101,6 +106,117 @@ TEST_P(PackMath, ArcFunctions) {
         const double t = x * x;
         return -x * t * (1.0 / 3.0 - t * (1.0 / 5.0 - t * (1.0 / 7.0 - t * (1.0 / 9.0))));
     });
+}
+
+// What they are for: no digit is lost where √t, its arctangent and their quotient are all but 1.
+TEST_P(PackMath, RatiosOfArcFunctions) {
+    const auto series = [](long double t, long double sign) { // of (atan or atanh of √t)/√t − 1, t ≤ 1e-3
+        long double sum = 0.0L;
+        for (int k = 9; k >= 1; --k)
+            sum = sign * t * (1.0L / (2 * k + 1) + sum);
+        return sum;
+    };
+    expect_within("atan_ratio_excess", 4.0, math.atan_ratio_excess, by_exponent(1e-35F, 1.0F, many), [&](double t) {
+        const long double root = std::sqrt(static_cast<long double>(t));
+        return static_cast<double>(t < 1e-3 ? series(t, -1.0L) : std::atan(root) / root - 1.0L);
+    });
+    expect_within("atanh_ratio", 2.0, math.atanh_ratio, by_exponent(1e-38F, 0.25F, many), [&](double t) {
+        const long double root = std::sqrt(static_cast<long double>(t));
+        return static_cast<double>(t < 1e-3 ? 1.0L + series(t, 1.0L) : std::atanh(root) / root);
+    });
+    const std::vector<float> ends{0.0F, 1e-45F, 1e-38F};
+    std::vector<float> result(ends.size());
+    math.atan_ratio_excess(ends.data(), result.data(), ends.size());
+    EXPECT_EQ(result[0], 0.0F);
+    for (const float each : result)
+        EXPECT_NEAR(each, 0.0F, 1e-38F);
+    math.atanh_ratio(ends.data(), result.data(), ends.size());
+    for (const float each : result)
+        EXPECT_EQ(each, 1.0F);
+}
+
+TEST_P(PackMath, Atan2Above) {
+    const auto magnitudes = by_exponent(1e-30F, 1e30F, 601);
+    std::vector<float> y;
+    std::vector<float> x;
+    for (const float a : magnitudes)
+        for (const float b : with_negatives(magnitudes)) {
+            y.push_back(a);
+            x.push_back(b);
+        }
+    std::vector<float> result(x.size());
+    math.atan2_above(y.data(), x.data(), result.data(), x.size());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const long double exact = std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i]));
+        ASSERT_GE(result[i], 0.0F);
+        // A quotient that is no normal number has an error of its own.
+        worst = std::fmax(worst, static_cast<double>(std::fabs(static_cast<long double>(result[i]) - exact)) /
+                                     std::fmax(ulp(static_cast<double>(exact)), 1e-44));
+    }
+    EXPECT_LE(worst, 4.0);
+    RecordProperty("atan2_above_ulp", std::to_string(worst));
+
+    // −0, NaN and what counts as 0.
+    const float nan = std::nanf("");
+    const std::vector<float> odd_y{0.0F, -0.0F, -0.0F, 1e-40F, 0.0F, 3e38F, 0.0F, 1.0F, nan};
+    const std::vector<float> odd_x{0.0F, 1.0F, -1.0F, 1e-40F, 1e38F, -3e38F, -0.0F, -0.0F, 1.0F};
+    result.assign(odd_x.size(), -1.0F);
+    math.atan2_above(odd_y.data(), odd_x.data(), result.data(), odd_y.size());
+    const float pi = std::numbers::pi_v<float>;
+    EXPECT_TRUE(std::isnan(result.back()));
+    result.pop_back();
+    for (const float each : result)
+        EXPECT_TRUE(each >= 0.0F && each <= pi) << each;
+    EXPECT_EQ(result[0], 0.0F);
+    EXPECT_EQ(result[1], 0.0F);
+    EXPECT_FLOAT_EQ(result[2], pi);
+    EXPECT_FLOAT_EQ(result[5], 0.75F * pi);
+    EXPECT_FLOAT_EQ(result[7], 0.5F * pi);
+}
+
+// b is widened, multiplied, subtracted and narrowed: one rounding, where a float loses all of its digits.
+TEST_P(PackMath, DoublesOfAPackRoundOnce) {
+    std::vector<float> a;
+    std::vector<float> b;
+    for (const float each : with_negatives(by_exponent(1e-20F, 1e20F, many / 4))) {
+        a.push_back(1.0F + 0x1p-23F * static_cast<float>(a.size() % 5));
+        b.push_back(each);
+    }
+    std::vector<float> result(a.size());
+    math.wide_product_less(a.data(), b.data(), result.data(), a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        // Exact: the product of two floats is a double, and so is its difference to one of them.
+        const double exact = static_cast<double>(a[i]) * static_cast<double>(b[i]) - static_cast<double>(b[i]);
+        ASSERT_EQ(result[i], static_cast<float>(exact)) << a[i] << ' ' << b[i];
+    }
+}
+
+TEST_P(PackMath, ChosenLanesStandSideBySide) {
+    const std::size_t lanes = math.lanes;
+    std::vector<float> a;
+    std::vector<float> b;
+    std::uint32_t state = 1;
+    for (std::size_t packet = 0; packet < 4096; ++packet)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            state = state * 1664525U + 1013904223U;
+            a.push_back(static_cast<float>(a.size() + 1));
+            // Every choice of eight lanes, then random ones.
+            const bool chosen = packet < 256 && lanes <= 8 ? (packet >> lane & 1U) != 0 : (state >> 30) != 0;
+            b.push_back(chosen ? 0.0F : 1e9F);
+        }
+    std::vector<float> result(a.size());
+    math.choose_greater(a.data(), b.data(), result.data(), a.size());
+    for (std::size_t first = 0; first < a.size(); first += lanes) {
+        std::vector<float> wanted;
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            if (a[first + lane] > b[first + lane]) wanted.push_back(a[first + lane]);
+        wanted.resize(lanes, 0.0F);
+        ASSERT_EQ(std::vector<float>(result.begin() + static_cast<std::ptrdiff_t>(first),
+                                     result.begin() + static_cast<std::ptrdiff_t>(first + lanes)),
+                  wanted)
+            << first;
+    }
 }
 
 TEST_P(PackMath, ArcFunctionsOutsideTheirDomain) {

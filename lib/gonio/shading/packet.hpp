@@ -1,0 +1,134 @@
+// Packets of the kernels' arrays, and the kernels' constants spread over lanes.
+#pragma once
+
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/shade_area.hpp>
+#include <gonio/simd/packet.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading::detail {
+
+template<class S>
+struct Packet : simd::Packet<S> {
+    using simd::Packet<S>::load;
+    GONIO_FORCE_INLINE vec3<S> load(const float* const from[3]) const {
+        return {load(from[0]), load(from[1]), load(from[2])};
+    }
+};
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> broadcast(const float (&v)[3]) {
+    return {S(v[0]), S(v[1]), S(v[2])};
+}
+
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, PunctualLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(0), S(from.inverse_range)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, SphereLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color), S(from.radius), S(from.inverse_range)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, DiskLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color),
+          broadcast<S>(from.axis),     S(from.radius),
+          S(from.inverse_range),       from.two_sided};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, RectangleLight<S>& to) {
+    to = {broadcast<S>(from.position),
+          broadcast<S>(from.color),
+          broadcast<S>(from.axis),
+          broadcast<S>(from.width_direction),
+          S(from.width),
+          S(from.height),
+          S(from.inverse_range),
+          from.two_sided};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, TubeLight<S>& to) {
+    to = {
+        broadcast<S>(from.position), broadcast<S>(from.color), broadcast<S>(from.axis), S(from.radius), S(from.length),
+        S(from.inverse_range)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
+    to = {broadcast<S>(from.albedo)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Frostbite<S>& to) {
+    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.f90), S(from.linear_roughness), S(from.alpha)};
+}
+
+template<class S>
+GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
+    light.intensity_cd = packet.load(from.intensity_cd);
+}
+template<class S, class AreaLight>
+GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/, AreaLight& /*light*/) {}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Frostbite<S>& /*reads*/) {
+    return packet.load(surfaces.view);
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& /*packet*/, const Surfaces& /*surfaces*/,
+                                     const Lambert<S>& /*reads none*/) {
+    return {S(0), S(0), S(0)};
+}
+
+// One receiver a lane, from `first` on; without the view.
+template<class S>
+GONIO_FORCE_INLINE SurfacePoint<S> receiver(const Surfaces& surfaces, std::size_t first) {
+    SurfacePoint<S> point;
+    simd::load(surfaces.position[0] + first, point.position.x);
+    simd::load(surfaces.position[1] + first, point.position.y);
+    simd::load(surfaces.position[2] + first, point.position.z);
+    simd::load(surfaces.normal[0] + first, point.normal.x);
+    simd::load(surfaces.normal[1] + first, point.normal.y);
+    simd::load(surfaces.normal[2] + first, point.normal.z);
+    point.view = {S(0), S(0), S(0)};
+    return point;
+}
+
+// `count` receivers from `first` on; without the view.
+template<class S>
+GONIO_FORCE_INLINE Surfaces part_of(const Surfaces& all, std::size_t first, std::size_t count) {
+    Surfaces part;
+    for (std::size_t k = 0; k < 3; ++k) {
+        part.position[k] = all.position[k] + first;
+        part.normal[k] = all.normal[k] + first;
+    }
+    part.count = count;
+    return part;
+}
+
+// The receivers from `first` on, fewer than a packet, and the last of them repeated.
+template<class S>
+struct PaddedPacket {
+    static constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    float values[6][lanes];
+
+    PaddedPacket(const Surfaces& from, std::size_t first) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const std::size_t i = first + lane < from.count ? first + lane : from.count - 1;
+            for (std::size_t k = 0; k < 3; ++k) {
+                values[k][lane] = from.position[k][i];
+                values[3 + k][lane] = from.normal[k][i];
+            }
+        }
+    }
+    [[nodiscard]] Surfaces surfaces() const {
+        Surfaces packet;
+        for (std::size_t k = 0; k < 3; ++k) {
+            packet.position[k] = &values[k][0];
+            packet.normal[k] = &values[3 + k][0];
+        }
+        packet.count = lanes;
+        return packet;
+    }
+};
+
+} // namespace gonio::shading::detail
