@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/profile/codes.hpp>
 #include <gonio/web/codes.hpp>
 
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace gonio::cli {
 
@@ -115,8 +115,8 @@ int run(const Arguments& arguments, Console& console) {
             if (!json) console.print(fmt::format("{}  {:<8} {}\n", entry.code, entry.severity, entry.title));
         }
     }
-    for (std::string code : arguments.positional()) {
-        std::transform(code.begin(), code.end(), code.begin(), [](unsigned char c) { return std::toupper(c); });
+    for (const std::string& named : arguments.positional()) {
+        const std::string code = to_upper(named);
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const Explained& entry) { return entry.code == code; });
         if (found == all.end())

@@ -1,4 +1,5 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "../arguments.hpp"
@@ -29,15 +30,6 @@ struct Direction {
     double c_deg;
     double gamma_deg;
 };
-
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && blank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && blank(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
 
 Result<Direction> parse_direction(std::string_view text) {
     const std::size_t comma = text.find(',');

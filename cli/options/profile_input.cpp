@@ -3,6 +3,7 @@
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include <fmt/format.h>
@@ -22,11 +23,7 @@ constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml"
 // Much is written as XML. A file that cannot be read is kept: reading it says why.
 bool is_other_xml(const std::string& file) {
     constexpr std::size_t looked_at = 8192;
-    constexpr std::string_view extension = ".xml";
-    const bool named = file.size() > extension.size() &&
-                       std::equal(extension.rbegin(), extension.rend(), file.rbegin(),
-                                  [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
-    if (!named) return false;
+    if (!ends_with_any_case(file, ".xml")) return false;
     const Result<std::string> start = read_file_start(file, looked_at);
     return start && !begins_as_tm33(*start);
 }

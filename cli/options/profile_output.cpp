@@ -1,6 +1,7 @@
 #include "profile_output.hpp"
 
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/integrate.hpp>
@@ -11,17 +12,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace gonio::cli {
 
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-    return out;
-}
 
 std::string_view extension_of(std::string_view file) {
     const std::size_t dot = file.rfind('.');
@@ -33,8 +27,8 @@ std::string_view extension_of(std::string_view file) {
 Result<ProfileTarget> profile_target(const Arguments& arguments, const std::string& output) {
     const auto named = arguments.value("--to");
     const auto dialect = arguments.value("--dialect");
-    const std::string extension = lower(extension_of(output));
-    const std::string format = named ? lower(*named) : extension == "xml" ? std::string("tm33") : extension;
+    const std::string extension = to_lower(extension_of(output));
+    const std::string format = named ? to_lower(*named) : extension == "xml" ? std::string("tm33") : extension;
     const std::array formats{ProfileTarget::lm63, ProfileTarget::eulumdat, ProfileTarget::tm33};
     std::optional<ProfileTarget> target = find_profile_target(format);
     if (target && std::find(formats.begin(), formats.end(), *target) == formats.end()) target.reset();

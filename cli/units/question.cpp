@@ -1,6 +1,7 @@
 #include "question.hpp"
 
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -67,13 +68,6 @@ Result<double> express_as(const Shape& shape, const Emission& emitted, const Pho
     Result<Emission> assumed = with_same_flux(shape, emitted, *request.assumed);
     if (!assumed) return pass_on(assumed);
     return express(*request.assumed, *assumed, unit, steps);
-}
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 // The row's value and shape, read and loaded, with nothing computed yet.

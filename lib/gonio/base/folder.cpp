@@ -1,4 +1,5 @@
 #include <gonio/base/folder.hpp>
+#include <gonio/base/text.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,9 +18,7 @@ Unexpected unreadable(const std::string& folder, const std::error_code& error) {
 bool ends_in(std::string_view name, std::span<const std::string_view> extensions) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos) return false;
-    std::string extension(name.substr(dot + 1));
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string extension = to_lower(name.substr(dot + 1));
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 

@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/media/detail/color_config.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/display.hpp>
@@ -35,12 +36,8 @@ using detail::unknown;
 // An exact name, else the one name that differs in case only.
 std::optional<std::string> match(const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return name;
-    const auto same = [](char a, char b) {
-        const auto fold = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-        return fold(a) == fold(b);
-    };
     for (const std::string& other : known)
-        if (std::equal(name.begin(), name.end(), other.begin(), other.end(), same)) return other;
+        if (equals_any_case(name, other)) return other;
     return std::nullopt;
 }
 

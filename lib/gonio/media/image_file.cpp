@@ -1,4 +1,5 @@
 #include <gonio/base/nearest.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/detail/png_container.hpp>
@@ -52,13 +53,6 @@ constexpr std::array<std::string_view, 4> tiff_compressions{"none", "lzw", "zip"
 // What a format without room for every attribute is given all the same.
 constexpr std::array<std::string_view, 5> common_attributes{"ImageDescription", "Software", "Copyright", "Artist",
                                                             "DateTime"};
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-}
 
 std::int32_t kind_of(Pixel pixel) {
     switch (pixel) {
@@ -226,7 +220,7 @@ std::span<const ImageFormat> image_formats() {
 
 const ImageFormat* find_image_format(std::string_view name_or_path) {
     const std::size_t dot = name_or_path.find_last_of("./");
-    const std::string name = lower(dot == std::string_view::npos ? name_or_path : name_or_path.substr(dot + 1));
+    const std::string name = to_lower(dot == std::string_view::npos ? name_or_path : name_or_path.substr(dot + 1));
     if (dot != std::string_view::npos && name_or_path[dot] == '/') return nullptr;
     for (const ImageFormat& format : formats)
         if (format.name == name ||

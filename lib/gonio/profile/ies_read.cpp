@@ -1,4 +1,5 @@
 // LM-63, all editions from 1986 to 2019: a version line, keyword lines, TILT, and then numbers in a free layout.
+#include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
 
@@ -21,7 +22,7 @@ constexpr double largest_count = 2147483647.0;
 std::string capitals(std::string_view text) {
     std::string result;
     for (const char c : text)
-        if (!is_blank(c)) result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (!is_blank(c)) result += to_upper(c);
     return result;
 }
 

@@ -1,4 +1,5 @@
 // EULUMDAT: one value a line, each known by its place.
+#include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>

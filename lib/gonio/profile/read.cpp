@@ -1,4 +1,5 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/scanner.hpp>
@@ -21,14 +22,13 @@ bool looks_like_ies(std::string_view bytes, TextRange text) {
     while (!lines.at_end()) {
         const std::string_view line = profile_detail::trim_left(lines.next().text);
         if (line.empty()) continue;
-        if (profile_detail::starts_with_any_case(line, "IESNA") || profile_detail::starts_with_any_case(line, "IES:"))
-            return true;
+        if (starts_with_any_case(line, "IESNA") || starts_with_any_case(line, "IES:")) return true;
         break;
     }
     const std::string_view all = bytes.substr(0, text.end);
     for (std::size_t sign = all.find('=', text.begin); sign != std::string_view::npos; sign = all.find('=', sign + 1)) {
         const std::string_view before = profile_detail::trim_right(all.substr(text.begin, sign - text.begin));
-        if (before.size() < 4 || !profile_detail::equals_any_case(before.substr(before.size() - 4), "TILT")) continue;
+        if (!ends_with_any_case(before, "TILT")) continue;
         const std::string_view indent = profile_detail::trim_right(before.substr(0, before.size() - 4));
         if (indent.empty() || indent.back() == '\n' || indent.back() == '\r') return true;
     }
@@ -54,10 +54,9 @@ std::optional<ProfileFormat> format_of_name(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos) return std::nullopt;
     const std::string_view extension = std::string_view(name).substr(dot + 1);
-    if (profile_detail::equals_any_case(extension, "IES")) return ProfileFormat::ies;
-    if (profile_detail::equals_any_case(extension, "LDT")) return ProfileFormat::ldt;
-    if (profile_detail::equals_any_case(extension, "XML") || profile_detail::equals_any_case(extension, "TM33"))
-        return ProfileFormat::tm33;
+    if (equals_any_case(extension, "IES")) return ProfileFormat::ies;
+    if (equals_any_case(extension, "LDT")) return ProfileFormat::ldt;
+    if (equals_any_case(extension, "XML") || equals_any_case(extension, "TM33")) return ProfileFormat::tm33;
     return std::nullopt;
 }
 

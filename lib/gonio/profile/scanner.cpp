@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>
 
@@ -14,10 +15,6 @@
 namespace gonio::profile_detail {
 
 namespace {
-
-constexpr char to_capital(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -58,15 +55,6 @@ std::string_view trim_right(std::string_view text) {
 
 std::string_view trim(std::string_view text) {
     return trim_right(trim_left(text));
-}
-
-bool starts_with_any_case(std::string_view text, std::string_view capitals) {
-    return text.size() >= capitals.size() && std::equal(capitals.begin(), capitals.end(), text.begin(),
-                                                        [](char a, char b) { return a == to_capital(b); });
-}
-
-bool equals_any_case(std::string_view text, std::string_view capitals) {
-    return text.size() == capitals.size() && starts_with_any_case(text, capitals);
 }
 
 Line LineScanner::next() {

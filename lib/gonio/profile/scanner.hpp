@@ -21,10 +21,6 @@ std::string_view trim_left(std::string_view text);
 std::string_view trim_right(std::string_view text);
 std::string_view trim(std::string_view text);
 
-// ASCII letters without regard to case.
-bool starts_with_any_case(std::string_view text, std::string_view capitals);
-bool equals_any_case(std::string_view text, std::string_view capitals);
-
 struct Line {
     std::string_view text; // without its end
     std::size_t offset = 0;

@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/scanner.hpp>
 
@@ -25,8 +26,7 @@ constexpr std::array<std::pair<Tm33Symmetry, const char*>, 6> symmetries{{{Tm33S
 std::string canonical(std::string_view text) {
     std::string result;
     for (const char c : text)
-        if (!is_blank(c) && c != '\n' && c != '\r')
-            result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (!is_blank(c) && c != '\n' && c != '\r') result += to_upper(c);
     return result;
 }
 

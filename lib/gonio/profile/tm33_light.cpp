@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/tm33_light.hpp>
 
@@ -12,7 +13,7 @@ namespace {
 std::string canonical(const std::string& text) {
     std::string result;
     for (const char c : text)
-        if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) result += c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (to_upper(c) >= 'A' && to_upper(c) <= 'Z') result += to_upper(c);
     return result;
 }
 

@@ -1,4 +1,5 @@
 #include <gonio/base/sort_unique.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
 #include <gonio/profile/scanner.hpp>
@@ -9,15 +10,6 @@
 namespace gonio::profile_detail {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const auto is_space = [](char c) { return is_blank(c) || c == '\n' || c == '\r'; };
-    while (!text.empty() && is_space(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && is_space(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
 
 std::vector<double> each_once(std::vector<double> angles) {
     sort_unique(angles);

@@ -1,4 +1,5 @@
 // TM-33: the document as it was read, with what the fields say put into it.
+#include <gonio/base/text.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
 #include <gonio/profile/number_text.hpp>
@@ -134,12 +135,6 @@ void set_text(pugi::xml_node element, const std::string& text) {
     element.append_child(pugi::node_pcdata).set_value(text.c_str());
 }
 
-std::string trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r\n\v\f") - first + 1));
-}
-
 void put_number(pugi::xml_node owner, std::span<const std::string_view> paths, const std::optional<double>& value) {
     pugi::xml_node element = first_of(owner, paths);
     const std::optional<double> written = element ? plain_number(element.child_value()) : std::nullopt;
@@ -184,7 +179,7 @@ void put_header(pugi::xml_node root, const std::vector<Tm33Text>& header) {
     for (const pugi::xml_node child : element.children()) {
         if (child.type() != pugi::node_element || has_elements(child)) continue;
         leaves.push_back(child);
-        written.push_back({std::string(local_name(child.name())), trimmed(child.child_value())});
+        written.push_back({std::string(local_name(child.name())), std::string(trimmed(child.child_value()))});
     }
     if (written == header) return;
     if (!element) element = make_child(root, "Header");

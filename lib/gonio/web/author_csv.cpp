@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/author_csv.hpp>
 #include <gonio/web/resolve.hpp>
@@ -15,15 +16,7 @@ namespace gonio {
 namespace {
 
 constexpr std::string_view separators = ",;\t";
-
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\r' || c == '"'; };
-    while (!text.empty() && blank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && blank(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
+constexpr std::string_view around_fields = " \r\"";
 
 struct Row {
     std::vector<double> numbers;
@@ -48,7 +41,8 @@ Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, co
     std::size_t start = 0;
     for (bool first = true;; first = false) {
         const std::size_t end = line.find_first_of(separators, start);
-        const std::string_view field = trimmed(line.substr(start, end == std::string_view::npos ? end : end - start));
+        const std::string_view field =
+            trimmed(line.substr(start, end == std::string_view::npos ? end : end - start), around_fields);
         if (!(first && title)) {
             const std::optional<double> value = parse_number(field);
             if (!value)
@@ -69,7 +63,7 @@ Result<Web> web_from_csv(std::string_view text, const std::string& source) {
     bool first = true;
     for (std::uint32_t number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        const std::string_view line = trimmed(text.substr(0, end));
+        const std::string_view line = trimmed(text.substr(0, end), around_fields);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (line.empty() || line.starts_with('#')) continue;
         Result<Row> row = read_row(line, number, first, source);

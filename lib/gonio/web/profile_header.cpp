@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/profile_header.hpp>
 
@@ -11,18 +12,6 @@
 namespace gonio {
 
 namespace {
-
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-std::string trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-        text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-        text.remove_suffix(1);
-    return std::string(text);
-}
 
 ProfileHeader of(const IesFile& file, const ResolveOptions&) {
     ProfileHeader header;
@@ -38,7 +27,8 @@ ProfileHeader of(const IesFile& file, const ResolveOptions&) {
 ProfileHeader of(const LdtFile& file, const ResolveOptions& options) {
     ProfileHeader header;
     const auto add = [&](const char* name, std::string_view text) {
-        if (const std::string bare = trimmed(text); !bare.empty()) header.keywords.push_back({name, bare});
+        if (const std::string_view bare = trimmed(text); !bare.empty())
+            header.keywords.push_back({name, std::string(bare)});
     };
     add("TEST", file.report_number);
     add("ISSUEDATE", file.date_user);
@@ -71,7 +61,7 @@ ProfileHeader of(const LdtFile& file, const ResolveOptions& options) {
 IesKeyword keyword_of_comment(const std::string& text) {
     const std::size_t close = text.find(']');
     if (!text.starts_with("[") || close == std::string::npos || close == 1) return {"OTHER", text};
-    return {text.substr(1, close - 1), trimmed(std::string_view(text).substr(close + 1))};
+    return {text.substr(1, close - 1), std::string(trimmed(std::string_view(text).substr(close + 1)))};
 }
 
 ProfileHeader of(const Tm33File& file, const ResolveOptions&) {
@@ -124,7 +114,7 @@ ProfileHeader of(const Tm33File& file, const ResolveOptions&) {
 } // namespace
 
 bool same_keyword(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
+    return equals_any_case(a, b);
 }
 
 ProfileHeader header_of(const Profile& profile, const ResolveOptions& options) {
