@@ -206,7 +206,7 @@ Result<CctRequest> cct_request(const Arguments& arguments) {
 
 Result<std::vector<std::string>> expanded(const std::string& word) {
     const std::size_t first = word.find(':');
-    if (first == std::string::npos || word.find(":") != word.find_first_of(":/@")) return std::vector{word};
+    if (first == std::string::npos || first != word.find_first_of(":/@")) return std::vector{word};
     const std::size_t second = word.find(':', first + 1);
     const auto kelvin = [&](std::string_view text) -> Result<double> {
         if (const std::optional<double> bare = parse_number(text); bare && second != std::string::npos) return *bare;

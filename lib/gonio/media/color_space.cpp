@@ -94,7 +94,8 @@ Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::
     }
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
-            space.from_aces2065_1[column][row] = rows.at(static_cast<std::size_t>(3 * row + column));
+            space.from_aces2065_1[column][row] =
+                rows.at(3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column));
     return space;
 }
 

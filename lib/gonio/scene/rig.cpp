@@ -154,7 +154,7 @@ private:
                 Result<std::string> text = text_of(value, unit_hint(value, "lm"));
                 read = text ? keep(parse_photometric_value(*text), light.intensity) : pass_on(text);
             } else if (key == "color") {
-                Result<std::string> text = text_of(value, "for example \"2700K\" or \"#ffd9a0\"");
+                Result<std::string> text = text_of(value, R"(for example "2700K" or "#ffd9a0")");
                 read = text ? color(*text, light.color, fmt::format("{}.color", path)) : pass_on(text);
             } else if (key == "position") {
                 read = keep(position_of(value), light.position);
