@@ -37,7 +37,7 @@ TEST(Locus, TheFitsHoldTheirErrors) {
                                                planckian_sum(static_cast<double>(single)).at));
     }
     EXPECT_LT(worst_double, 1.5e-12); // asked for: 1e-8
-    EXPECT_LT(worst_float, 3e-7);   // asked for: 1e-6
+    EXPECT_LT(worst_float, 3e-7);     // asked for: 1e-6
 }
 
 TEST(Locus, DerivativesAreThoseOfTheSum) {
