@@ -13,7 +13,12 @@ install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/gonio" DESTINATION "${CMAKE_INSTA
         FILES_MATCHING PATTERN "*.hpp"
         PATTERN "detail" EXCLUDE
         PATTERN "fit" EXCLUDE
+        PATTERN "data" EXCLUDE
         REGEX "/gonio/media/(image|color)$" EXCLUDE)
+
+# The CIE's numbers are compiled in; their licence wants to go with them.
+install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+        COMPONENT library RENAME NOTICE.cie-tables)
 
 install(EXPORT gonio-targets NAMESPACE gonio:: DESTINATION "${gonio_package_dir}" COMPONENT library)
 set(GONIO_MODULE_DIR "${CMAKE_INSTALL_LIBDIR}/gonio")

@@ -1,8 +1,8 @@
 // The Planckian locus as rational functions: once for float, double and packs.
 //
 // u' and v' over t = 1000 K / T, 0 ≤ t ≤ 1.25: 800 K to infinity. Largest Δu'v' against the 1 nm sum (planckian.hpp):
-// 2.1e-7 in float, 1.2e-12 in double; fit/locus_fit.cpp prints the coefficients and these errors. Outside that range the
-// functions mean nothing, and who calls them checks.
+// 2.1e-7 in float, 1.2e-12 in double; fit/locus_fit.cpp prints the coefficients and these errors. Outside that range
+// the functions mean nothing, and who calls them checks.
 #pragma once
 
 #include <gonio/color/locus_coefficients.hpp>

@@ -99,20 +99,21 @@ Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> ban
     // sum.
     const Band seen =
         samples.width_nm > 4.9 ? Band{380.0, 780.0} : Band{detail::observer_first_nm, detail::observer_last_nm};
+    const double greatest = *std::max_element(samples.power.begin(), samples.power.end()); // sums must not overflow
     double radiant = 0.0;
-    double ends = 0.0; // the power at the first and the last sample of the band
+    std::optional<double> first;
     double last = 0.0;
     for (std::size_t i = 0; i < samples.nm.size(); ++i) {
+        const double power = samples.power[i] / greatest;
         if (samples.nm[i] >= seen.first_nm - 1e-9 && samples.nm[i] <= seen.last_nm + 1e-9)
-            color.xyz += samples.power[i] * observer_at(samples.nm[i]);
+            color.xyz += power * observer_at(samples.nm[i]);
         if (samples.nm[i] < color.band.first_nm - 1e-9 || samples.nm[i] > color.band.last_nm + 1e-9) continue;
-        if (last == 0.0 && radiant == 0.0) ends += samples.power[i];
-        last = samples.power[i];
-        radiant += last;
+        if (!first) first = power;
+        last = power;
+        radiant += power;
     }
-    ends += last;
     // What the eye sees vanishes at the ends, the power does not: it is summed as if at 1 nm, whatever the steps.
-    radiant += 0.5 * ends * (1.0 / samples.width_nm - 1.0);
+    radiant += 0.5 * (first.value_or(0.0) + last) * (1.0 / samples.width_nm - 1.0);
     if (!(color.xyz.y > 0.0))
         return fail(Failure::usage, fmt::format("the spectrum '{}' has no visible light", spectrum.name));
     if (!(radiant > 0.0))

@@ -45,8 +45,8 @@ struct SpectrumColor {
     Band band;
 };
 
-// `band`: over which the radiant flux is taken, summed at 1 nm; all of the spectrum unless given. Fails (usage) on a spectrum without
-// visible light, and on a band in which it has no power.
+// `band`: over which the radiant flux is taken, summed at 1 nm; all of the spectrum unless given. Fails (usage) on a
+// spectrum without visible light, and on a band in which it has no power.
 Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> band = std::nullopt);
 
 // Names of the CIE illuminants, in the table's order.
@@ -60,8 +60,9 @@ Result<Spectrum> blackbody_spectrum(Kelvin temperature);
 
 // Lines of WAVELENGTH,POWER: nm; separated by comma, semicolon, tab or blanks; '#' begins a comment, and one line of
 // column names may stand first. Fails (malformed) with line and column on what is no number, on negative power, on
-// wavelengths that do not ascend, on gaps (a step above 20 nm, or more than 2.5 times the usual one), on spectra that
-// do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum does not reach 380 and 780 nm.
+// wavelengths that do not ascend or lie outside 1–100000 nm, on gaps (a step above 20 nm, or more than 2.5 times the
+// usual one), on spectra that do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum
+// does not reach 380 and 780 nm.
 Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& source);
 
 // The spectra of a TM-33 document, checked as those of a CSV file; empty for other profiles.

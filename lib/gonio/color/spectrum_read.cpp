@@ -21,6 +21,8 @@ namespace {
 constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view separators = ",; \t\r";
 constexpr double widest_step_nm = 20.0;
+constexpr double least_nm = 1.0;
+constexpr double greatest_nm = 1e5;
 
 Unexpected malformed(const Location& where, std::string message, std::string hint = {}) {
     Error error{Failure::malformed, {}};
@@ -44,6 +46,9 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
         if (spectrum.power[i] < 0.0)
             return malformed(places.of(i),
                              fmt::format("negative power, {} at {} nm", rounded(spectrum.power[i]), rounded(nm[i], 9)));
+        if (!(nm[i] >= least_nm && nm[i] <= greatest_nm))
+            return malformed(places.of(i), fmt::format("{} is no wavelength of light in nanometres", rounded(nm[i], 9)),
+                             "wavelengths are from 1 to 100000 nm; the eye sees from 380 to 780 nm");
         if (i > 0 && !(nm[i] > nm[i - 1]))
             return malformed(places.of(i), fmt::format("wavelengths must ascend, but {} nm follows {} nm",
                                                        rounded(nm[i], 9), rounded(nm[i - 1], 9)));
@@ -66,7 +71,7 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
         return malformed(
             places.of(nm.size()),
             fmt::format("the spectrum reaches from {} to {} nm only", rounded(nm.front(), 9), rounded(nm.back(), 9)),
-            nm.back() < 10.0 ? "wavelengths are in nanometres" : "the eye sees from 380 to 780 nm");
+            "the eye sees from 380 to 780 nm");
     if (std::all_of(spectrum.power.begin(), spectrum.power.end(), [](double power) { return power == 0.0; }))
         return malformed(places.of(nm.size()), "no power anywhere in the spectrum");
     if (nm.front() > 380.0 || nm.back() < 780.0) {

@@ -163,6 +163,7 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
               "0\n"
               "680,0\n700,0\n",
               "x.csv", "no power anywhere in the spectrum"},
+          Bad{good + "1e300,1\n", "x.csv:82", "1e+300 is no wavelength of light in nanometres"},
           Bad{"", "x.csv", "a spectrum of fewer than two points"},
           Bad{"500,1\n", "x.csv", "a spectrum of fewer than two points"},
           Bad{"380,1\n700,1e999\n", "x.csv:2:5", "'1e999' is no power"}}) {
@@ -172,6 +173,15 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
         const std::string text = to_text(read.error().diagnostics.back());
         EXPECT_EQ(text.substr(0, text.find('\n')), bad.place + ": error: " + bad.message);
     }
+}
+
+TEST(SpectrumTest, HugePowerDoesNotOverflow) {
+    std::string text;
+    for (int nm = 380; nm <= 780; nm += 5)
+        text += fmt::format("{},{}\n", nm, nm == 555 ? 1e308 : 9e307);
+    const SpectrumColor color = color_of(parse_spectrum_csv(text, "x.csv").value()).value();
+    EXPECT_NEAR(color.efficacy_lm_per_w, 182.0, 3.0);
+    EXPECT_TRUE(std::isfinite(color.uv.u));
 }
 
 TEST(SpectrumTest, Tm33DocumentsHaveThem) {
