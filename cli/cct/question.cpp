@@ -43,7 +43,12 @@ constexpr std::string_view primaries_prefix = "primaries:";
 // A space by name: built in, by primaries, or of the OpenColorIO configuration.
 Result<RgbSpace> space_of(const Arguments& arguments) {
     const std::string name = arguments.value("--space").value_or("rec709");
-    if (const RgbSpace* known = find_rgb_space(name)) return *known;
+    // A configuration that was named is asked for every space, so that none is ignored.
+    if (arguments.has("--ocio") && !arguments.has("--space"))
+        return fail(Failure::usage, "--ocio names a configuration, but no --space of it is asked for",
+                    "add for example --space scene_linear");
+    const RgbSpace* const known = find_rgb_space(name);
+    if (known != nullptr && !arguments.has("--ocio")) return *known;
     if (name.starts_with(primaries_prefix)) {
         Result<std::vector<double>> xy = numbers(
             std::string_view(name).substr(primaries_prefix.size()), 8,
@@ -60,8 +65,8 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
         // A mistyped name of a built-in space is more likely than a configuration that nobody has named.
         if (config.empty() && space.error().failure == Failure::usage) {
             std::vector<std::string_view> names;
-            for (const RgbSpaceName& known : rgb_spaces())
-                names.push_back(known.name);
+            for (const RgbSpaceName& built_in : rgb_spaces())
+                names.push_back(built_in.name);
             const std::string_view guess = nearest(name, names);
             error_hint(space.error(), guess.empty() ? std::string("'gonio list spaces' names those built in; others "
                                                                   "come from a configuration, --ocio FILE")

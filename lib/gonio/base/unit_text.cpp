@@ -61,6 +61,13 @@ std::optional<double> take_number(std::string_view& text) {
     return value;
 }
 
+// Whether a number stands at the front that no double can hold.
+bool begins_beyond_range(std::string_view text) {
+    double value = 0.0;
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
+}
+
 std::string symbols_of(Dimension dimension) {
     std::string list;
     for (const Unit& unit : units_table) {
@@ -131,6 +138,9 @@ std::string_view dimension_name(Dimension dimension) {
 Result<Amount> parse_amount(std::string_view text) {
     std::string_view rest = text;
     const std::optional<double> number = take_number(rest);
+    if (!number && begins_beyond_range(text))
+        return fail(Failure::usage, fmt::format("'{}' is beyond the range of a number", text),
+                    "numbers go up to 1.7e308 and down to 4.9e-324");
     if (!number)
         return fail(Failure::usage, fmt::format("'{}' is not a number with a unit", text), "write for example 800lm");
     if (rest.empty())

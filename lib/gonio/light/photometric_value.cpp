@@ -64,6 +64,8 @@ Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::strin
     return complete;
 }
 
+constexpr const char* amounts_of_light = "lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY";
+
 std::optional<std::string_view> behind(std::string_view text, std::size_t at) {
     return at == std::string_view::npos ? std::optional<std::string_view>() : text.substr(at + 1);
 }
@@ -93,7 +95,12 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
 Result<PhotometricValue> parse_photometric_value(std::string_view text) {
     const std::size_t at = text.find('@');
     Result<Amount> amount = parse_amount(text.substr(0, at));
-    if (!amount) return pass_on(amount);
+    if (!amount) {
+        // No unit, or no number: those that there are.
+        std::string& hint = amount.error().diagnostics.back().hint;
+        if (hint.starts_with("write for example")) hint += fmt::format("; there are {}", amounts_of_light);
+        return pass_on(amount);
+    }
     const Unit& unit = *amount->unit;
 
     const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
@@ -102,7 +109,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text) {
     if (!photometric(unit.dimension))
         return fail(Failure::usage,
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
-                    "give lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY");
+                    fmt::format("give {}", amounts_of_light));
     Result<PhotometricUnit> complete = complete_unit(unit, behind(text, at), text);
     if (!complete) return pass_on(complete);
     return PhotometricValue{amount->number, *complete};

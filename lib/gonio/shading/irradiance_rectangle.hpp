@@ -4,8 +4,8 @@
 // The pose is taken to the light's own axes in double and rounded once, each coordinate to its own last digit, so that
 // float stays exact next to the outline. Mirrored so that n_x, n_y ≥ 0 the corners sink in a fixed order: one half of
 // the outline from the highest to the lowest has at most one crossing, and so has the other; no case is left. Far from
-// an uncut rectangle the arcs cancel by (size/distance) and a 4 × 4 Gauss–Legendre rule over its surface takes their
-// place: its error falls with the eighth power.
+// an uncut rectangle the arcs cancel by (size/distance); there opposite edges are taken together, as the difference of
+// their angles, which is formed from the known differences of their distances.
 #pragma once
 
 #include <gonio/shading/outline.hpp>

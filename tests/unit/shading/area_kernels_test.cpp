@@ -131,6 +131,62 @@ TEST_P(AreaKernels, EveryCountGivesWhatAFullPacketGivesAndWritesNoMore) {
     }
 }
 
+// Receivers are sorted by blocks before they are packed.
+TEST_P(AreaKernels, CountsAroundABlockGiveTheSameAndWriteNoMore) {
+    const AreaCases cases = gonio::measure::area_cases(kind, 1200, 34);
+    Surfaces surfaces;
+    for (std::size_t k = 0; k < 3; ++k) {
+        surfaces.position[k] = cases.position[k].data();
+        surfaces.normal[k] = cases.normal[k].data();
+    }
+    surfaces.count = cases.size();
+    std::vector<float> whole(cases.size());
+    kernels.irradiance(surfaces, cases.lights[0], whole.data());
+    for (const std::size_t count : {255U, 256U, 257U, 288U, 511U, 512U, 513U, 1199U}) {
+        std::vector<float> lx(cases.size(), -7.0F);
+        surfaces.count = count;
+        kernels.irradiance(surfaces, cases.lights[0], lx.data());
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            ASSERT_NEAR(lx[i], i < count ? whole[i] : -7.0F, 1e-6F) << count << ' ' << i;
+    }
+    surfaces.count = cases.size();
+    std::vector<float> again(cases.size());
+    kernels.irradiance(surfaces, cases.lights[0], again.data());
+    EXPECT_EQ(again, whole);
+}
+
+// In the light's own plane, turned to it, the height over the receiver's plane is rounding and nothing else, and the
+// light fills half of the sky: such a receiver must not be sorted out as dark.
+TEST_P(AreaKernels, ReceiversOnTheLightAmongOthers) {
+    AreaCases cases = gonio::measure::area_cases(kind, 256 * 64, 36);
+    Random random(37);
+    for (std::size_t i = 0; i < cases.size(); i += 3) {
+        const LightConstants& light = cases.lights[i / AreaCases::group_size];
+        const vec3<double> axis{light.axis[0], light.axis[1], light.axis[2]};
+        const poses::Vec any = poses::random_direction(random);
+        const vec3<double> aside = normalized(cross(axis, {any.x, any.y, any.z}));
+        const double radius = light.radius;
+        const double smaller = 0.5 * std::min<double>(light.width, light.height);
+        const double out = kind == Kind::tube ? radius : 0.9 * (kind == Kind::disk ? radius : smaller);
+        const vec3<double> at = kind == Kind::tube ? aside * out + axis * (0.3 * double{light.length}) : aside * out;
+        const vec3<double> toward = kind == Kind::tube ? aside * -1.0 : axis * -1.0;
+        const double position[3] = {at.x, at.y, at.z};
+        const double normal[3] = {toward.x, toward.y, toward.z};
+        for (std::size_t k = 0; k < 3; ++k) {
+            cases.position[k][i] = static_cast<float>(position[k]);
+            cases.normal[k][i] = static_cast<float>(normal[k]);
+        }
+    }
+    const std::vector<double> truth = gonio::measure::area_truth(cases);
+    const std::vector<float> lx = run(cases);
+    std::size_t full = 0;
+    for (std::size_t i = 0; i < cases.size(); i += 3) {
+        full += truth[i] > 3.14 ? 1U : 0U;
+        ASSERT_NEAR(static_cast<double>(lx[i]), truth[i], 1e-5 * truth[i] + 1e-6 * std::numbers::pi) << i;
+    }
+    EXPECT_GT(full, cases.size() / 12) << "half of them at least are in front, or on the tube";
+}
+
 TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     Random random(35);
     const std::size_t count = scaled(15'625); // × 64 lights: a million points
