@@ -104,7 +104,7 @@ Result<ShapePhotometry> ShapePhotometry::of(Shape shape) {
     // A subnormal factor has lost digits, an infinite one all of them.
     if (factors->luminance && !std::isnormal(factors->luminance->value))
         return fail(Failure::usage, fmt::format("the size of this {} is beyond the range of a number", kind_of(shape)));
-    return ShapePhotometry(std::move(shape), std::move(*factors));
+    return ShapePhotometry(std::move(shape), *factors);
 }
 
 const Factor& ShapePhotometry::flux() {
