@@ -24,8 +24,8 @@ std::vector<GoniometerAngles> table_directions(const Web& web);
 Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<double> planes_deg,
                               std::vector<double> gammas_deg, Lumens flux);
 
-// On a grid that refined_grid() makes of steps of 2.5° and the light's own γ, for `tolerance` · peak; γ over the half or
-// whole sphere that is not dark.
+// On a grid that refined_grid() makes of steps of 2.5° and the light's own γ, for `tolerance` · peak; γ over the half
+// or whole sphere that is not dark.
 ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens flux, double tolerance);
 
 } // namespace gonio::web_detail
