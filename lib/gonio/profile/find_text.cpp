@@ -14,21 +14,6 @@ bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
-// Bytes that no text has. Behind the first line only NUL counts: a stray one in a remark harms nothing, and where a
-// line is must not decide whether a file can be read, because writing moves it.
-std::size_t find_control(std::string_view bytes, std::size_t begin, std::size_t end) {
-    const auto is_control = [](char byte) {
-        const auto c = static_cast<unsigned char>(byte);
-        return c < ' ' && (c < '\t' || c > '\r');
-    };
-    std::size_t i = begin;
-    while (i < end && is_line_end(bytes[i]))
-        ++i;
-    for (; i < end && !is_line_end(bytes[i]); ++i)
-        if (is_control(bytes[i])) return i;
-    return std::min(bytes.substr(0, end).find('\0', i), end);
-}
-
 } // namespace
 
 // A mark, or NUL in every other of the first bytes: no other text has them.
@@ -58,10 +43,11 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
         --text.end;
     const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
     if (nothing) return report.fail("PRF0101", 0, "the file is empty");
-    // Bytes that no text has; Ctrl-Z only counts as an end where what stands before it is text.
+    // NUL is what no text has and every other file does; a stray control byte in a remark harms nothing. Ctrl-Z only
+    // counts as an end where what stands before it is text.
     const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
-    if (const std::size_t i = find_control(bytes, text.begin, ctrl_z); i != ctrl_z)
-        return report.fail("PRF0102", i, "not a photometric file, a text has no control bytes such as this");
+    if (const std::size_t i = bytes.substr(0, ctrl_z).find('\0', text.begin); i != std::string_view::npos)
+        return report.fail("PRF0102", i, "not a photometric file, a text has no NUL bytes");
     if (begins.starts_with("\x89PNG"))
         return report.fail("PRF0102", text.begin, "not a photometric file, but a PNG picture");
     const auto is_data = [](char c) { return !is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A'; };

@@ -108,9 +108,8 @@ TEST(IesTilt, WhatIsWrongInTheFileIsSaidOfTheFile) {
     expect_error(read(lamp("lamp.tlt"), "2\r3\r0 45 x\r"),
                  "folder/lamp.tlt:3:6: error[IES0201]: 'x' stands where a number is expected");
     expect_error(read(lamp("lamp.tlt"), ""), "folder/lamp.tlt:1:1: error[PRF0101]: the file is empty");
-    expect_error(
-        read(lamp("lamp.tlt"), std::string("2\n\0", 3) + "x"),
-        "folder/lamp.tlt:2:1: error[PRF0102]: not a photometric file, a text has no control bytes such as this");
+    expect_error(read(lamp("lamp.tlt"), std::string("2\n\0", 3) + "x"),
+                 "folder/lamp.tlt:2:1: error[PRF0102]: not a photometric file, a text has no NUL bytes");
     expect_says(read(lamp("lamp.tlt"), table + "4"),
                 "folder/lamp.tlt:5:1: warning[IES0214]: '4' follows the 3 factors announced");
     expect_factors(read(lamp("lamp.tlt"), table + "4"));

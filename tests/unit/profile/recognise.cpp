@@ -25,7 +25,7 @@ TEST(Recognise, WhatIsNoText) {
     expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
                  "lamp.ies:1:4: error[PRF0102]: not a photometric file, but a PNG picture");
     expect_error(read_profile(std::string("abc\n\0def", 8), "lamp.ies"),
-                 "lamp.ies:2:1: error[PRF0102]: not a photometric file, a text has no control bytes such as this");
+                 "lamp.ies:2:1: error[PRF0102]: not a photometric file, a text has no NUL bytes");
     expect_error(read_profile(std::string(5, '\0'), "lamp.ldt"),
                  "lamp.ldt:1:1: error[PRF0102]: not a photometric file, there is no text in it");
     expect_error(read_profile("hello\nworld\n", "lamp"), "lamp:1:1: error[PRF0103]: neither IES, EULUMDAT nor TM-33");

@@ -200,9 +200,9 @@ S evaluate(const Rational& r, S t) {
 template<class S>
 double worst_error(const Samples& samples, const Rational& u, const Rational& v) {
     long double worst = 0.0L;
-    for (std::size_t i = 0; i < samples.t.size(); ++i) {
+    for (const auto at : samples.t) {
         // The truth at the rounded t would be another: half an ulp of t is 4e-8 in u'.
-        const S t = static_cast<S>(samples.t[i]);
+        const S t = static_cast<S>(at);
         const auto truth = locus(static_cast<long double>(t));
         const long double du = static_cast<long double>(evaluate(u, t)) - truth[0];
         const long double dv = static_cast<long double>(evaluate(v, t)) - truth[1];
