@@ -29,7 +29,7 @@ struct TextureSize {
 TextureSize usual_size(Layout layout);
 
 // Negative means are stored as 0. latlong and v180 of a type C web are closed forms (gonio/bake/latlong.hpp); the
-// others are line integrals around each texel (gonio/bake/texel_flux.hpp), about 1 µs each. Fails (usage) on a size
+// others are line integrals around each texel (gonio/bake/texel_flux.hpp), 4 to 8 µs each. Fails (usage) on a size
 // outside [1, max_texture_size] or of more than 2²⁸ texels or that the layout cannot have, and on a normalization by
 // something that is not greater than 0.
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options);

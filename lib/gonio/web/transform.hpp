@@ -13,8 +13,8 @@
 namespace gonio {
 
 // Turned about the axis: what shone towards C shines towards C + angle. Exact at any angle for type C, and at multiples
-// of 90° for types A and B, a quarter turn of one being a web of the other; else they are resampled to type C, to 1 %
-// of the peak.
+// of 90° for types A and B, a quarter turn of one being a web of the other; else they are resampled to type C, to
+// `resampling_tolerance` of the peak.
 ResampledWeb rotated(const Web& web, double angle_deg);
 
 enum class MirrorPlane { c0_180, c90_270 };
