@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace gonio {
@@ -20,9 +22,12 @@ TEST(ThreadsParallel, EveryPieceRunsOnce) {
 
 TEST(ThreadsParallel, AnExceptionReachesTheCallerAndStopsTheRest) {
     std::atomic<int> runs{0};
+    // Each of the others takes long enough for the throwing thread to be given time while they run: on a busy machine
+    // it may be stopped for longer than a million empty ones take.
     const auto work = [&](std::size_t i) {
         ++runs;
         if (i == 3) throw std::runtime_error("three");
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
     };
     EXPECT_THROW(parallel_for(1000000, 4, work), std::runtime_error);
     EXPECT_LT(runs.load(), 1000000);

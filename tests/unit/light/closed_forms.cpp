@@ -5,6 +5,8 @@
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/photometry.hpp>
 
+#include "../folders.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +32,7 @@ struct Row {
 // "form,argument 1,argument 2,argument 3,value", as reference.py writes it.
 std::vector<Row> reference() {
     std::vector<Row> rows;
-    std::ifstream file(GONIO_TEST_SOURCE "/tests/unit/light/reference.csv");
+    std::ifstream file(std::string(test::source_folder) + "/tests/unit/light/reference.csv");
     std::string line;
     std::getline(file, line); // what it is
     std::getline(file, line); // the columns' names
@@ -141,9 +143,9 @@ TEST(ClosedForms, ConversionsKeepThem) {
 
 // A web is integrated once, and gives what it gives alone; other shapes likewise.
 TEST(ClosedForms, PreparedAndAloneAgree) {
-    for (const char* text :
-         {"point", "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm", "disk:r=3cm",
-          "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", "ies:" GONIO_TEST_SOURCE "/profiles/street.ies"}) {
+    const std::string web = std::string("ies:") + test::source_folder + "/profiles/street.ies";
+    for (const char* text : {"point", "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm",
+                             "disk:r=3cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", web.c_str()}) {
         Result<Shape> shape = parse_shape(text);
         ASSERT_TRUE(shape);
         Diagnostics ignored;

@@ -5,6 +5,8 @@
 #include <gonio/media/display.hpp>
 #include <gonio/media/module.hpp>
 
+#include "../folders.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -14,11 +16,11 @@
 namespace gonio::media {
 namespace {
 
-const std::string data = std::string(GONIO_TEST_SOURCE) + "/tests/unit/media/data/";
+const std::string data = std::string(test::source_folder) + "/tests/unit/media/data/";
 
 class MediaColorSpace : public ::testing::Test {
 protected:
-    void SetUp() override { set_module_folders({GONIO_TEST_MODULES}); }
+    void SetUp() override { set_module_folders({test::modules_folder}); }
 };
 
 RgbSpace of_config(const std::string& name, const std::string& config = {}) {

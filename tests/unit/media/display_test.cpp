@@ -1,6 +1,8 @@
 #include <gonio/media/display.hpp>
 #include <gonio/media/module.hpp>
 
+#include "../folders.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,11 +13,11 @@
 namespace gonio::media {
 namespace {
 
-const std::string data = std::string(GONIO_TEST_SOURCE) + "/tests/unit/media/data/";
+const std::string data = std::string(test::source_folder) + "/tests/unit/media/data/";
 
 class MediaDisplay : public ::testing::Test {
 protected:
-    void SetUp() override { set_module_folders({GONIO_TEST_MODULES}); }
+    void SetUp() override { set_module_folders({test::modules_folder}); }
 };
 
 std::string reason(const Error& error) {

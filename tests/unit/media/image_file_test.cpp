@@ -1,6 +1,8 @@
 #include <gonio/media/image_file.hpp>
 #include <gonio/media/module.hpp>
 
+#include "../folders.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 
 class ImageFile : public ::testing::Test {
 protected:
-    void SetUp() override { set_module_folders({GONIO_TEST_MODULES}); }
+    void SetUp() override { set_module_folders({test::modules_folder}); }
 };
 
 // Values that tell rows, columns and channels apart, in [0, 1].

@@ -1,6 +1,8 @@
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/module.hpp>
 
+#include "../folders.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +14,7 @@ using detail::color_module_name;
 using detail::image_module_name;
 using detail::open_module;
 
-const std::string fakes = GONIO_TEST_FAKE_MODULES;
+const std::string fakes = test::fakes_folder;
 
 const Diagnostic& reason(const Result<const void*>& result) {
     return result.error().diagnostics.back();
@@ -20,7 +22,7 @@ const Diagnostic& reason(const Result<const void*>& result) {
 
 TEST(MediaModule, BothOpenFromTheirFolder) {
     for (const auto& name : {image_module_name, color_module_name}) {
-        const auto table = open_module(name, {"/nonexistent", GONIO_TEST_MODULES});
+        const auto table = open_module(name, {"/nonexistent", test::modules_folder});
         ASSERT_TRUE(table) << reason(table).message;
         EXPECT_NE(*table, nullptr);
     }

@@ -4,6 +4,7 @@
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
 
+#include "../folders.hpp"
 #include "expect.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ using std::numbers::pi;
 
 template<class File>
 File authored(const std::string& name) {
-    std::string path = GONIO_TEST_SOURCE;
+    std::string path = test::source_folder;
     path += "/profiles/";
     path += name;
     const Result<Profile> read = read_profile_file(path, {{}, true});
@@ -109,7 +110,7 @@ TEST(AuthoredProfilesDialects, OfOneNameAreOneLight) {
     int files = 0;
     for (const char* const name :
          {"accent", "bare-tube", "batwing", "downlight", "flood", "pendant", "street", "wall-washer"}) {
-        const std::string folder = std::string(GONIO_TEST_SOURCE) + "/profiles/";
+        const std::string folder = std::string(test::source_folder) + "/profiles/";
         const auto web_of = [&](const std::string& path) {
             const Result<Profile> read = read_profile_file(path);
             EXPECT_TRUE(read) << said(read);

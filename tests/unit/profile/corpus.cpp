@@ -1,9 +1,10 @@
-// Real files, read where they are: GONIO_TEST_CORPUS/good must all be read, GONIO_TEST_CORPUS/bad must all be refused.
+// Real files, read where they are: all of the corpus folder's good/ must be read, all of its bad/ refused.
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/profile/codes.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
+#include "../folders.hpp"
 #include "equal.hpp"
 
 #include <gtest/gtest.h>
@@ -30,11 +31,11 @@ std::vector<std::string> files_in(const fs::path& folder) {
 class ProfileCorpus : public testing::Test {
 protected:
     void SetUp() override {
-        if (!fs::is_directory(fs::path(GONIO_TEST_CORPUS) / "good") || std::string(GONIO_TEST_CORPUS).empty())
+        if (!fs::is_directory(fs::path(test::corpus_folder) / "good") || std::string(test::corpus_folder).empty())
             GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     }
-    std::vector<std::string> good = files_in(fs::path(GONIO_TEST_CORPUS) / "good");
-    std::vector<std::string> bad = files_in(fs::path(GONIO_TEST_CORPUS) / "bad");
+    std::vector<std::string> good = files_in(fs::path(test::corpus_folder) / "good");
+    std::vector<std::string> bad = files_in(fs::path(test::corpus_folder) / "bad");
 };
 
 std::string all_text(const Diagnostics& diagnostics) {
@@ -83,7 +84,7 @@ TEST_F(ProfileCorpus, EveryBadFileIsRefusedWithItsPlace) {
 
 // INDEX.tsv counts what a file's table holds, found by another program.
 TEST_F(ProfileCorpus, CountsAgreeWithTheIndex) {
-    const Result<std::string> index = read_file((fs::path(GONIO_TEST_CORPUS) / "INDEX.tsv").string());
+    const Result<std::string> index = read_file((fs::path(test::corpus_folder) / "INDEX.tsv").string());
     ASSERT_TRUE(index);
     std::istringstream lines(*index);
     std::string line;
@@ -95,7 +96,7 @@ TEST_F(ProfileCorpus, CountsAgreeWithTheIndex) {
         for (std::string cell; std::getline(row, cell, '\t');)
             cells.push_back(cell);
         if (cells.size() < 10 || cells[0].rfind("good/", 0) != 0) continue;
-        const Result<Profile> read = read_profile_file((fs::path(GONIO_TEST_CORPUS) / cells[0]).string());
+        const Result<Profile> read = read_profile_file((fs::path(test::corpus_folder) / cells[0]).string());
         ASSERT_TRUE(read) << cells[0];
         if (const auto* ies = std::get_if<IesFile>(&read->file)) {
             EXPECT_EQ(std::to_string(ies->vertical_deg.size()), cells[7]) << cells[0];

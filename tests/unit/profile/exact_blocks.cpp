@@ -3,6 +3,8 @@
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/profile/read.hpp>
 
+#include "../folders.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +36,7 @@ void expect_alike(const std::string& text, std::size_t size) {
 }
 
 std::string authored(const std::string& name) {
-    const Result<std::string> bytes = read_file(std::string(GONIO_TEST_SOURCE) + "/profiles/" + name);
+    const Result<std::string> bytes = read_file(std::string(test::source_folder) + "/profiles/" + name);
     EXPECT_TRUE(bytes);
     return bytes ? *bytes : std::string();
 }

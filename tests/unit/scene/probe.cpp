@@ -5,6 +5,8 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
 
+#include "../folders.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -133,7 +135,7 @@ TEST(Probe, PlaneEmittersAgreeWithTheSumOverTheirArea) {
 // Poses of every area shape to 17 digits, each placed as a light: sees to it that widths and axes run where they
 // should.
 TEST(Probe, AgreesWithTheReference) {
-    const std::string folder = GONIO_TEST_REFERENCE;
+    const std::string folder = test::reference_folder;
     if (folder.empty()) GTEST_SKIP() << "no folder of reference values is given";
     const std::string text = read_file(folder + "/irradiance.csv").value();
     int poses = 0;

@@ -2,6 +2,8 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>
 
+#include "../folders.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +14,7 @@
 namespace gonio {
 namespace {
 
-const std::string profiles = GONIO_TEST_SOURCE "/profiles";
+const std::string profiles = std::string(test::source_folder) + "/profiles";
 
 Result<Rig> read(const std::string& text) {
     return read_rig(text, "rig.json", profiles);
@@ -223,7 +225,8 @@ TEST(Rig, ParallelResolveOfManyLights) {
 }
 
 TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {
-    const auto schema = nlohmann::json::parse(read_file(GONIO_TEST_SOURCE "/lib/gonio/scene/rig.schema.json").value());
+    const std::string path = std::string(test::source_folder) + "/lib/gonio/scene/rig.schema.json";
+    const auto schema = nlohmann::json::parse(read_file(path).value());
     const auto expect_keys = [](const nlohmann::json& properties, std::span<const std::string_view> keys) {
         EXPECT_EQ(properties.size(), keys.size());
         for (const std::string_view key : keys)

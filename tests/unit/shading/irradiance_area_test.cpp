@@ -3,6 +3,7 @@
 #include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/occlusion.hpp>
 
+#include "../folders.hpp"
 #include "area_truth.hpp"
 #include "reference_rows.hpp"
 
@@ -68,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, AreaIrradiance, testing::Values(Shape::disk, Sh
                          [](const auto& each) { return name_of(each.param); });
 
 TEST_P(AreaIrradiance, StoredReferenceValues) {
-    const std::string folder = GONIO_TEST_REFERENCE;
+    const std::string folder = gonio::test::reference_folder;
     if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
     int rows = 0;
     double worst_share = 0.0;

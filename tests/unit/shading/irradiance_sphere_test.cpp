@@ -5,6 +5,7 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/kernels.hpp>
 
+#include "../folders.hpp"
 #include "poses.hpp"
 #include "reference_rows.hpp"
 
@@ -51,7 +52,7 @@ double conditioning(const Pose& pose) {
 }
 
 TEST(SphereIrradiance, StoredReferenceValues) {
-    const std::string folder = GONIO_TEST_REFERENCE;
+    const std::string folder = gonio::test::reference_folder;
     if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
     int rows = 0;
     double worst_share = 0.0;

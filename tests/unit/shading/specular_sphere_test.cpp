@@ -1,6 +1,7 @@
 // The specular part under a sphere light, against stored values of another program's quadrature.
 #include <gonio/shading/shade.hpp>
 
+#include "../folders.hpp"
 #include "poses.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ struct Row {
 
 // The sphere rows of specular.csv; empty where there is no such file.
 std::vector<Row> stored_rows() {
-    const std::string folder = GONIO_TEST_REFERENCE;
+    const std::string folder = gonio::test::reference_folder;
     std::ifstream file(folder + "/specular.csv");
     std::vector<Row> rows;
     std::string line;

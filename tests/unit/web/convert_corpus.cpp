@@ -6,6 +6,7 @@
 #include <gonio/web/resample.hpp>
 #include <gonio/web/to_profile.hpp>
 
+#include "../folders.hpp"
 #include "../profile/equal.hpp"
 
 #include <gtest/gtest.h>
@@ -88,8 +89,8 @@ std::string entry_for_other_type(const Web& source, const std::vector<Written>& 
 }
 
 TEST(ConvertCorpus, EveryPairOfFormatsKeepsTheLight) {
-    const fs::path folder = fs::path(GONIO_TEST_CORPUS) / "good";
-    if (std::string(GONIO_TEST_CORPUS).empty() || !fs::is_directory(folder))
+    const fs::path folder = fs::path(test::corpus_folder) / "good";
+    if (std::string(test::corpus_folder).empty() || !fs::is_directory(folder))
         GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     std::vector<std::string> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
@@ -150,8 +151,8 @@ TEST(ConvertCorpus, EveryPairOfFormatsKeepsTheLight) {
 
 // Into its own format a file is kept field by field.
 TEST(ConvertCorpus, TheOwnFormatKeepsEveryField) {
-    const fs::path folder = fs::path(GONIO_TEST_CORPUS) / "good";
-    if (std::string(GONIO_TEST_CORPUS).empty() || !fs::is_directory(folder))
+    const fs::path folder = fs::path(test::corpus_folder) / "good";
+    if (std::string(test::corpus_folder).empty() || !fs::is_directory(folder))
         GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const Result<Profile> read = read_profile_file(entry.path().string());

@@ -9,6 +9,7 @@
 #include <gonio/web/rings.hpp>
 #include <gonio/web/symmetry.hpp>
 
+#include "../folders.hpp"
 #include "webs.hpp"
 
 #include <gtest/gtest.h>
@@ -345,10 +346,10 @@ TEST(NativeResolve, OneAngleIsNoTable) {
 // Real files of type B: the texture's integral is the exact flux, whatever the size.
 TEST(NativeCorpus, RealTypeBFilesAreBaked) {
     namespace fs = std::filesystem;
-    if (std::string(GONIO_TEST_CORPUS).empty() || !fs::is_directory(fs::path(GONIO_TEST_CORPUS) / "good"))
+    if (std::string(test::corpus_folder).empty() || !fs::is_directory(fs::path(test::corpus_folder) / "good"))
         GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     int found = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(GONIO_TEST_CORPUS) / "good")) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(test::corpus_folder) / "good")) {
         const Result<Profile> profile = read_profile_file(entry.path().string());
         const auto* const file = profile ? std::get_if<IesFile>(&profile->file) : nullptr;
         if (file == nullptr || file->photometry == Photometry::c) continue;

@@ -5,6 +5,7 @@
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/resolve.hpp>
 
+#include "../folders.hpp"
 #include "second_reading.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +51,8 @@ void expect_same_light(const std::string& bytes, const std::string& name) {
 
 std::vector<std::string> good_files() {
     std::vector<std::string> paths;
-    const fs::path folder = fs::path(GONIO_TEST_CORPUS) / "good";
-    if (std::string(GONIO_TEST_CORPUS).empty() || !fs::is_directory(folder)) return paths;
+    const fs::path folder = fs::path(test::corpus_folder) / "good";
+    if (std::string(test::corpus_folder).empty() || !fs::is_directory(folder)) return paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.is_regular_file()) paths.push_back(entry.path().string());
     return paths;
@@ -94,7 +95,7 @@ TEST(SecondReading, FindsTheLightOfTypesAAndB) {
         ASSERT_NO_FATAL_FAILURE(expect_same_light(with_number(*bytes, 5, "3"), path + " as type A"));
     }
     // One of the project's own, in all three.
-    const Result<std::string> flood = read_file(std::string(GONIO_TEST_SOURCE) + "/profiles/flood.ies");
+    const Result<std::string> flood = read_file(std::string(test::source_folder) + "/profiles/flood.ies");
     ASSERT_TRUE(flood);
     ASSERT_NO_FATAL_FAILURE(expect_same_light(*flood, "flood.ies"));
     ASSERT_NO_FATAL_FAILURE(expect_same_light(with_number(*flood, 5, "3"), "flood.ies as type A"));

@@ -6,6 +6,7 @@
 #include <gonio/web/spacing.hpp>
 #include <gonio/web/zones.hpp>
 
+#include "../folders.hpp"
 #include "webs.hpp"
 
 #include <gtest/gtest.h>
@@ -123,8 +124,8 @@ TEST(Nema, TypesEndWhereTheTableSays) {
 // the hundredth for the files that are known to it.
 TEST(FluxCorpus, TheZonalRuleIsTheIndustrys) {
     namespace fs = std::filesystem;
-    const fs::path good = fs::path(GONIO_TEST_CORPUS) / "good";
-    if (std::string(GONIO_TEST_CORPUS).empty() || !fs::is_directory(good))
+    const fs::path good = fs::path(test::corpus_folder) / "good";
+    if (std::string(test::corpus_folder).empty() || !fs::is_directory(good))
         GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     constexpr double known[] = {9217.18, 5834.20, 13359.57, 5821.76, 753.80, 9230.16, 531.98, 828.32};
     int found = 0;
