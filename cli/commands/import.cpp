@@ -2,6 +2,7 @@
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/light_color.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
@@ -81,6 +82,7 @@ Result<Request> parse(const Arguments& arguments) {
     if (const auto text = arguments.value("--flux")) {
         Result<double> flux = parse_amount(*text, Dimension::luminous_flux, "--flux");
         if (!flux) return pass_on(flux);
+        if (!(*flux > 0.0)) return fail(Failure::usage, fmt::format("--flux takes more than 0 lm, not '{}'", *text));
         request.light.flux = Lumens(*flux);
     }
     if (const auto text = arguments.value("--rotate")) {
@@ -89,7 +91,11 @@ Result<Request> parse(const Arguments& arguments) {
         request.light.rotation = Radians(*angle);
     }
     const auto color = arguments.value("--color");
-    if (color && *color != "auto" && *color != "always" && *color != "never") request.light.color = *color;
+    if (color && *color != "auto" && *color != "always" && *color != "never") {
+        const Result<glm::dvec3> rgb = parse_light_color(*color); // before anything is written
+        if (!rgb) return Unexpected(rgb.error());
+        request.light.color = *color;
+    }
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     request.input = *input;
