@@ -87,7 +87,7 @@ GONIO_FORCE_INLINE vec3<S> reflect_frostbite(const SurfacePoint<S>& point, const
 
     const S alpha = simd::max(material.alpha, S(minimum_alpha));
     const S widened = simd::min(alpha + light.lobe_widening, S(1));
-    const SpecularTerms<S> specular = specular_frostbite(n, light.specular_toward, v, alpha, widened);
+    const SpecularTerms<S> specular = specular_ggx(n, light.specular_toward, v, alpha, widened);
     const S of_specular = specular.scale * light.specular;
     const auto channel = [&](S albedo, S f0) {
         return simd::mul_add(albedo, of_diffuse, of_specular * simd::mul_add(material.f90 - f0, specular.grazing, f0));

@@ -272,7 +272,7 @@ TEST(Probe, FrostbiteLuminanceIsItsBrdfTimesLux) {
     const ProbeResult result = probe({&light, 1}, {&receiver, 1}, options).value();
     const glm::dvec3 l = glm::normalize(light.frame.origin);
     const auto material = shading::frostbite_material(shading::vec3<double>{0.6, 0.3, 0.1}, 0.7, 0.0, 0.5);
-    const auto f = shading::brdf_frostbite(material, {0, 0, 1}, {l.x, l.y, l.z}, {v.x, v.y, v.z});
+    const auto f = shading::brdf(material, {0, 0, 1}, {l.x, l.y, l.z}, {v.x, v.y, v.z});
     const double expected =
         glm::dot(glm::dvec3(f.x, f.y, f.z) * light.color, rec709_luminance) * result.illuminance_lx[0];
     EXPECT_NEAR((result.luminance[0].diffuse + result.luminance[0].specular).value / expected, 1.0, 1e-12);

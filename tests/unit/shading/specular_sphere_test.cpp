@@ -62,7 +62,7 @@ double by_midpoints(const Row& row) {
         for (int k = 0; k < sectors; ++k) {
             const double phi = 2.0 * std::numbers::pi * (k + 0.5) / sectors;
             const Vec toward = l * (1.0 - h) + u * (sine * std::cos(phi)) + w * (sine * std::sin(phi));
-            sum += specular_frostbite(row.normal, toward, row.view, row.alpha, row.alpha).scale *
+            sum += specular_ggx(row.normal, toward, row.view, row.alpha, row.alpha).scale *
                    std::max(dot(row.normal, toward), 0.0);
         }
     }
