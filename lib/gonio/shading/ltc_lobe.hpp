@@ -7,6 +7,7 @@
 // transform. Everything is finite for finite input.
 #pragma once
 
+#include <gonio/shading/brdf_sample.hpp>
 #include <gonio/shading/ltc_table.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
@@ -122,17 +123,6 @@ struct LtcFrame {
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
 };
 
-// Two unit vectors u × v = w for a unit w (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1),
-// 2017).
-template<class S>
-GONIO_FORCE_INLINE void basis(vec3<S> w, vec3<S>& u, vec3<S>& v) {
-    const S sign = simd::copysign(S(1), w.z);
-    const S a = S(-1) / (sign + w.z);
-    const S b = w.x * w.y * a;
-    u = {simd::mul_add(sign * w.x, w.x * a, S(1)), sign * b, -(sign * w.x)};
-    v = {b, simd::mul_add(w.y, w.y * a, sign), -w.y};
-}
-
 // `normal` and `view` (towards the eye) are unit. Any x perpendicular to the normal where both are the same.
 template<class S>
 GONIO_FORCE_INLINE LtcFrame<S> ltc_frame(vec3<S> normal, vec3<S> view) {
@@ -141,9 +131,8 @@ GONIO_FORCE_INLINE LtcFrame<S> ltc_frame(vec3<S> normal, vec3<S> view) {
     const S square = dot(leaning, leaning);
     constexpr double least = __is_same(S, double) ? 1e-24 : 1e-10;
     const auto upright = square < S(least);
-    vec3<S> u, v;
-    basis(normal, u, v);
-    const vec3<S> x = select(upright, u, leaning * (S(1) / simd::sqrt(simd::max(square, S(least)))));
+    const vec3<S> x =
+        select(upright, TangentFrame<S>(normal).x, leaning * (S(1) / simd::sqrt(simd::max(square, S(least)))));
     return {x, cross(normal, x), normal};
 }
 

@@ -122,9 +122,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S>& lobe, vec3<S
     // At the surface the cone is all but flat, not flat: it would not know its axis.
     const S cosine = simd::max(simd::sqrt(simd::max(gap, S(0))) * inverse, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const vec3<S> l = select(distance > S(0), c * inverse, vec3<S>{S(0), S(0), S(1)});
-    vec3<S> u, v;
-    basis(l, u, v);
-    const LtcSurvey<S> circle = survey_ltc_circle(lobe, l * cosine, u * sine, v * sine);
+    const TangentFrame<S> frame(l);
+    const LtcSurvey<S> circle = survey_ltc_circle(lobe, l * cosine, frame.x * sine, frame.y * sine);
     const auto inside = gap < S(0);
     constexpr double pi = 3.14159265358979323846;
     const S e = simd::select(inside, S(pi) * lobe.horizon_z, circle.integral);
@@ -149,9 +148,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S>& lobe, vec3<S> 
     const auto seen = simd::both(depth >= S(0), r > S(0));
     const S floor = r * S(__is_same(S, double) ? 1e-9 : 1e-6);
     const vec3<S> raised = c + away * simd::max(floor - depth, S(0));
-    vec3<S> u, v;
-    basis(away, u, v);
-    const LtcSurvey<S> circle = survey_ltc_circle(lobe, raised, u * r, v * r);
+    const TangentFrame<S> frame(away);
+    const LtcSurvey<S> circle = survey_ltc_circle(lobe, raised, frame.x * r, frame.y * r);
     const auto close = simd::both(depth < S(0.02) * r, dot(c, c) < S(2) * r * r);
     return {simd::select(seen, circle.integral, S(0)), simd::both(seen, simd::either(close, circle.hard))};
 }

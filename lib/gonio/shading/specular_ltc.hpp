@@ -1,11 +1,11 @@
 // The specular part of a material under an area light by linearly transformed cosines (ltc_lobe.hpp, ltc_share.hpp).
 //
-// One call gives both terms of the reflectance: luminance towards the eye per luminance of the light is
-// scale·(f0 + (f90 − f0)·grazing); with f0 = f90 = 1 that of F = 1. Positions are relative to the receiver.
+// One call gives both terms of the reflectance (specular_method.hpp). Positions are relative to the receiver.
 #pragma once
 
 #include <gonio/shading/ltc_tube.hpp>
 #include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/specular_method.hpp>
 
 namespace gonio::shading {
 
@@ -38,8 +38,8 @@ GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame,
 // GGX of α. `normal` and `view` are unit; `to_center` leads from the receiver to the light's centre. 0 where n·v is not
 // positive. Light is a SphereLight, DiskLight, RectangleLight or TubeLight; its window is not applied.
 template<class S, class Light>
-GONIO_FORCE_INLINE SpecularTerms<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
-                                                 S alpha) {
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
+                                                     vec3<S> view, S alpha) {
     const S n_dot_v = dot(normal, view);
     const LtcLobe<S> lobe = ltc_ggx(alpha, n_dot_v);
     const S share = detail::ltc_share(lobe, ltc_frame(normal, view), light, to_center);

@@ -42,7 +42,7 @@ struct Reflection {
     [[nodiscard]] Vec view() const { return {-s, 0.0, mu}; }
     // f cosθ [1/sr], l above the horizon.
     [[nodiscard]] double value(Vec l) const {
-        if (specular) return specular_frostbite<double>({0, 0, 1}, l, view(), roughness, roughness).scale * l.z;
+        if (specular) return specular_ggx<double>({0, 0, 1}, l, view(), roughness, roughness).scale * l.z;
         const Vec h = normalized(l + view());
         return diffuse_frostbite(l.z, mu, dot(l, h), roughness) * l.z;
     }
@@ -116,7 +116,7 @@ LtcEntry entry(const Reflection& r, const Parameters& p) {
 }
 
 Parameters parameters(const Reflection& r, const LtcEntry& e) {
-    const double along = static_cast<double>(e.along);
+    const auto along = static_cast<double>(e.along);
     const double raised = static_cast<double>(e.raised) * r.s;
     const double peak = std::atan2(r.s, r.mu) - std::atan2(raised, along);
     const double slant = static_cast<double>(e.slant) * r.s;
