@@ -36,7 +36,7 @@ std::vector<AssetFile> pbrt_files(const MeasuredLight& light) {
                     "    \"float power\" [ {} ]\n"
                     "AttributeEnd\n",
                     describe(light), image, light.color.x, light.color.y, light.color.z, light.flux.value);
-    return {{light.name + ".pbrt", std::move(text), {}}, {image, {}, std::move(texture)}};
+    return {{light.name + ".pbrt", std::move(text), {}}, {image, {}, texture}};
 }
 
 } // namespace gonio::asset_detail
