@@ -1,5 +1,6 @@
 #include "lists.hpp"
 
+#include <gonio/asset/target.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -175,6 +176,13 @@ Entries diagrams() {
     return entries;
 }
 
+Entries targets() {
+    Entries entries;
+    for (const Target& target : gonio::targets())
+        entries.push_back({std::string(target.name), std::string(target.summary)});
+    return entries;
+}
+
 constexpr std::array lists{
     NamedList{"color-methods", "ways to take the colour of a temperature", color_method_names},
     NamedList{"diagrams", "diagrams of plot", diagrams},
@@ -185,7 +193,7 @@ constexpr std::array lists{
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"loci", "curves of colour over temperature", loci},
-    NamedList{"materials", "materials of preview", materials},
+    NamedList{"materials", "materials of preview and probe", materials},
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
     NamedList{"policies", "whose meaning of photometric numbers", policies},
@@ -194,6 +202,7 @@ constexpr std::array lists{
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
+    NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
     NamedList{"units", "units of values", units},
 };

@@ -91,8 +91,8 @@ struct ProbeResult {
     ProbeRemarks remarks;
 };
 
-// Luminance: Lambert by any method (E·albedo/π), Frostbite by `exact` alone; diffuse parts are exact, specular ones of
-// lights with a size are by one representative point (shading/shade.hpp), which is coarse.
+// Luminance: Lambert by any method (E·albedo/π), others by `exact` alone; diffuse parts are of the exact irradiance,
+// specular ones of lights with a size by one representative point (shading/shade.hpp), which is coarse.
 // Fails: usage on a normal or view that is zero or not finite and on a position out of range, unsupported on the
 // luminance of another material by another method.
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,

@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_named.hpp>
@@ -153,10 +154,6 @@ double sun_radius(const SunShape& sun) {
     return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
 }
 
-shading::Frostbite<double> core_material(const FrostbiteMaterial& m) {
-    return shading::frostbite_material(vec(m.base), m.smoothness, m.metal, m.reflectance);
-}
-
 } // namespace
 
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -178,7 +175,7 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
 }
 
 bool coarse_specular(const Shape& shape, const Material& material) {
-    return !punctual(shape) && std::holds_alternative<FrostbiteMaterial>(material);
+    return !punctual(shape) && !std::holds_alternative<LambertMaterial>(material);
 }
 
 ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -188,23 +185,16 @@ ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, cons
         const bool seen = glm::dot(normal, surface.view) > 0.0;
         return {Nits(seen ? bounded(share.illuminance_lx * y * std::numbers::inv_pi) : 0.0), Nits()};
     }
-    const auto* frostbite = std::get_if<FrostbiteMaterial>(&surface.material);
-    if (frostbite == nullptr) return {};
-
     // The sun is as far from everywhere; its rounding must not depend on where the origin is.
     const bool sunlit = std::holds_alternative<SunShape>(light.shape);
     const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
     const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
-    const shading::Frostbite<double> whole = core_material(*frostbite);
-    shading::Frostbite<double> diffuse = whole;
-    diffuse.f0 = Vec{0.0, 0.0, 0.0};
-    diffuse.f90 = 0.0;
-    shading::Frostbite<double> specular = whole;
-    specular.albedo = Vec{0.0, 0.0, 0.0};
     const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
     const auto both = [&](const auto& core_light) {
-        return ProbeLuminance{Nits(y_of(shading::shade(point, core_light, diffuse))),
-                              Nits(y_of(shading::shade(point, core_light, specular)))};
+        const auto parts = std::visit(
+            [&](const auto& material) { return shading::shade_parts(point, core_light, core_material(material)); },
+            surface.material);
+        return ProbeLuminance{Nits(y_of(parts.diffuse)), Nits(y_of(parts.specular))};
     };
     const Vec center = vec(light.frame.origin);
     const Vec luminance = vec(light.color * light.luminance.value);
