@@ -59,29 +59,45 @@ struct CircleCut {
     GONIO_FORCE_INLINE S sin_rise() const { return sin_middle * cos_reach - cos_middle * sin_reach; }
 };
 
-// Below this size after the transform (the tangent of its half angle) cut outlines are left to double.
+// Below this size after the transform (the tangent of its half angle) the arcs of a cut outline would cancel.
 inline constexpr double least_ltc_size = 0.02;
+
+// ∫ over a flat patch of `area` (a vector), small as seen, about its centroid p; both transformed.
+template<class S>
+GONIO_FORCE_INLINE S ltc_patch(vec3<S> p, vec3<S> area) {
+    constexpr double least = 1e-36;
+    const S inverse = S(1) / simd::max(dot(p, p), S(least));
+    return (p.z * inverse) * (dot(p, area) * inverse);
+}
 
 // The cone about a + u cos t + v sin t, a·(u × v) > 0.
 template<class S>
-GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
+GONIO_FORCE_INLINE S ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
     const CircleCut<S> horizon(a.z, u.z, v.z);
+    if (!simd::any(!horizon.below)) return S(0);
     const vec3<S> to_a = lobe(a);
     const S inverse = reciprocal_or_zero(length(to_a));
     const vec3<S> a1 = to_a * inverse;
     const vec3<S> u1 = lobe(u) * inverse;
     const vec3<S> v1 = lobe(v) * inverse;
     const LtcCone<S> cone(a1, u1, v1);
-    S e = simd::select(horizon.below, S(0), cone.whole());
-    if (!simd::any(horizon.cut)) return {e, S(0) > S(1)};
+    const S e = simd::select(horizon.below, S(0), cone.whole());
+    if (!simd::any(horizon.cut)) return e;
     const auto at = [&](S cosine, S sine) { return a1 + u1 * cosine + v1 * sine; };
     const vec3<S> sink = at(horizon.cos_sink(), horizon.sin_sink());
     const vec3<S> rise = at(horizon.cos_rise(), horizon.sin_rise());
-    const auto sliver = horizon.cos_reach > S(0.9999);
+    const auto sliver = horizon.cos_reach > S(__is_same(S, double) ? 0.99999999 : 0.9999);
     const S cut = cone.arc(rise, sink, sliver) + ltc_closing(lobe, sink, rise);
-    e = simd::select(horizon.cut, cut, e);
-    const auto small = dot(u1, u1) + dot(v1, v1) < S(least_ltc_size * least_ltc_size);
-    return {e, simd::both(horizon.cut, simd::either(small, sliver))};
+    // A small one, and a sliver: the disk's segment above the horizon, x = −t … 1 of a unit disk's, at its centroid.
+    const S t = -horizon.cos_reach;
+    const S chord = horizon.sin_reach;
+    const S segment = simd::mul_add(t, chord, simd::atan2_above(chord, horizon.cos_reach));
+    const S middle = S(2.0 / 3.0) * chord * chord * chord / simd::max(segment, S(1e-30));
+    const vec3<S> centroid = a1 + (u1 * horizon.cos_middle + v1 * horizon.sin_middle) * simd::min(middle, S(1));
+    const S patch = ltc_patch(centroid, cross(u1, v1) * segment);
+    constexpr double least = __is_same(S, double) ? 1e-8 : least_ltc_size * least_ltc_size;
+    const auto small = simd::either(dot(u1, u1) + dot(v1, v1) < S(least), sliver);
+    return simd::select(horizon.cut, simd::select(small, patch, cut), e);
 }
 
 // The straight edge from p on to q, as far as it is above the horizon, and where it sinks or rises through it.
@@ -123,13 +139,13 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S>& lobe, vec3<S
     const S cosine = simd::max(simd::sqrt(simd::max(gap, S(0))) * inverse, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const vec3<S> l = select(distance > S(0), c * inverse, vec3<S>{S(0), S(0), S(1)});
     const TangentFrame<S> frame(l);
-    const LtcSurvey<S> circle = survey_ltc_circle(lobe, l * cosine, frame.x * sine, frame.y * sine);
+    const S circle = ltc_circle(lobe, l * cosine, frame.x * sine, frame.y * sine);
     const auto inside = gap < S(0);
     constexpr double pi = 3.14159265358979323846;
-    const S e = simd::select(inside, S(pi) * lobe.horizon_z, circle.integral);
+    const S e = simd::select(inside, S(pi) * lobe.horizon_z, circle);
     const auto exists = r > S(0);
     const auto touching = simd::both(cosine < S(0.01), !inside);
-    return {simd::select(exists, e, S(0)), simd::both(exists, simd::either(touching, circle.hard))};
+    return {simd::select(exists, e, S(0)), simd::both(exists, touching)};
 }
 
 template<class S>
@@ -149,9 +165,9 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S>& lobe, vec3<S> 
     const S floor = r * S(__is_same(S, double) ? 1e-9 : 1e-6);
     const vec3<S> raised = c + away * simd::max(floor - depth, S(0));
     const TangentFrame<S> frame(away);
-    const LtcSurvey<S> circle = survey_ltc_circle(lobe, raised, frame.x * r, frame.y * r);
+    const S circle = ltc_circle(lobe, raised, frame.x * r, frame.y * r);
     const auto close = simd::both(depth < S(0.02) * r, dot(c, c) < S(2) * r * r);
-    return {simd::select(seen, circle.integral, S(0)), simd::both(seen, simd::either(close, circle.hard))};
+    return {simd::select(seen, circle, S(0)), simd::both(seen, close)};
 }
 
 template<class S>
@@ -171,6 +187,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
     const vec3<S> c = center * scale - axis * (sign * simd::max(floor - simd::abs(depth), S(0)));
     const S rise = simd::abs(x.z) + simd::abs(y.z);
     const auto cut = c.z < rise;
+    const auto lit = simd::both(seen, c.z > -rise);
+    if (!simd::any(lit)) return {S(0), lit};
     const vec3<S> c1 = lobe(c);
     const vec3<S> x1 = lobe(x);
     const vec3<S> y1 = lobe(y);
@@ -181,36 +199,57 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
     S by_area = S(0);
     if (simd::any(small)) {
         constexpr double gauss = 0.57735026918962576451;
-        constexpr double least = 1e-36;
         const vec3<S> n = cross(y1, x1);
         for (int i = -1; i <= 1; i += 2)
             for (int k = -1; k <= 1; k += 2) {
                 const vec3<S> p = c1 + x1 * S(i * gauss) + y1 * S(k * gauss);
-                const S inverse = S(1) / simd::max(dot(p, p), S(least));
-                by_area = by_area + (p.z * inverse) * (dot(p, n) * inverse);
+                by_area = by_area + ltc_patch(p, n);
             }
     }
     S e = by_area;
     if (!simd::all(small)) {
-        // Corner by corner, counter-clockwise seen from outside the sphere of directions where the front is seen.
-        const vec3<S> p[4] = {c1 - x1 - y1, c1 - x1 + y1, c1 + x1 + y1, c1 + x1 - y1};
+        // Corner by corner, counter-clockwise seen from outside the sphere of directions where the front is seen; from
+        // the centre, so that far edges keep their digits.
+        const vec3<S> p[4] = {x1 * S(-1) - y1, y1 - x1, x1 + y1, x1 - y1};
         const S up[4] = {c.z - x.z - y.z, c.z - x.z + y.z, c.z + x.z + y.z, c.z + x.z - y.z};
-        S sum = S(0);
+        const vec3<S> n = cross(y1, x1);
+        constexpr double least = __is_same(S, double) ? 1e-8 : least_ltc_size * least_ltc_size;
+        const auto tiny = simd::both(half2 < S(least) * distance2, cut);
         vec3<S> sink{S(0), S(0), S(0)};
         vec3<S> rises = sink;
+        S sum = S(0);
+        S twice_area = S(0); // of what is above the horizon, over n², and its first moment
+        vec3<S> moment = sink;
+        const auto add_area = [&](vec3<S> from, vec3<S> to) __attribute__((always_inline)) {
+            const S triangle = dot(cross(from, to), n);
+            twice_area = twice_area + triangle;
+            moment = moment + (from + to) * triangle;
+        };
         for (int i = 0; i < 4; ++i) {
             const LtcEdge<S> edge(up[i], up[(i + 1) % 4], p[i], p[(i + 1) % 4]);
-            sum = sum + edge.arc();
+            sum = sum + great_arc(c1 + edge.from, edge.to - edge.from, {S(0), S(0), S(1)});
+            if (simd::any(tiny)) add_area(edge.from, edge.to);
             sink = select(edge.sinks, edge.to, sink);
             rises = select(edge.rises, edge.from, rises);
         }
         S closing = S(0);
-        if (simd::any(cut)) closing = simd::select(cut, ltc_closing(lobe, sink, rises), S(0));
-        e = simd::select(small, by_area, simd::mul_add(sign, closing, sum));
+        if (simd::any(cut)) {
+            const S arc = lobe.horizon_z * horizon_arc(c1 + sink, rises - sink, lobe.horizon());
+            closing = simd::select(cut, arc, S(0));
+        }
+        S by_outline = simd::mul_add(sign, closing, sum);
+        if (simd::any(tiny)) {
+            add_area(sink, rises);
+            constexpr double nothing = 1e-36;
+            const S centroid = S(1.0 / 3.0) / simd::max(twice_area, S(nothing));
+            const S share = S(0.5) * twice_area / simd::max(dot(n, n), S(nothing));
+            const S patch = ltc_patch(c1 + moment * centroid, n * share);
+            by_outline = simd::select(tiny, simd::select(twice_area > S(nothing), patch, S(0)), by_outline);
+        }
+        e = simd::select(small, by_area, by_outline);
     }
-    const auto tiny = simd::both(half2 < S(0.01) * distance2, cut);
     const auto close = simd::both(simd::abs(depth) < S(1e-3) * longer, dot(c, c) < longer * longer);
-    return {simd::select(seen, sign * e, S(0)), simd::both(seen, simd::either(tiny, close))};
+    return {simd::select(lit, sign * e, S(0)), simd::both(lit, close)};
 }
 
 // Evaluates lane by lane in double what `hard` says; Shape names what to evaluate. Inputs: the lobe's five entries and

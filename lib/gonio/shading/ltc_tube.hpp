@@ -111,9 +111,10 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> 
         e = simd::select(end, sphere.integral, e);
         hard = simd::both(end, sphere.hard);
     }
-    const auto outside = simd::both(exists, !within);
+    const S reach = simd::mul_add(half, simd::abs(axis.z), r); // over and under the centre
+    const auto outside = simd::both(simd::both(exists, c.z > -reach), !within);
     if (simd::any(outside)) {
-        const auto cut = c.z < simd::mul_add(half, simd::abs(axis.z), r);
+        const auto cut = c.z < reach;
         const vec3<S> c1 = lobe(c);
         const vec3<S> axis1 = lobe(axis);
         const S half2 = dot(axis1, axis1) * half * half;
