@@ -1,5 +1,6 @@
 #include "lists.hpp"
 
+#include <gonio/bake/engine.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -32,6 +33,13 @@ Entries layouts() {
     Entries entries;
     for (const LayoutInfo& layout : gonio::layouts())
         entries.push_back({std::string(layout.name), std::string(layout.summary)});
+    return entries;
+}
+
+Entries engines() {
+    Entries entries;
+    for (const Engine& engine : gonio::engines())
+        entries.push_back({std::string(engine.name), std::string(engine.summary)});
     return entries;
 }
 
@@ -180,6 +188,7 @@ constexpr std::array lists{
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "dialects of IES that convert writes", dialects},
     NamedList{"efficacies", "lumens that a watt is taken for", efficacies},
+    NamedList{"engines", "engines that bake makes textures for", engines},
     NamedList{"formats", "profile formats that are read", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that are written", images},
