@@ -57,6 +57,13 @@ constexpr std::array all{
            "No picture was rendered. Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores "
            "profiles.",
            asset_detail::threejs_files},
+    Target{
+        "unreal", "Unreal Engine: the portable profile and an editor script that imports and places it",
+        "In the editor, Tools > Execute Python Script > NAME.py; the point light NAME shines down with the profile's "
+        "candela, C0 along +X.",
+        "Nothing was run: frame and properties follow the engine's documentation.",
+        "How the engine fits the profile into its texture, and the sense of azimuths: check a lamp that is asymmetric.",
+        asset_detail::unreal_files},
     Target{"usd", "OpenUSD, .usda: a sphere light treated as a point, shaped by the profile",
            "Reference NAME.usda (with NAME.ies beside it): the light NAME shines along -Z, in metres, Z up.",
            "Nothing was run: the text follows UsdLux 24.08.",
