@@ -125,8 +125,8 @@ TEST(BrdfSampler, TheTestSeesAWrongDensity) {
     };
     const auto right = [&](Vec l) { return pdf_brdf(material, n, v, l); };
     const auto wrong = [&](Vec l) { return pdf_brdf(other, n, v, l); };
-    EXPECT_GT(chi_square::test(cells, sample, right, 4 * samples, 8).probability, 1e-3);
-    EXPECT_LT(chi_square::test(cells, sample, wrong, 4 * samples, 8).probability, 1e-6);
+    EXPECT_GT(chi_square::test(cells, sample, right, 8 * samples, 8).probability, 1e-3);
+    EXPECT_LT(chi_square::test(cells, sample, wrong, 8 * samples, 8).probability, 1e-6);
 }
 
 // Reference values: Q(1/2, x) = erfc(√x), Q(1, x) = exp(−x).
