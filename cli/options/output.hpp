@@ -8,6 +8,7 @@
 #include "../command.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,9 +50,16 @@ struct Job {
     bool skip = false;  // -u: the output is up to date
 };
 
-// Pairs inputs with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or neither given,
-// -o stands beside several inputs, two inputs would write the same output, or an output exists and may not be replaced.
+// Of all inputs every step-th, from `first` on.
+struct Share {
+    std::size_t first = 0;
+    std::size_t step = 1;
+};
+
+// Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or
+// neither given, -o stands beside several inputs, two inputs (of all) would write the same output, or an output exists
+// and may not be replaced; (io) when -O names no folder.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
-                                      std::string_view extension);
+                                      std::string_view extension, Share share = {});
 
 } // namespace gonio::cli
