@@ -32,6 +32,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
 // Whether the files are there and were made of the same bytes by the same recipe: what -u asks.
 bool is_up_to_date(const TextureJob& job);
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a Json is noexcept, and throws nothing
 struct MadeTexture {
     Outcome outcome;
     ManifestAsset asset; // filled when a manifest is wanted

@@ -140,7 +140,8 @@ const Command bake_command{"bake",
                            "FILE… --layout LAYOUT -s WxH -o OUT",
                            "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
                            "or @LIST for a list of files. EXR files carry the sidecar's fields as attributes\n"
-                           "gonio:…; PNG and TIFF have no place for them.",
+                           "gonio:…; PNG and TIFF have no place for them. Out of date (-u) is what other bytes or\n"
+                           "options made than its sidecar says; without a sidecar, what is older than its input.",
                            groups,
                            examples,
                            run};

@@ -25,7 +25,7 @@ inline constexpr OptionGroup picture_format_group{"picture", picture_format_opti
 inline constexpr std::array output_options{
     Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
     Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
-    Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
+    Option{"-u,--update", "", "with -O: only what is out of date"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
 };

@@ -51,11 +51,17 @@ double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place,
     return upper + v * (lower - upper);
 }
 
-// The greatest |filtered texture − web| at the web's own grid points.
-double error_at_grid(const Web& web, const Texture& texture, std::span<const PlacedChart> charts) {
+// The greatest |filtered texture − web| at the web's own grid points. `by_angles`: latlong and type C.
+double error_at_grid(const Web& web, const Texture& texture, std::span<const PlacedChart> charts, bool by_angles) {
     double worst = 0.0;
     for (const double h : web.horizontal_deg())
         for (const double v : web.vertical_deg()) {
+            if (by_angles) { // C and γ are the places themselves
+                const glm::dvec2 place{h / 360.0 - std::floor(h / 360.0), v / 180.0};
+                const double value = filtered(texture.image, charts[0], place, texture.sampling) * texture.cd_per_unit;
+                worst = std::max(worst, std::abs(value - web.candela_at(h, v)));
+                continue;
+            }
             const glm::dvec3 direction = direction_of(web.photometry(), {h, v});
             for (const PlacedChart& chart : charts)
                 if (const std::optional<glm::dvec2> place = chart.chart->locate(direction)) {
@@ -166,9 +172,11 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.texture_flux = Lumens(total.lumens);
     texture.solid_angle = Steradians(total.steradians);
     texture.quantization_error = Candelas(total.quantization_error);
+    const bool by_angles = options.layout == Layout::latlong && web.photometry() == Photometry::c &&
+                           options.chart.turned == glm::dmat3(1.0);
     // Points are read at their own places, which are no centres: only the grid of the web tells how far they are off.
     const double at_centers = options.sampling == Sampling::mean ? total.max_error : 0.0;
-    texture.max_error = Candelas(std::max(at_centers, error_at_grid(web, texture, *charts)));
+    texture.max_error = Candelas(std::max(at_centers, error_at_grid(web, texture, *charts, by_angles)));
     return texture;
 }
 
