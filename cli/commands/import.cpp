@@ -193,6 +193,7 @@ Json to_json(const MeasuredLight& light, const std::vector<Written>& written, co
     return json;
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): as of Outcome, which it holds
 struct Imported {
     Outcome outcome;
     ManifestAsset asset;

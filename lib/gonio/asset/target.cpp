@@ -58,6 +58,14 @@ constexpr std::array all{
            "profiles.",
            asset_detail::threejs_files},
     Target{
+        "unity", "Unity: the portable profile, spot and point cookies, and the importer's settings",
+        "Copy the files under Assets, NAME.cs into a folder named Editor there; HDRP imports NAME.ies by itself, the "
+        "cookies are for every pipeline, the light's candela stand in NAME.cs.",
+        "Nothing was run in Unity: layout, border and frame are those of HDRP's own importer.",
+        "The pipelines count intensities differently, and a spot's cookie is cut at its cone: directions outside it "
+        "are lost.",
+        asset_detail::unity_files},
+    Target{
         "unreal", "Unreal Engine: the portable profile and an editor script that imports and places it",
         "In the editor, Tools > Execute Python Script > NAME.py; the point light NAME shines down with the profile's "
         "candela, C0 along +X.",
