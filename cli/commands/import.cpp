@@ -1,7 +1,10 @@
+#include <gonio/asset/content_hash.hpp>
+#include <gonio/asset/manifest.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/base/version.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/media/image_file.hpp>
 
@@ -33,6 +36,7 @@ constexpr std::array import_options{
     Option{"--color", "COLOR",
            "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (the profile's colour temperature)"},
     Option{"--rotate", "ANGLE", "turn the light about its axis, C0 towards C90 (0deg)"},
+    Option{"--manifest", "FILE", "write a list of what was made, with the hash of every file"},
     Option{"--overwrite", "", "replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
 };
@@ -107,27 +111,40 @@ std::string folder_of(const Request& request, const Target& target) {
     return fmt::format("{}/{}", request.folder, target.name);
 }
 
+media::Pixel pixel_of(TexelType type) {
+    switch (type) {
+    case TexelType::uint8:
+        return media::Pixel::uint8;
+    case TexelType::uint16:
+        return media::Pixel::uint16;
+    case TexelType::half:
+        return media::Pixel::half;
+    case TexelType::float32:
+        break;
+    }
+    return media::Pixel::float32;
+}
+
 // The bytes of an asset's file.
 Result<std::string> bytes_of(const AssetFile& file, const Web& web) {
     if (!file.texture) return file.bytes;
     Result<Texture> texture = bake_texture(web, file.texture->bake);
     if (!texture) return pass_on(texture);
-    if (file.texture->flip_rows) {
-        Image& image = texture->image;
-        const auto row = static_cast<std::ptrdiff_t>(image.index(0, 1));
-        for (int top = 0, bottom = image.height - 1; top < bottom; ++top, --bottom)
-            std::swap_ranges(image.pixels.begin() + top * row, image.pixels.begin() + (top + 1) * row,
-                             image.pixels.begin() + bottom * row);
-    }
+    const Image& texels = texture->image;
+    const int channels = file.texture->channels;
+    Image image(texels.width, texels.height, channels);
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column)
+            std::fill_n(image.at(column, row), channels, *texels.at(column, row));
     media::ImageWriteOptions options;
-    options.pixel = media::Pixel::float32;
-    options.channel_names = {"Y"};
-    return media::encode_image(texture->image, *media::find_image_format(file.name), options);
+    options.pixel = pixel_of(file.texture->bake.texel_type);
+    if (channels == 1) options.channel_names = {"Y"};
+    return media::encode_image(image, *media::find_image_format(file.name), options);
 }
 
 struct Written {
     const Target* target;
-    std::vector<std::string> files; // with their folder
+    std::vector<ManifestFile> files; // with their folder
 };
 
 // All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
@@ -139,10 +156,11 @@ Result<std::vector<Written>> write_targets(const MeasuredLight& light, const Req
         for (const AssetFile& file : target->files(light)) {
             Result<std::string> bytes = bytes_of(file, light.web);
             if (!bytes) return pass_on(bytes);
-            files.files.push_back(folder_of(request, *target) + "/" + file.name);
-            if (!request.overwrite && file_exists(files.files.back()))
-                return fail(Failure::usage, fmt::format("'{}' exists", files.files.back()), "add --overwrite");
-            contents.emplace_back(files.files.back(), std::move(*bytes));
+            const std::string path = folder_of(request, *target) + "/" + file.name;
+            if (!request.overwrite && file_exists(path))
+                return fail(Failure::usage, fmt::format("'{}' exists", path), "add --overwrite");
+            files.files.push_back({path, sha256(*bytes)});
+            contents.emplace_back(path, std::move(*bytes));
         }
         written.push_back(std::move(files));
     }
@@ -155,8 +173,12 @@ Result<std::vector<Written>> write_targets(const MeasuredLight& light, const Req
 
 Json to_json(const MeasuredLight& light, const std::vector<Written>& written, const Diagnostics& diagnostics) {
     Json targets = Json::array();
-    for (const Written& asset : written)
-        targets.push_back({{"target", asset.target->name}, {"files", asset.files}});
+    for (const Written& asset : written) {
+        Json files = Json::array();
+        for (const ManifestFile& file : asset.files)
+            files.push_back(file.file);
+        targets.push_back({{"target", asset.target->name}, {"files", std::move(files)}});
+    }
     Json json{{"schema", "gonio.import/1"},
               {"file", light.source_file},
               {"sha256", light.source_sha256},
@@ -171,8 +193,15 @@ Json to_json(const MeasuredLight& light, const std::vector<Written>& written, co
     return json;
 }
 
-Result<Outcome> import_one(const std::string& file, const Request& request, ReportKind kind) {
+// NOLINTNEXTLINE(bugprone-exception-escape): as of Outcome, which it holds
+struct Imported {
     Outcome outcome;
+    ManifestAsset asset;
+};
+
+Result<Imported> import_one(const std::string& file, const Request& request, ReportKind kind) {
+    Imported imported;
+    Outcome& outcome = imported.outcome;
     Result<LoadedProfile> loaded = load(file, request.input);
     if (!loaded) return pass_on(loaded);
     const ProfileHeader header = header_of(loaded->profile, request.input.resolve);
@@ -187,7 +216,22 @@ Result<Outcome> import_one(const std::string& file, const Request& request, Repo
                                               folder_of(request, *asset.target), asset.files.size(), light->flux.value,
                                               light->max_error.value));
     if (kind != ReportKind::words) outcome.report = to_json(*light, *written, outcome.diagnostics);
-    return outcome;
+    imported.asset.input = {file, light->source_sha256};
+    for (Written& asset : *written)
+        for (ManifestFile& made : asset.files)
+            imported.asset.files.push_back(std::move(made));
+    return imported;
+}
+
+// All that the files depend on but the inputs' bytes.
+std::string recipe_of(const Request& request) {
+    std::string text = fmt::format("gonio {} import to=", version);
+    for (const Target* target : request.targets)
+        text += fmt::format("{}{}", target == request.targets.front() ? "" : ",", target->name);
+    if (request.light.flux) text += fmt::format(" flux={}lm", request.light.flux->value);
+    if (!request.light.color.empty()) text += " color=" + request.light.color;
+    if (request.light.rotation.value != 0.0) text += fmt::format(" rotate={}deg", to_degrees(request.light.rotation));
+    return text;
 }
 
 // Two inputs of one name would write the same files.
@@ -229,13 +273,32 @@ Result<int> import_all(const Arguments& arguments, Console& console) {
     }
     if (Result<void> folders = make_folders(*request); !folders) return pass_on(folders);
     const ReportKind kind = report_kind(arguments);
-    return run_batch({*inputs, "gonio.import/1", "imported", *threads}, kind, console, [&](std::size_t index) {
-        Result<Outcome> outcome = import_one((*inputs)[index], *request, kind);
-        if (outcome) return std::move(*outcome);
-        Outcome failed;
-        failed.error = std::move(outcome.error());
-        return failed;
-    });
+    std::vector<std::optional<ManifestAsset>> assets(inputs->size());
+    const int status =
+        run_batch({*inputs, "gonio.import/1", "imported", *threads}, kind, console, [&](std::size_t index) {
+            Result<Imported> imported = import_one((*inputs)[index], *request, kind);
+            if (imported) {
+                assets[index] = std::move(imported->asset);
+                return std::move(imported->outcome);
+            }
+            Outcome failed;
+            failed.error = std::move(imported.error());
+            return failed;
+        });
+    const auto manifest_file = arguments.value("--manifest");
+    if (!manifest_file) return status;
+    Manifest manifest;
+    manifest.recipe = recipe_of(*request);
+    manifest.inputs = inputs->size();
+    for (std::size_t i = 0; i < inputs->size(); ++i) {
+        if (assets[i])
+            manifest.assets.push_back(std::move(*assets[i]));
+        else
+            manifest.failed.push_back((*inputs)[i]);
+    }
+    const Result<void> written = write_output(*manifest_file, manifest_json(manifest));
+    if (!written) return Unexpected(written.error());
+    return status;
 }
 
 int run(const Arguments& arguments, Console& console) {

@@ -2,28 +2,19 @@
 // using SIMD", 2008, turned for octahedral maps).
 //
 // pbrt looks a square image of one channel Y up at EqualAreaSphereToSquare of the light's direction with y and z
-// swapped: the image's middle is +Y, its right edge +X, its lower edge +Z. Ours has the nadir in the middle, C0 to the
-// right and C90 above, so its rows are turned over and the light's frame by −90° about X. pbrt scales the image to
-// `power`, which it counts in lumens; texels of equal solid angle make that exact.
+// swapped: the image's middle is +Y, its right edge +X, its lower edge +Z. Baked with the nadir in the middle, C0 to
+// the right and C90 below, it is turned by −90° about X. pbrt scales it to `power`, which it counts in lumens; texels
+// of equal solid angle make that exact.
 #include <gonio/asset/detail/target_files.hpp>
+#include <gonio/bake/engine.hpp>
 
 #include <fmt/format.h>
 
 namespace gonio::asset_detail {
 
-namespace {
-
-constexpr int image_size = 512; // pbrt does not filter
-
-} // namespace
-
 std::vector<AssetFile> pbrt_files(const MeasuredLight& light) {
-    AssetTexture texture;
-    texture.bake.layout = Layout::octahedral_equal_area;
-    texture.bake.width = image_size;
-    texture.bake.height = image_size;
+    AssetTexture texture{(*find_engine("pbrt-v4"))->bake};
     texture.bake.threads = 1;
-    texture.flip_rows = true;
     const std::string image = light.name + ".exr";
     std::string text =
         fmt::format("# {}\n"

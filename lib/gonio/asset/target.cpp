@@ -57,6 +57,21 @@ constexpr std::array all{
            "No picture was rendered. Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores "
            "profiles.",
            asset_detail::threejs_files},
+    Target{
+        "unity", "Unity: the portable profile, spot and point cookies, and the importer's settings",
+        "Copy the files under Assets, NAME.cs into a folder named Editor there; HDRP imports NAME.ies by itself, the "
+        "cookies are for every pipeline, the light's candela stand in NAME.cs.",
+        "Nothing was run in Unity: layout, border and frame are those of HDRP's own importer.",
+        "The pipelines count intensities differently, and a spot's cookie is cut at its cone: directions outside it "
+        "are lost.",
+        asset_detail::unity_files},
+    Target{
+        "unreal", "Unreal Engine: the portable profile and an editor script that imports and places it",
+        "In the editor, Tools > Execute Python Script > NAME.py; the point light NAME shines down with the profile's "
+        "candela, C0 along +X.",
+        "Nothing was run: frame and properties follow the engine's documentation.",
+        "How the engine fits the profile into its texture, and the sense of azimuths: check a lamp that is asymmetric.",
+        asset_detail::unreal_files},
     Target{"usd", "OpenUSD, .usda: a sphere light treated as a point, shaped by the profile",
            "Reference NAME.usda (with NAME.ies beside it): the light NAME shines along -Z, in metres, Z up.",
            "Nothing was run: the text follows UsdLux 24.08.",

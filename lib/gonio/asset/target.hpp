@@ -15,7 +15,7 @@ namespace gonio {
 // A texture that a target reads beside its text: baked from the light's web, and stored by who writes the files.
 struct AssetTexture {
     BakeOptions bake;
-    bool flip_rows = false; // the last row first
+    int channels = 1; // the same value in each
 };
 
 // One file of an asset.

@@ -11,6 +11,8 @@ std::vector<AssetFile> gltf_files(const MeasuredLight& light);
 std::vector<AssetFile> pbrt_files(const MeasuredLight& light);
 std::vector<AssetFile> raw_files(const MeasuredLight& light);
 std::vector<AssetFile> threejs_files(const MeasuredLight& light);
+std::vector<AssetFile> unity_files(const MeasuredLight& light);
+std::vector<AssetFile> unreal_files(const MeasuredLight& light);
 std::vector<AssetFile> usd_files(const MeasuredLight& light);
 
 // "4.56 lm, peak 1.23 cd, of lamp.ies": what a comment in a written file says of the light. Without line ends.
