@@ -101,8 +101,9 @@ std::size_t sweep(Shape shape, const char* name, std::size_t count, std::uint64_
                     const bool number = scale[i] >= 0.0F && scale[i] <= most && scale[i] < HUGE_VALF;
                     const bool share = grazing[i] >= 0.0F && grazing[i] <= 1.00001F;
                     broken += number && share ? 0U : 1U;
-                    // On a light's surface a rounding decides whether it is all around.
-                    const bool on = static_cast<area::Stratum>(i % area::stratum_count) == area::Stratum::on;
+                    // On a light's surface and in its plane a rounding decides which side is seen.
+                    const auto stratum = static_cast<area::Stratum>(i % area::stratum_count);
+                    const bool on = stratum == area::Stratum::on || stratum == area::Stratum::inside;
                     if (m == 0 && set != simd::InstructionSet::scalar && !on)
                         widest = std::max(widest, std::fabs(scale[i] - plain[i]));
                 }

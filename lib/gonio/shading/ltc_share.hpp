@@ -97,7 +97,9 @@ GONIO_FORCE_INLINE S ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, ve
     const S patch = ltc_patch(centroid, cross(u1, v1) * segment);
     constexpr double least = __is_same(S, double) ? 1e-8 : least_ltc_size * least_ltc_size;
     const auto small = simd::either(dot(u1, u1) + dot(v1, v1) < S(least), sliver);
-    return simd::select(horizon.cut, simd::select(small, patch, cut), e);
+    // All but whole: the arc's span, just below 2π, could be rounded to just above 0.
+    const auto whole = horizon.cos_reach < S(__is_same(S, double) ? -0.99999999 : -0.9999);
+    return simd::select(simd::both(horizon.cut, !whole), simd::select(small, patch, cut), e);
 }
 
 // The straight edge from p on to q, as far as it is above the horizon, and where it sinks or rises through it.

@@ -64,16 +64,16 @@ GONIO_FORCE_INLINE S ltc_small_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3
     constexpr double node = 0.77459666924148337704;
     constexpr double least = 1e-36;
     const S determinant = lobe.m11 * simd::mul_add(lobe.m00, lobe.m22, -(lobe.m02 * lobe.m20));
-    const auto density = [&](vec3<S> p) { // per (dω |p|³)
+    const auto density = [&](vec3<S> p) __attribute__((always_inline)) { // per (dω |p|³)
         const vec3<S> q = lobe(p);
         const S inverse = S(1) / simd::max(dot(q, q), S(least));
         return determinant * inverse * (q.z * inverse);
     };
-    const auto strip = [&](S along) {
+    const auto strip = [&](S along) __attribute__((always_inline)) {
         const vec3<S> p = center + axis * along;
         return length(cross(axis, p)) * density(p);
     };
-    const auto cap = [&](S along) {
+    const auto cap = [&](S along) __attribute__((always_inline)) {
         const vec3<S> p = center + axis * along;
         return length(p) * density(p);
     };
@@ -139,10 +139,11 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> 
             // The four points where the tangent planes touch the ends.
             const S base = gap * kappa;
             const S side = r * kappa;
-            const auto point = [&](vec3<S> f_of, vec3<S> a_of, vec3<S> g_of, S along, S sign) {
+            const auto point = [&](vec3<S> f_of, vec3<S> a_of, vec3<S> g_of, S along, S sign)
+                __attribute__((always_inline)) {
                 return f_of * base + a_of * along + g_of * (sign * side);
             };
-            const auto height = [&](S along, S sign) {
+            const auto height = [&](S along, S sign) __attribute__((always_inline)) {
                 return simd::mul_add(f.z, base, simd::mul_add(axis.z, along, g.z * (sign * side)));
             };
             const S plus = S(1);
@@ -155,7 +156,9 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> 
                                        point(f1, axis1, g1, z1, plus));
             const LtcEdge<S> edge_minus(up1_minus, up0_minus, point(f1, axis1, g1, z1, minus),
                                         point(f1, axis1, g1, z0, minus));
-            const auto end_of = [&](S along, S sense, simd::mask_of<S> start, simd::mask_of<S> stop) {
+            // Always inline: a lambda of the double form, kept apart, would be shared between instruction sets.
+            const auto end_of = [&](S along, S sense, simd::mask_of<S> start, simd::mask_of<S> stop)
+                __attribute__((always_inline)) {
                 const S distance = simd::sqrt(simd::mul_add(d, d, along * along));
                 const S inverse = S(1) / distance;
                 const S sine = r * inverse;

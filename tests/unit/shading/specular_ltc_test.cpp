@@ -222,6 +222,20 @@ TEST(SpecularLtc, ATubeWithoutLengthIsASphereAndInsideIsAll) {
     EXPECT_GT(ltc_disk<double>(lobe, {0, 0, 1}, {0, 0, 1}, 0.5, true), 0.0);
 }
 
+// A sphere that the horizon all but touches is as good as whole, on either side of the rounding.
+TEST(SpecularLtc, ASphereThatTouchesTheHorizonIsWhole) {
+    Random random(79);
+    for (int i = 0; i < 2000; ++i) {
+        const LtcLobe<float> lobe = ltc_ggx(0.3F, static_cast<float>(random.uniform(0.01, 1.0)));
+        const auto x = static_cast<float>(random.uniform(0.5, 2.0));
+        const float touching = ltc_sphere<float>(lobe, {x, 0.3F * x, 1.0F}, 1.0F);
+        const float below = ltc_sphere<float>(lobe, {x, 0.3F * x, 0.9999999F}, 1.0F);
+        const float above = ltc_sphere<float>(lobe, {x, 0.3F * x, 1.00001F}, 1.0F);
+        EXPECT_NEAR(touching, above, 1e-4F * above + 1e-6F) << i;
+        EXPECT_NEAR(below, above, 1e-4F * above + 1e-6F) << i;
+    }
+}
+
 // From 1e2 to 1e6 sizes away the share falls with the square of the distance: nothing cancels.
 TEST(SpecularLtc, FarLightsFallWithTheSquareOfTheDistance) {
     Random random(75);
