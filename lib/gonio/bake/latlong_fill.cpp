@@ -110,7 +110,7 @@ LatlongFill::Piece LatlongFill::mixed_piece(std::size_t column, const std::vecto
 void LatlongFill::add_pieces(std::size_t from, std::size_t to, std::size_t images) {
     const std::vector<double> bends = plane_bends_deg(web_);
     const std::span<const double> planes = web_.planes_deg();
-    const double width = static_cast<double>(width_);
+    const auto width = static_cast<double>(width_);
     for (std::size_t i = from; i < to;) {
         // The columns from here on that end before the next bend.
         const auto next = std::upper_bound(bends.begin(), bends.end(), at_column(i, width_));

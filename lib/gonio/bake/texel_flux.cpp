@@ -137,7 +137,9 @@ EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, in
 
     EdgeSums sums;
     const auto add = [&](const QuadratureNode& node) {
-        const auto [p, moves] = place(meridians_, chart_, along_s, fixed, middle + half * node.at);
+        const Place there = place(meridians_, chart_, along_s, fixed, middle + half * node.at);
+        const glm::dvec3& p = there.at;
+        const glm::dvec3& moves = there.moves;
         const double across = p.x * p.x + p.y * p.y;
         const double sine = std::sqrt(across);
         const double d_azimuth = node.weight * half * (p.x * moves.y - p.y * moves.x) / across;
