@@ -1,5 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
@@ -123,11 +124,10 @@ double inverse_square(double inverse_distance, IrradianceMethod method) {
 
 ProbeShare of_point(const Light& light, const Vec& to_light, const Vec& normal, IrradianceMethod method) {
     const shading::Direction<double> d = shading::direction(to_light, normal);
-    if (d.inverse_distance == 0.0) return {0.0, ProbeRemark::at_light};
+    if (d.inverse_distance == 0.0) return {0.0, 0.0, ProbeRemark::at_light};
     if (!(d.n_dot_l > 0.0)) return {};
     const double cd = light.intensity_towards(-glm::dvec3(to_light.x, to_light.y, to_light.z)).value;
-    return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light)),
-            ProbeRemark::none};
+    return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light))};
 }
 
 // A uniform cap of half angle δ/2 around the direction that the sun stands in, with the receiver's horizon.
@@ -157,45 +157,34 @@ shading::Frostbite<double> core_material(const FrostbiteMaterial& m) {
     return shading::frostbite_material(vec(m.base), m.smoothness, m.metal, m.reflectance);
 }
 
-} // namespace
-
-ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                          IrradianceMethod method) {
-    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
-        const double lx = method == IrradianceMethod::exact ? light.luminance.value * of_sun(*sun, light.frame, normal)
-                                                            : light.illuminance.value * glm::dot(normal, light.frame.z);
-        return {bounded(lx), ProbeRemark::none};
-    }
-    const glm::dvec3 to_center = light.frame.origin - position;
-    if (as_point(light.shape, method)) return of_point(light, vec(to_center), vec(normal), method);
-    const bool inside = is_inside(light.shape, light.frame, to_center);
-    const double e_over_l =
-        inside && method == IrradianceMethod::exact
-            ? std::numbers::pi
-            : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
-    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center))),
-            inside ? ProbeRemark::inside : ProbeRemark::none};
+// Whose illuminance the method takes.
+IrradianceMethod illuminance_method(IrradianceMethod method) {
+    return method == IrradianceMethod::representative_point ? IrradianceMethod::exact : method;
 }
 
-bool coarse_specular(const Shape& shape, const Material& material) {
-    return !punctual(shape) && std::holds_alternative<FrostbiteMaterial>(material);
+// The BRDF towards the one direction that there is.
+ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                           const ProbeSurface& surface, const ProbeShare& share) {
+    if (!(share.illuminance_lx > 0.0)) return {};
+    const shading::Direction<double> d = shading::direction(vec(light.frame.origin - position), vec(normal));
+    const Vec l = d.scaled * d.inverse_distance;
+    const SurfaceParts parts = surface_parts(surface.material);
+    const auto nt = [&](const SurfaceParts::Reflectance& reflectance) {
+        if (!reflectance) return Nits();
+        const Vec f = reflectance(vec(normal), l, vec(surface.view));
+        return Nits(bounded(share.illuminance_lx * luminance_y(light.color * glm::dvec3(f.x, f.y, f.z))));
+    };
+    return {nt(parts.diffuse), nt(parts.specular), Nits()};
 }
 
-ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const ProbeSurface& surface, const ProbeShare& share) {
-    if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
-        const double y = luminance_y(lambert->albedo * light.color);
-        const bool seen = glm::dot(normal, surface.view) > 0.0;
-        return {Nits(seen ? bounded(share.illuminance_lx * y * std::numbers::inv_pi) : 0.0), Nits()};
-    }
-    const auto* frostbite = std::get_if<FrostbiteMaterial>(&surface.material);
-    if (frostbite == nullptr) return {};
-
+// Diffuse by the exact irradiance and one direction, specular by one representative point.
+ProbeLuminance by_one_point(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                            const glm::dvec3& view, const FrostbiteMaterial& material) {
     // The sun is as far from everywhere; its rounding must not depend on where the origin is.
     const bool sunlit = std::holds_alternative<SunShape>(light.shape);
     const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
-    const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
-    const shading::Frostbite<double> whole = core_material(*frostbite);
+    const shading::SurfacePoint<double> point{place, vec(normal), vec(view)};
+    const shading::Frostbite<double> whole = core_material(material);
     shading::Frostbite<double> diffuse = whole;
     diffuse.f0 = Vec{0.0, 0.0, 0.0};
     diffuse.f90 = 0.0;
@@ -204,7 +193,7 @@ ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, cons
     const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
     const auto both = [&](const auto& core_light) {
         return ProbeLuminance{Nits(y_of(shading::shade(point, core_light, diffuse))),
-                              Nits(y_of(shading::shade(point, core_light, specular)))};
+                              Nits(y_of(shading::shade(point, core_light, specular))), Nits()};
     };
     const Vec center = vec(light.frame.origin);
     const Vec luminance = vec(light.color * light.luminance.value);
@@ -222,8 +211,59 @@ ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, cons
                                                tube->length.value, near});
     if (const auto* sun = std::get_if<SunShape>(&light.shape))
         return both(shading::SphereLight<double>{vec(light.frame.z), luminance, sun_radius(*sun), 0.0});
-    const double cd = light.intensity_towards(position - light.frame.origin).value;
-    return both(shading::PunctualLight<double>{center, vec(light.color), cd, near});
+    return {};
+}
+
+} // namespace
+
+ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                          const ProbeWay& way) {
+    const IrradianceMethod method = illuminance_method(way.method);
+    const glm::dvec3 to_center = light.frame.origin - position;
+    const bool inside = is_inside(light.shape, light.frame, to_center);
+    const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
+    if (method == IrradianceMethod::reference && has_extent(light.shape)) {
+        const ReferenceValue e = reference_illuminance(light, position, normal, way.goal);
+        return {bounded(e.value), e.error_estimate, remark, e.converged};
+    }
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
+        const double lx = method == IrradianceMethod::exact ? light.luminance.value * of_sun(*sun, light.frame, normal)
+                                                            : light.illuminance.value * glm::dot(normal, light.frame.z);
+        return {bounded(lx)};
+    }
+    if (as_point(light.shape, method)) return of_point(light, vec(to_center), vec(normal), method);
+    const double e_over_l =
+        inside && method == IrradianceMethod::exact
+            ? std::numbers::pi
+            : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
+    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center))), 0.0, remark};
+}
+
+bool has_luminance(const Material& material, IrradianceMethod method) {
+    if (std::holds_alternative<LambertMaterial>(material)) return true;
+    if (method == IrradianceMethod::representative_point) return std::holds_alternative<FrostbiteMaterial>(material);
+    return method == IrradianceMethod::exact || method == IrradianceMethod::reference;
+}
+
+ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                        const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way) {
+    if (!(glm::dot(normal, surface.view) > 0.0)) return {};
+    if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
+        const double y = luminance_y(lambert->albedo * light.color) * std::numbers::inv_pi;
+        return {{Nits(bounded(share.illuminance_lx * y)), Nits(), Nits(bounded(share.error_lx * y))}, share.converged};
+    }
+    if (!has_extent(light.shape)) return {of_punctual(light, position, normal, surface, share)};
+    if (way.method == IrradianceMethod::representative_point) {
+        const auto* frostbite = std::get_if<FrostbiteMaterial>(&surface.material);
+        return {frostbite != nullptr ? by_one_point(light, position, normal, surface.view, *frostbite)
+                                     : ProbeLuminance{}};
+    }
+    const ReferenceLuminance nt =
+        reference_luminance(light, position, normal, surface.view, surface.material,
+                            way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{});
+    return {{Nits(bounded(nt.diffuse.value)), Nits(bounded(nt.specular.value)),
+             Nits(bounded(nt.diffuse.error_estimate + nt.specular.error_estimate))},
+            nt.diffuse.converged && nt.specular.converged};
 }
 
 } // namespace gonio::detail

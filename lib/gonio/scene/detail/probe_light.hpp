@@ -14,27 +14,40 @@ enum class ProbeRemark : std::uint8_t {
     inside    // the receiver lies inside a sphere or tube
 };
 
+// Who computes it: a method and, for `reference`, its goal.
+struct ProbeWay {
+    IrradianceMethod method = IrradianceMethod::exact;
+    ReferenceGoal goal;
+};
+
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]
+    double error_lx = 0.0;       // as `reference` estimates it
     ProbeRemark remark = ProbeRemark::none;
+    bool converged = true;
 };
 
 // `normal` is unit.
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                          IrradianceMethod method);
+                          const ProbeWay& way);
 
 // A material as the shading core takes it, and the view to it.
 struct ProbeSurface {
-    Material material;
+    const Material& material;
     glm::dvec3 view; // unit
 };
 
-// Luminance by the exact method; `share` is the illuminance that it gives.
-ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const ProbeSurface& surface, const ProbeShare& share);
+struct ProbeShine {
+    ProbeLuminance luminance;
+    bool converged = true;
+};
 
-// Whether the specular part of luminance_of() is an approximation.
-bool coarse_specular(const Shape& shape, const Material& material);
+// `share` is the illuminance that the light gives the same way.
+ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                        const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way);
+
+// Whether luminance_of() knows the material by this method.
+bool has_luminance(const Material& material, IrradianceMethod method);
 
 } // namespace gonio::detail
