@@ -1,11 +1,12 @@
 #include <gonio/bake/bake.hpp>
-#include <gonio/bake/latlong.hpp>
-#include <gonio/bake/texel_flux.hpp>
+#include <gonio/bake/chart_fill.hpp>
+#include <gonio/bake/latlong_fill.hpp>
+#include <gonio/bake/texel_store.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
-#include <gonio/web/meridians.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/symmetry.hpp>
 
 #include <fmt/format.h>
 
@@ -24,16 +25,6 @@ namespace gonio {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double radians_per_degree = pi / 180.0;
-
-// What the rows of a texture add up to.
-struct RowTotals {
-    double lumens = 0.0;    // of the texels as stored
-    double max_error = 0.0; // |texel − web| at the texels' centres [cd]
-    double steradians = 0.0;
-    double quantization_error = 0.0; // [cd]
-};
 
 // A chart read with bilinear filtering, clamped at its edges unless it wraps.
 double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place) {
@@ -71,78 +62,27 @@ double error_at_grid(const Web& web, const Texture& texture, std::span<const Pla
     return worst;
 }
 
-RowTotals sum(const std::vector<RowTotals>& rows) {
-    RowTotals total;
-    for (const RowTotals& row : rows) {
-        total.lumens += row.lumens;
-        total.steradians += row.steradians;
-        total.max_error = std::max(total.max_error, row.max_error);
-        total.quantization_error = std::max(total.quantization_error, row.quantization_error);
-    }
+StoredTotals sum(const std::vector<StoredTotals>& rows) {
+    StoredTotals total;
+    for (const StoredTotals& row : rows)
+        total += row;
     return total;
 }
 
-// Puts a texel of that mean into the picture; what is stored, in candela.
-double store(double mean, const Texture& texture, float& texel, RowTotals& total) {
-    const double wanted = std::max(mean, 0.0);
-    const double kept = as_stored(texture.texel_type, wanted / texture.cd_per_unit);
-    texel = static_cast<float>(kept);
-    const double intensity = kept * texture.cd_per_unit;
-    total.quantization_error = std::max(total.quantization_error, std::abs(intensity - wanted));
-    return intensity;
-}
-
 // latlong of a type C web; v180 is its only column, lying down.
-RowTotals fill_in_closed_form(Texture& texture, const Web& web, bool one_column, unsigned threads) {
+StoredTotals fill_in_closed_form(Texture& texture, const Web& web, const BakeOptions& options) {
     Image& image = texture.image;
+    const bool one_column = options.layout == Layout::v180;
     const int columns = one_column ? 1 : image.width;
     const int rows = one_column ? image.width : image.height;
-    const LatlongMeans means(web, columns);
-    std::vector<RowTotals> totals(static_cast<std::size_t>(rows));
-    parallel_for(totals.size(), threads, [&](std::size_t index) {
+    const LatlongFill fill(web, columns, options.skip);
+    const Storage storage{texture.texel_type, texture.cd_per_unit};
+    std::vector<StoredTotals> totals(static_cast<std::size_t>(rows));
+    parallel_for(totals.size(), options.threads, [&](std::size_t index) {
         const int j = static_cast<int>(index);
-        const double low = static_cast<double>(j) / rows * 180.0;
-        const double high = static_cast<double>(j + 1) / rows * 180.0;
-        std::vector<double> row(static_cast<std::size_t>(columns));
-        means.row(low, high, row);
-        RowTotals& total = totals[index];
-        const double gamma = 0.5 * (low + high);
-        for (int i = 0; i < columns; ++i) {
-            float& texel = one_column ? *image.at(j, 0) : *image.at(i, j);
-            const double kept = store(row[static_cast<std::size_t>(i)], texture, texel, total);
-            total.lumens += kept;
-            total.max_error =
-                std::max(total.max_error, std::abs(kept - web.candela((i + 0.5) / columns * 360.0, gamma)));
-        }
-        const double texel_sr =
-            integrate_linear_sin(low * radians_per_degree, high * radians_per_degree, 1.0, 1.0) * 2.0 * pi / columns;
-        total.lumens *= texel_sr;
-        total.steradians = texel_sr * columns;
-    });
-    return sum(totals);
-}
-
-RowTotals fill(Texture& texture, const Web& web, const Meridians& meridians, const PlacedChart& placed,
-               unsigned threads) {
-    Image& image = texture.image;
-    const TexelFlux flux(meridians, *placed.chart, placed.width, placed.height);
-    std::vector<RowTotals> totals(static_cast<std::size_t>(placed.height));
-    parallel_for(totals.size(), threads, [&](std::size_t index) {
-        const int j = static_cast<int>(index);
-        std::vector<double> lumens(static_cast<std::size_t>(placed.width));
-        std::vector<double> steradians(lumens.size());
-        flux.row(j, lumens, steradians);
-        RowTotals& total = totals[index];
-        float* const texels = image.at(placed.x, placed.y + j);
-        for (std::size_t i = 0; i < lumens.size(); ++i) {
-            const double value =
-                store(steradians[i] > 0.0 ? lumens[i] / steradians[i] : 0.0, texture, texels[i], total);
-            total.lumens += value * steradians[i];
-            total.steradians += steradians[i];
-            const glm::dvec3 center =
-                placed.chart->at((static_cast<double>(i) + 0.5) / placed.width, (j + 0.5) / placed.height).direction;
-            total.max_error = std::max(total.max_error, std::abs(value - web.candela(center)));
-        }
+        float* const begin = one_column ? image.at(j, 0) : image.at(0, j);
+        totals[index] = fill.row(static_cast<double>(j) / rows * 180.0, static_cast<double>(j + 1) / rows * 180.0,
+                                 storage, {begin, static_cast<std::size_t>(columns)});
     });
     return sum(totals);
 }
@@ -202,16 +142,18 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.peak = peak(web).intensity;
     texture.flux = flux(web);
 
-    std::vector<RowTotals> totals;
     const bool latlong = options.layout == Layout::latlong || options.layout == Layout::v180;
-    if (latlong && web.photometry() == Photometry::c) {
-        totals.push_back(fill_in_closed_form(texture, web, options.layout == Layout::v180, options.threads));
-    } else {
-        const Meridians meridians(web);
-        for (const PlacedChart& chart : *charts)
-            totals.push_back(fill(texture, web, meridians, chart, options.threads));
-    }
-    const RowTotals total = sum(totals);
+    StoredTotals total;
+    if (latlong && web.photometry() == Photometry::c)
+        total = fill_in_closed_form(texture, web, options);
+    else
+        // The mirrors that the light has, whatever the file says: line integrals are worth the search.
+        total = fill_charts(texture.image, compacted(web, 0.0), *charts, {texture.texel_type, *unit}, options.skip,
+                            options.threads);
+    for (const PlacedChart& chart : *charts)
+        texture.texels += static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
+    texture.evaluated = total.evaluated;
+    texture.least_mean = Candelas(total.deepest_negative);
     texture.texture_flux = Lumens(total.lumens);
     texture.solid_angle = Steradians(total.steradians);
     texture.quantization_error = Candelas(total.quantization_error);

@@ -19,6 +19,7 @@ struct BakeOptions {
     Normalization normalization = Normalization::none;
     TexelType texel_type = TexelType::float32;
     unsigned threads = 0; // 0 = as many as there are; does not change a bit of the result
+    bool skip = true;     // copy what a mirror of the web gives and leave out where it is dark; the texels are the same
 };
 
 // The size that a layout has when none is asked for.

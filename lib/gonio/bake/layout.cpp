@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -68,6 +69,12 @@ public:
         add_between(0.5 * level, from, to, at); // p = −(1 − level)
         add_between(0.5, from, to, at);
         add_between(1.0 - 0.5 * level, from, to, at);
+    }
+    [[nodiscard]] bool folds_between(bool /*along_s*/, double fixed, double from, double to) const override {
+        const double level = std::abs(2.0 * fixed - 1.0);
+        for (const double at : {0.5 * level, 0.5, 1.0 - 0.5 * level})
+            if (at > from && at < to) return true;
+        return false;
     }
 };
 
@@ -136,6 +143,12 @@ public:
         const double b = across > 0.0 ? r * std::atan2(std::abs(d.y), std::abs(d.x)) * 2.0 / pi : 0.0;
         return octahedral_place(d, r - b, b);
     }
+    // At the middle and in the corners, where the poles are, it is a cone.
+    [[nodiscard]] double smooth_within(double s, double t) const override {
+        const double across = std::abs(s - 0.5);
+        const double down = std::abs(t - 0.5);
+        return std::min(std::hypot(across, down), std::hypot(0.5 - across, 0.5 - down));
+    }
 };
 
 // A rectangle of a plane: middle + (2s − 1) right + (1 − 2t) up, at right angles, the middle of unit length.
@@ -153,6 +166,11 @@ public:
         const double v = glm::dot(d, up_) / glm::dot(up_, up_) / ahead;
         if (std::abs(u) > 1.0 || std::abs(v) > 1.0) return std::nullopt;
         return glm::dvec2(0.5 * (1.0 + u), 0.5 * (1.0 - v));
+    }
+    [[nodiscard]] double solid_angle() const override {
+        const double u = glm::length(right_);
+        const double v = glm::length(up_);
+        return 4.0 * std::atan2(u * v, std::sqrt(1.0 + u * u + v * v));
     }
 
 private:
@@ -289,6 +307,18 @@ Result<Layout> parse_layout(std::string_view text) {
 
 void Chart::folds(bool /*along_s*/, double /*fixed*/, double /*from*/, double /*to*/,
                   std::vector<double>& /*at*/) const {}
+
+bool Chart::folds_between(bool /*along_s*/, double /*fixed*/, double /*from*/, double /*to*/) const {
+    return false;
+}
+
+double Chart::smooth_within(double /*s*/, double /*t*/) const {
+    return 1.0;
+}
+
+double Chart::solid_angle() const {
+    return 4.0 * pi;
+}
 
 Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options) {
     switch (layout) {

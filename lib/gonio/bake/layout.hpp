@@ -66,6 +66,15 @@ public:
     // Appends where, between `from` and `to`, a line of constant t (`along_s`) or of constant s is not smooth.
     virtual void folds(bool along_s, double fixed, double from, double to, std::vector<double>& at) const;
 
+    // Whether there is any such place.
+    [[nodiscard]] virtual bool folds_between(bool along_s, double fixed, double from, double to) const;
+
+    // How far it is from there, in s and t, to a point around which the map is no power series; folds aside.
+    [[nodiscard]] virtual double smooth_within(double s, double t) const;
+
+    // Of the whole chart [sr].
+    [[nodiscard]] virtual double solid_angle() const;
+
 protected:
     Chart() = default;
     Chart(const Chart&) = default;

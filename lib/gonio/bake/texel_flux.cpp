@@ -1,9 +1,12 @@
 #include <gonio/bake/texel_flux.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,303 +16,354 @@ namespace {
 
 using std::numbers::pi;
 
-// Gauss–Legendre on [−1, 1]: the nodes above 0 and their weights.
+constexpr double turn = 2.0 * pi;
+
+// Below these an edge is short: its length [rad], and that length seen from the goniometer's axis.
+constexpr double short_length = 0.15;
+constexpr double short_reach = 0.2;
+
+// Of an edge that ends where the map has a corner; those run straight there.
+constexpr int most_halvings = 4;
+
+// Charts of fewer texels a side have long edges.
+constexpr int least_side = 16;
+
+// Gauss–Legendre on [−1, 1]: nodes and weights.
 struct Node {
     double at;
     double weight;
 };
-constexpr std::array<Node, 2> four{{{0.33998104358485626, 0.65214515486254614}, //
+constexpr std::array<Node, 3> three{
+    {{-0.77459666924148338, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.77459666924148338, 5.0 / 9.0}}};
+constexpr std::array<Node, 4> four{{{-0.86113631159405258, 0.34785484513745386},
+                                    {-0.33998104358485626, 0.65214515486254614},
+                                    {0.33998104358485626, 0.65214515486254614},
                                     {0.86113631159405258, 0.34785484513745386}}};
-constexpr std::array<Node, 3> six{{{0.23861918608319691, 0.46791393457269105},
+constexpr std::array<Node, 6> six{{{-0.93246951420315203, 0.17132449237917035},
+                                   {-0.66120938646626451, 0.36076157304813861},
+                                   {-0.23861918608319691, 0.46791393457269105},
+                                   {0.23861918608319691, 0.46791393457269105},
                                    {0.66120938646626451, 0.36076157304813861},
                                    {0.93246951420315203, 0.17132449237917035}}};
-constexpr std::array<Node, 6> twelve{{{0.12523340851146892, 0.24914704581340279},
-                                      {0.36783149899818019, 0.23349253653835481},
-                                      {0.58731795428661745, 0.20316742672306592},
-                                      {0.76990267419430469, 0.16007832854334623},
-                                      {0.90411725637047486, 0.10693932599531843},
-                                      {0.98156063424671925, 0.04717533638651183}}};
+constexpr std::array<Node, 12> twelve{{{-0.98156063424671925, 0.04717533638651183},
+                                       {-0.90411725637047486, 0.10693932599531843},
+                                       {-0.76990267419430469, 0.16007832854334623},
+                                       {-0.58731795428661745, 0.20316742672306592},
+                                       {-0.36783149899818019, 0.23349253653835481},
+                                       {-0.12523340851146892, 0.24914704581340279},
+                                       {0.12523340851146892, 0.24914704581340279},
+                                       {0.36783149899818019, 0.23349253653835481},
+                                       {0.58731795428661745, 0.20316742672306592},
+                                       {0.76990267419430469, 0.16007832854334623},
+                                       {0.90411725637047486, 0.10693932599531843},
+                                       {0.98156063424671925, 0.04717533638651183}}};
 
-// Around a texel, these are its flux and its solid angle up to a common sign: counted from the pole θ = 0, and from
-// θ = π.
-struct Sums {
-    double flux = 0.0;
-    double solid_angle = 0.0;
-    double far_flux = 0.0;
-    double far_solid_angle = 0.0;
+// atan and asin of small arguments, by their series: |x| ≤ 0.15 gives 1e-16.
+double small_atan(double x) {
+    const double q = x * x;
+    return x * (1.0 + q * (-1.0 / 3 + q * (1.0 / 5 + q * (-1.0 / 7 + q * (1.0 / 9 + q * (-1.0 / 11 + q / 13))))));
+}
+double small_asin(double x) {
+    const double q = x * x;
+    return x * (1.0 + q * (1.0 / 6 + q * (3.0 / 40 + q * (5.0 / 112 +
+                                                          q * (35.0 / 1152 + q * (63.0 / 2816 + q * 231.0 / 13312))))));
+}
 
-    Sums& operator+=(const Sums& other) {
-        flux += other.flux;
-        solid_angle += other.solid_angle;
-        far_flux += other.far_flux;
-        far_solid_angle += other.far_solid_angle;
-        return *this;
-    }
-    Sums& operator-=(const Sums& other) {
-        flux -= other.flux;
-        solid_angle -= other.solid_angle;
-        far_flux -= other.far_flux;
-        far_solid_angle -= other.far_solid_angle;
-        return *this;
-    }
+// How an edge runs at x, in the goniometer's frame: where it is, and how it moves across the line of sight.
+struct Place {
+    glm::dvec3 at; // of unit length
+    glm::dvec3 moves;
 };
 
-// Where f changes its sign between a and b, by the Illinois method; f(a) and f(b) are given and differ in sign.
+Place place(const Meridians& meridians, const Chart& chart, bool along_s, double fixed, double x) {
+    const ChartPoint point = along_s ? chart.at(x, fixed) : chart.at(fixed, x);
+    const double scale = 1.0 / glm::length(point.direction);
+    const glm::dvec3 at = meridians.local(point.direction) * scale;
+    const glm::dvec3 moves = meridians.local(along_s ? point.along_s : point.along_t) * scale;
+    return {at, moves - glm::dot(moves, at) * at};
+}
+
+// Where f is 0 between a and b, at whose ends it differs in sign: regula falsi in the Illinois form.
 template<class F>
 double root(double a, double b, double fa, double fb, F&& f) {
-    for (int step = 0; step < 40 && b - a > 1e-13; ++step) {
+    const double enough = 1e-13 * (b - a);
+    for (int step = 0; step < 40; ++step) {
         const double c = std::clamp((a * fb - b * fa) / (fb - fa), a, b);
         const double fc = f(c);
         if (fc == 0.0) return c;
-        if ((fc < 0.0) == (fb < 0.0)) {
-            if (std::abs(b - c) < 1e-13) return c;
+        const bool like_b = (fc < 0.0) == (fb < 0.0);
+        const double moved = like_b ? b - c : c - a;
+        if (like_b) {
             b = c;
             fb = fc;
             fa *= 0.5;
         } else {
-            if (std::abs(c - a) < 1e-13) return c;
             a = c;
             fa = fc;
             fb *= 0.5;
         }
+        if (moved < enough) return c;
     }
     return 0.5 * (a + b);
 }
 
-// Line integrals along one edge of a texel: s or t runs, the other is fixed.
-class Edge {
-public:
-    Edge(const Meridians& meridians, const Chart& chart, bool along_s, double fixed)
-        : meridians_(meridians), chart_(chart), along_s_(along_s), fixed_(fixed) {}
+// A few cuts of an edge, without an allocation.
+struct Cuts {
+    std::array<double, 8> at{};
+    std::size_t count = 0;
+    bool full = false;
 
-    Sums between(double from, double to) {
-        cuts_.assign({from, to});
-        chart_.folds(along_s_, fixed_, from, to, cuts_);
-        std::sort(cuts_.begin(), cuts_.end());
-        Sums sums;
-        for (std::size_t i = 1; i < cuts_.size(); ++i)
-            if (cuts_[i] > cuts_[i - 1]) sums += smooth(cuts_[i - 1], cuts_[i]);
-        return sums;
-    }
-
-private:
-    // A point of the edge in the goniometer's frame, and how it moves.
-    struct Place {
-        glm::dvec3 at; // of unit length
-        glm::dvec3 moves;
-    };
-
-    [[nodiscard]] Place place(double x) const {
-        const ChartPoint point = along_s_ ? chart_.at(x, fixed_) : chart_.at(fixed_, x);
-        const double scale = 1.0 / glm::length(point.direction);
-        const glm::dvec3 at = meridians_.local(point.direction) * scale;
-        const glm::dvec3 moves = meridians_.local(along_s_ ? point.along_s : point.along_t) * scale;
-        return {at, moves - glm::dot(moves, at) * at};
-    }
-
-    // A piece without folds: cut into short ones, so that θ turns once at most and α goes the short way.
-    Sums smooth(double from, double to) {
-        // The ends may be one direction, so the way counts; taken inside the folds, where the map is the piece's own.
-        double speed = 0.0;
-        for (const double share : {0.001, 0.5, 0.999})
-            speed = std::max(speed, glm::length(place(from + share * (to - from)).moves));
-        const int pieces = std::max(1, static_cast<int>(std::ceil(speed * (to - from) / 0.2)));
-        Sums sums;
-        for (int i = 0; i < pieces; ++i) {
-            const double a = from + (to - from) * i / pieces;
-            const double b = i + 1 == pieces ? to : from + (to - from) * (i + 1) / pieces;
-            sums += short_piece(a, b);
-        }
-        return sums;
-    }
-
-    Sums short_piece(double from, double to) {
-        const auto turn = [&](double x) { return place(x).moves.z; };
-        // The map's own derivative, not that of the fold's other side.
-        const double inside = 1e-9 * (to - from);
-        const double turn_from = turn(from + inside);
-        const double turn_to = turn(to - inside);
-        if ((turn_from < 0.0) == (turn_to < 0.0) || turn_from == 0.0 || turn_to == 0.0) return monotonic(from, to);
-        const double middle = root(from + inside, to - inside, turn_from, turn_to, turn);
-        Sums sums = monotonic(from, middle);
-        sums += monotonic(middle, to);
-        return sums;
-    }
-
-    // θ rises or falls all the way.
-    Sums monotonic(double from, double to) {
-        const glm::dvec3 begin = place(from).at;
-        const glm::dvec3 end = place(to).at;
-        breaks_.clear();
-        const double low = std::min(begin.z, end.z);
-        const double high = std::max(begin.z, end.z);
-        for (const double cosine : meridians_.polar_break_cosines())
-            if (cosine > low && cosine < high)
-                breaks_.push_back(
-                    root(from, to, begin.z - cosine, end.z - cosine, [&](double x) { return place(x).at.z - cosine; }));
-        add_azimuth_breaks(from, to, begin, end);
-        breaks_.push_back(to);
-        std::sort(breaks_.begin(), breaks_.end());
-        Sums sums;
-        double last = from;
-        for (const double next : breaks_) {
-            if (next > last) sums += inside_cell(last, next);
-            last = std::max(last, next);
-        }
-        return sums;
-    }
-
-    void add_azimuth_breaks(double from, double to, const glm::dvec3& begin, const glm::dvec3& end) {
-        // At a pole every azimuth is right: the piece has that of its other end.
-        if (std::hypot(begin.x, begin.y) < 1e-12 || std::hypot(end.x, end.y) < 1e-12) return;
-        const double first = std::atan2(begin.y, begin.x);
-        const double turned = std::remainder(std::atan2(end.y, end.x) - first, 2.0 * pi);
-        for (const double azimuth : meridians_.azimuth_breaks()) {
-            const double ahead = std::remainder(azimuth - first, 2.0 * pi);
-            // Both ways around, for turns of up to half a circle.
-            const bool passed = turned > 0.0 ? ahead > 0.0 && ahead < turned : ahead < 0.0 && ahead > turned;
-            if (!passed) continue;
-            const double c = std::cos(azimuth);
-            const double s = std::sin(azimuth);
-            const auto beside = [&](const glm::dvec3& at) { return at.y * c - at.x * s; };
-            const double at_begin = beside(begin);
-            const double at_end = beside(end);
-            if ((at_begin < 0.0) == (at_end < 0.0)) continue;
-            breaks_.push_back(root(from, to, at_begin, at_end, [&](double x) { return beside(place(x).at); }));
-        }
-    }
-
-    // Between two cuts: one sector, one cell.
-    Sums inside_cell(double from, double to) {
-        const double middle = 0.5 * (from + to);
-        const double half = 0.5 * (to - from);
-        const Place center = place(middle);
-        const double rho = std::hypot(center.at.x, center.at.y);
-        const std::size_t sector = meridians_.sector_of(std::atan2(center.at.y, center.at.x));
-        const std::size_t cell = meridians_.cell_of(std::atan2(rho, center.at.z));
-        Sums sums;
-        const auto add = [&](double at, double weight) {
-            const auto [p, moves] = place(middle + half * at);
-            const double across = p.x * p.x + p.y * p.y;
-            if (!(across > 0.0)) return; // on the pole: G vanishes there
-            const double sine = std::sqrt(across);
-            const double d_azimuth = weight * half * (p.x * moves.y - p.y * moves.x) / across;
-            const double polar = std::atan2(sine, p.z);
-            const Meridians::Integral g = meridians_.integral(sector, std::atan2(p.y, p.x), cell, polar, p.z, sine);
-            sums.flux += g.to_here * d_azimuth;
-            sums.far_flux += (g.to_here - g.to_far_pole) * d_azimuth;
-            // 1 − cosθ and −1 − cosθ, each where it does not cancel.
-            const double from_near = p.z > 0.0 ? across / (1.0 + p.z) : 1.0 - p.z;
-            const double from_far = p.z < 0.0 ? across / (1.0 - p.z) : 1.0 + p.z;
-            sums.solid_angle += from_near * d_azimuth;
-            sums.far_solid_angle -= from_far * d_azimuth;
-        };
-        // As fine as the piece is long, seen from the middle or around the pole.
-        const double speed = glm::length(center.moves) * 2.0 * half;
-        const double reach = std::max(speed, rho > 0.0 ? speed / rho : pi);
-        const auto add_all = [&](const auto& nodes) {
-            for (const Node& node : nodes) {
-                add(-node.at, node.weight);
-                add(node.at, node.weight);
-            }
-        };
-        if (reach < 0.02)
-            add_all(four);
-        else if (reach < 0.15)
-            add_all(six);
+    void add(double x) {
+        if (count < at.size())
+            at[count++] = x;
         else
-            add_all(twelve);
-        return sums;
+            full = true;
     }
-
-    const Meridians& meridians_;
-    const Chart& chart_;
-    bool along_s_;
-    double fixed_;
-    std::vector<double> cuts_;
-    std::vector<double> breaks_;
 };
-
-// A texel, or a part of one.
-struct Cell {
-    double s0, s1, t0, t1;
-};
-
-enum class Poles { near_or_none, far, both };
-
-// Which poles a cell may hold or touch. Generous: a cell that counts from the far pole without need loses nothing.
-Poles poles_in(const Meridians& meridians, const Chart& chart, const Cell& cell) {
-    const auto unit = [&](double s, double t) { return glm::normalize(chart.at(s, t).direction); };
-    const glm::dvec3 center = unit(0.5 * (cell.s0 + cell.s1), 0.5 * (cell.t0 + cell.t1));
-    double radius = 0.0;
-    for (const double s : {cell.s0, cell.s1})
-        for (const double t : {cell.t0, cell.t1})
-            radius = std::max(radius, glm::distance(center, unit(s, t)));
-    const double reach = 1.6 * radius + 1e-9;
-    const bool far = glm::distance(center, -meridians.pole()) <= reach;
-    const bool near = glm::distance(center, meridians.pole()) <= reach;
-    return far ? (near ? Poles::both : Poles::far) : Poles::near_or_none;
-}
-
-struct Texel {
-    double lumens;
-    double steradians;
-};
-
-Texel oriented(const Sums& around, bool from_far_pole) {
-    const double flux = from_far_pole ? around.far_flux : around.flux;
-    const double solid_angle = from_far_pole ? around.far_solid_angle : around.solid_angle;
-    return solid_angle < 0.0 ? Texel{-flux, -solid_angle} : Texel{flux, solid_angle};
-}
-
-// A cell that may hold both poles is cut until none does.
-Texel alone(const Meridians& meridians, const Chart& chart, const Cell& cell, int depth) {
-    const Poles poles = poles_in(meridians, chart, cell);
-    if (poles == Poles::both && depth < 12) {
-        const double s = 0.5 * (cell.s0 + cell.s1);
-        const double t = 0.5 * (cell.t0 + cell.t1);
-        Texel sum{0.0, 0.0};
-        for (const Cell& part : {Cell{cell.s0, s, cell.t0, t}, Cell{s, cell.s1, cell.t0, t},
-                                 Cell{cell.s0, s, t, cell.t1}, Cell{s, cell.s1, t, cell.t1}}) {
-            const Texel texel = alone(meridians, chart, part, depth + 1);
-            sum.lumens += texel.lumens;
-            sum.steradians += texel.steradians;
-        }
-        return sum;
-    }
-    Sums around = Edge(meridians, chart, true, cell.t0).between(cell.s0, cell.s1);
-    around += Edge(meridians, chart, false, cell.s1).between(cell.t0, cell.t1);
-    around -= Edge(meridians, chart, true, cell.t1).between(cell.s0, cell.s1);
-    around -= Edge(meridians, chart, false, cell.s0).between(cell.t0, cell.t1);
-    return oriented(around, poles == Poles::far);
-}
 
 } // namespace
 
-void TexelFlux::row(int j, std::span<double> lumens, std::span<double> steradians) const {
-    const auto s_of = [&](int i) { return static_cast<double>(i) / width_; };
-    const double t0 = static_cast<double>(j) / height_;
-    const double t1 = static_cast<double>(j + 1) / height_;
-    Edge top(meridians_, chart_, true, t0);
-    Edge bottom(meridians_, chart_, true, t1);
-    Sums left = Edge(meridians_, chart_, false, 0.0).between(t0, t1);
-    for (int i = 0; i < width_; ++i) {
-        const Cell cell{s_of(i), s_of(i + 1), t0, t1};
-        Sums right = Edge(meridians_, chart_, false, cell.s1).between(t0, t1);
-        const Poles poles = poles_in(meridians_, chart_, cell);
-        Texel texel{0.0, 0.0};
-        if (poles == Poles::both) {
-            texel = alone(meridians_, chart_, cell, 0);
-        } else {
-            Sums around = top.between(cell.s0, cell.s1);
-            around += right;
-            around -= bottom.between(cell.s0, cell.s1);
-            around -= left;
-            texel = oriented(around, poles == Poles::far);
+// A corner of a texel in the goniometer's frame.
+struct TexelFlux::Corner {
+    glm::dvec3 at{};
+    double rho = 0.0; // sinθ
+    double azimuth = 0.0;
+    double polar = 0.0;
+};
+
+TexelFlux::Corner TexelFlux::corner(int i, int j) const {
+    const glm::dvec3 direction = chart_.at(static_cast<double>(i) / width_, static_cast<double>(j) / height_).direction;
+    Corner corner;
+    corner.at = meridians_.local(direction) / glm::length(direction);
+    corner.rho = std::sqrt(corner.at.x * corner.at.x + corner.at.y * corner.at.y);
+    corner.azimuth = std::atan2(corner.at.y, corner.at.x);
+    corner.polar = std::atan2(corner.rho, corner.at.z);
+    return corner;
+}
+
+ChartCell TexelFlux::cell_of(int i, int j) const {
+    return {static_cast<double>(i) / width_, static_cast<double>(i + 1) / width_, static_cast<double>(j) / height_,
+            static_cast<double>(j + 1) / height_};
+}
+
+// Between cuts: one sector, one cell.
+EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, int halvings) const {
+    const double middle = 0.5 * (from + to);
+    const double half = 0.5 * (to - from);
+    const Place center = place(meridians_, chart_, along_s, fixed, middle);
+    const double rho = std::sqrt(center.at.x * center.at.x + center.at.y * center.at.y);
+    const double azimuth = std::atan2(center.at.y, center.at.x);
+    const double polar = std::atan2(rho, center.at.z);
+    const Meridians::Patch patch = meridians_.patch(meridians_.sector_of(azimuth), meridians_.cell_of(polar));
+    double from_begin = azimuth - patch.azimuth_begin;
+    from_begin -= turn * std::round((from_begin - 0.5 * patch.azimuth_width) / turn);
+    const double per_width = 1.0 / patch.azimuth_width;
+
+    EdgeSums sums;
+    const auto add = [&](const Node& node) {
+        const auto [p, moves] = place(meridians_, chart_, along_s, fixed, middle + half * node.at);
+        const double across = p.x * p.x + p.y * p.y;
+        const double sine = std::sqrt(across);
+        const double d_azimuth = node.weight * half * (p.x * moves.y - p.y * moves.x) / across;
+        // What α and θ are beyond those of the middle.
+        const double more_azimuth =
+            small_atan((center.at.x * p.y - center.at.y * p.x) / (center.at.x * p.x + center.at.y * p.y));
+        const double more_polar = small_asin(sine * center.at.z - p.z * rho);
+        const double weight = (from_begin + more_azimuth) * per_width;
+        const double beyond = polar - patch.polar_begin + more_polar;
+        const auto integral = [&](const Meridians::Piece& end) {
+            return end.constant - (end.intensity + end.slope * beyond) * p.z + end.slope * sine;
+        };
+        const double low = integral(patch.low);
+        const double high = integral(patch.high);
+        sums.flux += (low + weight * (high - low)) * d_azimuth;
+        // What lies beyond, each end for itself, so that it is 0 where nothing does.
+        const double low_beyond = low - patch.low_total;
+        sums.far_flux += (low_beyond + weight * (high - patch.high_total - low_beyond)) * d_azimuth;
+        // 1 − cosθ and −1 − cosθ, each where it does not cancel.
+        const double small = across / (1.0 + std::abs(p.z));
+        sums.solid_angle += (p.z > 0.0 ? small : 1.0 - p.z) * d_azimuth;
+        sums.far_solid_angle -= (p.z < 0.0 ? small : 1.0 + p.z) * d_azimuth;
+    };
+    // As many nodes as the piece is long, seen from its middle, around the pole, or from where the map has a corner.
+    const double speed = glm::length(center.moves) * 2.0 * half;
+    const double corner = 2.0 * half / chart_.smooth_within(along_s ? middle : fixed, along_s ? fixed : middle);
+    const double reach = std::max(std::max(speed, speed / rho), corner);
+    if (reach < 0.03) {
+        std::for_each(three.begin(), three.end(), add);
+    } else if (reach < 0.08) {
+        std::for_each(four.begin(), four.end(), add);
+    } else if (reach < 0.2) {
+        std::for_each(six.begin(), six.end(), add);
+    } else if (reach < 0.6 || halvings == 0) {
+        std::for_each(twelve.begin(), twelve.end(), add);
+    } else {
+        sums = piece(along_s, fixed, from, middle, halvings - 1);
+        sums += piece(along_s, fixed, middle, to, halvings - 1);
+    }
+    return sums;
+}
+
+EdgeSums TexelFlux::edge(const Corner& begin, const Corner& end, bool along_s, double fixed, double from,
+                         double to) const {
+    const auto generally = [&] { return edge_sums(meridians_, chart_, along_s, fixed, from, to); };
+    const double length = glm::distance(begin.at, end.at);
+    const double least_rho = std::min(begin.rho, end.rho);
+    if (!(length < short_length && length < short_reach * least_rho)) return generally();
+    const double speed = glm::length(place(meridians_, chart_, along_s, fixed, 0.5 * (from + to)).moves) * (to - from);
+    if (!(speed < 1.25 * length + 1e-9)) return generally(); // there and back, or around
+    if (chart_.folds_between(along_s, fixed, from, to)) return generally();
+
+    Cuts cuts;
+    // No break of θ within what the edge may bulge: none is met.
+    const std::span<const double> polars = meridians_.polar_breaks();
+    const double bulge = 0.25 * length;
+    const auto low = std::upper_bound(polars.begin(), polars.end(), std::min(begin.polar, end.polar) - bulge);
+    const auto high = std::upper_bound(low, polars.end(), std::max(begin.polar, end.polar) + bulge);
+    if (low != high) {
+        const auto rise = [&](double x) { return place(meridians_, chart_, along_s, fixed, x).moves.z; };
+        const double inside = 1e-9 * (to - from);
+        if ((rise(from + inside) < 0.0) != (rise(to - inside) < 0.0)) return generally(); // it turns
+        for (auto at = low; at != high; ++at) {
+            const double cosine = meridians_.polar_break_cosines()[static_cast<std::size_t>(at - polars.begin())];
+            const double a = begin.at.z - cosine;
+            const double b = end.at.z - cosine;
+            if (std::min(a, b) < -1e-13 && std::max(a, b) > 1e-13)
+                cuts.add(root(from, to, a, b,
+                              [&](double x) { return place(meridians_, chart_, along_s, fixed, x).at.z - cosine; }));
         }
-        lumens[static_cast<std::size_t>(i)] = texel.lumens;
-        steradians[static_cast<std::size_t>(i)] = texel.steradians;
-        left = right;
+    }
+    const std::size_t sector = meridians_.sector_of(begin.azimuth);
+    const std::span<const double> azimuths = meridians_.azimuth_breaks();
+    const double turned = std::remainder(end.azimuth - begin.azimuth, turn);
+    for (std::size_t k = 0; k < azimuths.size() && !cuts.full; ++k) {
+        // Ahead: the next sectors' beginnings; behind: this one's and those before.
+        const std::size_t next =
+            turned > 0.0 ? (sector + 1 + k) % azimuths.size() : (sector + azimuths.size() - k) % azimuths.size();
+        const double ahead = std::remainder(azimuths[next] - begin.azimuth, turn);
+        if (turned > 0.0 ? ahead > turned || ahead < -1e-9 : ahead < turned || ahead > 1e-9) break;
+        const double c = std::cos(azimuths[next]);
+        const double s = std::sin(azimuths[next]);
+        const double a = begin.at.y * c - begin.at.x * s;
+        const double b = end.at.y * c - end.at.x * s;
+        if (std::min(a, b) < -1e-13 && std::max(a, b) > 1e-13)
+            cuts.add(root(from, to, a, b, [&](double x) {
+                const glm::dvec3 at = place(meridians_, chart_, along_s, fixed, x).at;
+                return at.y * c - at.x * s;
+            }));
+    }
+    if (cuts.full) return generally();
+    std::sort(cuts.at.begin(), cuts.at.begin() + static_cast<std::ptrdiff_t>(cuts.count));
+    EdgeSums sums;
+    double last = from;
+    for (std::size_t k = 0; k <= cuts.count; ++k) {
+        const double next = k < cuts.count ? cuts.at[k] : to;
+        if (next <= last) continue;
+        sums += piece(along_s, fixed, last, next, most_halvings);
+        last = next;
+    }
+    return sums;
+}
+
+// Whether a texel lies where there is no light, by its corners and no nearer to the light than it is wide.
+bool TexelFlux::is_dark(const Corner* upper, const Corner* lower) const {
+    const std::array<const Corner*, 4> corners{upper, upper + 1, lower, lower + 1};
+    double width = 0.0;
+    double least_rho = 1.0;
+    double nearest = pi;
+    double farthest = 0.0;
+    for (const Corner* corner : corners) {
+        for (const Corner* other : corners)
+            width = std::max(width, glm::distance(corner->at, other->at));
+        least_rho = std::min(least_rho, corner->rho);
+        nearest = std::min(nearest, corner->polar);
+        farthest = std::max(farthest, corner->polar);
+    }
+    const double margin = 1.1 * width + 1e-9;
+    if (farthest + margin < meridians_.lit_polar_from() || nearest - margin > meridians_.lit_polar_to()) return true;
+    if (meridians_.dark_azimuth_width() <= 0.0 || 2.0 * margin > least_rho) return false;
+    const double beside = 1.5 * margin / least_rho;
+    return std::all_of(corners.begin(), corners.end(), [&](const Corner* corner) {
+        double inside = std::fmod(corner->azimuth - meridians_.dark_azimuth_begin(), turn);
+        if (inside < 0.0) inside += turn;
+        return inside > beside && inside < meridians_.dark_azimuth_width() - beside;
+    });
+}
+
+// Whether the pole θ = π is nearer than θ = 0: then the flux is counted from there.
+bool TexelFlux::is_far(const Corner* upper, const Corner* lower) {
+    return upper[0].at.z + upper[1].at.z + lower[0].at.z + lower[1].at.z < 0.0;
+}
+
+// Around θ = π the general way knows what to do.
+bool TexelFlux::is_at_far_pole(const Corner* upper, const Corner* lower, const ChartCell& cell) const {
+    const double least = std::min(std::min(upper[0].at.z, upper[1].at.z), std::min(lower[0].at.z, lower[1].at.z));
+    return least < -0.7 && may_hold_far_pole(meridians_, chart_, cell);
+}
+
+CellFlux TexelFlux::texel(int i, int j) const {
+    const ChartCell cell = cell_of(i, j);
+    if (width_ < least_side || height_ < least_side) return cell_flux(meridians_, chart_, cell);
+    const std::array<Corner, 2> upper{corner(i, j), corner(i + 1, j)};
+    const std::array<Corner, 2> lower{corner(i, j + 1), corner(i + 1, j + 1)};
+    if (is_at_far_pole(upper.data(), lower.data(), cell)) return cell_flux(meridians_, chart_, cell);
+    EdgeSums around = edge(upper[0], upper[1], true, cell.t0, cell.s0, cell.s1);
+    around += edge(upper[1], lower[1], false, cell.s1, cell.t0, cell.t1);
+    around -= edge(lower[0], lower[1], true, cell.t1, cell.s0, cell.s1);
+    around -= edge(upper[0], lower[0], false, cell.s0, cell.t0, cell.t1);
+    return inside(around, is_far(upper.data(), lower.data()));
+}
+
+void TexelFlux::rows(int j, int rows, std::span<const char> wanted, bool skip_dark, std::span<double> lumens,
+                     std::span<double> steradians) const {
+    const auto w = static_cast<std::size_t>(width_);
+    std::fill(lumens.begin(), lumens.end(), 0.0);
+    std::fill(steradians.begin(), steradians.end(), 0.0);
+    const auto set = [&](std::size_t at, const CellFlux& flux) {
+        lumens[at] = flux.lumens;
+        steradians[at] = flux.steradians;
+    };
+    if (width_ < least_side || height_ < least_side) {
+        for (int row = 0; row < rows; ++row)
+            for (std::size_t i = 0; i < w; ++i) {
+                const std::size_t at = static_cast<std::size_t>(row) * w + i;
+                if (wanted.empty() || wanted[at] != 0) set(at, texel(static_cast<int>(i), j + row));
+            }
+        return;
+    }
+
+    std::vector<Corner> upper(w + 1);
+    std::vector<Corner> lower(w + 1);
+    for (std::size_t i = 0; i <= w; ++i)
+        upper[i] = corner(static_cast<int>(i), j);
+    // The edges above the row, where the row before has computed them.
+    std::vector<std::optional<EdgeSums>> top(w);
+    for (int row = j; row < j + rows; ++row) {
+        const std::size_t first = static_cast<std::size_t>(row - j) * w;
+        for (std::size_t i = 0; i <= w; ++i)
+            lower[i] = corner(static_cast<int>(i), row + 1);
+        std::optional<EdgeSums> left;
+        for (std::size_t i = 0; i < w; ++i) {
+            const ChartCell cell = cell_of(static_cast<int>(i), row);
+            const bool leave_out =
+                (!wanted.empty() && wanted[first + i] == 0) || (skip_dark && is_dark(&upper[i], &lower[i]));
+            if (leave_out || is_at_far_pole(&upper[i], &lower[i], cell)) {
+                if (!leave_out) set(first + i, cell_flux(meridians_, chart_, cell));
+                top[i].reset();
+                left.reset();
+                continue;
+            }
+            EdgeSums around = top[i] ? *top[i] : edge(upper[i], upper[i + 1], true, cell.t0, cell.s0, cell.s1);
+            const EdgeSums right = edge(upper[i + 1], lower[i + 1], false, cell.s1, cell.t0, cell.t1);
+            const EdgeSums bottom = edge(lower[i], lower[i + 1], true, cell.t1, cell.s0, cell.s1);
+            around += right;
+            around -= bottom;
+            around -= left ? *left : edge(upper[i], lower[i], false, cell.s0, cell.t0, cell.t1);
+            set(first + i, inside(around, is_far(&upper[i], &lower[i])));
+            top[i] = bottom; // of the next row
+            left = right;
+        }
+        std::swap(upper, lower);
     }
 }
 

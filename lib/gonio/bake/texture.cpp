@@ -35,11 +35,12 @@ double as_stored(TexelType type, double value) {
     case TexelType::float32:
         return static_cast<double>(static_cast<float>(value));
     case TexelType::half: {
-        // 11 bits, of which the last is 2⁻²⁴ at least.
+        // As from an image of floats; 11 bits, of which the last is 2⁻²⁴ at least.
+        const auto single = static_cast<double>(static_cast<float>(value));
         int exponent = 0;
-        static_cast<void>(std::frexp(value, &exponent));
+        static_cast<void>(std::frexp(single, &exponent));
         const int last_bit = std::max(exponent - 11, -24);
-        const double rounded = std::ldexp(std::nearbyint(std::ldexp(value, -last_bit)), last_bit);
+        const double rounded = std::ldexp(std::nearbyint(std::ldexp(single, -last_bit)), last_bit);
         return rounded > 65504.0 ? std::numeric_limits<double>::infinity() : rounded;
     }
     case TexelType::uint16:

@@ -5,6 +5,7 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,8 +30,8 @@ std::span<const std::string_view> normalization_names();
 // What a file keeps of a texel. Integers hold [0, 1] on their whole range.
 enum class TexelType { float32, half, uint16, uint8 };
 
-// What becomes of `value` ≥ 0 when it is stored, read back: rounded to nearest, cut to [0, 1] by integers. A half
-// beyond 65504 is infinite.
+// What becomes of `value` ≥ 0 when it is stored, read back: rounded to nearest (to a half by way of a float), cut to
+// [0, 1] by integers. A half beyond 65504 is infinite.
 double as_stored(TexelType type, double value);
 
 struct Texture {
@@ -46,6 +47,9 @@ struct Texture {
     Candelas quantization_error; // greatest |texel as stored − its mean|, negative means as 0
     Steradians solid_angle;      // of all texels: 4π unless the layout leaves directions out
     Candelas max_error;          // greatest |texture, filtered, − web| at the texels' centres and at the web's grid
+    Candelas least_mean;         // the least of the texels' means where one is negative, and stored as 0; else 0
+    std::size_t texels = 0;      // of the layout: borders and empty corners left out
+    std::size_t evaluated = 0;   // texels whose mean was computed; the others are mirror images, or dark
 };
 
 } // namespace gonio

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
@@ -63,34 +64,11 @@ GONIO_FORCE_INLINE vec3<S> brdf(const Frostbite<S>& material, vec3<S> n, vec3<S>
             channel(material.albedo.z, material.f0.z)};
 }
 
-namespace detail {
-
 template<class S>
-GONIO_FORCE_INLINE S specular_share(const Frostbite<S>& material, S n_dot_v) {
+GONIO_FORCE_INLINE Lobes<S> lobes(const Frostbite<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);
-    return specular_share(simd::mul_add(material.f90 - f0, schlick_weight(n_dot_v), f0), mean(material.albedo));
-}
-
-} // namespace detail
-
-template<class S>
-GONIO_FORCE_INLINE S pdf_brdf(const Frostbite<S>& material, vec3<S> n, vec3<S> v, vec3<S> l) {
-    const S n_dot_v = dot(n, v);
-    const S share = detail::specular_share(material, n_dot_v);
-    const S specular = pdf_reflected_ggx(n, v, l, simd::max(material.alpha, S(minimum_alpha)));
-    const S diffuse = pdf_cosine(dot(n, l));
-    return simd::select(above_surface(n_dot_v), simd::mul_add(share, specular, (S(1) - share) * diffuse), S(0));
-}
-
-template<class S>
-GONIO_FORCE_INLINE BrdfSample<S> sample_brdf(const Frostbite<S>& material, vec3<S> n, vec3<S> v, vec3<S> u) {
-    const TangentFrame<S> frame(n);
-    const vec3<S> local = frame.to_local(v);
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
-    const vec3<S> l =
-        frame.to_world(select(u.z < detail::specular_share(material, local.z),
-                              reflected_direction_ggx(local, alpha, u.x, u.y), cosine_direction(u.x, u.y)));
-    return {l, pdf_brdf(material, n, v, l)};
+    return lobes_by_weight(material.alpha, simd::mul_add(material.f90 - f0, schlick_weight(n_dot_v), f0),
+                           mean(material.albedo));
 }
 
 } // namespace gonio::shading

@@ -65,6 +65,18 @@ GONIO_FORCE_INLINE S pdf_cosine(S n_dot_l) {
     return simd::max(n_dot_l, S(0)) * S(std::numbers::inv_pi);
 }
 
+// Of the upper hemisphere with density 1/(2π).
+template<class S>
+GONIO_FORCE_INLINE vec3<S> even_direction(S u0, S u1) {
+    const S r = simd::sqrt(u0 * (S(2) - u0));
+    const S phi = S(2.0 * std::numbers::pi) * u1;
+    return {r * simd::cos(phi), r * simd::sin(phi), S(1) - u0};
+}
+template<class S>
+GONIO_FORCE_INLINE S pdf_even(S n_dot_l) {
+    return simd::select(n_dot_l > S(0), S(0.5 * std::numbers::inv_pi), S(0));
+}
+
 template<class S>
 GONIO_FORCE_INLINE S mean(vec3<S> color) {
     return S(1.0 / 3.0) * (color.x + color.y + color.z);
@@ -77,18 +89,5 @@ GONIO_FORCE_INLINE S schlick_weight(S x) {
     const S y2 = y * y;
     return y2 * y2 * y;
 }
-
-namespace detail {
-
-// How often a material of two lobes samples its specular one: by the share of its reflectance towards the mirror, and
-// each lobe that there is at least in one case of ten.
-template<class S>
-GONIO_FORCE_INLINE S specular_share(S specular, S diffuse) {
-    const auto matte = diffuse > S(0);
-    const S share = specular / simd::select(matte, specular + diffuse, S(1));
-    return simd::select(matte, simd::min(simd::max(share, S(0.1)), S(0.9)), S(1));
-}
-
-} // namespace detail
 
 } // namespace gonio::shading

@@ -72,6 +72,8 @@ Meridians::Meridians(const Web& web) {
     // Linear in α inside a sector: what it has at the ends follows from two angles inside, where no jump is met.
     std::vector<double> low(polars_.size());
     std::vector<double> high(polars_.size());
+    std::vector<char> lit_polars(polars_.size(), 0);
+    std::vector<char> lit_sectors(azimuths_.size(), 0);
     for (std::size_t i = 0; i < azimuths_deg.size(); ++i) {
         const double begin = azimuths_deg[i];
         const double width = (i + 1 < azimuths_deg.size() ? azimuths_deg[i + 1] : azimuths_deg.front() + 360.0) - begin;
@@ -86,10 +88,47 @@ Meridians::Meridians(const Web& web) {
             const double late = at(0.75, polars_deg[j]);
             low[j] = 1.5 * early - 0.5 * late;
             high[j] = 1.5 * late - 0.5 * early;
+            if (early != 0.0 || late != 0.0) lit_polars[j] = lit_sectors[i] = 1;
         }
         add_end(low);
         add_end(high);
     }
+    find_darkness(lit_polars, lit_sectors);
+}
+
+void Meridians::find_darkness(std::span<const char> lit_polars, std::span<const char> lit_sectors) {
+    const auto first = std::find(lit_polars.begin(), lit_polars.end(), 1);
+    if (first == lit_polars.end()) return;
+    const auto last = std::find(lit_polars.rbegin(), lit_polars.rend(), 1);
+    const auto from = static_cast<std::size_t>(first - lit_polars.begin());
+    const auto to = lit_polars.size() - 1 - static_cast<std::size_t>(last - lit_polars.rbegin());
+    lit_polar_from_ = polars_[from > 0 ? from - 1 : 0];
+    lit_polar_to_ = polars_[std::min(to + 1, polars_.size() - 1)];
+    // The longest run of dark sectors, around.
+    const std::size_t count = lit_sectors.size();
+    for (std::size_t begin = 0; begin < count; ++begin) {
+        double width = 0.0;
+        for (std::size_t k = 0; k < count && lit_sectors[(begin + k) % count] == 0; ++k) {
+            const std::size_t i = (begin + k) % count;
+            width += (i + 1 < count ? azimuths_[i + 1] : azimuths_.front() + turn) - azimuths_[i];
+        }
+        if (width <= dark_azimuth_width_) continue;
+        dark_azimuth_begin_ = azimuths_[begin];
+        dark_azimuth_width_ = width;
+    }
+}
+
+Meridians::Patch Meridians::patch(std::size_t sector, std::size_t cell) const {
+    const double begin = azimuths_[sector];
+    const std::size_t cells = polars_.size() + 1;
+    const Piece* const pieces = pieces_.data() + 2 * sector * cells;
+    return {begin,
+            (sector + 1 < azimuths_.size() ? azimuths_[sector + 1] : azimuths_.front() + turn) - begin,
+            cell > 0 ? polars_[cell - 1] : 0.0,
+            pieces[cell],
+            pieces[cells + cell],
+            pieces[cells - 1].constant,
+            pieces[2 * cells - 1].constant};
 }
 
 void Meridians::add_end(std::span<const double> candela) {
@@ -134,12 +173,12 @@ Meridians::Integral Meridians::integral(std::size_t sector, double azimuth, std:
         const Piece* const pieces = pieces_.data() + (2 * sector + which) * cells;
         const Piece& piece = pieces[cell];
         const double here = piece.intensity + (cell > 0 ? piece.slope * (polar - polars_[cell - 1]) : 0.0);
-        return Integral{piece.constant - here * cos_polar + piece.slope * sin_polar, pieces[cells - 1].constant};
+        const double integral = piece.constant - here * cos_polar + piece.slope * sin_polar;
+        return Integral{integral, integral - pieces[cells - 1].constant};
     };
     const Integral low = end(0);
     const Integral high = end(1);
-    return {low.to_here + weight * (high.to_here - low.to_here),
-            low.to_far_pole + weight * (high.to_far_pole - low.to_far_pole)};
+    return {low.to_here + weight * (high.to_here - low.to_here), low.beyond + weight * (high.beyond - low.beyond)};
 }
 
 } // namespace gonio

@@ -36,15 +36,14 @@ public:
     [[nodiscard]] std::size_t sector_of(double azimuth) const;
     [[nodiscard]] std::size_t cell_of(double polar) const;
 
-    // ∫₀^θ and ∫₀^π of I sinθ' dθ' [cd], continued linearly in α from the sector. `cell` is cell_of(polar).
+    // ∫₀^θ and −∫_θ^π of I sinθ' dθ' [cd], continued linearly in α from the sector. `cell` is cell_of(polar).
     struct Integral {
         double to_here = 0.0;
-        double to_far_pole = 0.0;
+        double beyond = 0.0; // exactly 0 behind the last light
     };
     [[nodiscard]] Integral integral(std::size_t sector, double azimuth, std::size_t cell, double polar,
                                     double cos_polar, double sin_polar) const;
 
-private:
     // I(θ) = intensity + slope·(θ − θⱼ) from the break j on, at one end of a sector; `constant` is G there without its
     // running terms: G(θ) = constant − I(θ) cosθ + slope·sinθ.
     struct Piece {
@@ -53,8 +52,29 @@ private:
         double constant = 0.0;
     };
 
+    // One cell of one sector, for who evaluates many points in it.
+    struct Patch {
+        double azimuth_begin = 0.0;
+        double azimuth_width = 0.0;
+        double polar_begin = 0.0;
+        Piece low; // at the sector's two ends
+        Piece high;
+        double low_total = 0.0; // G at θ = π
+        double high_total = 0.0;
+    };
+    [[nodiscard]] Patch patch(std::size_t sector, std::size_t cell) const;
+
+    // Where there may be light: θ outside [from, to] is dark for every α.
+    [[nodiscard]] double lit_polar_from() const { return lit_polar_from_; }
+    [[nodiscard]] double lit_polar_to() const { return lit_polar_to_; }
+    // The widest arc of α without light at any θ; of width 0 where there is none.
+    [[nodiscard]] double dark_azimuth_begin() const { return dark_azimuth_begin_; }
+    [[nodiscard]] double dark_azimuth_width() const { return dark_azimuth_width_; }
+
+private:
     // Pieces of one end of a sector, one for each number of breaks passed.
     void add_end(std::span<const double> candela);
+    void find_darkness(std::span<const char> lit_polars, std::span<const char> lit_sectors);
 
     glm::dvec3 azimuth_0_{1.0, 0.0, 0.0};
     glm::dvec3 azimuth_90_{0.0, 1.0, 0.0};
@@ -63,6 +83,10 @@ private:
     std::vector<double> polars_;
     std::vector<double> cosines_;
     std::vector<Piece> pieces_; // [sector][end][cell]
+    double lit_polar_from_ = 0.0;
+    double lit_polar_to_ = 0.0;
+    double dark_azimuth_begin_ = 0.0;
+    double dark_azimuth_width_ = 0.0;
 };
 
 } // namespace gonio

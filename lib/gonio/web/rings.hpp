@@ -1,4 +1,4 @@
-// Integrals of a web of type A or B over pieces of (C, γ), for which there is no closed form: zones, texels, cones.
+// Integrals of a web of type A or B over pieces of (C, γ) under a weight, for which there is no closed form: masks.
 //
 // The lines of the native grid are planes of directions: x = q, y = q, x = −t z or y = −t z. A ring of constant γ meets
 // each of them at azimuths with a closed form, so the integral over C is cut there and between the cuts is that of a

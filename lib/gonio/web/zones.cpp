@@ -1,4 +1,4 @@
-#include <gonio/web/rings.hpp>
+#include <gonio/web/cone_flux.hpp>
 #include <gonio/web/separable.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/zones.hpp>
@@ -17,19 +17,19 @@ class ZoneFlux {
 public:
     explicit ZoneFlux(const Web& web) : web_(web) {
         if (web.photometry() != Photometry::c)
-            rings_.emplace(web);
+            cones_.emplace(web);
         else
             planes_ = plane_terms(web, plane_bends_deg(web), 0.0, 360.0);
     }
 
     Lumens operator()(double gamma_low_deg, double gamma_high_deg) const {
-        if (rings_) return Lumens(rings_->zone(gamma_low_deg, gamma_high_deg));
+        if (cones_) return Lumens(cones_->zone(gamma_low_deg, gamma_high_deg).both());
         return sum_of(web_, planes_, gamma_terms(web_, gamma_low_deg, gamma_high_deg));
     }
 
 private:
     const Web& web_;
-    std::optional<Rings> rings_;
+    std::optional<ConeFlux> cones_;
     Terms planes_;
 };
 
@@ -75,18 +75,23 @@ LuminaireClassification luminaire_classification(const Web& web) {
     constexpr std::array limits{0.0, 30.0, 60.0, 80.0, 90.0};
     constexpr std::array edges{0.0, 90.0, 270.0, 360.0};
     LuminaireClassification zones;
-    const bool c = web.photometry() == Photometry::c;
-    const std::optional<Rings> rings = c ? std::nullopt : std::optional<Rings>(web);
-    const std::vector<double> bends = c ? plane_bends_deg(web) : std::vector<double>{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        std::array<double, 3> lumens{};
-        if (rings) {
-            rings->add(limits[i], limits[i + 1], edges, lumens);
-        } else {
-            const Terms gammas = gamma_terms(web, limits[i], limits[i + 1]);
-            for (std::size_t k = 0; k < 3; ++k)
-                lumens[k] = sum_of(web, plane_terms(web, bends, edges[k], edges[k + 1]), gammas).value;
+    if (web.photometry() != Photometry::c) {
+        const ConeFlux cones(web);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const ConeFlux::Halves lumens = cones.zone(limits[i], limits[i + 1]);
+            zones.front[i] = Lumens(lumens.front);
+            zones.back[i] = Lumens(lumens.back);
         }
+        zones.up_low = Lumens(cones.zone(90.0, 100.0).both());
+        zones.up_high = Lumens(cones.zone(100.0, 180.0).both());
+        return zones;
+    }
+    const std::vector<double> bends = plane_bends_deg(web);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Terms gammas = gamma_terms(web, limits[i], limits[i + 1]);
+        std::array<double, 3> lumens{};
+        for (std::size_t k = 0; k < 3; ++k)
+            lumens[k] = sum_of(web, plane_terms(web, bends, edges[k], edges[k + 1]), gammas).value;
         zones.front[i] = Lumens(lumens[0] + lumens[2]);
         zones.back[i] = Lumens(lumens[1]);
     }

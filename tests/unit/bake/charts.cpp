@@ -159,9 +159,9 @@ TEST(Charts, TexelsSplit) {
                 const TexelFlux fine(meridians, *placed.chart, 2 * placed.width, 2 * placed.height);
                 for (int j = 0; j < placed.height; ++j) {
                     std::vector<double> lumens(w), sr(w), upper(2 * w), lower(2 * w), upper_sr(2 * w), lower_sr(2 * w);
-                    coarse.row(j, lumens, sr);
-                    fine.row(2 * j, upper, upper_sr);
-                    fine.row(2 * j + 1, lower, lower_sr);
+                    coarse.rows(j, 1, {}, false, lumens, sr);
+                    fine.rows(2 * j, 1, {}, false, upper, upper_sr);
+                    fine.rows(2 * j + 1, 1, {}, false, lower, lower_sr);
                     for (std::size_t i = 0; i < w; ++i) {
                         EXPECT_NEAR(lumens[i], upper[2 * i] + upper[2 * i + 1] + lower[2 * i] + lower[2 * i + 1],
                                     1000 * 1e-11)
@@ -193,7 +193,7 @@ TEST(Charts, TexelsAreMeansOverTheirSolidAngle) {
                 const TexelFlux flux(meridians, *placed.chart, placed.width, placed.height);
                 for (int j = 0; j < placed.height; ++j) {
                     std::vector<double> lumens(w), sr(w);
-                    flux.row(j, lumens, sr);
+                    flux.rows(j, 1, {}, false, lumens, sr);
                     for (std::size_t i = 0; i < w; ++i) {
                         double sum = 0.0;
                         double measure = 0.0;
@@ -231,7 +231,7 @@ TEST(Charts, LatlongIsTheClosedForm) {
         const LatlongMeans means(web, width);
         for (int j = 0; j < height; ++j) {
             std::vector<double> lumens(width), sr(width), mean(width);
-            around.row(j, lumens, sr);
+            around.rows(j, 1, {}, false, lumens, sr);
             means.row(180.0 * j / height, 180.0 * (j + 1) / height, mean);
             for (std::size_t i = 0; i < width; ++i)
                 EXPECT_NEAR(lumens[i] / sr[i], mean[i], 1000 * 2e-12) << i << ' ' << j;
@@ -248,7 +248,7 @@ TEST(Charts, EqualAreaMeansEqual) {
     const TexelFlux flux(meridians, *charts[0].chart, 33, 33);
     std::vector<double> lumens(33), sr(33);
     for (int j = 0; j < 33; ++j) {
-        flux.row(j, lumens, sr);
+        flux.rows(j, 1, {}, false, lumens, sr);
         for (const double texel_sr : sr)
             EXPECT_NEAR(texel_sr, 4.0 * pi / (33 * 33), 1e-13);
     }

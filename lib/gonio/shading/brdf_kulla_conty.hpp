@@ -1,0 +1,115 @@
+// GGX with the light that its facets scatter more than once: the single scattering of brdf_ggx.hpp and a wide lobe that
+// carries what it loses (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017).
+//
+// With L(μ) = 1 − E(μ), the loss at F = 1, and L̄ = ∫ 2μ L dμ the lobe is F_ms L(n·l) L(n·v)/(π L̄): reciprocal, and with
+// F = 1 nothing is lost. F_ms = F̄² (1 − L̄)/(1 − F̄ L̄), F̄ = f0 + (1 − f0)/21 the mean of Schlick's reflectance.
+// L is a polynomial within 1.1e-4 of the truth (fit/ggx_loss.cpp), and L̄ its own mean: a white surface gives back 1 ±
+// 2e-4.
+#pragma once
+
+#include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_lobes.hpp>
+#include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/ggx_loss_coefficients.hpp>
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <cstddef>
+#include <numbers>
+
+namespace gonio::shading {
+
+namespace detail {
+
+// Σ c[k] T_k(x) for k < count, by C. W. Clenshaw's recurrence; |x| ≤ 1.
+template<class S, class T>
+GONIO_FORCE_INLINE S chebyshev_series(const T* c, std::size_t count, S x) {
+    const S twice = x + x;
+    S one = S(0);
+    S two = S(0);
+    for (std::size_t k = count - 1; k > 0; --k) {
+        const S next = simd::mul_add(twice, one, S(c[k]) - two);
+        two = one;
+        one = next;
+    }
+    return simd::mul_add(x, one, S(c[0]) - two);
+}
+
+} // namespace detail
+
+// L(μ) of one α: what is lost by scattering once.
+template<class S>
+struct GgxLoss {
+    S alpha;
+    S c[detail::ggx_loss_of_cosine];
+
+    // μ in [0, 1].
+    GONIO_FORCE_INLINE S operator()(S mu) const {
+        const S q = mu * (S(1) + alpha) / (mu + alpha);
+        return simd::max(detail::chebyshev_series(c, detail::ggx_loss_of_cosine, q + q - S(1)), S(0));
+    }
+    // ∫ 2μ L(μ) dμ.
+    GONIO_FORCE_INLINE S mean() const {
+        S sum = S(0);
+        for (std::size_t i = 0; i < detail::cosine_nodes; ++i)
+            sum = simd::mul_add(S(detail::node_weight[i]), (*this)(S(detail::node_cosine[i])), sum);
+        return sum;
+    }
+};
+
+// α in [0, 1], at least minimum_alpha.
+template<class S>
+GONIO_FORCE_INLINE GgxLoss<S> ggx_loss(S alpha) {
+    GgxLoss<S> loss;
+    loss.alpha = simd::max(alpha, S(minimum_alpha));
+    for (std::size_t i = 0; i < detail::ggx_loss_of_cosine; ++i)
+        loss.c[i] = detail::chebyshev_series(detail::ggx_loss_terms + i * detail::ggx_loss_of_alpha,
+                                             detail::ggx_loss_of_alpha, loss.alpha + loss.alpha - S(1));
+    return loss;
+}
+
+template<class S>
+struct KullaConty {
+    vec3<S> f0;       // reflectance at normal incidence; 1 at grazing
+    vec3<S> multiple; // F_ms/(π L̄)
+    GgxLoss<S> loss;  // holds α too
+};
+
+// f0 and α in [0, 1].
+template<class S>
+GONIO_FORCE_INLINE KullaConty<S> kulla_conty_material(vec3<S> f0, S alpha) {
+    const GgxLoss<S> loss = ggx_loss(alpha);
+    const S mean = loss.mean();
+    const S inverse = reciprocal_or_zero(mean) * S(std::numbers::inv_pi);
+    const auto channel = [&](S f) {
+        const S average = simd::mul_add(S(1) - f, S(1.0 / 21.0), f);
+        return average * average * (S(1) - mean) / (S(1) - average * mean) * inverse;
+    };
+    return {f0, {channel(f0.x), channel(f0.y), channel(f0.z)}, loss};
+}
+
+// The wide lobe, for cosines in [0, 1].
+template<class S>
+GONIO_FORCE_INLINE vec3<S> multiple_scattering(const KullaConty<S>& material, S n_dot_l, S n_dot_v) {
+    return material.multiple * (material.loss(n_dot_l) * material.loss(n_dot_v));
+}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> brdf(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    const S n_dot_l = dot(n, l);
+    const S n_dot_v = dot(n, v);
+    const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
+    const vec3<S> multiple =
+        multiple_scattering(material, simd::select(lit, n_dot_l, S(1)), simd::select(lit, n_dot_v, S(1)));
+    return brdf(Ggx<S>{material.f0, material.loss.alpha}, n, l, v) + multiple * simd::select(lit, S(1), S(0));
+}
+
+template<class S>
+GONIO_FORCE_INLINE Lobes<S> lobes(const KullaConty<S>& material, S n_dot_v) {
+    const S f0 = mean(material.f0);
+    const S reflected = simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0);
+    const S lost = material.loss(simd::min(simd::max(n_dot_v, S(0)), S(1)));
+    return lobes_by_weight(material.loss.alpha, reflected * (S(1) - lost), reflected * lost);
+}
+
+} // namespace gonio::shading

@@ -1,0 +1,88 @@
+// The material of "The Art of Remember Me" (S. Lagarde and L. Harduin, 2013): Lambert and Blinn's cosine power, and
+// what water does to both.
+//
+// f = albedo/π + F (p + 2)/(8π) (n·h)^p with Schlick's F to 1 at grazing. There is no shadowing between facets, and so
+// the specular albedo falls with n·v; nothing lessens the diffuse part by it. Reciprocal, not energy conserving:
+// README.md gives the measured albedos.
+#pragma once
+
+#include <gonio/shading/brdf_lambert.hpp>
+#include <gonio/shading/brdf_lobes.hpp>
+#include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <numbers>
+
+namespace gonio::shading {
+
+template<class S>
+struct RememberMe {
+    vec3<S> albedo; // of the diffuse part
+    vec3<S> f0;     // reflectance at normal incidence; 1 at grazing
+    S power;        // p, ≥ 2
+};
+
+// p = 2^(1 + 10 smoothness).
+template<class S>
+GONIO_FORCE_INLINE S specular_power(S smoothness) {
+    return simd::exp2(simd::mul_add(S(10), smoothness, S(1)));
+}
+
+// Albedo, linear f0, smoothness and wetness, each in [0, 1]. Water darkens what is rough and no metal, for it fills its
+// pores, and smooths all.
+template<class S>
+GONIO_FORCE_INLINE RememberMe<S> remember_me_material(vec3<S> albedo, vec3<S> f0, S smoothness, S wetness) {
+    const auto saturate = [](S x) { return simd::min(simd::max(x, S(0)), S(1)); };
+    const S metalness = saturate(S(1000) * mean(f0) - S(500));
+    const S porosity = saturate((S(0.5) - smoothness) * S(1.0 / 0.4));
+    const S darkest = S(1) - S(0.8) * (S(1) - metalness) * porosity;
+    const auto blend = [](S from, S to, S share) { return simd::mul_add(share, to - from, from); };
+    const S smooth = blend(S(1), smoothness, blend(S(1), darkest, S(0.5) * wetness));
+    return {albedo * blend(S(1), darkest, wetness), f0, specular_power(smooth)};
+}
+
+// (n·h)^p, ‖n×h‖² given: the logarithm of n·h from it, where n·h itself has lost its digits. 0 where n·h is not
+// positive.
+template<class S>
+GONIO_FORCE_INLINE S cosine_power(S n_dot_h, S n_cross_h_square, S power) {
+    constexpr double log2_e = std::numbers::log2e;
+    const auto near = n_cross_h_square < S(0.5);
+    const S x = simd::select(near, n_cross_h_square, S(0));
+    const S y = x / (S(2) - x); // ln(1 − x) = −2 artanh y
+    const S log_near = S(-2.0 * log2_e) * y * simd::atanh_ratio(y * y);
+    const S cosine = simd::select(near, S(1), simd::max(n_dot_h, S(least_cosine)));
+    const S log = simd::select(near, S(0.5) * log_near, simd::log2(cosine));
+    return simd::select(n_dot_h > S(0), simd::exp2(power * log), S(0));
+}
+
+// The specular part [1/sr] is f0 + (1 − f0)·grazing times scale, as for specular_ggx. `widened` is p, or less where a
+// lobe is widened for an area light; its peak is lowered with the square of (p + 2), as a GGX lobe's with α⁻².
+template<class S>
+GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, vec3<S> v, S power, S widened) {
+    const auto lit = simd::both(above_surface(dot(n, l)), above_surface(dot(n, v)));
+    const vec3<S> h = normalized(l + v);
+    const vec3<S> n_cross_h = cross(n, h);
+    const S peak = (widened + S(2)) * ((widened + S(2)) / (power + S(2))) * S(0.125 * std::numbers::inv_pi);
+    const S scale = peak * cosine_power(dot(n, h), dot(n_cross_h, n_cross_h), widened);
+    return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
+}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> brdf(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    const SpecularTerms<S> specular = specular_cosine_power(n, l, v, material.power, material.power);
+    const auto channel = [&](S f0) { return specular.scale * simd::mul_add(S(1) - f0, specular.grazing, f0); };
+    return brdf(Lambert<S>{material.albedo}, n, l, v) +
+           vec3<S>{channel(material.f0.x), channel(material.f0.y), channel(material.f0.z)};
+}
+
+// The normals of a GGX surface whose distribution has the same peak, α² = 2/(p + 2): its tails cover a cosine power's,
+// and unlike the power's own half vectors all that are drawn face the eye.
+template<class S>
+GONIO_FORCE_INLINE Lobes<S> lobes(const RememberMe<S>& material, S n_dot_v) {
+    const S f0 = mean(material.f0);
+    return lobes_by_weight(simd::sqrt(S(2) / (material.power + S(2))),
+                           simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0), mean(material.albedo));
+}
+
+} // namespace gonio::shading

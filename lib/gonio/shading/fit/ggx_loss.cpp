@@ -1,0 +1,259 @@
+// Prints lib/gonio/shading/ggx_loss_coefficients.hpp: the share of light that GGX facets which reflect everything lose
+// by scattering it once only, L(μ, α) = 1 − E, as a polynomial in two variables.
+//
+//     gonio-ggx-loss-fit > lib/gonio/shading/ggx_loss_coefficients.hpp     the header
+//     gonio-ggx-loss-fit --errors                                          what other degrees achieve
+//
+// E = ∫∫ G₂/G₁ over the visible normals: a cap of the unit sphere about the stretched view (J. Dupuy and A. Benyoub,
+// 2023), each ring of it an arc, since the mirrored direction is above the surface where a linear function of cosφ is
+// positive. Rings where that arc begins or becomes whole divide the cap; within the pieces all is smooth.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <numbers>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t of_cosine = 16; // coefficients in q = μ(1 + α)/(μ + α)
+constexpr std::size_t of_alpha = 10;  // and in α
+constexpr std::size_t nodes_of_mean = 24;
+
+struct GaussRule {
+    std::vector<double> at, weight; // on [0, 1]
+
+    explicit GaussRule(std::size_t n) {
+        const auto count = static_cast<double>(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            double z = -std::cos(pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
+            double slope = 1.0;
+            for (int step = 0; step < 50; ++step) {
+                double before = 1.0;
+                double here = z;
+                for (std::size_t k = 2; k <= n; ++k) {
+                    const auto order = static_cast<double>(k);
+                    const double next = ((2.0 * order - 1.0) * z * here - (order - 1.0) * before) / order;
+                    before = here;
+                    here = next;
+                }
+                slope = count * (z * here - before) / (z * z - 1.0);
+                z -= here / slope;
+            }
+            at.push_back(0.5 + 0.5 * z);
+            weight.push_back(1.0 / ((1.0 - z * z) * slope * slope));
+        }
+    }
+};
+
+// The cap of one view.
+class VisibleNormals {
+public:
+    VisibleNormals(double mu, double alpha) : alpha_(alpha), mu_(mu), across_(std::sqrt((1.0 - mu) * (1.0 + mu))) {
+        const double length = std::hypot(alpha * across_, mu);
+        stretched_across_ = alpha * across_ / length;
+        stretched_up_ = mu / length;
+    }
+
+    // ∫∫ G₂/G₁ du dφ/π over φ in [0, π], u the share of the cap's height.
+    [[nodiscard]] double albedo() const {
+        static const GaussRule rule(40);
+        double sum = 0.0;
+        const std::vector<double> cuts = divisions();
+        for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
+            const double width = cuts[piece + 1] - cuts[piece];
+            for (std::size_t i = 0; i < rule.at.size(); ++i) {
+                // Denser towards both ends, where square roots of the distance stand.
+                const double x = rule.at[i];
+                const double u = cuts[piece] + width * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+                sum += rule.weight[i] * width * 30.0 * x * x * (1.0 - x) * (1.0 - x) * ring(u, rule);
+            }
+        }
+        return sum;
+    }
+
+private:
+    struct Ring {
+        double r, up;               // of the point of the cap about the stretched view's axis; of the normal, not unit
+        double constant, of_cosine; // the mirrored height's sign is that of constant + of_cosine·cosφ
+    };
+
+    [[nodiscard]] Ring ring_at(double u) const {
+        const double fallen = u * (1.0 + stretched_up_);
+        const double r = std::sqrt(std::fmax(fallen * (2.0 - fallen), 0.0));
+        const double up = (1.0 - u) * (1.0 + stretched_up_);
+        const double a2 = alpha_ * alpha_;
+        const double constant = 2.0 * up * (across_ * alpha_ * stretched_across_ + mu_ * up) -
+                                mu_ * (a2 * (r * r + stretched_across_ * stretched_across_) + up * up);
+        return {r, up, constant, 2.0 * r * (up * across_ * alpha_ - mu_ * a2 * stretched_across_)};
+    }
+
+    [[nodiscard]] double ring(double u, const GaussRule& rule) const {
+        const Ring at = ring_at(u);
+        double from = 0.0;
+        double to = pi;
+        const double size = std::fabs(at.of_cosine);
+        if (at.constant <= -size) return 0.0;
+        if (at.constant < size) (at.of_cosine > 0.0 ? to : from) = std::acos(-at.constant / at.of_cosine);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < rule.at.size(); ++i)
+            sum += rule.weight[i] * shadowing(at, from + (to - from) * rule.at[i]);
+        return sum * (to - from) / pi;
+    }
+
+    // G₂/G₁ of the direction mirrored at the normal of azimuth φ.
+    [[nodiscard]] double shadowing(const Ring& at, double phi) const {
+        const double x = alpha_ * (at.r * std::cos(phi) + stretched_across_);
+        const double y = alpha_ * at.r * std::sin(phi);
+        const double length2 = x * x + y * y + at.up * at.up;
+        const double out = 2.0 * (across_ * x + mu_ * at.up) * at.up / length2 - mu_;
+        if (!(out > 0.0)) return 0.0;
+        const double a2 = alpha_ * alpha_;
+        const double wide_in = std::sqrt(a2 + (1.0 - a2) * mu_ * mu_);
+        const double wide_out = std::sqrt(a2 + (1.0 - a2) * out * out);
+        return out * (mu_ + wide_in) / (out * wide_in + mu_ * wide_out);
+    }
+
+    // 0, 1 and where a ring's arc begins or ends to be whole.
+    [[nodiscard]] std::vector<double> divisions() const {
+        constexpr int steps = 400;
+        std::vector<double> cuts{0.0};
+        for (const double side : {-1.0, 1.0}) {
+            const auto sign = [&](double u) {
+                const Ring at = ring_at(u);
+                return at.constant + side * at.of_cosine > 0.0;
+            };
+            for (int k = 0; k < steps; ++k) {
+                double low = place(k, steps);
+                double high = place(k + 1, steps);
+                if (sign(low) == sign(high)) continue;
+                const bool below = sign(low);
+                for (int halving = 0; halving < 60; ++halving) {
+                    const double middle = 0.5 * (low + high);
+                    (sign(middle) == below ? low : high) = middle;
+                }
+                cuts.push_back(low);
+            }
+        }
+        cuts.push_back(1.0);
+        for (std::size_t i = 1; i < cuts.size(); ++i)
+            for (std::size_t k = i; k > 0 && cuts[k] < cuts[k - 1]; --k)
+                std::swap(cuts[k], cuts[k - 1]);
+        return cuts;
+    }
+    // Evenly between, crowded towards 1, where small α cuts.
+    static double place(int k, int steps) {
+        const double left = 1.0 - static_cast<double>(k) / steps;
+        return 1.0 - left * left * left * left;
+    }
+
+    double alpha_, mu_, across_;
+    double stretched_across_ = 0.0, stretched_up_ = 0.0;
+};
+
+double loss(double mu, double alpha) {
+    return 1.0 - VisibleNormals(mu, alpha).albedo();
+}
+
+// Chebyshev's points of [0, 1] and the polynomials T_i(2x − 1).
+double point(std::size_t i, std::size_t count) {
+    return 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+}
+double chebyshev(std::size_t i, double x) {
+    return std::cos(static_cast<double>(i) * std::acos(std::fmin(std::fmax(2.0 * x - 1.0, -1.0), 1.0)));
+}
+
+constexpr double least_alpha = 1e-6;
+
+struct Fit {
+    std::size_t n, m;
+    std::vector<double> c; // [n][m]
+
+    Fit(std::size_t of_q, std::size_t of_a) : n(of_q), m(of_a), c(n * m) {
+        std::vector<double> values(n * m);
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < m; ++j) {
+                const double alpha = std::fmax(point(j, m), least_alpha);
+                const double q = point(i, n);
+                values[i * m + j] = loss(alpha * q / (1.0 + alpha - q), alpha);
+            }
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < m; ++j) {
+                double sum = 0.0;
+                for (std::size_t k = 0; k < n; ++k)
+                    for (std::size_t l = 0; l < m; ++l)
+                        sum += values[k * m + l] * chebyshev(i, point(k, n)) * chebyshev(j, point(l, m));
+                c[i * m + j] = sum * (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0) / static_cast<double>(n * m);
+            }
+    }
+    [[nodiscard]] double at(double mu, double alpha) const {
+        const double q = mu * (1.0 + alpha) / (mu + alpha);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < m; ++j)
+                sum += c[i * m + j] * chebyshev(i, q) * chebyshev(j, alpha);
+        return sum;
+    }
+    [[nodiscard]] double largest_error() const {
+        double largest = 0.0;
+        for (int j = 0; j <= 30; ++j) {
+            const double alpha = std::fmax(std::pow(j / 30.0, 2.0), 1e-4);
+            for (int i = 1; i <= 40; ++i) {
+                const double q = i / 40.0;
+                const double mu = std::fmin(alpha * q / (1.0 + alpha - q), 1.0);
+                largest = std::fmax(largest, std::fabs(at(mu, alpha) - loss(mu, alpha)));
+            }
+        }
+        return largest;
+    }
+};
+
+void print_rows(const std::vector<double>& values, bool relative, std::size_t in_row) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::fputs(i % in_row == 0 ? "    " : " ", stdout);
+        std::printf(relative ? "%.8eF," : "%.9fF,", values[i]);
+        if ((i + 1) % in_row == 0) std::putchar('\n');
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count > 1 && std::string_view(arguments[1]) == "--errors") {
+        std::printf("E(1, 1) − (1 − ln 2): %.1e\n", 1.0 - loss(1.0, 1.0) - (1.0 - std::log(2.0)));
+        for (const double alpha : {0.1, 0.25, 0.5, 1.0})
+            std::printf("E(1, %g) = %.6f\n", alpha, 1.0 - loss(1.0, alpha));
+        for (const auto& [n, m] : {std::array<std::size_t, 2>{10, 6}, {12, 8}, {14, 8}, {16, 10}, {20, 12}})
+            std::printf("%zu x %zu: %.1e\n", n, m, Fit(n, m).largest_error());
+        return 0;
+    }
+    const Fit fit(of_cosine, of_alpha);
+    const GaussRule rule(nodes_of_mean);
+    std::puts("// Printed by fit/ggx_loss.cpp: what GGX facets that reflect all light lose by a single scattering.");
+    std::puts("#pragma once\n\n#include <cstddef>\n\n// clang-format off\nnamespace gonio::shading::detail {\n");
+    std::printf("inline constexpr std::size_t ggx_loss_of_cosine = %zu;\n", of_cosine);
+    std::printf("inline constexpr std::size_t ggx_loss_of_alpha = %zu;\n\n", of_alpha);
+    std::puts("// L(μ, α) = Σᵢ Σⱼ c[i][j] Tᵢ(2q − 1) Tⱼ(2α − 1), q = μ(1 + α)/(μ + α), T Chebyshev's polynomials.");
+    std::printf("// Largest error for 1e-4 ≤ α ≤ 1: %.1e.\n", fit.largest_error());
+    std::puts("inline constexpr float ggx_loss_terms[ggx_loss_of_cosine * ggx_loss_of_alpha] = {");
+    // To the rounding of the largest: further digits of the small ones differ by compiler.
+    print_rows(fit.c, false, of_alpha / 2);
+    std::puts("};\n\n// ∫ 2μ f(μ) dμ over [0, 1] = Σ weight·f(cosine): Gauss–Legendre's rule in √μ.");
+    std::printf("inline constexpr std::size_t cosine_nodes = %zu;\n", nodes_of_mean);
+    std::vector<double> cosines;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < nodes_of_mean; ++i) {
+        const double x = rule.at[i];
+        cosines.push_back(x * x);
+        weights.push_back(rule.weight[i] * 4.0 * x * x * x);
+    }
+    std::puts("inline constexpr float node_cosine[cosine_nodes] = {");
+    print_rows(cosines, true, 6);
+    std::puts("};\ninline constexpr float node_weight[cosine_nodes] = {");
+    print_rows(weights, true, 6);
+    std::puts("};\n\n} // namespace gonio::shading::detail\n// clang-format on");
+    return 0;
+}
