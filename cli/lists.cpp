@@ -185,7 +185,7 @@ constexpr std::array lists{
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"loci", "curves of colour over temperature", loci},
-    NamedList{"materials", "materials of preview", materials},
+    NamedList{"materials", "materials of preview and probe", materials},
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
     NamedList{"policies", "whose meaning of photometric numbers", policies},

@@ -3,6 +3,7 @@
 #include <gonio/media/image_file.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/scene/material_charts.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include "../arguments.hpp"
@@ -78,6 +79,8 @@ Result<void> read_picture(const Arguments& arguments, Request& request) {
     if (const auto text = arguments.value("--material")) {
         Result<Material> material = parse_material(*text);
         if (!material) return pass_on(material);
+        const Diagnostics judged = check_charts(*material);
+        request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
         for (Surface& surface : request.stage.surfaces)
             if (std::holds_alternative<Ball>(surface.geometry)) surface.material = *material;
     }

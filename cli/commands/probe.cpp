@@ -1,4 +1,5 @@
 #include <gonio/base/unit_text.hpp>
+#include <gonio/scene/material_charts.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>
 
@@ -157,6 +158,8 @@ Result<void> read_view(const Arguments& arguments, Request& request) {
         return fail(Failure::usage, "--view is zero", "it points from the surface to the eye");
     Result<Material> parsed = parse_material(*material);
     if (!parsed) return pass_on(parsed);
+    const Diagnostics judged = check_charts(*parsed);
+    request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
     request.options.view = ProbeView{*vector, *parsed};
     if (is_place) request.options.view->eye = *vector;
     return {};

@@ -11,20 +11,57 @@
 
 namespace gonio {
 
-// Colours are linear Rec.709, each channel in [0, 1].
+// Colours are linear Rec.709, each channel in [0, 1]; so is every number here. α of 0 is taken as 1e-4: a mirror's
+// lobe.
 struct LambertMaterial {
     glm::dvec3 albedo{0.5};
+};
+
+// GGX alone, scattered once: height-correlated Smith, Schlick's reflectance to 1 at grazing, no diffuse part.
+struct GgxMaterial {
+    glm::dvec3 f0{1.0};
+    double alpha = 0.3;
+};
+
+// The same with the light that its facets scatter more than once (Kulla and Conty 2017): f0 = 1 gives back all.
+struct KullaContyMaterial {
+    glm::dvec3 f0{1.0};
+    double alpha = 0.3;
 };
 
 // Moving Frostbite to Physically Based Rendering (Lagarde and de Rousiers 2014): renormalised Disney diffuse and GGX.
 struct FrostbiteMaterial {
     glm::dvec3 base{0.5};
-    double smoothness = 0.6;  // [0, 1]
-    double metal = 0.0;       // [0, 1]
-    double reflectance = 0.5; // [0, 1]; f0 = 0.16 reflectance² of a dielectric
+    double smoothness = 0.6;
+    double metal = 0.0;
+    double reflectance = 0.5; // f0 = 0.16 reflectance² of a dielectric
 };
 
-using Material = std::variant<LambertMaterial, FrostbiteMaterial>;
+// Real Shading in Unreal Engine 4 (Karis 2013): Lambert and GGX.
+struct Ue4Material {
+    glm::dvec3 base{0.5};
+    double roughness = 0.4;
+    double metallic = 0.0;
+    double specular = 0.5; // f0 = 0.08 specular of a dielectric
+    double cavity = 1.0;   // multiplies both parts
+};
+
+// The Art of Remember Me (Lagarde and Harduin 2013): Lambert and Blinn's cosine power, dry to wet.
+struct BlinnMaterial {
+    glm::dvec3 albedo{0.5};
+    glm::dvec3 specular{0.04}; // linear f0
+    double smoothness = 0.6;
+    double wet = 0.0;
+};
+
+// Energy-preserving Oren–Nayar (Portsmouth, Kutz and Hill 2025).
+struct EonMaterial {
+    glm::dvec3 albedo{0.5};
+    double roughness = 0.4;
+};
+
+using Material = std::variant<LambertMaterial, FrostbiteMaterial, GgxMaterial, KullaContyMaterial, Ue4Material,
+                              BlinnMaterial, EonMaterial>;
 
 struct MaterialKind {
     std::string_view kind;
@@ -34,7 +71,8 @@ struct MaterialKind {
 
 std::span<const MaterialKind> material_kinds();
 
-// "frostbite:base=rgb(0.9,0.7,0.3),metal=1". Fails (usage) on unknown kinds and keys and on values outside [0, 1].
+// "frostbite:base=rgb(0.9,0.7,0.3),metal=1"; `ggx` and `kulla-conty` take roughness instead of alpha, its root. Fails
+// (usage) on unknown kinds and keys and on values outside [0, 1].
 Result<Material> parse_material(std::string_view text);
 
 } // namespace gonio

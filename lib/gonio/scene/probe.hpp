@@ -103,8 +103,8 @@ struct ProbeResult {
     ProbeRemarks remarks;
 };
 
-// Luminance: Lambert by any method (E·albedo/π), other materials by `exact` and `reference`, Frostbite also by
-// `representative_point` (shading/shade_area.hpp), which is coarse.
+// Luminance: Lambert by any method (E·albedo/π), other materials by `exact`, `reference` and `representative_point`
+// (shading/shade_area.hpp), which is coarse.
 // Fails: usage on a normal or view that is zero or not finite (an eye on a point too), on a position out of range and
 // on a light whose luminance or intensity is not finite, unsupported on the luminance of a material by a method that
 // has it not.

@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
@@ -153,10 +154,6 @@ double sun_radius(const SunShape& sun) {
     return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
 }
 
-shading::Frostbite<double> core_material(const FrostbiteMaterial& m) {
-    return shading::frostbite_material(vec(m.base), m.smoothness, m.metal, m.reflectance);
-}
-
 // Whose illuminance the method takes.
 IrradianceMethod illuminance_method(IrradianceMethod method) {
     return method == IrradianceMethod::representative_point ? IrradianceMethod::exact : method;
@@ -170,7 +167,6 @@ ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const
     const Vec l = d.scaled * d.inverse_distance;
     const SurfaceParts parts = surface_parts(surface.material);
     const auto nt = [&](const SurfaceParts::Reflectance& reflectance) {
-        if (!reflectance) return Nits();
         const Vec f = reflectance(vec(normal), l, vec(surface.view));
         return Nits(bounded(share.illuminance_lx * luminance_y(light.color * glm::dvec3(f.x, f.y, f.z))));
     };
@@ -179,21 +175,17 @@ ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const
 
 // Diffuse by the exact irradiance and one direction, specular by one representative point.
 ProbeLuminance by_one_point(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const glm::dvec3& view, const FrostbiteMaterial& material) {
+                            const ProbeSurface& surface) {
     // The sun is as far from everywhere; its rounding must not depend on where the origin is.
     const bool sunlit = std::holds_alternative<SunShape>(light.shape);
     const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
-    const shading::SurfacePoint<double> point{place, vec(normal), vec(view)};
-    const shading::Frostbite<double> whole = core_material(material);
-    shading::Frostbite<double> diffuse = whole;
-    diffuse.f0 = Vec{0.0, 0.0, 0.0};
-    diffuse.f90 = 0.0;
-    shading::Frostbite<double> specular = whole;
-    specular.albedo = Vec{0.0, 0.0, 0.0};
+    const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
     const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
     const auto both = [&](const auto& core_light) {
-        return ProbeLuminance{Nits(y_of(shading::shade(point, core_light, diffuse))),
-                              Nits(y_of(shading::shade(point, core_light, specular))), Nits()};
+        const auto parts = std::visit(
+            [&](const auto& material) { return shading::shade_parts(point, core_light, core_material(material)); },
+            surface.material);
+        return ProbeLuminance{Nits(y_of(parts.diffuse)), Nits(y_of(parts.specular)), Nits()};
     };
     const Vec center = vec(light.frame.origin);
     const Vec luminance = vec(light.color * light.luminance.value);
@@ -241,8 +233,8 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
 
 bool has_luminance(const Material& material, IrradianceMethod method) {
     if (std::holds_alternative<LambertMaterial>(material)) return true;
-    if (method == IrradianceMethod::representative_point) return std::holds_alternative<FrostbiteMaterial>(material);
-    return method == IrradianceMethod::exact || method == IrradianceMethod::reference;
+    return method == IrradianceMethod::exact || method == IrradianceMethod::reference ||
+           method == IrradianceMethod::representative_point;
 }
 
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -253,11 +245,7 @@ ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const gl
         return {{Nits(bounded(share.illuminance_lx * y)), Nits(), Nits(bounded(share.error_lx * y))}, share.converged};
     }
     if (!has_extent(light.shape)) return {of_punctual(light, position, normal, surface, share)};
-    if (way.method == IrradianceMethod::representative_point) {
-        const auto* frostbite = std::get_if<FrostbiteMaterial>(&surface.material);
-        return {frostbite != nullptr ? by_one_point(light, position, normal, surface.view, *frostbite)
-                                     : ProbeLuminance{}};
-    }
+    if (way.method == IrradianceMethod::representative_point) return {by_one_point(light, position, normal, surface)};
     const ReferenceLuminance nt =
         reference_luminance(light, position, normal, surface.view, surface.material,
                             way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{});

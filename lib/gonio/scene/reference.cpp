@@ -190,7 +190,6 @@ ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& pos
     const detail::SurfaceParts parts = detail::surface_parts(material);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
     const auto part = [&](const detail::SurfaceParts::Reflectance& reflectance, const PolarPeak& peak) {
-        if (!reflectance) return ReferenceValue{};
         const auto f = [&](Vec l) { return dot(weight, reflectance(p.normal, l, v)) * emission(l); };
         return integrate(p, peak, f, closed_lx, goal);
     };

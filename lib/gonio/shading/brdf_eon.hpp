@@ -58,12 +58,21 @@ GONIO_FORCE_INLINE vec3<S> diffuse_eon(const Eon<S>& material, S n_dot_l, S n_do
 }
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const Eon<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Eon<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     const S n_dot_l = dot(n, l);
     const S n_dot_v = dot(n, v);
     const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
     const auto cosine = [&](S c) { return simd::min(simd::select(lit, c, S(1)), S(1)); };
     return diffuse_eon(material, cosine(n_dot_l), cosine(n_dot_v), dot(l, v)) * simd::select(lit, S(1), S(0));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const Eon<S>& /*none*/, vec3<S> /*n*/, vec3<S> /*l*/, vec3<S> /*v*/,
+                                         S /*widening*/) {
+    return {S(0), S(0), S(0)};
+}
+template<class S>
+GONIO_FORCE_INLINE S lobe_alpha(const Eon<S>& /*none*/) {
+    return S(1);
 }
 
 namespace detail {

@@ -49,25 +49,28 @@ GONIO_FORCE_INLINE S diffuse_frostbite(S n_dot_l, S n_dot_v, S l_dot_h, S linear
 }
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const Frostbite<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+GONIO_FORCE_INLINE S lobe_alpha(const Frostbite<S>& material) {
+    return simd::max(material.alpha, S(minimum_alpha));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Frostbite<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     const S n_dot_l = dot(n, l);
     const S n_dot_v = dot(n, v);
     const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
     const S l_dot_h = dot(l, normalized(l + v));
-    const S diffuse = simd::select(lit, diffuse_frostbite(n_dot_l, n_dot_v, l_dot_h, material.linear_roughness), S(0));
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
-    const SpecularTerms<S> specular = specular_ggx(n, l, v, alpha, alpha);
-    const auto channel = [&](S albedo, S f0) {
-        return simd::mul_add(albedo, diffuse, specular.scale * simd::mul_add(material.f90 - f0, specular.grazing, f0));
-    };
-    return {channel(material.albedo.x, material.f0.x), channel(material.albedo.y, material.f0.y),
-            channel(material.albedo.z, material.f0.z)};
+    const S diffuse = diffuse_frostbite(n_dot_l, n_dot_v, l_dot_h, material.linear_roughness);
+    return material.albedo * simd::select(lit, diffuse, S(0));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const Frostbite<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    const S alpha = lobe_alpha(material);
+    return reflected_part(material.f0, material.f90, specular_ggx(n, l, v, alpha, widened_alpha(alpha, widening)));
 }
 
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes(const Frostbite<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);
-    return lobes_by_weight(material.alpha, simd::mul_add(material.f90 - f0, schlick_weight(n_dot_v), f0),
+    return lobes_by_weight(lobe_alpha(material), simd::mul_add(material.f90 - f0, schlick_weight(n_dot_v), f0),
                            mean(material.albedo));
 }
 

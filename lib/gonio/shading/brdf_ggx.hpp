@@ -50,6 +50,19 @@ struct SpecularTerms {
     S grazing; // (1 − l·h)⁵: the reflectance is f0 + (f90 − f0)·grazing
 };
 
+// The lobe times Schlick's reflectance of each channel.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> reflected_part(vec3<S> f0, S f90, SpecularTerms<S> lobe) {
+    const auto channel = [&](S f) { return lobe.scale * simd::mul_add(f90 - f, lobe.grazing, f); };
+    return {channel(f0.x), channel(f0.y), channel(f0.z)};
+}
+
+// α of a lobe that is widened for an area light.
+template<class S>
+GONIO_FORCE_INLINE S widened_alpha(S alpha, S widening) {
+    return simd::min(alpha + widening, S(1));
+}
+
 // 0 where n·l or n·v is not above_surface(). α ≥ minimum_alpha.
 template<class S>
 GONIO_FORCE_INLINE SpecularTerms<S> specular_ggx(vec3<S> n, vec3<S> l, vec3<S> v, S alpha, S widened) {
@@ -97,22 +110,28 @@ GONIO_FORCE_INLINE S pdf_reflected_ggx(vec3<S> n, vec3<S> v, vec3<S> l, S alpha)
 }
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const Ggx<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
-    const SpecularTerms<S> specular = specular_ggx(n, l, v, alpha, alpha);
-    const auto channel = [&](S f0) { return specular.scale * simd::mul_add(S(1) - f0, specular.grazing, f0); };
-    return {channel(material.f0.x), channel(material.f0.y), channel(material.f0.z)};
+GONIO_FORCE_INLINE S lobe_alpha(const Ggx<S>& material) {
+    return simd::max(material.alpha, S(minimum_alpha));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Ggx<S>& /*none*/, vec3<S> /*n*/, vec3<S> /*l*/, vec3<S> /*v*/) {
+    return {S(0), S(0), S(0)};
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const Ggx<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    const S alpha = lobe_alpha(material);
+    return reflected_part(material.f0, S(1), specular_ggx(n, l, v, alpha, widened_alpha(alpha, widening)));
 }
 
 template<class S>
 GONIO_FORCE_INLINE S pdf_brdf(const Ggx<S>& material, vec3<S> n, vec3<S> v, vec3<S> l) {
-    return pdf_reflected_ggx(n, v, l, simd::max(material.alpha, S(minimum_alpha)));
+    return pdf_reflected_ggx(n, v, l, lobe_alpha(material));
 }
 
 template<class S>
 GONIO_FORCE_INLINE BrdfSample<S> sample_brdf(const Ggx<S>& material, vec3<S> n, vec3<S> v, vec3<S> u) {
     const TangentFrame<S> frame(n);
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
+    const S alpha = lobe_alpha(material);
     const vec3<S> l = frame.to_world(reflected_direction_ggx(frame.to_local(v), alpha, u.x, u.y));
     return {l, pdf_brdf(material, n, v, l)};
 }

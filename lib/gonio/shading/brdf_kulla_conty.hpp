@@ -88,20 +88,30 @@ GONIO_FORCE_INLINE KullaConty<S> kulla_conty_material(vec3<S> f0, S alpha) {
     return {f0, {channel(f0.x), channel(f0.y), channel(f0.z)}, loss};
 }
 
-// The wide lobe, for cosines in [0, 1].
+// The wide lobe [1/sr].
 template<class S>
-GONIO_FORCE_INLINE vec3<S> multiple_scattering(const KullaConty<S>& material, S n_dot_l, S n_dot_v) {
-    return material.multiple * (material.loss(n_dot_l) * material.loss(n_dot_v));
-}
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+GONIO_FORCE_INLINE vec3<S> multiple_scattering(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     const S n_dot_l = dot(n, l);
     const S n_dot_v = dot(n, v);
     const auto lit = simd::both(above_surface(n_dot_l), above_surface(n_dot_v));
-    const vec3<S> multiple =
-        multiple_scattering(material, simd::select(lit, n_dot_l, S(1)), simd::select(lit, n_dot_v, S(1)));
-    return brdf(Ggx<S>{material.f0, material.loss.alpha}, n, l, v) + multiple * simd::select(lit, S(1), S(0));
+    const auto cosine = [&](S c) { return simd::min(simd::select(lit, c, S(1)), S(1)); };
+    const S lost = material.loss(cosine(n_dot_l)) * material.loss(cosine(n_dot_v));
+    return material.multiple * simd::select(lit, lost, S(0));
+}
+
+template<class S>
+GONIO_FORCE_INLINE S lobe_alpha(const KullaConty<S>& material) {
+    return material.loss.alpha;
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const KullaConty<S>& /*none*/, vec3<S> /*n*/, vec3<S> /*l*/, vec3<S> /*v*/) {
+    return {S(0), S(0), S(0)};
+}
+// Of the lobe that scatters once and the wide one, which stays as it is.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    return specular_part(Ggx<S>{material.f0, material.loss.alpha}, n, l, v, widening) +
+           multiple_scattering(material, n, l, v);
 }
 
 template<class S>

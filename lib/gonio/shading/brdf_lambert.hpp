@@ -14,9 +14,18 @@ struct Lambert {
 };
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const Lambert<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Lambert<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     const auto lit = simd::both(above_surface(dot(n, l)), above_surface(dot(n, v)));
     return material.albedo * simd::select(lit, S(std::numbers::inv_pi), S(0));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const Lambert<S>& /*none*/, vec3<S> /*n*/, vec3<S> /*l*/, vec3<S> /*v*/,
+                                         S /*widening*/) {
+    return {S(0), S(0), S(0)};
+}
+template<class S>
+GONIO_FORCE_INLINE S lobe_alpha(const Lambert<S>& /*none*/) {
+    return S(1);
 }
 
 template<class S>

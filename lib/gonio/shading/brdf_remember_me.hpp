@@ -68,12 +68,20 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, 
     return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
 }
 
+// Of the GGX lobe whose distribution has the same peak: α² = 2/(p + 2).
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
-    const SpecularTerms<S> specular = specular_cosine_power(n, l, v, material.power, material.power);
-    const auto channel = [&](S f0) { return specular.scale * simd::mul_add(S(1) - f0, specular.grazing, f0); };
-    return brdf(Lambert<S>{material.albedo}, n, l, v) +
-           vec3<S>{channel(material.f0.x), channel(material.f0.y), channel(material.f0.z)};
+GONIO_FORCE_INLINE S lobe_alpha(const RememberMe<S>& material) {
+    return simd::sqrt(S(2) / (material.power + S(2)));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return diffuse_part(Lambert<S>{material.albedo}, n, l, v);
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    const S alpha = widened_alpha(lobe_alpha(material), widening);
+    const S widened = simd::select(widening > S(0), simd::max(S(2) / (alpha * alpha) - S(2), S(0)), material.power);
+    return reflected_part(material.f0, S(1), specular_cosine_power(n, l, v, material.power, widened));
 }
 
 // The normals of a GGX surface whose distribution has the same peak, α² = 2/(p + 2): its tails cover a cosine power's,
@@ -81,8 +89,8 @@ GONIO_FORCE_INLINE vec3<S> brdf(const RememberMe<S>& material, vec3<S> n, vec3<S
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes(const RememberMe<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);
-    return lobes_by_weight(simd::sqrt(S(2) / (material.power + S(2))),
-                           simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0), mean(material.albedo));
+    return lobes_by_weight(lobe_alpha(material), simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0),
+                           mean(material.albedo));
 }
 
 } // namespace gonio::shading

@@ -6,6 +6,11 @@
 //   vec3<S> brdf(const M<S>&, n, l, v)                  the value [1/sr] of the three channels; finite, ≥ 0, the same
 //   with
 //                                                       l and v exchanged; 0 where n·l or n·v is not above_surface()
+//   vec3<S> diffuse_part(const M<S>&, n, l, v)          its two parts: what enters the surface and comes out again …
+//   vec3<S> specular_part(const M<S>&, n, l, v, widening)   … and what is mirrored by its facets; their lobe is widened
+//   by
+//                                                       adding `widening` to α, and its peak lowered, for area lights
+//   S lobe_alpha(const M<S>&)                           α of that lobe, 1 where there is none
 //   BrdfSample<S> sample_brdf(const M<S>&, n, v, u)     a direction towards the light for three numbers u in [0, 1)
 //   S pdf_brdf(const M<S>&, n, v, l)                    the density of sample_brdf [1/sr], summed over all lobes; 0
 //   where n·v
@@ -28,6 +33,11 @@ inline constexpr double least_cosine = 1e-18;
 template<class S>
 GONIO_FORCE_INLINE simd::mask_of<S> above_surface(S cosine) {
     return cosine > S(least_cosine);
+}
+
+template<template<class> class Material, class S>
+GONIO_FORCE_INLINE vec3<S> brdf(const Material<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return diffuse_part(material, n, l, v) + specular_part(material, n, l, v, S(0));
 }
 
 template<class S>

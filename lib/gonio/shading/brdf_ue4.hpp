@@ -35,16 +35,23 @@ GONIO_FORCE_INLINE Ue4<S> ue4_material(vec3<S> base, S metallic, S roughness, S 
 }
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> brdf(const Ue4<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
-    return brdf(Lambert<S>{material.albedo}, n, l, v) +
-           brdf(Ggx<S>{material.f0, material.alpha}, n, l, v) * material.cavity;
+GONIO_FORCE_INLINE S lobe_alpha(const Ue4<S>& material) {
+    return simd::max(material.alpha, S(minimum_alpha));
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Ue4<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return diffuse_part(Lambert<S>{material.albedo}, n, l, v);
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> specular_part(const Ue4<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    return specular_part(Ggx<S>{material.f0, material.alpha}, n, l, v, widening) * material.cavity;
 }
 
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes(const Ue4<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);
     const S specular = simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0);
-    return lobes_by_weight(material.alpha, specular * material.cavity, mean(material.albedo));
+    return lobes_by_weight(lobe_alpha(material), specular * material.cavity, mean(material.albedo));
 }
 
 } // namespace gonio::shading

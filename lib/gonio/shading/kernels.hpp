@@ -19,7 +19,7 @@ namespace gonio::shading {
 struct Surfaces {
     const float* position[3] = {}; // [m]
     const float* normal[3] = {};   // unit
-    const float* view[3] = {};     // unit, from the surface towards the eye; not read for Lambert, may be null there
+    const float* view[3] = {};     // unit, from the surface towards the eye; not read for lambert, may be null there
     std::size_t count = 0;
 };
 
@@ -43,16 +43,21 @@ struct LightConstants {
 };
 
 struct MaterialConstants {
-    enum class Kind : std::uint8_t { lambert, frostbite };
+    enum class Kind : std::uint8_t { lambert, frostbite, ggx, ue4, remember_me, eon, kulla_conty };
 
     Kind kind = Kind::lambert;
+    // Made from what artists set by frostbite_material(), ue4_material() … of the brdf_*.hpp, whose names these are;
+    // each material reads its own.
     float albedo[3] = {0.5F, 0.5F, 0.5F}; // of the diffuse part
-    // The rest is read for `frostbite` only; brdf_frostbite.hpp makes it from base colour, smoothness, metal,
-    // reflectance.
     float f0[3] = {0.04F, 0.04F, 0.04F};
     float f90 = 1.0F;
-    float linear_roughness = 0.5F; // 1 − smoothness
-    float alpha = 0.25F;           // what enters D and V; taken as at least minimum_alpha
+    float linear_roughness = 0.5F;          // frostbite: 1 − smoothness
+    float alpha = 0.25F;                    // what enters D and V; taken as at least minimum_alpha
+    float roughness = 0.5F;                 // eon
+    float cavity = 1.0F;                    // ue4
+    float power = 64.0F;                    // remember_me
+    float multiple[3] = {0.0F, 0.0F, 0.0F}; // kulla_conty
+    float loss[16] = {};                    // kulla_conty
 };
 
 // Ways in which renderers take the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,

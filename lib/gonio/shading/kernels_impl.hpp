@@ -117,6 +117,16 @@ void shade_material(const Surfaces& surfaces, const LightConstants& light, const
         return shade_batch<S, Light, Lambert<S>>(surfaces, light, material, rgb);
     case MaterialConstants::Kind::frostbite:
         return shade_batch<S, Light, Frostbite<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::ggx:
+        return shade_batch<S, Light, Ggx<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::ue4:
+        return shade_batch<S, Light, Ue4<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::remember_me:
+        return shade_batch<S, Light, RememberMe<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::eon:
+        return shade_batch<S, Light, Eon<S>>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::kulla_conty:
+        return shade_batch<S, Light, KullaConty<S>>(surfaces, light, material, rgb);
     }
 }
 

@@ -63,14 +63,40 @@ GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Frostbite<S>& t
 }
 
 template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Ggx<S>& to) {
+    to = {broadcast<S>(from.f0), S(from.alpha)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Ue4<S>& to) {
+    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.cavity), S(from.alpha)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, RememberMe<S>& to) {
+    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.power)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Eon<S>& to) {
+    to = {broadcast<S>(from.albedo), S(from.roughness)};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, KullaConty<S>& to) {
+    to.f0 = broadcast<S>(from.f0);
+    to.multiple = broadcast<S>(from.multiple);
+    to.loss.alpha = S(from.alpha);
+    static_assert(sizeof(from.loss) / sizeof(float) == ggx_loss_of_cosine);
+    for (std::size_t i = 0; i < ggx_loss_of_cosine; ++i)
+        to.loss.c[i] = S(from.loss[i]);
+}
+
+template<class S>
 GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
     light.intensity_cd = packet.load(from.intensity_cd);
 }
 template<class S, class AreaLight>
 GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/, AreaLight& /*light*/) {}
 
-template<class S>
-GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Frostbite<S>& /*reads*/) {
+template<class S, template<class> class Material>
+GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Material<S>& /*reads*/) {
     return packet.load(surfaces.view);
 }
 template<class S>

@@ -5,24 +5,16 @@
 // Results are finite and not negative for any finite input; illuminance ends at `illuminance_ceiling`.
 #pragma once
 
-#include <gonio/shading/brdf_frostbite.hpp>
-#include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/direction.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/irradiance_sphere.hpp>
+#include <gonio/shading/reflect.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
 #include <numbers>
 
 namespace gonio::shading {
-
-template<class S>
-struct SurfacePoint {
-    vec3<S> position; // [m]
-    vec3<S> normal;   // unit
-    vec3<S> view;     // unit, towards the eye; not read for Lambert
-};
 
 template<class S>
 struct PunctualLight {
@@ -62,38 +54,17 @@ GONIO_FORCE_INLINE S window(vec3<S> to_center, S inverse_range) {
     return window_squared(length(to_center), inverse_range);
 }
 
-// What a BRDF is asked with: the light's direction and strength, split into the irradiance that the diffuse part
-// receives and the one that the specular part does.
-template<class S>
-struct Incidence {
-    S diffuse;               // [lx] per unit of the light's colour
-    S specular;              // the same, for the lobe that is widened as below
-    vec3<S> diffuse_toward;  // unit, n·l ≥ 0
-    vec3<S> specular_toward; // unit
-    S lobe_widening;         // what is added to α
-};
+} // namespace detail
+
+namespace detail {
 
 template<class S>
-GONIO_FORCE_INLINE vec3<S> reflect_frostbite(const SurfacePoint<S>& point, const Frostbite<S>& material,
-                                             const Incidence<S>& light) {
-    const vec3<S> n = point.normal;
-    const vec3<S> v = point.view;
-    const S n_dot_v = dot(n, v);
-    const auto seen = n_dot_v > S(0);
-    const vec3<S> l = light.diffuse_toward;
-    const S l_dot_h = simd::min(simd::max(dot(l, normalized(l + v)), S(0)), S(1));
-    const S diffuse = diffuse_frostbite(simd::max(dot(n, l), S(0)), n_dot_v, l_dot_h, material.linear_roughness);
-    const S of_diffuse = simd::select(seen, diffuse * light.diffuse, S(0));
-
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
-    const S widened = simd::min(alpha + light.lobe_widening, S(1));
-    const SpecularTerms<S> specular = specular_ggx(n, light.specular_toward, v, alpha, widened);
-    const S of_specular = specular.scale * light.specular;
-    const auto channel = [&](S albedo, S f0) {
-        return simd::mul_add(albedo, of_diffuse, of_specular * simd::mul_add(material.f90 - f0, specular.grazing, f0));
-    };
-    return {channel(material.albedo.x, material.f0.x), channel(material.albedo.y, material.f0.y),
-            channel(material.albedo.z, material.f0.z)};
+GONIO_FORCE_INLINE vec3<S> color_of(const PunctualLight<S>& light) {
+    return light.color;
+}
+template<class S, class AreaLight>
+GONIO_FORCE_INLINE vec3<S> color_of(const AreaLight& light) {
+    return light.luminance;
 }
 
 } // namespace detail
@@ -115,35 +86,28 @@ GONIO_FORCE_INLINE S illuminance(const SurfacePoint<S>& point, const SphereLight
     return irradiance_sphere(to_center, light.radius, point.normal) * detail::window(to_center, light.inverse_range);
 }
 
-// Outgoing luminance [nt] of the three channels.
-template<class S>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const PunctualLight<S>& light,
-                                 const Lambert<S>& material) {
-    return detail::finite(material.albedo * light.color * (illuminance(point, light) * S(std::numbers::inv_pi)));
+// Outgoing luminance [nt] of the three channels; Lambert's does not read the view.
+template<class S, class Light>
+GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const Light& light, const Lambert<S>& material) {
+    return detail::finite(material.albedo * detail::color_of<S>(light) *
+                          (illuminance(point, light) * S(std::numbers::inv_pi)));
 }
 
+// What `reflect` is asked with; `alpha` is that of the lobe that is lit.
 template<class S>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const SphereLight<S>& light,
-                                 const Lambert<S>& material) {
-    return detail::finite(material.albedo * light.luminance * (illuminance(point, light) * S(std::numbers::inv_pi)));
-}
-
-template<class S>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const PunctualLight<S>& light,
-                                 const Frostbite<S>& material) {
+GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const PunctualLight<S>& light, S /*alpha*/) {
     const Direction<S> d = direction(light.position - point.position, point.normal);
     const vec3<S> l = d.scaled * d.inverse_distance;
     const S lx = illuminance(point, light);
-    return detail::finite(light.color * detail::reflect_frostbite(point, material, {lx, lx, l, l, S(0)}));
+    return {lx, lx, l, l, S(0)};
 }
 
-// Diffuse: the exact irradiance, with the Disney factors taken towards the centre (raised to the horizon when below
-// it). Specular: the representative point of B. Karis, "Real Shading in Unreal Engine 4", 2013: the point of the sphere
-// nearest to the mirrored ray, α widened by r/(3d). Inside the sphere its strength stays that of d = r. README.md gives
-// its error, which is large for smooth surfaces.
+// Diffuse: the exact irradiance, with the factors of direction taken towards the centre (raised to the horizon when
+// below it). Specular: the representative point of B. Karis, "Real Shading in Unreal Engine 4", 2013: the point of the
+// sphere nearest to the mirrored ray, α widened by r/(3d). Inside the sphere its strength stays that of d = r.
+// README.md gives its error, which is large for smooth surfaces.
 template<class S>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const SphereLight<S>& light,
-                                 const Frostbite<S>& material) {
+GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const SphereLight<S>& light, S /*alpha*/) {
     const vec3<S> n = point.normal;
     const vec3<S> v = point.view;
     const vec3<S> to_center = light.center - point.position;
@@ -160,10 +124,23 @@ GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const SphereLight
     const vec3<S> nearest = normalized(l + center_to_ray * share);
     const S n_dot_nearest = simd::max(dot(n, nearest), S(0));
 
-    const detail::Incidence<S> incidence{irradiance_sphere(d, light.radius) * faded,
-                                         S(std::numbers::pi) * s * s * n_dot_nearest * faded, raised, nearest,
-                                         s * S(1.0 / 3.0)};
-    return detail::finite(light.luminance * detail::reflect_frostbite(point, material, incidence));
+    return {irradiance_sphere(d, light.radius) * faded, S(std::numbers::pi) * s * s * n_dot_nearest * faded, raised,
+            nearest, s * S(1.0 / 3.0)};
+}
+
+template<class S, class Light, template<class> class Material>
+GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const Light& light, const Material<S>& material) {
+    const Incidence<S> of_light = incidence(point, light, lobe_alpha(material));
+    return detail::finite(detail::color_of<S>(light) * detail::reflect(point, material, of_light));
+}
+
+// The same, part by part.
+template<class S, class Light, template<class> class Material>
+GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const Light& light,
+                                            const Material<S>& material) {
+    const vec3<S> color = detail::color_of<S>(light);
+    const Reflected<S> parts = detail::reflect_parts(point, material, incidence(point, light, lobe_alpha(material)));
+    return {detail::finite(color * parts.diffuse), detail::finite(color * parts.specular)};
 }
 
 } // namespace gonio::shading

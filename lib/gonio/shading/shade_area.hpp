@@ -191,7 +191,7 @@ GONIO_FORCE_INLINE S area_illuminance(const SurfacePoint<S>& point, const Light&
 }
 
 template<class S, class Light>
-GONIO_FORCE_INLINE vec3<S> shade_area(const SurfacePoint<S>& point, const Light& light, const Frostbite<S>& material) {
+GONIO_FORCE_INLINE Incidence<S> incidence_area(const SurfacePoint<S>& point, const Light& light, S alpha) {
     const vec3<S> n = point.normal;
     const vec3<S> v = point.view;
     const vec3<S> to_center = light.center - point.position;
@@ -209,18 +209,10 @@ GONIO_FORCE_INLINE vec3<S> shade_area(const SurfacePoint<S>& point, const Light&
     const S solid_angle = simd::min(point_of_light.projected_area * reciprocal_or_zero(distance2), S(std::numbers::pi));
     const vec3<S> toward = normalized(point_of_light.at);
     const S sine = simd::sqrt(solid_angle * S(std::numbers::inv_pi));
-    const S alpha = simd::max(material.alpha, S(minimum_alpha));
     const S stretch =
         simd::min(alpha + point_of_light.stretch * simd::sqrt(reciprocal_or_zero(distance2)) * S(1.0 / 3.0), S(1));
     const S strength = solid_angle * simd::max(dot(n, toward), S(0)) * (alpha / simd::max(stretch, alpha)) * faded;
-    const Incidence<S> incidence{irradiance(light, to_center, n) * faded, strength, raised, toward,
-                                 sine * S(1.0 / 3.0)};
-    return finite(light.luminance * reflect_frostbite(point, material, incidence));
-}
-
-template<class S, class Light>
-GONIO_FORCE_INLINE vec3<S> shade_area(const SurfacePoint<S>& point, const Light& light, const Lambert<S>& material) {
-    return finite(material.albedo * light.luminance * (area_illuminance(point, light) * S(std::numbers::inv_pi)));
+    return {irradiance(light, to_center, n) * faded, strength, raised, toward, sine * S(1.0 / 3.0)};
 }
 
 } // namespace detail
@@ -239,19 +231,18 @@ GONIO_FORCE_INLINE S illuminance(const SurfacePoint<S>& point, const TubeLight<S
     return detail::area_illuminance(point, light);
 }
 
-// Outgoing luminance [nt] of the three channels.
-template<class S, class Material>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const DiskLight<S>& light, const Material& material) {
-    return detail::shade_area(point, light, material);
+// What a material is asked with, for a lobe of `alpha`.
+template<class S>
+GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const DiskLight<S>& light, S alpha) {
+    return detail::incidence_area(point, light, alpha);
 }
-template<class S, class Material>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const RectangleLight<S>& light,
-                                 const Material& material) {
-    return detail::shade_area(point, light, material);
+template<class S>
+GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const RectangleLight<S>& light, S alpha) {
+    return detail::incidence_area(point, light, alpha);
 }
-template<class S, class Material>
-GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const TubeLight<S>& light, const Material& material) {
-    return detail::shade_area(point, light, material);
+template<class S>
+GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const TubeLight<S>& light, S alpha) {
+    return detail::incidence_area(point, light, alpha);
 }
 
 } // namespace gonio::shading

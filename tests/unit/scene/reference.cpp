@@ -160,7 +160,7 @@ double over_surface(const Row& row) {
         const double low = rising ? std::max(-half, crossing) : -half;
         const double high = rising ? half : std::min(half, crossing);
         if (!(low < high)) return 0.0;
-        return gauss(low, high, 60, [&](double y) {
+        return gauss(low, high, 40, [&](double y) {
             const glm::dvec3 p = row.center + b * x + d * y;
             const double distance2 = glm::dot(p, p);
             const glm::dvec3 l = p / std::sqrt(distance2);
@@ -168,7 +168,7 @@ double over_surface(const Row& row) {
             return d_v * glm::dot(row.normal, l) * std::max(-glm::dot(l, row.axis), 0.0) / distance2;
         });
     };
-    if (rect) return gauss(-0.5 * row.p, 0.5 * row.p, 400, strip);
+    if (rect) return gauss(-0.5 * row.p, 0.5 * row.p, 200, strip);
     return gauss(-0.5 * pi, 0.5 * pi, 100, [&](double t) { return strip(row.p * std::sin(t)) * row.p * std::cos(t); });
 }
 

@@ -13,9 +13,9 @@ struct SurfaceParts {
     using Reflectance =
         std::function<shading::vec3<double>(shading::vec3<double> n, shading::vec3<double> l, shading::vec3<double> v)>;
 
-    Reflectance diffuse;  // empty: there is none
-    Reflectance specular; // empty: there is none
-    double alpha = 1.0;   // of the specular lobe, as GGX counts it
+    Reflectance diffuse;
+    Reflectance specular;
+    double alpha = 1.0; // of the specular lobe, as GGX counts it; 1 where there is none
 };
 
 SurfaceParts surface_parts(const Material& material);

@@ -1,0 +1,17 @@
+// A material of a scene as the shading core takes it, in double.
+#pragma once
+
+#include <gonio/scene/material.hpp>
+#include <gonio/shading/brdf.hpp>
+
+namespace gonio {
+
+shading::Lambert<double> core_material(const LambertMaterial& material);
+shading::Ggx<double> core_material(const GgxMaterial& material);
+shading::KullaConty<double> core_material(const KullaContyMaterial& material);
+shading::Frostbite<double> core_material(const FrostbiteMaterial& material);
+shading::Ue4<double> core_material(const Ue4Material& material);
+shading::RememberMe<double> core_material(const BlinnMaterial& material);
+shading::Eon<double> core_material(const EonMaterial& material);
+
+} // namespace gonio
