@@ -1,5 +1,6 @@
 #include "lists.hpp"
 
+#include <gonio/asset/target.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -175,6 +176,13 @@ Entries diagrams() {
     return entries;
 }
 
+Entries targets() {
+    Entries entries;
+    for (const Target& target : gonio::targets())
+        entries.push_back({std::string(target.name), std::string(target.summary)});
+    return entries;
+}
+
 constexpr std::array lists{
     NamedList{"color-methods", "ways to take the colour of a temperature", color_method_names},
     NamedList{"diagrams", "diagrams of plot", diagrams},
@@ -194,6 +202,7 @@ constexpr std::array lists{
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
+    NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
     NamedList{"units", "units of values", units},
 };

@@ -15,6 +15,7 @@ extern const Command sample_command;
 extern const Command compare_command;
 extern const Command plot_command;
 extern const Command bake_command;
+extern const Command import_command;
 extern const Command probe_command;
 extern const Command preview_command;
 extern const Command explain_command;
@@ -37,6 +38,7 @@ static constexpr std::array all{
     &compare_command,
     &plot_command,
     &bake_command,
+    &import_command,
     &probe_command,
     &preview_command,
     &explain_command,

@@ -17,6 +17,15 @@ inline constexpr std::array common_options{
 
 inline constexpr OptionGroup common_group{"common options", common_options};
 
+// Of commands whose own --color is a light's colour.
+inline constexpr std::array light_common_options{
+    Option{"-q,--quiet", "", "no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "say what is done and how long it takes"},
+    Option{"-h,--help", "", "this text"},
+};
+
+inline constexpr OptionGroup light_common_group{"common options", light_common_options};
+
 inline constexpr std::array json_options{
     Option{"--json", "", "one JSON object; an array for several inputs"},
     Option{"--jsonl", "", "one JSON object a line"},

@@ -1,4 +1,5 @@
 #include <gonio/bake/cell_flux.hpp>
+#include <gonio/base/gauss_legendre.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,22 +14,9 @@ namespace {
 
 using std::numbers::pi;
 
-// Gauss–Legendre on [−1, 1]: the nodes above 0 and their weights.
-struct Node {
-    double at;
-    double weight;
-};
-constexpr std::array<Node, 2> four{{{0.33998104358485626, 0.65214515486254614}, //
-                                    {0.86113631159405258, 0.34785484513745386}}};
-constexpr std::array<Node, 3> six{{{0.23861918608319691, 0.46791393457269105},
-                                   {0.66120938646626451, 0.36076157304813861},
-                                   {0.93246951420315203, 0.17132449237917035}}};
-constexpr std::array<Node, 6> twelve{{{0.12523340851146892, 0.24914704581340279},
-                                      {0.36783149899818019, 0.23349253653835481},
-                                      {0.58731795428661745, 0.20316742672306592},
-                                      {0.76990267419430469, 0.16007832854334623},
-                                      {0.90411725637047486, 0.10693932599531843},
-                                      {0.98156063424671925, 0.04717533638651183}}};
+constexpr auto four = gauss_legendre<4>();
+constexpr auto six = gauss_legendre<6>();
+constexpr auto twelve = gauss_legendre<12>();
 
 // Where f changes its sign between a and b, by the Illinois method; f(a) and f(b) are given and differ in sign.
 template<class F>
@@ -193,10 +181,8 @@ private:
         }
         const double reach = std::max(std::max(speed, corner), rho > 0.0 ? speed / rho : pi);
         const auto add_all = [&](const auto& nodes) {
-            for (const Node& node : nodes) {
-                add(-node.at, node.weight);
+            for (const QuadratureNode& node : nodes)
                 add(node.at, node.weight);
-            }
         };
         if (reach < 0.02)
             add_all(four);

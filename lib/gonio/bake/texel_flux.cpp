@@ -1,4 +1,5 @@
 #include <gonio/bake/texel_flux.hpp>
+#include <gonio/base/gauss_legendre.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -28,35 +29,10 @@ constexpr int most_halvings = 4;
 // Charts of fewer texels a side have long edges.
 constexpr int least_side = 16;
 
-// Gauss–Legendre on [−1, 1]: nodes and weights.
-struct Node {
-    double at;
-    double weight;
-};
-constexpr std::array<Node, 3> three{
-    {{-0.77459666924148338, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.77459666924148338, 5.0 / 9.0}}};
-constexpr std::array<Node, 4> four{{{-0.86113631159405258, 0.34785484513745386},
-                                    {-0.33998104358485626, 0.65214515486254614},
-                                    {0.33998104358485626, 0.65214515486254614},
-                                    {0.86113631159405258, 0.34785484513745386}}};
-constexpr std::array<Node, 6> six{{{-0.93246951420315203, 0.17132449237917035},
-                                   {-0.66120938646626451, 0.36076157304813861},
-                                   {-0.23861918608319691, 0.46791393457269105},
-                                   {0.23861918608319691, 0.46791393457269105},
-                                   {0.66120938646626451, 0.36076157304813861},
-                                   {0.93246951420315203, 0.17132449237917035}}};
-constexpr std::array<Node, 12> twelve{{{-0.98156063424671925, 0.04717533638651183},
-                                       {-0.90411725637047486, 0.10693932599531843},
-                                       {-0.76990267419430469, 0.16007832854334623},
-                                       {-0.58731795428661745, 0.20316742672306592},
-                                       {-0.36783149899818019, 0.23349253653835481},
-                                       {-0.12523340851146892, 0.24914704581340279},
-                                       {0.12523340851146892, 0.24914704581340279},
-                                       {0.36783149899818019, 0.23349253653835481},
-                                       {0.58731795428661745, 0.20316742672306592},
-                                       {0.76990267419430469, 0.16007832854334623},
-                                       {0.90411725637047486, 0.10693932599531843},
-                                       {0.98156063424671925, 0.04717533638651183}}};
+constexpr auto three = gauss_legendre<3>();
+constexpr auto four = gauss_legendre<4>();
+constexpr auto six = gauss_legendre<6>();
+constexpr auto twelve = gauss_legendre<12>();
 
 // atan and asin of small arguments, by their series: |x| ≤ 0.15 gives 1e-16.
 double small_atan(double x) {
@@ -160,7 +136,7 @@ EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, in
     const double per_width = 1.0 / patch.azimuth_width;
 
     EdgeSums sums;
-    const auto add = [&](const Node& node) {
+    const auto add = [&](const QuadratureNode& node) {
         const auto [p, moves] = place(meridians_, chart_, along_s, fixed, middle + half * node.at);
         const double across = p.x * p.x + p.y * p.y;
         const double sine = std::sqrt(across);

@@ -29,6 +29,14 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, error);
 }
 
+Result<void> make_folder(const std::string& path) {
+    std::error_code error;
+    fs::create_directory(path, error);
+    if (error) return fail(Failure::io, "cannot make the folder: " + error.message(), {}, path);
+    if (!is_folder(path)) return fail(Failure::io, "a folder is wanted, and this is a file", {}, path);
+    return {};
+}
+
 Result<std::vector<std::string>> files_in(const std::string& folder, std::span<const std::string_view> extensions) {
     std::vector<std::string> files;
     std::error_code error;

@@ -13,6 +13,10 @@ namespace gonio {
 // Whether `path` is a folder (links followed).
 bool is_folder(const std::string& path);
 
+// Makes the folder where it is not there yet; the one around it must be. Fails (io) with the system's reason, and where
+// a file has the name.
+Result<void> make_folder(const std::string& path);
+
 // The regular files below `folder`, at any depth, whose names end in one of `extensions` ("ies": without the dot, in
 // lower case; the names' own case does not matter), sorted by name byte by byte. What begins with a dot is left out
 // (version control, the `._x.ies` that a copy from another system leaves behind), links to folders are not followed.

@@ -1,3 +1,4 @@
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/masked_flux.hpp>
@@ -21,25 +22,15 @@ using std::numbers::pi;
 
 constexpr double radians_per_degree = pi / 180.0;
 
-// Gauss–Legendre rule of 16 nodes on [−1, 1]; the other half mirrors this one.
-struct Node {
-    double at;
-    double weight;
-};
-constexpr std::array rule{
-    Node{0.0950125098376374401, 0.1894506104550684963}, Node{0.2816035507792589132, 0.1826034150449235889},
-    Node{0.4580167776572273863, 0.1691565193950025382}, Node{0.6178762444026437484, 0.1495959888165767321},
-    Node{0.7554044083550030339, 0.1246289712555338720}, Node{0.8656312023878317439, 0.0951585116824927848},
-    Node{0.9445750230732325761, 0.0622535239386478929}, Node{0.9894009349916499326, 0.0271524594117540949},
-};
+constexpr auto rule = gauss_legendre<16>();
 
 template<class F>
 double gauss(double low, double high, F&& f) {
     const double middle = 0.5 * (low + high);
     const double half = 0.5 * (high - low);
     double sum = 0.0;
-    for (const Node& node : rule)
-        sum += node.weight * (f(middle - half * node.at) + f(middle + half * node.at));
+    for (const QuadratureNode& node : rule)
+        sum += node.weight * f(middle + half * node.at);
     return half * sum;
 }
 

@@ -46,6 +46,7 @@ shading::LightConstants random_light(Kind kind, Random& random) {
     light.height = static_cast<float>(size * log_uniform(random, 0.01, 1.0));
     light.length = static_cast<float>(size * log_uniform(random, 0.01, 100.0));
     if (random.uniform() < 0.5) std::swap(light.width, light.height);
+    if (kind == Kind::sphere) light.length = 0.0F; // sampled as a tube
     return light;
 }
 

@@ -14,13 +14,14 @@ namespace gonio::measure {
 // lobe; 1 for none. It shares nothing with the samplers: the logarithm of the half vector's slope and its azimuth are
 // taken evenly, as a lattice, which meets lobes of any width where they are. Errors are below 3e-5 (README.md).
 template<class Material>
-shading::vec3<double> directional_albedo(const Material& material, double mu, double narrowest, int slopes = 400,
+shading::vec3<double> directional_albedo(const Material& material, double mu, double narrowest, int slopes = 500,
                                          int azimuths = 200) {
     using shading::vec3;
     const vec3<double> n{0.0, 0.0, 1.0};
     const vec3<double> v{std::sqrt((1.0 - mu) * (1.0 + mu)), 0.0, mu};
     const double low = std::log(std::clamp(narrowest, 1e-4, 1.0) * 3e-4);
-    const double step = (std::log(3e3) - low) / slopes;
+    // A light on the view's own side has half vectors as steep as the view is shallow.
+    const double step = (std::log(3e3 / mu) - low) / slopes;
     vec3<double> sum{0.0, 0.0, 0.0};
     for (int k = 0; k < azimuths; ++k) {
         const double phi = std::numbers::pi * (k + 0.5) / azimuths;

@@ -1,3 +1,4 @@
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/measure/sphere_truth.hpp>
 
 #include <array>
@@ -12,46 +13,12 @@ namespace {
 using Real = long double;
 constexpr Real pi = std::numbers::pi_v<Real>;
 
-constexpr std::size_t gauss_points = 16;
-
-struct GaussLegendre {
-    std::array<Real, gauss_points> node{};
-    std::array<Real, gauss_points> weight{};
-};
-
-// On [−1, 1], roots of the Legendre polynomial by Newton's method.
-const GaussLegendre& gauss_legendre() {
-    static const GaussLegendre rule = [] {
-        GaussLegendre g;
-        for (std::size_t i = 0; i < gauss_points; ++i) {
-            Real x = std::cos(pi * (static_cast<Real>(i) + 0.75L) / (static_cast<Real>(gauss_points) + 0.5L));
-            Real slope = 1;
-            for (int round = 0; round < 8; ++round) {
-                Real previous = 1;
-                Real value = x;
-                for (std::size_t k = 2; k <= gauss_points; ++k) {
-                    const Real order = static_cast<Real>(k);
-                    const Real next = ((2 * order - 1) * x * value - (order - 1) * previous) / order;
-                    previous = value;
-                    value = next;
-                }
-                slope = static_cast<Real>(gauss_points) * (x * value - previous) / (x * x - 1);
-                x -= value / slope;
-            }
-            g.node[i] = x;
-            g.weight[i] = 2 / ((1 - x * x) * slope * slope);
-        }
-        return g;
-    }();
-    return rule;
-}
-
 template<class Integrand>
 Real gauss(Real low, Real high, const Integrand& f) {
-    const GaussLegendre& rule = gauss_legendre();
+    constexpr auto rule = gauss_legendre<16, Real>();
     Real sum = 0;
-    for (std::size_t i = 0; i < gauss_points; ++i)
-        sum += rule.weight[i] * f(low + (high - low) * (1 + rule.node[i]) / 2);
+    for (const auto& node : rule)
+        sum += node.weight * f(low + (high - low) * (1 + node.at) / 2);
     return sum * (high - low) / 2;
 }
 

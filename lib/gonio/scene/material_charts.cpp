@@ -35,14 +35,12 @@ public:
             say(fmt::format("{} of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}", key, kind, value,
                             dielectric_albedo.low, dielectric_albedo.high));
     }
-    void specular(std::string_view kind, std::string_view key, const glm::dvec3& f0) {
+    void specular(std::string_view kind, const glm::dvec3& f0) {
         const double value = srgb(f0);
         if (!dielectric_specular.has(value) && !metal_specular.has(value))
-            say(fmt::format(
-                "{} of '{}' gives a specular of {:.0f} in sRGB, and dielectrics lie within {} to {}, metals "
-                "within {} to {}",
-                key, kind, value, dielectric_specular.low, dielectric_specular.high, metal_specular.low,
-                metal_specular.high));
+            say(fmt::format("f0 of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}, metals within {} to {}",
+                            kind, value, dielectric_specular.low, dielectric_specular.high, metal_specular.low,
+                            metal_specular.high));
     }
     void metal(std::string_view kind, const glm::dvec3& base) {
         const double value = srgb(base);
@@ -70,27 +68,27 @@ void judge(const EonMaterial& m, Charts& charts) {
     charts.albedo("eon", "albedo", m.albedo);
 }
 void judge(const GgxMaterial& m, Charts& charts) {
-    charts.specular("ggx", "f0", m.f0);
+    charts.specular("ggx", m.f0);
 }
 void judge(const KullaContyMaterial& m, Charts& charts) {
-    charts.specular("kulla-conty", "f0", m.f0);
+    charts.specular("kulla-conty", m.f0);
 }
 void judge(const FrostbiteMaterial& m, Charts& charts) {
     if (m.metal == 1.0) charts.metal("frostbite", m.base);
     if (m.metal != 0.0) return;
     const auto f0 = core_material(m).f0;
     charts.albedo("frostbite", "base", m.base);
-    charts.specular("frostbite", "reflectance", {f0.x, f0.y, f0.z});
+    charts.specular("frostbite", {f0.x, f0.y, f0.z});
 }
 void judge(const Ue4Material& m, Charts& charts) {
     if (m.metallic == 1.0) charts.metal("ue4", m.base);
     if (m.metallic != 0.0) return;
     const auto f0 = core_material(m).f0;
     charts.albedo("ue4", "base", m.base);
-    charts.specular("ue4", "specular", {f0.x, f0.y, f0.z});
+    charts.specular("ue4", {f0.x, f0.y, f0.z});
 }
 void judge(const BlinnMaterial& m, Charts& charts) {
-    charts.specular("blinn", "specular", m.specular);
+    charts.specular("blinn", m.specular);
     if (srgb(m.specular) < metal_specular.low) charts.albedo("blinn", "albedo", m.albedo); // a metal's is black
 }
 

@@ -20,8 +20,18 @@ constexpr std::array method_names{
                          "closed forms with horizon clipping, no distance guard; luminance by quadrature to 1e-6"},
     IrradianceMethodName{IrradianceMethod::reference, "reference",
                          "quadrature over the light to the error of --error, with an estimate of its own error"},
+    IrradianceMethodName{IrradianceMethod::ltc, "ltc",
+                         "illuminance as exact; highlights of lights with a size by linearly transformed cosines"},
     IrradianceMethodName{IrradianceMethod::representative_point, "representative-point",
-                         "illuminance as exact; highlights of lights with a size by one point (Karis 2013)"},
+                         "the same; highlights by the light's point nearest to the mirrored view (Karis 2013)"},
+    IrradianceMethodName{IrradianceMethod::dominant_direction, "dominant-direction",
+                         "the same, with the lobe's dominant direction (Lagarde and de Rousiers 2014)"},
+    IrradianceMethodName{IrradianceMethod::specular_d, "specular-d",
+                         "highlights by the light's centre and a widened lobe (Karis 2013)"},
+    IrradianceMethodName{IrradianceMethod::spherical_hack, "spherical-hack",
+                         "highlights by the light's centre and a lower power (Lagarde and Harduin 2013)"},
+    IrradianceMethodName{IrradianceMethod::sun_disk, "sun-disk",
+                         "highlights by the nearest point of the light's disk (Lagarde and de Rousiers 2014)"},
     IrradianceMethodName{IrradianceMethod::frostbite, "frostbite",
                          "Lagarde and de Rousiers 2014: its approximation of each shape, guard max(d2, 1 cm2)"},
     IrradianceMethodName{IrradianceMethod::ue4, "ue4",
@@ -146,7 +156,7 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         if (!detail::has_luminance(options.view->material, options.method))
             return fail(Failure::unsupported,
                         fmt::format("the luminance of this material is not computed by '{}'", to_text(options.method)),
-                        "use the method exact or reference, or lambert");
+                        "use the method exact or reference, or another material");
     }
     const bool surface = options.view.has_value();
 

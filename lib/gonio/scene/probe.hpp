@@ -24,14 +24,19 @@
 namespace gonio {
 
 // How the irradiance of a light is computed, and what a surface makes of it. Punctual lights: I⟨n·l⟩/d² with the
-// distance guard of the method; a sun: E⟨n·l⟩ but for the first three.
+// distance guard of the method; a sun: E⟨n·l⟩ by the last three.
 enum class IrradianceMethod {
     exact,                // closed forms with horizon clipping, no guard; luminance by quadrature to 1e-6
     reference,            // everything by quadrature to ProbeOptions::goal, with its error estimate
-    representative_point, // illuminance as `exact`, the lobe of lights with a size towards one point (Karis 2013)
-    frostbite,            // Lagarde and de Rousiers 2014, d² guarded as max(d², 1 cm²)
-    ue4,                  // Karis 2013, d² + 1 cm²; shapes it has not: as `point`
-    point                 // every light as a point with the intensity that it sends to the receiver
+    ltc,                  // illuminance as `exact`; lobes under lights with a size by linearly transformed cosines
+    representative_point, // the same, lobes by one direction: shading/specular_named.hpp says how
+    dominant_direction,
+    specular_d,
+    spherical_hack,
+    sun_disk,
+    frostbite, // Lagarde and de Rousiers 2014, d² guarded as max(d², 1 cm²)
+    ue4,       // Karis 2013, d² + 1 cm²; shapes it has not: as `point`
+    point      // every light as a point with the intensity that it sends to the receiver
 };
 
 struct IrradianceMethodName {
@@ -103,8 +108,8 @@ struct ProbeResult {
     ProbeRemarks remarks;
 };
 
-// Luminance: Lambert by any method (E·albedo/π), other materials by `exact`, `reference` and `representative_point`
-// (shading/shade_area.hpp), which is coarse.
+// Luminance: Lambert by any method (E·albedo/π), other materials by `exact` and `reference`; those whose lobe is GGX
+// alone or that have none (Frostbite, UE4, GGX, EON) also by `ltc` and the methods after it that share its illuminance.
 // Fails: usage on a normal or view that is zero or not finite (an eye on a point too), on a position out of range and
 // on a light whose luminance or intensity is not finite, unsupported on the luminance of a material by a method that
 // has it not.

@@ -1,5 +1,4 @@
 #include <gonio/light/light_color.hpp>
-#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
@@ -8,7 +7,6 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/shade_area.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -149,14 +147,9 @@ bool is_inside(const Shape& shape, const Frame& frame, const glm::dvec3& to_cent
     return glm::length(to_center - std::clamp(along, -half, half) * frame.x) < tube->radius.value;
 }
 
-// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
-double sun_radius(const SunShape& sun) {
-    return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
-}
-
 // Whose illuminance the method takes.
 IrradianceMethod illuminance_method(IrradianceMethod method) {
-    return method == IrradianceMethod::representative_point ? IrradianceMethod::exact : method;
+    return is_specular_method(method) ? IrradianceMethod::exact : method;
 }
 
 // The BRDF towards the one direction that there is.
@@ -171,39 +164,6 @@ ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const
         return Nits(bounded(share.illuminance_lx * luminance_y(light.color * glm::dvec3(f.x, f.y, f.z))));
     };
     return {nt(parts.diffuse), nt(parts.specular), Nits()};
-}
-
-// Diffuse by the exact irradiance and one direction, specular by one representative point.
-ProbeLuminance by_one_point(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const ProbeSurface& surface) {
-    // The sun is as far from everywhere; its rounding must not depend on where the origin is.
-    const bool sunlit = std::holds_alternative<SunShape>(light.shape);
-    const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
-    const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
-    const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
-    const auto both = [&](const auto& core_light) {
-        const auto parts = std::visit(
-            [&](const auto& material) { return shading::shade_parts(point, core_light, core_material(material)); },
-            surface.material);
-        return ProbeLuminance{Nits(y_of(parts.diffuse)), Nits(y_of(parts.specular)), Nits()};
-    };
-    const Vec center = vec(light.frame.origin);
-    const Vec luminance = vec(light.color * light.luminance.value);
-    const double near = inverse_range(light);
-    if (const auto* sphere = std::get_if<SphereShape>(&light.shape))
-        return both(shading::SphereLight<double>{center, luminance, sphere->radius.value, near});
-    if (const auto* disk = std::get_if<DiskShape>(&light.shape))
-        return both(shading::DiskLight<double>{center, luminance, vec(-light.frame.z), disk->radius.value, near,
-                                               disk->two_sided});
-    if (const auto* rect = std::get_if<RectShape>(&light.shape))
-        return both(shading::RectangleLight<double>{center, luminance, vec(-light.frame.z), vec(light.frame.x),
-                                                    rect->width.value, rect->height.value, near, rect->two_sided});
-    if (const auto* tube = std::get_if<TubeShape>(&light.shape))
-        return both(shading::TubeLight<double>{center, luminance, vec(light.frame.x), tube->radius.value,
-                                               tube->length.value, near});
-    if (const auto* sun = std::get_if<SunShape>(&light.shape))
-        return both(shading::SphereLight<double>{vec(light.frame.z), luminance, sun_radius(*sun), 0.0});
-    return {};
 }
 
 } // namespace
@@ -233,8 +193,8 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
 
 bool has_luminance(const Material& material, IrradianceMethod method) {
     if (std::holds_alternative<LambertMaterial>(material)) return true;
-    return method == IrradianceMethod::exact || method == IrradianceMethod::reference ||
-           method == IrradianceMethod::representative_point;
+    if (is_specular_method(method)) return has_named_lobe(material);
+    return method == IrradianceMethod::exact || method == IrradianceMethod::reference;
 }
 
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -245,7 +205,10 @@ ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const gl
         return {{Nits(bounded(share.illuminance_lx * y)), Nits(), Nits(bounded(share.error_lx * y))}, share.converged};
     }
     if (!has_extent(light.shape)) return {of_punctual(light, position, normal, surface, share)};
-    if (way.method == IrradianceMethod::representative_point) return {by_one_point(light, position, normal, surface)};
+    if (is_specular_method(way.method)) {
+        const NamedLuminance nt = named_luminance(light, position, normal, surface, way.method);
+        return {{Nits(bounded(nt.diffuse_nt)), Nits(bounded(nt.specular_nt)), Nits()}};
+    }
     const ReferenceLuminance nt =
         reference_luminance(light, position, normal, surface.view, surface.material,
                             way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{});

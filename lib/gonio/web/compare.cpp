@@ -1,3 +1,4 @@
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
@@ -146,20 +147,21 @@ private:
 
     // ∬ d² dω: three Gauss–Legendre nodes each way, exact in the angles and to 1e-9 in the measure.
     void add_squares(const Corners& d, Interval h, Interval v) {
-        constexpr std::array at{0.1127016653792583115, 0.5, 0.8872983346207416885};
-        constexpr std::array weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+        constexpr auto rule = gauss_legendre<3>();
         double sum = 0.0;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) {
-                const double low = d[0] + at[j] * (d[1] - d[0]);
-                const double high = d[2] + at[j] * (d[3] - d[2]);
-                const double here = low + at[i] * (high - low);
-                const double horizontal = h.low + at[i] * (h.high - h.low);
-                const double vertical = v.low + at[j] * (v.high - v.low);
+        for (const QuadratureNode& across : rule)
+            for (const QuadratureNode& down : rule) {
+                const double x = 0.5 * (1.0 + across.at);
+                const double y = 0.5 * (1.0 + down.at);
+                const double low = d[0] + y * (d[1] - d[0]);
+                const double high = d[2] + y * (d[3] - d[2]);
+                const double here = low + x * (high - low);
+                const double horizontal = h.low + x * (h.high - h.low);
+                const double vertical = v.low + y * (v.high - v.low);
                 double measure = std::sin(vertical * radians_per_degree);
                 if (a_.photometry() == Photometry::a) measure = std::cos(vertical * radians_per_degree);
                 if (a_.photometry() == Photometry::b) measure = std::cos(horizontal * radians_per_degree);
-                sum += weight[i] * weight[j] * here * here * measure;
+                sum += 0.25 * across.weight * down.weight * here * here * measure;
             }
         square_sum_ += sum * (h.high - h.low) * (v.high - v.low) * radians_per_degree * radians_per_degree;
     }

@@ -1,3 +1,4 @@
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/web/cone_flux.hpp>
 
 #include <algorithm>
@@ -15,15 +16,7 @@ using std::numbers::pi;
 
 constexpr double radians_per_degree = pi / 180.0;
 
-// Gauss–Legendre on [−1, 1] with 6 nodes: those above 0.
-struct Node {
-    double at;
-    double weight;
-};
-constexpr std::array<Node, 3> rule{{{0.23861918608319691, 0.46791393457269105},
-                                    {0.66120938646626451, 0.36076157304813861},
-                                    {0.93246951420315203, 0.17132449237917035}}};
-
+constexpr auto rule = gauss_legendre<6>();
 constexpr double widest = 0.2; // in ψ, of a piece that the rule spans
 
 } // namespace
@@ -87,10 +80,8 @@ ConeFlux::Halves ConeFlux::cone(double half_angle_rad, bool about_zenith) const 
                 lumens.back += d_t * (equator - near);
             }
         };
-        for (const Node& node : rule) {
-            add(middle - half * node.at, half * node.weight);
+        for (const QuadratureNode& node : rule)
             add(middle + half * node.at, half * node.weight);
-        }
     };
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         const double width = cuts[i] - cuts[i - 1];

@@ -1,3 +1,4 @@
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/rings.hpp>
@@ -17,24 +18,8 @@ using std::numbers::pi;
 
 constexpr double radians_per_degree = pi / 180.0;
 
-struct Node {
-    double at;
-    double weight;
-};
-
-// Gauss–Legendre on [−1, 1]; 8 nodes over γ, 4 over C.
-constexpr std::array gamma_rule{
-    Node{-0.9602898564975362317, 0.1012285362903762591}, Node{-0.7966664774136267396, 0.2223810344533744706},
-    Node{-0.5255324099163289858, 0.3137066458778872873}, Node{-0.1834346424956498049, 0.3626837833783619830},
-    Node{0.1834346424956498049, 0.3626837833783619830},  Node{0.5255324099163289858, 0.3137066458778872873},
-    Node{0.7966664774136267396, 0.2223810344533744706},  Node{0.9602898564975362317, 0.1012285362903762591},
-};
-constexpr std::array c_rule{
-    Node{-0.8611363115940525752, 0.3478548451374538574},
-    Node{-0.3399810435848562648, 0.6521451548625461426},
-    Node{0.3399810435848562648, 0.6521451548625461426},
-    Node{0.8611363115940525752, 0.3478548451374538574},
-};
+constexpr auto gamma_rule = gauss_legendre<8>();
+constexpr auto c_rule = gauss_legendre<4>();
 
 // Widest pieces that one rule is asked to span.
 constexpr double widest_gamma_deg = 2.5;
@@ -162,7 +147,7 @@ void Rings::add_ring(double gamma_rad, double factor, std::span<const double> c_
             if (next != cuts.end() && *next < to) to = *next++;
             const double middle = 0.5 * (from + to) * radians_per_degree;
             const double half = 0.5 * (to - from) * radians_per_degree;
-            for (const Node& node : c_rule) {
+            for (const QuadratureNode& node : c_rule) {
                 const double c = middle + half * node.at;
                 const glm::dvec3 direction(s * std::cos(c), s * std::sin(c), -k);
                 const double cd = web_.candela(direction);
@@ -183,7 +168,7 @@ void Rings::add(double gamma_low_deg, double gamma_high_deg, std::span<const dou
         if (next != breaks_deg_.end() && *next < to) to = *next++;
         const double middle = 0.5 * (from + to) * radians_per_degree;
         const double half = 0.5 * (to - from) * radians_per_degree;
-        for (const Node& node : gamma_rule) {
+        for (const QuadratureNode& node : gamma_rule) {
             const double t = node.at;
             const double at = 0.5 * t * (3.0 - t * t);
             const double slope = 1.5 * (1.0 - t * t);

@@ -1,5 +1,7 @@
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/material_charts.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/stage.hpp>
 
@@ -97,16 +99,71 @@ TEST(Occlusion, ABallCastsAShadow) {
     EXPECT_NEAR(visible_share(stage, 0, {0, 0, 0}, {0, 0, 3}, 1.0), 1.0 - share, 1e-12);
 }
 
+template<class Kind>
+Kind parsed(const char* text) {
+    return std::get<Kind>(parse_material(text).value());
+}
+
 TEST(Material, GrammarAndItsErrors) {
-    const auto frostbite =
-        std::get<FrostbiteMaterial>(parse_material("frostbite:base=rgb(0.1,0.2,0.3),metal=1").value());
+    const auto frostbite = parsed<FrostbiteMaterial>("frostbite:base=rgb(0.1,0.2,0.3),metal=1");
     EXPECT_EQ(frostbite.base, glm::dvec3(0.1, 0.2, 0.3));
     EXPECT_EQ(frostbite.metal, 1.0);
     EXPECT_EQ(frostbite.smoothness, 0.6);
-    EXPECT_EQ(std::get<LambertMaterial>(parse_material("lambert").value()).albedo, glm::dvec3(0.5));
-    for (const char* text : {"", "lambert:albedo=2", "lambert:base=1", "lambert:albedo", "lambert:albedo=x",
-                             "frostbite:metal=-0.1", "frostbite:smoothness=1.01", "frostbyte"})
+    EXPECT_EQ(parsed<LambertMaterial>("lambert").albedo, glm::dvec3(0.5));
+    EXPECT_EQ(parsed<Ue4Material>("ue4:roughness=0.25,cavity=0.5").cavity, 0.5);
+    EXPECT_EQ(parsed<Ue4Material>("ue4:roughness=0.25,cavity=0.5").specular, 0.5);
+    EXPECT_EQ(parsed<BlinnMaterial>("blinn:specular=rgb(1,0.77,0.34),wet=1").specular, glm::dvec3(1.0, 0.77, 0.34));
+    EXPECT_EQ(parsed<BlinnMaterial>("blinn").specular, glm::dvec3(0.04));
+    EXPECT_EQ(parsed<EonMaterial>("eon:roughness=1").roughness, 1.0);
+    EXPECT_EQ(parsed<GgxMaterial>("ggx").alpha, 0.3);
+    EXPECT_EQ(parsed<GgxMaterial>("ggx:roughness=0.5").alpha, 0.25);
+    EXPECT_EQ(parsed<KullaContyMaterial>("kulla-conty:f0=0.5,alpha=0").alpha, 0.0);
+    for (const char* text :
+         {"", "lambert:albedo=2", "lambert:base=1", "lambert:albedo", "lambert:albedo=x", "frostbite:metal=-0.1",
+          "frostbite:smoothness=1.01", "frostbyte", "ggx:alpha=1.5", "ggx:alpha=nan", "ggx:alpha=0.1,roughness=0.1",
+          "ue4:metal=1", "blinn:wet=-1", "eon:albedo=rgb(1,2,0)", "kulla-conty:albedo=1", "ggx:f0=0.5,f0=0.5"})
         EXPECT_FALSE(parse_material(text)) << text;
+    EXPECT_EQ(parse_material("ggx:alpha=1.5").error().diagnostics.front().message,
+              "alpha of 'ggx' must lie in [0, 1], not 1.5");
+}
+
+// What `gonio list materials` prints is what is parsed, and its values are the defaults.
+TEST(Material, GrammarIsThatOfTheList) {
+    for (const MaterialKind& kind : material_kinds()) {
+        const auto written = parse_material(kind.grammar);
+        const auto bare = parse_material(kind.kind);
+        ASSERT_TRUE(written && bare) << kind.kind;
+        EXPECT_EQ(written->index(), bare->index());
+        const shading::vec3<double> n{0.0, 0.0, 1.0};
+        const shading::vec3<double> v{0.6, 0.0, 0.8};
+        const auto value = [&](const Material& material) {
+            return std::visit([&](const auto& m) { return shading::brdf(core_material(m), n, n, v).y; }, material);
+        };
+        EXPECT_GT(value(*bare), 0.0) << kind.kind;
+        EXPECT_EQ(value(*written), value(*bare)) << kind.kind;
+        EXPECT_TRUE(check_charts(*bare).empty()) << kind.kind;
+    }
+}
+
+TEST(Material, ChartsJudgeWhatIsNoRealSurface) {
+    const auto warnings = [](const char* text) { return check_charts(parse_material(text).value()).size(); };
+    EXPECT_EQ(warnings("lambert:albedo=0.0144"), 0U); // 32 of sRGB
+    EXPECT_EQ(warnings("lambert:albedo=0.0137"), 1U); // 31
+    EXPECT_EQ(warnings("eon:albedo=0.896"), 0U);      // 243
+    EXPECT_EQ(warnings("eon:albedo=0.906"), 1U);      // 244
+    EXPECT_EQ(warnings("frostbite:base=1,reflectance=1"), 2U);
+    EXPECT_EQ(warnings("frostbite:base=rgb(1,0.77,0.34),metal=1"), 0U); // gold
+    EXPECT_EQ(warnings("frostbite:base=0.2,metal=1"), 1U);
+    EXPECT_EQ(warnings("frostbite:base=0,metal=0.5"), 0U);
+    EXPECT_EQ(warnings("ue4:specular=1"), 1U);
+    EXPECT_EQ(warnings("blinn:albedo=0,specular=0.9"), 0U); // a metal has no diffuse part
+    EXPECT_EQ(warnings("blinn:albedo=0,specular=0.04"), 1U);
+    EXPECT_EQ(warnings("blinn:specular=0.2"), 1U); // neither
+    EXPECT_EQ(warnings("ggx:f0=0.2"), 1U);
+    const Diagnostics said = check_charts(parse_material("lambert:albedo=1").value());
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].severity, Severity::warning);
+    EXPECT_EQ(said[0].message, "albedo of 'lambert' is 255 in sRGB, and dielectrics lie within 32 to 243");
 }
 
 } // namespace

@@ -47,6 +47,22 @@ struct ProbeShine {
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                         const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way);
 
+// The methods that are named after how they take the lobe: ltc and those after it that share its illuminance.
+bool is_specular_method(IrradianceMethod method);
+
+// Whether they know the material's lobe: GGX alone, or none.
+bool has_named_lobe(const Material& material);
+
+struct NamedLuminance {
+    double diffuse_nt = 0.0;
+    double specular_nt = 0.0;
+};
+
+// By one of these methods, under a light with a size. Diffuse parts are of the exact irradiance towards one direction,
+// by ltc Frostbite's of its own transformed cosine. The view is above the surface.
+NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                               const ProbeSurface& surface, IrradianceMethod method);
+
 // Whether luminance_of() knows the material by this method.
 bool has_luminance(const Material& material, IrradianceMethod method);
 

@@ -19,7 +19,7 @@
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t of_cosine = 16; // coefficients in q = μ(1 + α)/(μ + α)
+constexpr std::size_t of_cosine = 16; // coefficients in s = √(μ(1 + α)/(μ + α)): L goes with μ ln μ at 0
 constexpr std::size_t of_alpha = 10;  // and in α
 constexpr std::size_t nodes_of_mean = 24;
 
@@ -158,9 +158,12 @@ double loss(double mu, double alpha) {
     return 1.0 - VisibleNormals(mu, alpha).albedo();
 }
 
-// Chebyshev's points of [0, 1] and the polynomials T_i(2x − 1).
-double point(std::size_t i, std::size_t count) {
+// Chebyshev's points of [0, 1] without its ends, and with them; and the polynomials T_i(2x − 1).
+double inner_point(std::size_t i, std::size_t count) {
     return 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+}
+double end_point(std::size_t i, std::size_t count) {
+    return i + 1 == count ? 0.0 : 0.5 + 0.5 * std::cos(pi * static_cast<double>(i) / static_cast<double>(count - 1));
 }
 double chebyshev(std::size_t i, double x) {
     return std::cos(static_cast<double>(i) * std::acos(std::fmin(std::fmax(2.0 * x - 1.0, -1.0), 1.0)));
@@ -168,42 +171,50 @@ double chebyshev(std::size_t i, double x) {
 
 constexpr double least_alpha = 1e-6;
 
+double cosine_at(double s, double alpha) {
+    return std::fmin(alpha * s * s / (1.0 + alpha - s * s), 1.0);
+}
+
 struct Fit {
     std::size_t n, m;
     std::vector<double> c; // [n][m]
 
     Fit(std::size_t of_q, std::size_t of_a) : n(of_q), m(of_a), c(n * m) {
+        // With both ends in s: nothing is lost in the surface, where L is steep.
         std::vector<double> values(n * m);
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < m; ++j) {
-                const double alpha = std::fmax(point(j, m), least_alpha);
-                const double q = point(i, n);
-                values[i * m + j] = loss(alpha * q / (1.0 + alpha - q), alpha);
+                const double alpha = std::fmax(inner_point(j, m), least_alpha);
+                const double mu = cosine_at(end_point(i, n), alpha);
+                values[i * m + j] = mu > 0.0 ? loss(mu, alpha) : 0.0;
             }
+        const auto at_end = [](std::size_t i, std::size_t count) { return i == 0 || i + 1 == count; };
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < m; ++j) {
                 double sum = 0.0;
                 for (std::size_t k = 0; k < n; ++k)
                     for (std::size_t l = 0; l < m; ++l)
-                        sum += values[k * m + l] * chebyshev(i, point(k, n)) * chebyshev(j, point(l, m));
-                c[i * m + j] = sum * (i == 0 ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0) / static_cast<double>(n * m);
+                        sum += values[k * m + l] * (at_end(k, n) ? 0.5 : 1.0) * chebyshev(i, end_point(k, n)) *
+                               chebyshev(j, inner_point(l, m));
+                c[i * m + j] =
+                    sum * (at_end(i, n) ? 1.0 : 2.0) * (j == 0 ? 1.0 : 2.0) / static_cast<double>((n - 1) * m);
             }
     }
     [[nodiscard]] double at(double mu, double alpha) const {
-        const double q = mu * (1.0 + alpha) / (mu + alpha);
+        const double s = std::sqrt(mu * (1.0 + alpha) / (mu + alpha));
         double sum = 0.0;
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < m; ++j)
-                sum += c[i * m + j] * chebyshev(i, q) * chebyshev(j, alpha);
+                sum += c[i * m + j] * chebyshev(i, s) * chebyshev(j, alpha);
         return sum;
     }
     [[nodiscard]] double largest_error() const {
         double largest = 0.0;
         for (int j = 0; j <= 30; ++j) {
             const double alpha = std::fmax(std::pow(j / 30.0, 2.0), 1e-4);
-            for (int i = 1; i <= 40; ++i) {
-                const double q = i / 40.0;
-                const double mu = std::fmin(alpha * q / (1.0 + alpha - q), 1.0);
+            for (int i = 1; i <= 60; ++i) {
+                // Evenly, and down into the surface.
+                const double mu = cosine_at(i <= 40 ? i / 40.0 : 0.025 * std::pow(0.6, i - 40), alpha);
                 largest = std::fmax(largest, std::fabs(at(mu, alpha) - loss(mu, alpha)));
             }
         }
@@ -226,7 +237,8 @@ int main(int count, char** arguments) {
         std::printf("E(1, 1) − (1 − ln 2): %.1e\n", 1.0 - loss(1.0, 1.0) - (1.0 - std::log(2.0)));
         for (const double alpha : {0.1, 0.25, 0.5, 1.0})
             std::printf("E(1, %g) = %.6f\n", alpha, 1.0 - loss(1.0, alpha));
-        for (const auto& [n, m] : {std::array<std::size_t, 2>{10, 6}, {12, 8}, {14, 8}, {16, 10}, {20, 12}})
+        for (const auto& [n, m] :
+             {std::array<std::size_t, 2>{10, 6}, {12, 8}, {14, 8}, {16, 8}, {16, 10}, {18, 10}, {20, 10}})
             std::printf("%zu x %zu: %.1e\n", n, m, Fit(n, m).largest_error());
         return 0;
     }
@@ -236,24 +248,17 @@ int main(int count, char** arguments) {
     std::puts("#pragma once\n\n#include <cstddef>\n\n// clang-format off\nnamespace gonio::shading::detail {\n");
     std::printf("inline constexpr std::size_t ggx_loss_of_cosine = %zu;\n", of_cosine);
     std::printf("inline constexpr std::size_t ggx_loss_of_alpha = %zu;\n\n", of_alpha);
-    std::puts("// L(μ, α) = Σᵢ Σⱼ c[i][j] Tᵢ(2q − 1) Tⱼ(2α − 1), q = μ(1 + α)/(μ + α), T Chebyshev's polynomials.");
+    std::puts("// L(μ, α) = Σᵢ Σⱼ c[i][j] Tᵢ(2s − 1) Tⱼ(2α − 1), s = √(μ(1 + α)/(μ + α)), T Chebyshev's polynomials.");
     std::printf("// Largest error for 1e-4 ≤ α ≤ 1: %.1e.\n", fit.largest_error());
     std::puts("inline constexpr float ggx_loss_terms[ggx_loss_of_cosine * ggx_loss_of_alpha] = {");
     // To the rounding of the largest: further digits of the small ones differ by compiler.
     print_rows(fit.c, false, of_alpha / 2);
-    std::puts("};\n\n// ∫ 2μ f(μ) dμ over [0, 1] = Σ weight·f(cosine): Gauss–Legendre's rule in √μ.");
-    std::printf("inline constexpr std::size_t cosine_nodes = %zu;\n", nodes_of_mean);
-    std::vector<double> cosines;
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < nodes_of_mean; ++i) {
-        const double x = rule.at[i];
-        cosines.push_back(x * x);
-        weights.push_back(rule.weight[i] * 4.0 * x * x * x);
-    }
-    std::puts("inline constexpr float node_cosine[cosine_nodes] = {");
-    print_rows(cosines, true, 6);
-    std::puts("};\ninline constexpr float node_weight[cosine_nodes] = {");
-    print_rows(weights, true, 6);
+    std::puts("};\n\n// ∫ f(x) dx over [0, 1] = Σ weight·f(node), by C. F. Gauss.");
+    std::printf("inline constexpr std::size_t gauss_nodes = %zu;\n", nodes_of_mean);
+    std::puts("inline constexpr float gauss_node[gauss_nodes] = {");
+    print_rows(rule.at, true, 6);
+    std::puts("};\ninline constexpr float gauss_weight[gauss_nodes] = {");
+    print_rows(rule.weight, true, 6);
     std::puts("};\n\n} // namespace gonio::shading::detail\n// clang-format on");
     return 0;
 }

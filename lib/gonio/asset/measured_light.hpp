@@ -1,0 +1,63 @@
+// MeasuredLight: a luminaire as engines get it, resolved once for every target.
+//
+// Engines read few of the ways in which a profile may say the same light, so all of them get one: the portable dialect
+// of LM-63 (gonio/web/to_profile.hpp), in which ballast factor, multiplier, TILT, the wanted flux and the turn about
+// the axis are numbers of the table. The web here is that of those very bytes, so what is measured on it is what is
+// delivered.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/web/profile_header.hpp>
+#include <gonio/web/web.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+struct MeasuredLight {
+    std::string name;          // of files and nodes: letters, digits, '_' and '-'
+    std::string portable_ies;  // the bytes
+    Web web;                   // of these bytes; type C
+    Lumens flux;               // its integral
+    Candelas peak;             // its greatest intensity
+    glm::dvec3 color{1.0};     // linear Rec.709 of luminance 1
+    std::string color_text;    // what that was made of: "2700K"; empty where nothing is known
+    std::string source_file;   // as the user named it
+    std::string source_sha256; // of its bytes
+    ProfileHeader header;      // of the source
+    Candelas max_error;        // greatest |delivered − wanted| intensity
+};
+
+// A profile to deliver.
+struct MeasuredLightSource {
+    std::string file;       // as the user named it
+    std::string_view bytes; // of the file
+    const Web& web;
+    const ProfileHeader& header;
+};
+
+struct MeasuredLightOptions {
+    std::optional<Lumens> flux; // scaled to it; else as measured
+    Radians rotation;           // about the axis, C0 towards C90
+    std::string color;          // as parse_light_color takes it; empty: the profile's colour temperature, else white
+};
+
+// Fails as rotated(), scaled_to() and parse_light_color() do, and (unsupported) on a web without light, which no engine
+// can scale. Diagnostics: what the portable dialect cannot hold, and a colour temperature that is not understood.
+Result<MeasuredLight> measured_light(const MeasuredLightSource& source, const MeasuredLightOptions& options,
+                                     Diagnostics& diagnostics);
+
+// What an asset made of a file is called: its name without folder and ending, every character that some file system,
+// shell or scene language would not take replaced by '_'.
+std::string asset_name(std::string_view file);
+
+// The colour temperature [K] that a profile's text tells: "3000", "3000 K", "4000K warm white", or a lamp's code "830"
+// (colour rendering from 80, 3000 K). Nothing for other texts.
+std::optional<double> color_temperature_of(std::string_view text);
+
+} // namespace gonio

@@ -1,0 +1,30 @@
+// The specular luminance of an area light at many surface points, by any named method, on the widest unit there is.
+//
+// As kernels.hpp: floats in structures of arrays, metres, unit directions; nothing fails, allocates or throws, and
+// results are finite and not negative for any finite input.
+#pragma once
+
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/specular_method.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading {
+
+struct SpecularKernels {
+    simd::InstructionSet set;
+    const char* name; // of the set
+    std::size_t lanes;
+
+    // GGX of α under `light`, per luminance of the light, one per surface point: scale is that of F = 1, and with
+    // Schlick's reflectance it is scale·(f0 + (f90 − f0)·grazing). 0 and 0 for a punctual light. The window is not
+    // applied.
+    void (*specular)(const Surfaces&, const LightConstants& light, float alpha, SpecularMethod, float* scale,
+                     float* grazing);
+};
+
+// The kernels of `set`, or the scalar ones where simd::available(set) is false.
+const SpecularKernels& specular_kernels(simd::InstructionSet set);
+
+} // namespace gonio::shading

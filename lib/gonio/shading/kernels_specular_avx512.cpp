@@ -1,0 +1,13 @@
+#include <gonio/shading/kernels_specular_impl.hpp>
+#include <gonio/simd/pack.hpp>
+
+namespace gonio::shading::detail {
+
+namespace {
+using S = simd::pack<float, simd::avx512>;
+}
+
+constinit const SpecularKernels specular_kernels_avx512{simd::InstructionSet::avx512, "avx512", S::lanes,
+                                                        specular_any<S>};
+
+} // namespace gonio::shading::detail

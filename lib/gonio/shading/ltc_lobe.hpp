@@ -1,0 +1,139 @@
+// The lobe of a BRDF as a linearly transformed cosine: a matrix that takes directions to where the lobe is a cosine.
+//
+// E. Heitz, J. Dupuy, S. Hill, D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", ACM
+// Transactions on Graphics 35(4), 2016. The table is of this tree (fit/ltc.cpp). A lobe here keeps its sign: it is
+// normalised to 1 over the receiver's hemisphere z > 0, and where z' < 0 within it, it is (faintly) negative. So
+// what a light takes of it is one contour integral over the outline clipped at z = 0, and nothing is clipped after the
+// transform. Everything is finite for finite input.
+#pragma once
+
+#include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/ltc_table.hpp>
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading {
+
+// In the frame x (where the mirrored view leans to), y, z (the normal), z' = slope·x + lift·z and so on.
+template<class S>
+struct LtcLobe {
+    S m00, m02, m11, m20, m22;
+    S horizon_x, horizon_z; // unit normal of the horizon in the transformed space; its y is 0
+    S albedo;               // directional albedo for F = 1
+    S grazing;              // for F = (1 − l·h)⁵; 0 for a diffuse lobe
+
+    GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const {
+        return {simd::mul_add(m00, p.x, m02 * p.z), m11 * p.y, simd::mul_add(m20, p.x, m22 * p.z)};
+    }
+    GONIO_FORCE_INLINE vec3<S> horizon() const { return {horizon_x, S(0), horizon_z}; }
+};
+
+namespace detail {
+
+// Between the four entries about (x, y), both in [0, 1], by their columns and rows.
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size_t size, S x, S y, S width, S mu) {
+    using T = simd::value_of<S>;
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    constexpr std::size_t fields = 6;
+    T at_x[lanes];
+    T at_y[lanes];
+    T corners[4][fields][lanes];
+    const auto last = static_cast<double>(size - 1);
+    const S scaled_x = simd::min(simd::max(x, S(0)), S(1)) * S(last);
+    const S scaled_y = simd::min(simd::max(y, S(0)), S(1)) * S(last);
+    simd::store(scaled_x, &at_x[0]);
+    simd::store(scaled_y, &at_y[0]);
+    T first_x[lanes];
+    T first_y[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        auto column = static_cast<std::size_t>(at_x[lane]);
+        auto row = static_cast<std::size_t>(at_y[lane]);
+        if (column > size - 2) column = size - 2;
+        if (row > size - 2) row = size - 2;
+        first_x[lane] = static_cast<T>(column);
+        first_y[lane] = static_cast<T>(row);
+        const LtcEntry* const corner = table + row * size + column;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const LtcEntry& e = corner[(k & 1U) + (k >> 1U) * size];
+            const float values[fields] = {e.along, e.raised, e.across, e.slant, e.albedo, e.grazing};
+            for (std::size_t f = 0; f < fields; ++f)
+                corners[k][f][lane] = static_cast<T>(values[f]);
+        }
+    }
+    S from_x, from_y;
+    simd::load(&first_x[0], from_x);
+    simd::load(&first_y[0], from_y);
+    const S share_x = scaled_x - from_x;
+    const S share_y = scaled_y - from_y;
+    const auto field = [&](std::size_t f) {
+        S c00, c10, c01, c11;
+        simd::load(&corners[0][f][0], c00);
+        simd::load(&corners[1][f][0], c10);
+        simd::load(&corners[2][f][0], c01);
+        simd::load(&corners[3][f][0], c11);
+        const S low = simd::mul_add(share_x, c10 - c00, c00);
+        const S high = simd::mul_add(share_x, c11 - c01, c01);
+        return simd::mul_add(share_y, high - low, low);
+    };
+    const S s2 = simd::max((S(1) - mu) * (S(1) + mu), S(0));
+    const S s = simd::sqrt(s2);
+    const S along = field(0);
+    const S raised = field(1);
+    constexpr double least = 1e-18;
+    LtcLobe<S> lobe;
+    lobe.m00 = simd::max(simd::mul_add(along, mu, raised * s2), S(least));
+    lobe.m02 = simd::mul_add(raised, mu, -along) * s;
+    lobe.m11 = field(2);
+    lobe.m20 = width * field(3) * s;
+    lobe.m22 = width;
+    const S inverse = S(1) / simd::sqrt(simd::mul_add(lobe.m00, lobe.m00, lobe.m20 * lobe.m20));
+    lobe.horizon_x = -(lobe.m20 * inverse);
+    lobe.horizon_z = lobe.m00 * inverse;
+    lobe.albedo = field(4);
+    lobe.grazing = field(5);
+    return lobe;
+}
+
+} // namespace detail
+
+// GGX with height-correlated Smith shadowing. α counts as at least 1e-4 and at most 1, n·v as in [0, 1].
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v) {
+    const S a = simd::min(simd::max(alpha, S(1e-4)), S(1));
+    const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
+    return detail::interpolated_lobe(&ltc_ggx_table[0], ltc_ggx_size, simd::sqrt(a), simd::sqrt(mu), a, mu);
+}
+
+// The renormalised Disney diffuse of albedo 1 (brdf_frostbite.hpp), whose linear roughness counts as in [0, 1].
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> ltc_diffuse(S linear_roughness, S n_dot_v) {
+    const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
+    return detail::interpolated_lobe(&ltc_diffuse_table[0], ltc_diffuse_size, linear_roughness, simd::sqrt(mu), S(1),
+                                     mu);
+}
+
+// x, y, z of the lobe's frame.
+template<class S>
+struct LtcFrame {
+    vec3<S> x, y, z;
+
+    GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
+};
+
+// `normal` and `view` (towards the eye) are unit. Any x perpendicular to the normal where both are the same.
+template<class S>
+GONIO_FORCE_INLINE LtcFrame<S> ltc_frame(vec3<S> normal, vec3<S> view) {
+    const vec3<S> away = normal * dot(normal, view) - view;
+    const vec3<S> leaning = away - normal * dot(normal, away);
+    const S square = dot(leaning, leaning);
+    constexpr double least = __is_same(S, double) ? 1e-24 : 1e-10;
+    const auto upright = square < S(least);
+    const vec3<S> x =
+        select(upright, TangentFrame<S>(normal).x, leaning * (S(1) / simd::sqrt(simd::max(square, S(least)))));
+    return {x, cross(normal, x), normal};
+}
+
+} // namespace gonio::shading

@@ -1,0 +1,26 @@
+// Lobes as linearly transformed cosines, fitted by fit/ltc.cpp: the numbers behind ltc_lobe.hpp.
+#pragma once
+
+#include <cstddef>
+
+namespace gonio::shading {
+
+// One lobe in the frame x (where the mirrored view leans to), y, z (the normal). With μ = n·v and s = √(1 − μ²) the
+// inverse of its matrix, times α (of the diffuse part: times 1), is
+//
+//     ( along·μ + raised·s²   0        (raised·μ − along)·s )
+//     ( 0                     across   0                    )
+//     ( α·slant·s             0        α                    )
+struct LtcEntry {
+    float along, raised, across, slant;
+    float albedo;  // directional albedo for F = 1
+    float grazing; // the same for F = (1 − l·h)⁵
+};
+
+// Rows by √μ and columns by √α (GGX) or the linear roughness (renormalised Disney diffuse), both from 0 to 1.
+inline constexpr std::size_t ltc_ggx_size = 32;
+inline constexpr std::size_t ltc_diffuse_size = 12;
+extern const LtcEntry ltc_ggx_table[ltc_ggx_size * ltc_ggx_size];
+extern const LtcEntry ltc_diffuse_table[ltc_diffuse_size * ltc_diffuse_size];
+
+} // namespace gonio::shading

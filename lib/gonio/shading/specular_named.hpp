@@ -1,0 +1,122 @@
+// The specular luminance of an area light from one direction, as renderers took it: kept for comparison with ltc.
+//
+// All evaluate GGX once, towards one point, with the light's whole solid angle; none knows what the horizon cuts off.
+// README.md has their errors.
+//
+// * representative-point (B. Karis, "Real Shading in Unreal Engine 4", 2013): the light's point nearest to the mirrored
+//   ray, α widened by a third of the light's angle, the peak lowered as if the lobe kept its own width; a line's peak
+//   once more by α/(α + l/3d).
+// * dominant-direction (S. Lagarde and C. de Rousiers, 2014): the same with the ray lerp(n, mirrored, 1 − √α): rough
+// lobes
+//   lean towards the normal.
+// * specular-d (Karis 2013, before it was replaced): towards the centre, α widened by a third of the light's angle, the
+//   lobe normalised anew.
+// * spherical-hack (the idea of SpecularPowerHack in "The Art of Remember Me", S. Lagarde and L. Harduin, 2013):
+// towards the
+//   centre, Blinn's power lowered so that the lobe's variance grows by the half vector's over the light's disk, s²/16
+//   in each direction. The power stands for α by p + 2 = 2/α².
+// * sun-disk (Lagarde and de Rousiers 2014): the point of the light's disk closest to the mirrored ray, nothing
+// widened.
+#pragma once
+
+#include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/specular_ltc.hpp>
+#include <gonio/shading/specular_method.hpp>
+
+#include <numbers>
+
+namespace gonio::shading {
+
+// A narrow lobe and a method that does not widen it give more than the light's own luminance, by any factor.
+inline constexpr double specular_ceiling = 1e30;
+
+// The direction within a disk about `toward` of angular radius `sine` that is closest to `ray`; all unit.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> sun_disk_direction(vec3<S> toward, S sine, vec3<S> ray) {
+    const S s = simd::min(sine, S(1));
+    const S cosine = simd::sqrt((S(1) - s) * (S(1) + s));
+    const S along = dot(toward, ray);
+    const vec3<S> rim = normalized(toward * cosine + normalized(ray - toward * along) * s);
+    return select(along < cosine, rim, ray);
+}
+
+namespace detail {
+
+// The sphere's point nearest to the ray, at the distance of its centre.
+template<class S>
+GONIO_FORCE_INLINE Representative<S> representative(const SphereLight<S>& light, vec3<S> center, S scale,
+                                                    vec3<S> mirrored) {
+    const S r = simd::abs(light.radius) * scale;
+    const vec3<S> to_ray = mirrored * dot(center, mirrored) - center;
+    const vec3<S> nearest = center + to_ray * simd::min(r * reciprocal_or_zero(length(to_ray)), S(1));
+    return {normalized(nearest) * length(center), S(std::numbers::pi) * r * r, S(0)};
+}
+
+// One direction that stands for the light.
+template<class S>
+struct Approach {
+    vec3<S> toward; // unit
+    S solid_angle;  // at most π
+    S sine;         // of the angular radius of a sphere of that solid angle
+    S stretch;      // a line's length over its distance
+};
+
+template<class S, class Light>
+GONIO_FORCE_INLINE Approach<S> approach(const Light& light, vec3<S> to_center, vec3<S> ray) {
+    const S scale =
+        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(to_center), largest_size(light)));
+    const Representative<S> point = representative(light, to_center * scale, scale, ray);
+    constexpr double least = 1e-30;
+    const S distance2 = simd::max(dot(point.at, point.at), S(least));
+    const S solid_angle = simd::min(point.projected_area / distance2, S(std::numbers::pi));
+    return {normalized(point.at), solid_angle, simd::sqrt(solid_angle * S(std::numbers::inv_pi)),
+            point.stretch / simd::sqrt(distance2)};
+}
+
+} // namespace detail
+
+// GGX of α under a light, by one of the methods. `normal` and `view` are unit; `to_center` leads from the receiver to
+// the light's centre. 0 where n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight or TubeLight; its
+// window is not applied. Finite and not negative for any finite input.
+template<SpecularMethod method, class S, class Light>
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
+                                                    S alpha) {
+    if constexpr (method == SpecularMethod::ltc) return specular_ltc(light, to_center, normal, view, alpha);
+    const S a = simd::min(simd::max(alpha, S(minimum_alpha)), S(1));
+    const vec3<S> mirrored = normal * (S(2) * dot(normal, view)) - view;
+    const auto unit_center = [&] {
+        return normalized(to_center * simd::reciprocal_power_of_two(largest_component(to_center)));
+    };
+    vec3<S> ray = mirrored;
+    if constexpr (method == SpecularMethod::dominant_direction)
+        ray = normalized(normal + (mirrored - normal) * (S(1) - simd::sqrt(a)));
+    if constexpr (method == SpecularMethod::specular_d || method == SpecularMethod::spherical_hack ||
+                  method == SpecularMethod::sun_disk)
+        ray = unit_center();
+    const detail::Approach<S> light_at = detail::approach(light, to_center, ray);
+    vec3<S> toward = light_at.toward;
+    S widened = a;
+    S peak = S(1); // of the lobe, over α²/widened² of a normalised one
+    S cosine = dot(normal, toward);
+    if constexpr (method == SpecularMethod::representative_point || method == SpecularMethod::dominant_direction) {
+        widened = simd::min(simd::mul_add(light_at.sine, S(1.0 / 3.0), a), S(1));
+        peak = a / simd::min(simd::mul_add(light_at.stretch, S(1.0 / 3.0), a), S(1));
+    }
+    if constexpr (method == SpecularMethod::specular_d) {
+        widened = simd::min(simd::mul_add(light_at.sine, S(1.0 / 3.0), a), S(1));
+        peak = (widened / a) * (widened / a);
+    }
+    if constexpr (method == SpecularMethod::spherical_hack) {
+        // 1/p = α²/2 but for the 2, so α'² = α² + s²/8.
+        const S s2 = light_at.sine * light_at.sine;
+        widened = simd::min(simd::sqrt(simd::mul_add(s2, S(1.0 / 8.0), a * a)), S(1));
+        peak = (widened / a) * (widened / a);
+    }
+    if constexpr (method == SpecularMethod::sun_disk) toward = sun_disk_direction(toward, light_at.sine, mirrored);
+    const SpecularTerms<S> terms = specular_ggx(normal, toward, view, a, widened);
+    const S scale = terms.scale * peak * light_at.solid_angle * simd::max(cosine, S(0));
+    return {simd::min(simd::max(scale, S(0)), S(specular_ceiling)), terms.grazing};
+}
+
+} // namespace gonio::shading

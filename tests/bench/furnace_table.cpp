@@ -1,0 +1,67 @@
+// The share of light that each material gives back, by roughness and view: the tables of lib/gonio/shading/README.md.
+//
+//   gonio-furnace-table
+//
+// Base colour and albedo are 1, f0 of dielectrics 0.04; n·v across.
+#include <gonio/measure/furnace.hpp>
+#include <gonio/shading/brdf.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+using namespace gonio;
+using Vec = shading::vec3<double>;
+
+constexpr Vec white{1.0, 1.0, 1.0};
+constexpr std::array cosines{1e-4, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};
+constexpr std::array roughnesses{0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0};
+
+template<class Make>
+void table(const char* title, const char* parameter, const Make& make) {
+    (void)std::printf("%s\n\n| %s |", title, parameter);
+    for (const double mu : cosines)
+        (void)std::printf(" %g |", mu);
+    (void)std::printf("\n|---|---|---|---|---|---|---|---|\n");
+    double least = HUGE_VAL;
+    double most = 0.0;
+    for (const double roughness : roughnesses) {
+        const auto material = make(roughness);
+        (void)std::printf("| %g |", roughness);
+        for (const double mu : cosines) {
+            const double albedo = measure::directional_albedo(material, mu, lobe_alpha(material), 800, 400).x;
+            least = std::fmin(least, albedo);
+            most = std::fmax(most, albedo);
+            (void)std::printf(" %.4f |", albedo);
+        }
+        (void)std::printf("\n");
+    }
+    (void)std::printf("\nleast %.4f, most %.4f\n\n", least, most);
+}
+
+} // namespace
+
+int main() {
+    table("Frostbite", "1 − smoothness",
+          [](double r) { return shading::frostbite_material(white, 1.0 - r, 0.0, 0.5); });
+    table("Frostbite, diffuse part alone", "1 − smoothness", [](double r) {
+        auto material = shading::frostbite_material(white, 1.0 - r, 0.0, 0.5);
+        material.f0 = {0.0, 0.0, 0.0};
+        material.f90 = 0.0;
+        material.alpha = 1.0; // no lobe for the quadrature to look for
+        return material;
+    });
+    table("UE4", "roughness", [](double r) { return shading::ue4_material(white, 0.0, r, 0.5, 1.0); });
+    table("Remember Me", "1 − smoothness", [](double r) {
+        return shading::remember_me_material(white, Vec{0.04, 0.04, 0.04}, 1.0 - r, 0.0);
+    });
+    table("Remember Me, black with f0 = 1", "1 − smoothness", [](double r) {
+        return shading::remember_me_material(Vec{0.0, 0.0, 0.0}, white, 1.0 - r, 0.0);
+    });
+    table("GGX, f0 = 1, scattered once", "√α", [](double r) { return shading::Ggx<double>{white, r * r}; });
+    table("Kulla and Conty, f0 = 1", "√α", [](double r) { return shading::kulla_conty_material(white, r * r); });
+    table("EON", "roughness", [](double r) { return shading::Eon<double>{white, r}; });
+    return 0;
+}

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# What import writes, in the programs that it is for: three.js and Babylon.js and Khronos' glTF validator from npm, and
+# Blender where it is installed. Needs node, npm and their registry, so it is no part of the tests:
+#
+#   bash tests/import/run.sh build/release/cli/gonio
+set -euo pipefail
+
+gonio=$(realpath "$1")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(dirname "$gonio")/../import-check
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+cd "$work"
+rm -rf assets && mkdir assets
+[[ -d node_modules/gltf-validator && -d node_modules/three && -d node_modules/@babylonjs/core ]] ||
+    npm install --silent --no-fund --no-audit gltf-validator@2.0.0-dev.3.10 three@0.187.0 @babylonjs/core@9.34.0
+echo '{ "type": "module" }' > assets/package.json
+cp "$here"/*.mjs .
+
+lamps=(street wall-washer batwing pendant)
+for lamp in "${lamps[@]}"; do echo "$here/../../profiles/$lamp.ies"; done > lamps.txt
+"$gonio" import @lamps.txt --to gltf,threejs,babylon,blender -O assets -q
+
+echo '== glTF validator'
+node gltf_check.mjs assets/gltf/*.gltf assets/gltf/*.glb
+
+# Directions off the grid of texels, all around.
+directions() {
+    for c in 0.3 31.7 77.5 90 121.25 179.9 203.6 270 299.4 359.9; do
+        for gamma in 0.1 3.7 12.2 25 33.3 48.6 61.5 74.9 84.2 88.8 95.5 120.3 151.7 179.2; do echo "$c,$gamma"; done
+    done
+}
+echo '== three.js'
+for lamp in "${lamps[@]}"; do
+    directions | "$gonio" sample "$here/../../profiles/$lamp.ies" - --json |
+        jq -r '.samples[] | "\(.c_deg),\(.gamma_deg),\(.cd)"' | node threejs_check.mjs "assets/threejs/$lamp.js"
+done
+
+echo '== Babylon.js'
+for lamp in "${lamps[@]}"; do
+    for gamma in 0.1 3.7 12.2 25 33.3 48.6 61.5 74.9 84.2 95.5 120.3 151.7 179.2; do
+        for ((c = 1; c < 360; c += 2)); do echo "$c,$gamma"; done
+    done | "$gonio" sample "$here/../../profiles/$lamp.ies" - --json |
+        jq -r '.samples | group_by(.gamma_deg)[] | "\(.[0].gamma_deg),\(map(.cd) | add / length)"' |
+        node babylon_check.mjs "assets/babylon/$lamp.js"
+done
+
+if command -v blender > /dev/null; then
+    echo '== Blender'
+    for lamp in "${lamps[@]}"; do
+        blender --background --factory-startup --python "$here/blender_plane.py" -- \
+            "assets/blender/$lamp.py" "$lamp.csv" > blender.log 2>&1 || { cat blender.log; exit 1; }
+        "$gonio" probe "$here/../../profiles/$lamp.ies" --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > "$lamp.probe.csv"
+        python3 "$here/compare_planes.py" "$lamp.csv" "$lamp.probe.csv"
+    done
+else
+    echo 'Blender is not installed: skipped'
+fi

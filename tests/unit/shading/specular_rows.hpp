@@ -1,0 +1,80 @@
+// The stored reference values of GGX speculars under area lights (specular.csv), as lights.
+#pragma once
+
+#include <gonio/shading/shade_area.hpp>
+
+#include "../folders.hpp"
+#include "poses.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace specular {
+
+using gonio::shading::DiskLight;
+using gonio::shading::RectangleLight;
+using gonio::shading::SphereLight;
+using gonio::shading::TubeLight;
+using gonio::shading::vec3;
+
+struct Row {
+    std::string shape; // "sphere", "disk", "rect", "tube"
+    poses::Vec center, axis, across, normal, view;
+    double p, q; // radius, or width; height, or length
+    double alpha, luminance;
+};
+
+// All of them, in order; none where there is no such file.
+inline std::vector<Row> rows() {
+    const std::string folder = gonio::test::reference_folder;
+    std::ifstream file(folder + "/specular.csv");
+    std::vector<Row> rows;
+    std::string line;
+    while (std::getline(file, line)) {
+        const std::size_t comma = line.find(',');
+        if (comma == std::string::npos) continue;
+        std::vector<double> v;
+        for (const char* at = line.data() + comma + 1; at < line.data() + line.size();) {
+            double value = 0.0;
+            const auto [next, error] = std::from_chars(at, line.data() + line.size(), value);
+            if (error != std::errc()) break;
+            v.push_back(value);
+            at = next + 1;
+        }
+        if (v.size() != 20) continue;
+        rows.push_back({line.substr(0, comma),
+                        {v[0], v[1], v[2]},
+                        {v[3], v[4], v[5]},
+                        {v[6], v[7], v[8]},
+                        {v[11], v[12], v[13]},
+                        {v[14], v[15], v[16]},
+                        v[9],
+                        v[10],
+                        v[17],
+                        v[18]});
+    }
+    return rows;
+}
+
+template<class S>
+vec3<S> vec(poses::Vec v) {
+    return {static_cast<S>(v.x), static_cast<S>(v.y), static_cast<S>(v.z)};
+}
+
+// Calls work(light) with the row's light about the origin.
+template<class S, class Work>
+auto with_light(const Row& row, const Work& work) {
+    const vec3<S> zero{S(0), S(0), S(0)};
+    const vec3<S> one{S(1), S(1), S(1)};
+    const vec3<S> axis = vec<S>(row.axis);
+    const S p = static_cast<S>(row.p);
+    const S q = static_cast<S>(row.q);
+    if (row.shape == "sphere") return work(SphereLight<S>{zero, one, p, S(0)});
+    if (row.shape == "disk") return work(DiskLight<S>{zero, one, axis, p, S(0), false});
+    if (row.shape == "rect") return work(RectangleLight<S>{zero, one, axis, vec<S>(row.across), p, q, S(0), false});
+    return work(TubeLight<S>{zero, one, axis, p, q, S(0)});
+}
+
+} // namespace specular
