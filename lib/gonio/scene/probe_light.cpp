@@ -152,6 +152,10 @@ IrradianceMethod illuminance_method(IrradianceMethod method) {
     return is_specular_method(method) ? IrradianceMethod::exact : method;
 }
 
+ReferenceGoal goal_of(const ProbeWay& way) {
+    return way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{};
+}
+
 // The BRDF towards the one direction that there is.
 ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                            const ProbeSurface& surface, const ProbeShare& share) {
@@ -174,8 +178,12 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
     const glm::dvec3 to_center = light.frame.origin - position;
     const bool inside = is_inside(light.shape, light.frame, to_center);
     const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
-    if (method == IrradianceMethod::reference && has_extent(light.shape)) {
-        const ReferenceValue e = reference_illuminance(light, position, normal, way.goal);
+    const bool masked_area = has_extent(light.shape) && mask_of(light.shape).web != nullptr;
+    // Behind a mask there is no closed form.
+    const bool integrated =
+        way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && masked_area);
+    if (integrated && has_extent(light.shape)) {
+        const ReferenceValue e = reference_illuminance(light, position, normal, goal_of(way));
         return {bounded(e.value), e.error_estimate, remark, e.converged};
     }
     if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
@@ -188,7 +196,15 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
         inside && method == IrradianceMethod::exact
             ? std::numbers::pi
             : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
-    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center))), 0.0, remark};
+    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center)) * mask_share(light, position)),
+            0.0, remark};
+}
+
+double mask_share(const Light& light, const glm::dvec3& position) {
+    const Web* const mask = mask_of(light.shape).web;
+    const glm::dvec3 way = position - light.frame.origin;
+    if (mask == nullptr || !has_extent(light.shape) || way == glm::dvec3(0.0)) return 1.0;
+    return std::max(light.web_scale * mask->candela(light.frame.to_local(way)), 0.0);
 }
 
 bool has_luminance(const Material& material, IrradianceMethod method) {
@@ -210,8 +226,7 @@ ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const gl
         return {{Nits(bounded(nt.diffuse_nt)), Nits(bounded(nt.specular_nt)), Nits()}};
     }
     const ReferenceLuminance nt =
-        reference_luminance(light, position, normal, surface.view, surface.material,
-                            way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{});
+        reference_luminance(light, position, normal, surface.view, surface.material, goal_of(way));
     return {{Nits(bounded(nt.diffuse.value)), Nits(bounded(nt.specular.value)),
              Nits(bounded(nt.diffuse.error_estimate + nt.specular.error_estimate))},
             nt.diffuse.converged && nt.specular.converged};

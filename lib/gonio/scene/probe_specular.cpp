@@ -169,6 +169,9 @@ NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, c
     const Vec center = vec(light.frame.origin - position);
     const shading::SurfacePoint<double> point{{0.0, 0.0, 0.0}, vec(normal), vec(surface.view)};
     NamedLuminance nt = std::visit(ByMethod{light, point, surface.material, method, center}, light.shape);
+    const double masked = mask_share(light, position);
+    nt.diffuse_nt *= masked;
+    nt.specular_nt *= masked;
     if (light.range && !std::holds_alternative<SunShape>(light.shape)) {
         const double window = shading::window_squared(shading::length(center), 1.0 / light.range->value);
         nt.diffuse_nt *= window;

@@ -152,9 +152,15 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, doubl
             result.converged};
 }
 
-// By the closed form, without a mask.
+// By the closed form, without the mask.
 double closed_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
-    return detail::illuminance_of(light, position, normal, {IrradianceMethod::exact, {}}).illuminance_lx;
+    Light bare = light;
+    std::visit(
+        [](auto& shape) {
+            if constexpr (requires { shape.mask; }) shape.mask.reset();
+        },
+        bare.shape);
+    return detail::illuminance_of(bare, position, normal, {IrradianceMethod::exact, {}}).illuminance_lx;
 }
 
 } // namespace
@@ -176,7 +182,8 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
     const Pose p = pose(light, position, normal);
     if (p.region.dark() || !(p.scale > 0.0)) return {};
     const EmissionByDirection emission(light);
-    return integrate(p, smooth(p.region, p.normal), emission, closed_illuminance(light, position, normal), goal);
+    const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
+    return integrate(p, smooth(p.region, p.normal), emission, closed_lx, goal);
 }
 
 ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,

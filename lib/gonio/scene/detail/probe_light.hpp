@@ -32,6 +32,10 @@ struct ProbeShare {
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way);
 
+// What the mask of a light with a size lets through towards the receiver from its centre, the fast way to take it; 1
+// without a mask.
+double mask_share(const Light& light, const glm::dvec3& position);
+
 // A material as the shading core takes it, and the view to it.
 struct ProbeSurface {
     const Material& material;
