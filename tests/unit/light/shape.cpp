@@ -97,7 +97,8 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
                              "sun",
                              "sun:angle=0deg",
                              "sun:angle=181deg",
-                             "sphere:r=1m,mask=a.ies",
+                             "sphere:r=1m,mask",
+                             "sun:angle=1deg,mask=a.ies",
                              "point:mask"})
         EXPECT_FALSE(parse_shape(text)) << text;
     const auto reason = [](const char* text) {
