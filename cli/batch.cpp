@@ -41,14 +41,19 @@ public:
         const std::size_t count = batch_.inputs.size();
         if (kind_ == ReportKind::json && !(count == 1 && reports_.empty()))
             console_.print(dump(count == 1 ? reports_.front() : reports_, 2));
-        if (count > 1)
-            console_.note(
-                failed_ == 0 ? fmt::format("{} files {}", count, batch_.done)
-                             : fmt::format("{} files: {} {}, {} failed", count, count - failed_, batch_.done, failed_));
+        if (count > 1) console_.note(closing_line(count));
         return status_;
     }
 
 private:
+    std::string closing_line(std::size_t count) const {
+        if (failed_ + unchanged_ == 0) return fmt::format("{} files {}", count, batch_.done);
+        std::string line = fmt::format("{} files: {} {}", count, count - failed_ - unchanged_, batch_.done);
+        if (unchanged_ > 0) line += fmt::format(", {} up to date", unchanged_);
+        if (failed_ > 0) line += fmt::format(", {} failed", failed_);
+        return line;
+    }
+
     void say(const std::string& input, Outcome& outcome) {
         for (const std::string& remark : outcome.remarks)
             console_.remark(remark);
@@ -61,6 +66,7 @@ private:
                               {"file", input},
                               {"diagnostics", diagnostics_json(outcome.error->diagnostics)}};
         } else {
+            if (outcome.unchanged) ++unchanged_;
             console_.say(outcome.diagnostics);
             status_ = worse(status_, outcome.status);
             console_.print(kind_ == ReportKind::words ? outcome.words : std::string());
@@ -86,6 +92,7 @@ private:
     std::size_t next_ = 0;                        // the input whose turn it is
     std::size_t taken_ = 0;
     std::size_t failed_ = 0;
+    std::size_t unchanged_ = 0;
     int status_ = 0;
     Json reports_ = Json::array();
 };

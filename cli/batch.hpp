@@ -28,6 +28,7 @@ ReportKind report_kind(const Arguments& arguments);
 struct Outcome {
     std::optional<Error> error;       // why it failed; its diagnostics are the only ones then
     int status = 0;                   // of an input that did not fail
+    bool unchanged = false;           // its result was there already, and counts by itself
     std::string words;                // the result in words
     Json report;                      // the result as an object; null: nothing to report
     Diagnostics diagnostics;          // said, and expected to be in the report

@@ -1,6 +1,7 @@
 #include "lists.hpp"
 
 #include <gonio/asset/target.hpp>
+#include <gonio/bake/engine.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -33,6 +34,13 @@ Entries layouts() {
     Entries entries;
     for (const LayoutInfo& layout : gonio::layouts())
         entries.push_back({std::string(layout.name), std::string(layout.summary)});
+    return entries;
+}
+
+Entries engines() {
+    Entries entries;
+    for (const Engine& engine : gonio::engines())
+        entries.push_back({std::string(engine.name), std::string(engine.summary)});
     return entries;
 }
 
@@ -188,6 +196,7 @@ constexpr std::array lists{
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "dialects of IES that convert writes", dialects},
     NamedList{"efficacies", "lumens that a watt is taken for", efficacies},
+    NamedList{"engines", "engines that bake makes textures for", engines},
     NamedList{"formats", "profile formats that are read", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that are written", images},

@@ -55,6 +55,8 @@ constexpr std::array groups{light_group, OptionGroup{"picture", picture_options}
 constexpr std::array examples{
     Example{"gonio preview lamp.ies --stage floor -s 512x512 -o lamp.png", "how a measured luminaire lights a room"},
     Example{"gonio preview --shape sphere:r=10cm --intensity 800lm -o bulb.png", "a globe"},
+    Example{"gonio preview lamp.ies --material 'kulla-conty:f0=rgb(1,0.77,0.34),alpha=0.2' -o gold.png",
+            "what it makes of gold"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 

@@ -1,6 +1,7 @@
 #include "output.hpp"
 
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ Unexpected both_to_standard_output(std::string_view what) {
 }
 
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
-                                      std::string_view extension) {
+                                      std::string_view extension, Share share) {
     const auto file = arguments.value("--output");
     const auto folder = arguments.value("--output-dir");
     if (file && folder)
@@ -58,17 +59,24 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
     if (file && inputs.size() > 1)
         return fail(Failure::usage, fmt::format("-o names one output, but there are {} inputs", inputs.size()),
                     "use -O DIR");
+    if (folder && !is_folder(*folder))
+        return file_exists(*folder)
+                   ? fail(Failure::io, "cannot write into it: it is no folder", "-O names a folder", *folder)
+                   : fail(Failure::io, "the folder does not exist", fmt::format("make it: mkdir -p '{}'", *folder),
+                          *folder);
     std::vector<Job> jobs;
     std::set<std::string> taken;
-    for (const std::string& input : inputs) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const std::string& input = inputs[i];
         Job job;
         job.input = input;
         job.output =
             file ? *file : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input), extension);
+        if (folder && !taken.insert(job.output).second)
+            return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),
+                        "give them different names, or write them to different folders");
+        if (i % share.step != share.first) continue;
         if (folder) {
-            if (!taken.insert(job.output).second)
-                return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),
-                            "give them different names, or write them to different folders");
             const bool exists = file_exists(job.output);
             if (exists && arguments.has("--update") && !arguments.has("--overwrite"))
                 job.skip = input != "-" && !is_newer(input, job.output);

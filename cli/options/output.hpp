@@ -8,6 +8,7 @@
 #include "../command.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ inline constexpr OptionGroup picture_format_group{"picture", picture_format_opti
 inline constexpr std::array output_options{
     Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
     Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
-    Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
+    Option{"-u,--update", "", "with -O: only what is out of date"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
 };
@@ -49,9 +50,16 @@ struct Job {
     bool skip = false;  // -u: the output is up to date
 };
 
-// Pairs inputs with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or neither given,
-// -o stands beside several inputs, two inputs would write the same output, or an output exists and may not be replaced.
+// Of all inputs every step-th, from `first` on.
+struct Share {
+    std::size_t first = 0;
+    std::size_t step = 1;
+};
+
+// Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or
+// neither given, -o stands beside several inputs, two inputs (of all) would write the same output, or an output exists
+// and may not be replaced; (io) when -O names no folder.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
-                                      std::string_view extension);
+                                      std::string_view extension, Share share = {});
 
 } // namespace gonio::cli

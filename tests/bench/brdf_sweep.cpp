@@ -3,12 +3,17 @@
 //
 //   gonio-brdf-sweep [POSES [SEED]]
 //
-// Default 10'000'000 poses, one material and one view and light each, evaluated as one float and as a pack of the
-// processor's base instruction set. Parameters are corners (0, 1e-4, 1) as often as not; directions are even, as close
-// to the surface as floats are, near the mirror, near the eye and opposite to it, in the surface and below. Prints the
-// count of each material; exit 1 where one is no number.
+// Default 10'000'000 poses, one material and one view and light each: evaluated as one float and as a pack of the
+// processor's base instruction set, and shaded by the kernels of every set under a light in that direction. Parameters
+// are corners (0, 1e-4, 1) as often as not; directions are even, as close to the surface as floats are, near the
+// mirror, near the eye and opposite to it, in the surface and below. Prints the count of each material; exit 1 where
+// one is no number.
 #include <gonio/measure/random.hpp>
+#include <gonio/preview/shading_constants.hpp>
+#include <gonio/scene/material.hpp>
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/simd/dispatch.hpp>
 
 #include <array>
 #include <cmath>
@@ -17,6 +22,8 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <variant>
+#include <vector>
 
 namespace {
 
@@ -226,6 +233,76 @@ std::size_t sweep(const char* name, std::size_t count, std::uint64_t seed) {
     return broken;
 }
 
+glm::dvec3 rgb(const Parameters& from, std::size_t first) {
+    return {from.p[first], from.p[first + 1], from.p[first + 2]};
+}
+Material scene_material(std::size_t kind, const Parameters& p) {
+    switch (kind) {
+    case 0:
+        return LambertMaterial{rgb(p, 0)};
+    case 1:
+        return EonMaterial{rgb(p, 0), p.p[3]};
+    case 2:
+        return FrostbiteMaterial{rgb(p, 0), p.p[3], p.p[4], p.p[5]};
+    case 3:
+        return Ue4Material{rgb(p, 0), p.p[4], p.p[3], p.p[5], p.p[6]};
+    case 4:
+        return BlinnMaterial{rgb(p, 0), rgb(p, 3), p.p[6], p.p[7]};
+    case 5:
+        return GgxMaterial{rgb(p, 0), p.p[3]};
+    default:
+        return KullaContyMaterial{rgb(p, 0), p.p[3]};
+    }
+}
+
+// One material for a batch, lit from 1 m by 1 cd.
+std::size_t sweep_kernels(std::size_t count, std::uint64_t seed) {
+    constexpr std::size_t batch = 251; // leaves a packet partly filled
+    constexpr std::size_t kinds = std::variant_size_v<Material>;
+    Random random(seed);
+    std::size_t broken = 0;
+    std::array<std::vector<float>, 9> columns;
+    for (auto& column : columns)
+        column.resize(batch);
+    std::array<std::vector<float>, 3> out;
+    for (auto& channel : out)
+        channel.resize(batch);
+    const std::vector<float> candela(batch, 1.0F);
+    shading::LightConstants light;
+    light.intensity_cd = candela.data();
+    shading::Surfaces surfaces;
+    for (std::size_t k = 0; k < 3; ++k) {
+        surfaces.position[k] = columns[k].data();
+        surfaces.normal[k] = columns[3 + k].data();
+        surfaces.view[k] = columns[6 + k].data();
+    }
+    surfaces.count = batch;
+    std::size_t poses = 0;
+    for (; poses < count; poses += batch) {
+        for (std::size_t i = 0; i < batch; ++i) {
+            const Pose pose = random_pose(random);
+            const float values[9] = {-pose.l.x, -pose.l.y, -pose.l.z, pose.n.x, pose.n.y,
+                                     pose.n.z,  pose.v.x,  pose.v.y,  pose.v.z};
+            for (std::size_t k = 0; k < 9; ++k)
+                columns[k][i] = values[k];
+        }
+        const Parameters parameters(random);
+        const auto constants = material_constants(scene_material(poses / batch % kinds, parameters));
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            float* const channels[3] = {out[0].data(), out[1].data(), out[2].data()};
+            shading::kernels(set).shade(surfaces, light, constants, channels);
+            for (const std::vector<float>& channel : out)
+                for (const float value : channel)
+                    if (!good(value) && broken++ < 3)
+                        (void)std::printf("material %zu is no number by %s\n", poses / batch % kinds,
+                                          shading::kernels(set).name);
+        }
+    }
+    (void)std::printf("%-12s %11zu poses by each of %zu sets, %zu no numbers\n", "kernels", poses,
+                      simd::available_sets().size(), broken);
+    return broken;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -239,5 +316,6 @@ int main(int argc, char** argv) {
     broken += sweep<shading::RememberMe>("blinn", each, seed + 4);
     broken += sweep<shading::Ggx>("ggx", each, seed + 5);
     broken += sweep<shading::KullaConty>("kulla-conty", each, seed + 6);
+    broken += sweep_kernels(poses, seed + 7);
     return broken == 0 ? 0 : 1;
 }

@@ -76,6 +76,8 @@ def ring(j, height):
 layouts = {
     "latlong": ("96x48", lambda w, h, i, j: 2 * math.pi / w * ring(j, h)),
     "v180": ("90x1", lambda w, h, i, j: 2 * math.pi * ring(i, w)),
+    "v180 of rows": ("90x24", lambda w, h, i, j: 2 * math.pi / h * ring(i, w)),
+    "cube": ("32x32", lambda w, h, i, j: face_texel(h, i, j)),
     "octahedral": ("64x64", octahedral_texel),
     "octahedral-equal-area": ("64x64", lambda w, h, i, j: 4 * math.pi / (w * h)),
     "cube-strip": ("192x32", lambda w, h, i, j: face_texel(h, i, j)),
@@ -83,6 +85,22 @@ layouts = {
     "panorama": ("96x48", lambda w, h, i, j: 2 * math.pi / w * ring(j, h)),
     "gnomonic": ("66x66", lambda w, h, i, j: cookie_texel(w, i, j)),
 }
+
+
+def lost_attributes(spec, fields, name, before="gonio:"):
+    """How many of the sidecar's fields the file does not carry as attributes."""
+    lost = 0
+    for key, value in fields.items():
+        if isinstance(value, dict):
+            lost += lost_attributes(spec, value, name, before + key + ".")
+        elif not isinstance(value, list):
+            kept = spec.getattribute(before + key)
+            same = kept == value if isinstance(value, str) else \
+                kept is not None and abs(kept - value) <= 1e-6 * abs(value)
+            if not same:
+                print(f"{name}: attribute {before + key} is {kept!r}, not {value!r}: FAILED")
+                lost += 1
+    return lost
 
 
 def main():
@@ -93,14 +111,18 @@ def main():
             for layout, (size, solid_angle) in layouts.items():
                 out = os.path.join(folder, f"{profile}-{layout}.exr")
                 cone = ["--cone", "70deg", "--border", "1"] if layout == "gnomonic" else []
-                subprocess.run([gonio, "bake", os.path.join(profiles, profile + ".ies"), "--layout", layout, "-s", size,
-                                "-o", out] + cone, check=True)
+                subprocess.run([gonio, "bake", os.path.join(profiles, profile + ".ies"), "--layout",
+                                layout.split()[0], "-s", size, "-o", out] + cone, check=True)
                 with open(out + ".json", encoding="utf-8") as file:
                     sidecar = json.load(file)
-                picture = oiio.ImageBuf(out)
-                width, height = picture.spec().width, picture.spec().height
-                flux = sum(picture.getpixel(i, j)[0] * sidecar["cd_per_unit"] * solid_angle(width, height, i, j)
-                           for j in range(height) for i in range(width))
+                flux = 0.0
+                for name in sidecar.get("face_files", [out]):
+                    picture = oiio.ImageBuf(name)
+                    width, height = picture.spec().width, picture.spec().height
+                    assert (width, height) == (sidecar["width"], sidecar["height"]), name
+                    failed += lost_attributes(picture.spec(), sidecar, name)
+                    flux += sum(picture.getpixel(i, j)[0] * sidecar["cd_per_unit"] * solid_angle(width, height, i, j)
+                                for j in range(height) for i in range(width))
                 wanted = sidecar["texture_flux_lm" if layout == "gnomonic" else "flux_lm"]
                 error = abs(flux / wanted - 1)
                 verdict = "ok" if error <= 1e-5 else "FAILED"

@@ -5,16 +5,46 @@
 
 namespace gonio {
 
-std::string texture_sidecar(const Texture& texture, const TextureSource& source, std::string_view pixel) {
-    const nlohmann::ordered_json sidecar{
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string convention(const Texture& texture, const Engine* engine) {
+    if (engine == nullptr) return texture.texel_convention;
+    const char* const holds = texture.sampling == Sampling::mean ? "a texel holds the mean over its solid angle"
+                              : texture.image.height == 1        ? "a texel holds the mean over C there"
+                                                                 : "a texel holds the value there";
+    return std::string(engine->rule) + "; " + holds;
+}
+
+Json frame(const Engine* engine) {
+    if (engine == nullptr) return {{"aim", "-Z"}, {"c0", "+X"}, {"handedness", "right"}};
+    return {{"aim", engine->aim}, {"c0", engine->c0}, {"handedness", engine->handedness}};
+}
+
+void add_fields(const Json& json, const std::string& before, std::vector<SidecarField>& fields) {
+    for (const auto& [key, value] : json.items()) {
+        if (value.is_object()) add_fields(value, before + key + ".", fields);
+        if (value.is_string()) fields.push_back({before + key, value.get<std::string>()});
+        if (value.is_number()) fields.push_back({before + key, value.get<double>()});
+    }
+}
+
+} // namespace
+
+std::string texture_sidecar(const Texture& texture, const TextureSource& source, const TextureFile& file) {
+    const bool faces = !file.face_files.empty();
+    Json sidecar{
         {"schema", "gonio.texture/1"},
         {"layout", texture.layout},
-        {"width", texture.image.width},
+        {"width", faces ? texture.image.height : texture.image.width},
         {"height", texture.image.height},
-        {"channels", texture.image.channels},
-        {"pixel", pixel},
-        {"texel_convention", texture.texel_convention},
-        {"frame", {{"aim", "-Z"}, {"c0", "+X"}, {"handedness", "right"}}},
+        {"channels", file.channels},
+        {"pixel", file.pixel},
+        {"transfer", to_text(texture.transfer)},
+        {"sampling", to_text(texture.sampling)},
+        {"texel_convention", convention(texture, file.engine)},
+        {"frame", frame(file.engine)},
         {"normalization", to_text(texture.normalization)},
         {"cd_per_unit", texture.cd_per_unit},
         {"peak_cd", texture.peak.value},
@@ -23,11 +53,39 @@ std::string texture_sidecar(const Texture& texture, const TextureSource& source,
         {"solid_angle_sr", texture.solid_angle.value},
         {"max_error_cd", texture.max_error.value},
         {"quantization_error_cd", texture.quantization_error.value},
+        {"clamped_cd", texture.least_mean.value},
         {"source", {{"file", source.file}, {"sha256", source.sha256}}},
         {"tool", std::string("gonio ") + version},
     };
+    if (file.engine != nullptr) sidecar["engine"] = file.engine->name;
+    if (faces) sidecar["face_files"] = file.face_files;
+    if (!file.recipe.empty()) sidecar["recipe"] = file.recipe;
     // A file name need not be UTF-8: what is not becomes a replacement character instead of a failure.
-    return sidecar.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return sidecar.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<SidecarField> sidecar_fields(std::string_view sidecar) {
+    std::vector<SidecarField> fields;
+    const Json json = Json::parse(sidecar, nullptr, false);
+    if (json.is_object()) add_fields(json, "", fields);
+    return fields;
+}
+
+std::optional<TextureRecord> read_sidecar(std::string_view json) {
+    const Json sidecar = Json::parse(json, nullptr, false);
+    const auto text = [](const Json& in, const char* key) {
+        const auto found = in.find(key);
+        return found != in.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    if (!sidecar.is_object() || text(sidecar, "schema") != "gonio.texture/1") return std::nullopt;
+    const auto source = sidecar.find("source");
+    if (source == sidecar.end() || !source->is_object()) return std::nullopt;
+    TextureRecord record{text(*source, "sha256"), text(sidecar, "recipe"), {}};
+    const auto faces = sidecar.find("face_files");
+    if (faces != sidecar.end() && faces->is_array())
+        for (const Json& face : *faces)
+            if (face.is_string()) record.face_files.push_back(face.get<std::string>());
+    return record;
 }
 
 } // namespace gonio

@@ -1,6 +1,7 @@
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/chart_fill.hpp>
 #include <gonio/bake/latlong_fill.hpp>
+#include <gonio/bake/point_fill.hpp>
 #include <gonio/bake/texel_store.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/web/goniometer.hpp>
@@ -26,11 +27,14 @@ namespace {
 
 using std::numbers::pi;
 
-// A chart read with bilinear filtering, clamped at its edges unless it wraps.
-double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place) {
-    const bool wraps = placed.chart->wraps();
-    const double x = place.x * placed.width - 0.5;
-    const double y = std::clamp(place.y * placed.height - 0.5, 0.0, placed.height - 1.0);
+// A chart read with bilinear filtering where its texels stand, clamped at its edges unless it wraps.
+double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place, Sampling sampling) {
+    const bool wraps = placed.chart->wraps() && sampling != Sampling::corners;
+    const bool corners = sampling == Sampling::corners;
+    const double x =
+        corners ? place.x * (placed.width - 1) : place.x * placed.width - (sampling == Sampling::mean ? 0.5 : 0.0);
+    const double y =
+        std::clamp(corners ? place.y * (placed.height - 1) : place.y * placed.height - 0.5, 0.0, placed.height - 1.0);
     const double column = wraps ? std::floor(x) : std::floor(std::clamp(x, 0.0, placed.width - 1.0));
     const double u = wraps ? x - column : std::clamp(x, 0.0, placed.width - 1.0) - column;
     const auto wrapped = [&](int i) {
@@ -47,15 +51,21 @@ double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place)
     return upper + v * (lower - upper);
 }
 
-// The greatest |filtered texture − web| at the web's own grid points.
-double error_at_grid(const Web& web, const Texture& texture, std::span<const PlacedChart> charts) {
+// The greatest |filtered texture − web| at the web's own grid points. `by_angles`: latlong and type C.
+double error_at_grid(const Web& web, const Texture& texture, std::span<const PlacedChart> charts, bool by_angles) {
     double worst = 0.0;
     for (const double h : web.horizontal_deg())
         for (const double v : web.vertical_deg()) {
+            if (by_angles) { // C and γ are the places themselves
+                const glm::dvec2 place{h / 360.0 - std::floor(h / 360.0), v / 180.0};
+                const double value = filtered(texture.image, charts[0], place, texture.sampling) * texture.cd_per_unit;
+                worst = std::max(worst, std::abs(value - web.candela_at(h, v)));
+                continue;
+            }
             const glm::dvec3 direction = direction_of(web.photometry(), {h, v});
             for (const PlacedChart& chart : charts)
                 if (const std::optional<glm::dvec2> place = chart.chart->locate(direction)) {
-                    const double value = filtered(texture.image, chart, *place) * texture.cd_per_unit;
+                    const double value = filtered(texture.image, chart, *place, texture.sampling) * texture.cd_per_unit;
                     worst = std::max(worst, std::abs(value - web.candela_at(h, v)));
                 }
         }
@@ -72,11 +82,11 @@ StoredTotals sum(const std::vector<StoredTotals>& rows) {
 // latlong of a type C web; v180 is its only column, lying down.
 StoredTotals fill_in_closed_form(Texture& texture, const Web& web, const BakeOptions& options) {
     Image& image = texture.image;
-    const bool one_column = options.layout == Layout::v180;
+    const bool one_column = options.layout == Layout::v180 && options.height == 1;
     const int columns = one_column ? 1 : image.width;
     const int rows = one_column ? image.width : image.height;
     const LatlongFill fill(web, columns, options.skip);
-    const Storage storage{texture.texel_type, texture.cd_per_unit};
+    const Storage storage{texture.texel_type, texture.cd_per_unit, texture.transfer};
     std::vector<StoredTotals> totals(static_cast<std::size_t>(rows));
     parallel_for(totals.size(), options.threads, [&](std::size_t index) {
         const int j = static_cast<int>(index);
@@ -111,6 +121,7 @@ TextureSize usual_size(Layout layout) {
     case Layout::octahedral_equal_area:
     case Layout::gnomonic:
         return {256, 256};
+    case Layout::cube:
     case Layout::cube_strip:
         return {768, 128};
     case Layout::cube_cross:
@@ -139,17 +150,21 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.normalization = options.normalization;
     texture.cd_per_unit = *unit;
     texture.texel_type = options.texel_type;
+    texture.sampling = options.sampling;
+    texture.transfer = options.transfer;
     texture.peak = peak(web).intensity;
     texture.flux = flux(web);
 
-    const bool latlong = options.layout == Layout::latlong || options.layout == Layout::v180;
+    const bool latlong = options.layout == Layout::latlong || (options.layout == Layout::v180 && options.height == 1);
+    const Storage storage{texture.texel_type, texture.cd_per_unit, texture.transfer};
     StoredTotals total;
-    if (latlong && web.photometry() == Photometry::c)
+    if (options.sampling != Sampling::mean)
+        total = fill_points(texture.image, web, *charts, storage, options.sampling, options.threads);
+    else if (latlong && web.photometry() == Photometry::c && options.chart.turned == glm::dmat3(1.0))
         total = fill_in_closed_form(texture, web, options);
     else
         // The mirrors that the light has, whatever the file says: line integrals are worth the search.
-        total = fill_charts(texture.image, compacted(web, 0.0), *charts, {texture.texel_type, *unit}, options.skip,
-                            options.threads);
+        total = fill_charts(texture.image, compacted(web, 0.0), *charts, storage, options.skip, options.threads);
     for (const PlacedChart& chart : *charts)
         texture.texels += static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
     texture.evaluated = total.evaluated;
@@ -157,7 +172,11 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.texture_flux = Lumens(total.lumens);
     texture.solid_angle = Steradians(total.steradians);
     texture.quantization_error = Candelas(total.quantization_error);
-    texture.max_error = Candelas(std::max(total.max_error, error_at_grid(web, texture, *charts)));
+    const bool by_angles = options.layout == Layout::latlong && web.photometry() == Photometry::c &&
+                           options.chart.turned == glm::dmat3(1.0);
+    // Points are read at their own places, which are no centres: only the grid of the web tells how far they are off.
+    const double at_centers = options.sampling == Sampling::mean ? total.max_error : 0.0;
+    texture.max_error = Candelas(std::max(at_centers, error_at_grid(web, texture, *charts, by_angles)));
     return texture;
 }
 

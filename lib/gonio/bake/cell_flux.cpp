@@ -269,9 +269,13 @@ CellFlux cell_flux(const Meridians& meridians, const Chart& chart, const ChartCe
     around += edge_sums(meridians, chart, false, cell.s1, cell.t0, cell.t1);
     around -= edge_sums(meridians, chart, true, cell.t1, cell.s0, cell.s1);
     around -= edge_sums(meridians, chart, false, cell.s0, cell.t0, cell.t1);
-    // Away from the poles from the nearer one, so that what is dark beyond the light is exactly so.
+    // Away from the poles from the nearer one, or from that on whose side of the light a dark cell lies, so that
+    // nothing comes out as exactly that.
     const glm::dvec3 middle = chart.at(0.5 * (cell.s0 + cell.s1), 0.5 * (cell.t0 + cell.t1)).direction;
-    const bool beyond = poles == Poles::none && glm::dot(middle, meridians.pole()) < 0.0;
+    const double cosine = glm::dot(middle, meridians.pole()) / glm::length(middle);
+    const bool behind = cosine < std::cos(meridians.lit_polar_to());
+    const bool before = cosine > std::cos(meridians.lit_polar_from());
+    const bool beyond = poles == Poles::none && (behind || (cosine < 0.0 && !before));
     return inside(around, poles == Poles::far || beyond);
 }
 

@@ -19,9 +19,10 @@ constexpr std::array infos{
     LayoutInfo{Layout::latlong, "latlong", "C across and gamma down, the aim in the first row",
                "column i covers C in [i, i+1]/width*360 deg, row j covers gamma in [j, j+1]/height*180 deg, first row "
                "at gamma = 0 (nadir); a texel holds the mean over its solid angle"},
-    LayoutInfo{Layout::v180, "v180", "one row over gamma, the mean over C",
-               "column i covers gamma in [i, i+1]/width*180 deg, first column at gamma = 0 (nadir); a texel holds the "
-               "mean over its ring's solid angle"},
+    LayoutInfo{
+        Layout::v180, "v180", "gamma across; one row holds the mean over C, more rows run over C",
+        "column i covers gamma in [i, i+1]/width*180 deg, first column at gamma = 0 (nadir), row j covers C in [j, "
+        "j+1]/height*360 deg; a texel holds the mean over its solid angle"},
     LayoutInfo{Layout::octahedral, "octahedral", "square, the aim in the middle, its opposite in the corners",
                "p = (x, y)/(|x|+|y|+|z|), for z > 0 folded to (1-|p.y|, 1-|p.x|) with the signs of x and y; column i "
                "covers p.x in [i, i+1]/width*2-1, row j covers p.y in 1-[j, j+1]/height*2; a texel holds the mean over "
@@ -36,6 +37,10 @@ constexpr std::array infos{
     LayoutInfo{Layout::cube_cross, "cube-cross", "cube faces unfolded, 4 x 3",
                "faces +Y above, -X +Z +X -Z, -Y below, each as OpenGL looks it up; a texel holds the mean over its "
                "solid angle, texels of no face are 0"},
+    LayoutInfo{
+        Layout::cube, "cube", "six files, a cube face each",
+        "face +X -X +Y -Y +Z or -Z as its file's name says, each as OpenGL looks it up; a texel holds the mean over "
+        "its solid angle"},
     LayoutInfo{Layout::gnomonic, "gnomonic", "a plane across the aim: a spot's cookie",
                "p = (x, y)/-z/tan(cone/2); inside the border columns run from p.x = -1 to 1, rows from p.y = 1 down to "
                "-1; a texel holds the mean over its solid angle, the border is 0"},
@@ -232,6 +237,33 @@ public:
     }
 };
 
+// Another chart, turned or mirrored.
+class Turned final : public Chart {
+public:
+    Turned(std::shared_ptr<const Chart> chart, const glm::dmat3& turned) : chart_(std::move(chart)), turned_(turned) {}
+
+    [[nodiscard]] ChartPoint at(double s, double t) const override {
+        const ChartPoint point = chart_->at(s, t);
+        return {turned_ * point.direction, turned_ * point.along_s, turned_ * point.along_t};
+    }
+    [[nodiscard]] std::optional<glm::dvec2> locate(const glm::dvec3& d) const override {
+        return chart_->locate(d * turned_); // by the transpose
+    }
+    [[nodiscard]] bool wraps() const override { return chart_->wraps(); }
+    void folds(bool along_s, double fixed, double from, double to, std::vector<double>& at) const override {
+        chart_->folds(along_s, fixed, from, to, at);
+    }
+    [[nodiscard]] bool folds_between(bool along_s, double fixed, double from, double to) const override {
+        return chart_->folds_between(along_s, fixed, from, to);
+    }
+    [[nodiscard]] double smooth_within(double s, double t) const override { return chart_->smooth_within(s, t); }
+    [[nodiscard]] double solid_angle() const override { return chart_->solid_angle(); }
+
+private:
+    std::shared_ptr<const Chart> chart_;
+    glm::dmat3 turned_;
+};
+
 // The face of an OpenGL cube map whose middle is the axis; s and t as it looks them up.
 std::shared_ptr<const Chart> cube_face(std::size_t face) {
     using glm::dvec3;
@@ -320,13 +352,16 @@ double Chart::solid_angle() const {
     return 4.0 * pi;
 }
 
-Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options) {
+namespace {
+
+Result<std::vector<PlacedChart>> upright_charts(Layout layout, int width, int height, const LayoutOptions& options) {
     switch (layout) {
     case Layout::octahedral:
     case Layout::octahedral_equal_area:
         if (width != height) return size_refused(layout, width, height, "square", 256, 256);
         if (layout == Layout::octahedral) return whole<Octahedral>(width, height);
         return whole<OctahedralEqualArea>(width, height);
+    case Layout::cube:
     case Layout::cube_strip:
         return cube(layout, width, height, 6, 1, strip_places);
     case Layout::cube_cross:
@@ -350,10 +385,19 @@ Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height,
     case Layout::latlong:
         return whole<Latlong>(width, height);
     case Layout::v180:
-        if (height != 1) return size_refused(layout, width, height, "one row", 256, 1);
         return whole<V180>(width, height);
     }
     return fail(Failure::internal, "a layout without charts");
+}
+
+} // namespace
+
+Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options) {
+    Result<std::vector<PlacedChart>> charts = upright_charts(layout, width, height, options);
+    if (charts && options.turned != glm::dmat3(1.0))
+        for (PlacedChart& placed : *charts)
+            placed.chart = std::make_shared<Turned>(std::move(placed.chart), options.turned);
+    return charts;
 }
 
 } // namespace gonio

@@ -9,6 +9,7 @@
 #include <gonio/base/result.hpp>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -23,11 +24,12 @@ namespace gonio {
 
 enum class Layout {
     latlong,               // C across, γ down
-    v180,                  // γ across, one row: the mean over C
+    v180,                  // γ across, one row: the mean over C; more rows: C down
     octahedral,            // the aim in the middle, its opposite in the corners
     octahedral_equal_area, // the same with texels of equal solid angle (P. Clarberg, Fast equal-area mapping, 2008)
     cube_strip,            // faces +X −X +Y −Y +Z −Z side by side
     cube_cross,            // the same unfolded, 4 × 3 faces
+    cube,                  // the same strip, for six files
     gnomonic,              // a plane across the aim: a spot's cookie
     panorama               // longitude and latitude about +Y, the aim in the middle
 };
@@ -93,10 +95,12 @@ struct PlacedChart {
 struct LayoutOptions {
     Radians cone = degrees(90.0); // gnomonic: full angle across the chart's middle, in (0°, 180°)
     int border = 0;               // gnomonic: dark texels around
+    // Where the layout's own frame lies in the light's: columns are its x, y and z there. Orthogonal; may mirror.
+    glm::dmat3 turned{1.0};
 };
 
 // The charts of a picture of that size. Fails (usage) on a size that the layout cannot have: an octahedral or gnomonic
-// texture is square, a strip 6:1, a cross 4:3, v180 has one row, and a border leaves a texel.
+// texture is square, a strip 6:1, a cross 4:3, and a border leaves a texel.
 Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options);
 
 } // namespace gonio

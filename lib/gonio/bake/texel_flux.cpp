@@ -266,8 +266,13 @@ bool TexelFlux::is_dark(const Corner* upper, const Corner* lower) const {
     });
 }
 
-// Whether the pole θ = π is nearer than θ = 0: then the flux is counted from there.
-bool TexelFlux::is_far(const Corner* upper, const Corner* lower) {
+// Whether the flux is counted from the pole θ = π: the nearer one, or that on whose side of the light a dark texel
+// lies, so that nothing comes out as exactly that.
+bool TexelFlux::is_far(const Corner* upper, const Corner* lower) const {
+    const std::array<double, 4> polars{upper[0].polar, upper[1].polar, lower[0].polar, lower[1].polar};
+    const auto [least, greatest] = std::minmax_element(polars.begin(), polars.end());
+    if (*least >= meridians_.lit_polar_to()) return true;
+    if (*greatest <= meridians_.lit_polar_from()) return false;
     return upper[0].at.z + upper[1].at.z + lower[0].at.z + lower[1].at.z < 0.0;
 }
 

@@ -39,7 +39,7 @@ private:
     [[nodiscard]] Corner corner(int i, int j) const;
     [[nodiscard]] ChartCell cell_of(int i, int j) const;
     [[nodiscard]] bool is_dark(const Corner* upper, const Corner* lower) const;
-    [[nodiscard]] static bool is_far(const Corner* upper, const Corner* lower);
+    [[nodiscard]] bool is_far(const Corner* upper, const Corner* lower) const;
     [[nodiscard]] bool is_at_far_pole(const Corner* upper, const Corner* lower, const ChartCell& cell) const;
     [[nodiscard]] EdgeSums edge(const Corner& begin, const Corner& end, bool along_s, double fixed, double from,
                                 double to) const;

@@ -17,8 +17,9 @@ StoredTotals& StoredTotals::operator+=(const StoredTotals& other) {
 }
 
 double store_texel(double mean, double center, const Storage& storage, float& texel, StoredTotals& totals) {
-    const double wanted = std::max(mean, 0.0);
-    const double kept = as_stored(storage.type, wanted / storage.cd_per_unit);
+    const double wanted = mean > 0.0 ? mean : 0.0; // and never −0
+    const double kept =
+        decoded(storage.transfer, as_stored(storage.type, encoded(storage.transfer, wanted / storage.cd_per_unit)));
     texel = static_cast<float>(kept);
     const double intensity = kept * storage.cd_per_unit;
     totals.max_error = std::max(totals.max_error, std::abs(intensity - center));
@@ -29,6 +30,15 @@ double store_texel(double mean, double center, const Storage& storage, float& te
 }
 
 double store_run(const LinearRun& run, const Storage& storage, std::span<float> texels, StoredTotals& totals) {
+    if (storage.transfer != Transfer::linear) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < texels.size(); ++k) {
+            const auto at = static_cast<double>(k);
+            sum += store_texel(run.mean + at * run.mean_step, run.center + at * run.center_step, storage, texels[k],
+                               totals);
+        }
+        return sum;
+    }
     const double unit = storage.cd_per_unit;
     const bake::Ramp ramp{run.mean / unit, run.mean_step / unit, run.center / unit, run.center_step / unit};
     static const bake::Kernels& kernels = bake::kernels(simd::best_available());

@@ -35,6 +35,7 @@ struct LinearRun {
 struct Storage {
     TexelType type = TexelType::float32;
     double cd_per_unit = 1.0;
+    Transfer transfer = Transfer::linear;
 };
 
 // Stores one texel and notes its errors; what is stored, in candela. Its flux is the caller's to add.

@@ -51,4 +51,30 @@ double as_stored(TexelType type, double value) {
     return value;
 }
 
+const char* to_text(Sampling sampling) {
+    switch (sampling) {
+    case Sampling::mean:
+        return "mean";
+    case Sampling::left_edge:
+        return "left-edge";
+    case Sampling::corners:
+        return "corners";
+    }
+    return "mean";
+}
+
+const char* to_text(Transfer transfer) {
+    return transfer == Transfer::srgb ? "srgb" : "linear";
+}
+
+double encoded(Transfer transfer, double value) {
+    if (transfer == Transfer::linear) return value;
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+double decoded(Transfer transfer, double value) {
+    if (transfer == Transfer::linear) return value;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 } // namespace gonio

@@ -34,6 +34,24 @@ enum class TexelType { float32, half, uint16, uint8 };
 // [0, 1] by integers. A half beyond 65504 is infinite.
 double as_stored(TexelType type, double value);
 
+// What a texel holds of the directions around it.
+enum class Sampling {
+    mean,      // the exact mean over its solid angle
+    left_edge, // the value at its left edge, in the middle of its row; one row: the mean over C there
+    corners    // the value at i/(width − 1), j/(height − 1): the outermost texels lie on the edges
+};
+
+const char* to_text(Sampling sampling); // "left-edge"
+
+// How a stored number stands for a value: itself, or encoded as sRGB does (IEC 61966-2-1).
+enum class Transfer { linear, srgb };
+
+const char* to_text(Transfer transfer); // "srgb"
+
+// On [0, 1]; linear leaves any value alone.
+double encoded(Transfer transfer, double value);
+double decoded(Transfer transfer, double value);
+
 struct Texture {
     std::string layout;           // "latlong"
     std::string texel_convention; // one sentence: which directions a texel stands for, and what of them it holds
@@ -43,13 +61,15 @@ struct Texture {
     Candelas peak;            // of the web
     Lumens flux;              // of the web
     TexelType texel_type = TexelType::float32;
-    Lumens texture_flux;         // of the texels as stored, each over its own solid angle
-    Candelas quantization_error; // greatest |texel as stored − its mean|, negative means as 0
-    Steradians solid_angle;      // of all texels: 4π unless the layout leaves directions out
-    Candelas max_error;          // greatest |texture, filtered, − web| at the texels' centres and at the web's grid
-    Candelas least_mean;         // the least of the texels' means where one is negative, and stored as 0; else 0
-    std::size_t texels = 0;      // of the layout: borders and empty corners left out
-    std::size_t evaluated = 0;   // texels whose mean was computed; the others are mirror images, or dark
+    Sampling sampling = Sampling::mean;
+    Transfer transfer = Transfer::linear; // of the file; `image` holds what it decodes to
+    Lumens texture_flux;                  // of the texels as stored, each over its own solid angle
+    Candelas quantization_error;          // greatest |texel as stored − its mean|, negative means as 0
+    Steradians solid_angle;               // of all texels: 4π unless the layout leaves directions out
+    Candelas max_error;        // greatest |texture, filtered, − web| at the texels' centres and at the web's grid
+    Candelas least_mean;       // the least of the texels' means where one is negative, and stored as 0; else 0
+    std::size_t texels = 0;    // of the layout: borders and empty corners left out
+    std::size_t evaluated = 0; // texels whose mean was computed; the others are mirror images, or dark
 };
 
 } // namespace gonio

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 
 namespace gonio::measure {
@@ -23,14 +22,13 @@ struct Point {
     Vec toward;
     double density;
 };
-using Region = std::function<Point(double u, double v)>;
 
 Vec vec(const float (&v)[3]) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
 // The cap of half angle σ about `center`, even in solid angle.
-Region cap(Vec center, double sine) {
+auto cap(Vec center, double sine) {
     const shading::TangentFrame<double> frame(shading::normalized(center));
     const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
     const double height = sine * sine / (1.0 + cosine);
@@ -42,7 +40,8 @@ Region cap(Vec center, double sine) {
     };
 }
 
-Region flat(Vec axis, const std::function<Vec(double, double)>& point, const std::function<double(double)>& area) {
+template<class ToPoint, class ToArea>
+auto flat(Vec axis, ToPoint point, ToArea area) {
     return [axis, point, area](double u, double v) {
         const Vec p = point(u, v);
         const double square = dot(p, p);
@@ -52,7 +51,7 @@ Region flat(Vec axis, const std::function<Vec(double, double)>& point, const std
 }
 
 // Half planes through a line along the axis, each of which cuts the capsule in a rectangle with round ends.
-Region capsule(Vec center, Vec axis, double r, double half) {
+auto capsule(Vec center, Vec axis, double r, double half) {
     const double z = dot(axis, center);
     const Vec across = center - axis * z;
     const double d = shading::length(across);
@@ -83,10 +82,12 @@ constexpr double nodes[order] = {-0.94910791234275852, -0.74153118559939444, -0.
 constexpr double weights[order] = {0.12948496616886969, 0.27970539148927667, 0.38183005050511894, 0.41795918367346939,
                                    0.38183005050511894, 0.27970539148927667, 0.12948496616886969};
 
+// Of a region: a function of two numbers in [0, 1] that gives a Point.
+template<class Region>
 class Integral {
 public:
-    Integral(Region region, Vec normal, Vec view, double alpha)
-        : region_(std::move(region)), normal_(normal), view_(view), alpha_(alpha) {}
+    Integral(const Region& region, Vec normal, Vec view, double alpha)
+        : region_(region), normal_(normal), view_(view), alpha_(alpha) {}
 
     double value() {
         constexpr int cells = 12;
@@ -127,51 +128,49 @@ private:
                refined(u, v + h, h, quarters[2], depth + 1) + refined(u + h, v + h, h, quarters[3], depth + 1);
     }
 
-    Region region_;
+    const Region& region_;
     Vec normal_, view_;
     double alpha_;
     double tolerance_ = 0.0;
 };
 
-Region everything(Vec normal) {
-    return cap(normal, 1.0);
-}
-
-Region region_of(const shading::LightConstants& light, Vec center, Vec normal) {
+// integrate(region) of what is seen of the light.
+template<class Integrate>
+double over_light(const shading::LightConstants& light, Vec center, Vec normal, const Integrate& integrate) {
     const auto r = static_cast<double>(light.radius);
     Vec axis = vec(light.axis);
     if (light.two_sided && dot(axis, center) > 0.0) axis = axis * -1.0;
     const auto sphere = [&](Vec at) {
         const double d = shading::length(at);
-        return d < r ? everything(normal) : cap(at, r / d);
+        return d < r ? integrate(cap(normal, 1.0)) : integrate(cap(at, r / d));
     };
     switch (light.kind) {
     case Kind::sphere:
         return sphere(center);
     case Kind::disk: {
         const shading::TangentFrame<double> frame(axis);
-        return flat(
+        return integrate(flat(
             axis,
             [=](double u, double v) {
                 return center + frame.to_world({r * u * std::cos(2.0 * pi * v), r * u * std::sin(2.0 * pi * v), 0.0});
             },
-            [r](double u) { return 2.0 * pi * r * r * u; });
+            [r](double u) { return 2.0 * pi * r * r * u; }));
     }
     case Kind::rectangle: {
         const Vec x = vec(light.width_direction) * static_cast<double>(light.width);
         const Vec y = shading::cross(axis, vec(light.width_direction)) * static_cast<double>(light.height);
         const double area = static_cast<double>(light.width) * static_cast<double>(light.height);
-        return flat(
+        return integrate(flat(
             axis, [=](double u, double v) { return center + x * (u - 0.5) + y * (v - 0.5); },
-            [area](double) { return area; });
+            [area](double) { return area; }));
     }
     default:
         break;
     }
     const double half = 0.5 * static_cast<double>(light.length);
     const double z = dot(axis, center);
-    if (shading::length(center - axis * z) > r) return capsule(center, axis, r, half);
-    if (std::fabs(z) <= half) return everything(normal);
+    if (shading::length(center - axis * z) > r) return integrate(capsule(center, axis, r, half));
+    if (std::fabs(z) <= half) return integrate(cap(normal, 1.0));
     return sphere(center - axis * std::copysign(half, z));
 }
 
@@ -180,7 +179,8 @@ Region region_of(const shading::LightConstants& light, Vec center, Vec normal) {
 double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
                               shading::vec3<double> normal, shading::vec3<double> view, double alpha) {
     if (light.kind == Kind::punctual || dot(normal, view) <= 0.0) return 0.0;
-    return Integral(region_of(light, center, normal), normal, view, alpha).value();
+    return over_light(light, center, normal,
+                      [&](const auto& region) { return Integral(region, normal, view, alpha).value(); });
 }
 
 } // namespace gonio::measure

@@ -7,6 +7,7 @@
 // 1 ± 1e-4; below α = 0.01, and within μ = 10 α, 1 ± 6e-4.
 #pragma once
 
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
@@ -52,10 +53,11 @@ struct GgxLoss {
     GONIO_FORCE_INLINE S mean() const {
         const S range = simd::log2(S(1) + alpha) - simd::log2(alpha);
         S sum = S(0);
-        for (std::size_t i = 0; i < detail::gauss_nodes; ++i) {
-            const S shifted = alpha * simd::exp2(range * S(detail::gauss_node[i]));
+        constexpr auto rule = gauss_legendre<24>();
+        for (const QuadratureNode& node : rule) {
+            const S shifted = alpha * simd::exp2(range * S(0.5 + 0.5 * node.at));
             const S mu = simd::min(simd::max(shifted - alpha, S(0)), S(1));
-            sum = simd::mul_add(S(detail::gauss_weight[i]) * mu * shifted, (*this)(mu), sum);
+            sum = simd::mul_add(S(0.5 * node.weight) * mu * shifted, (*this)(mu), sum);
         }
         return sum * range * S(2.0 * std::numbers::ln2);
     }

@@ -1,20 +1,20 @@
 // What all reflectances share: which directions are above a surface, a frame on it, and sampling by its cosine.
 //
-// Each material M<S> of the brdf_*.hpp has the same three functions, for S = float, double and packs. All directions
-// are unit and point away from the surface: n its normal, l towards the light, v towards the eye.
+// Each material M<S> of the brdf_*.hpp has the same functions, for S = float, double and packs. All directions are unit
+// and point away from the surface: n its normal, l towards the light, v towards the eye.
 //
-//   vec3<S> brdf(const M<S>&, n, l, v)                  the value [1/sr] of the three channels; finite, ≥ 0, the same
-//   with
-//                                                       l and v exchanged; 0 where n·l or n·v is not above_surface()
-//   vec3<S> diffuse_part(const M<S>&, n, l, v)          its two parts: what enters the surface and comes out again …
-//   vec3<S> specular_part(const M<S>&, n, l, v, widening)   … and what is mirrored by its facets; their lobe is widened
-//   by
-//                                                       adding `widening` to α, and its peak lowered, for area lights
-//   S lobe_alpha(const M<S>&)                           α of that lobe, 1 where there is none
-//   BrdfSample<S> sample_brdf(const M<S>&, n, v, u)     a direction towards the light for three numbers u in [0, 1)
-//   S pdf_brdf(const M<S>&, n, v, l)                    the density of sample_brdf [1/sr], summed over all lobes; 0
-//   where n·v
-//                                                       is not above_surface()
+//   vec3<S> brdf(const M<S>&, n, l, v)
+//       The value [1/sr] of the three channels: finite, ≥ 0, the same with l and v exchanged, 0 where n·l or n·v is not
+//       above_surface().
+//   vec3<S> diffuse_part(const M<S>&, n, l, v), specular_part(const M<S>&, n, l, v, widening)
+//       Its two parts: what enters the surface and comes out again, and what its facets mirror. Their lobe is widened
+//       for area lights by adding `widening` to α; its peak is then lowered.
+//   S lobe_alpha(const M<S>&)
+//       α of that lobe, 1 where there is none.
+//   BrdfSample<S> sample_brdf(const M<S>&, n, v, u)
+//       A direction towards the light, for three numbers u in [0, 1).
+//   S pdf_brdf(const M<S>&, n, v, l)
+//       The density of sample_brdf [1/sr], summed over all lobes; 0 where n·v is not above_surface().
 //
 // A sampled l may lie below the surface, where the value is 0: the density integrates to 1 over the whole sphere, and
 // over the hemisphere to 1 less what a lobe loses there. So E[brdf · n·l / pdf] is the directional albedo.

@@ -34,7 +34,7 @@ namespace detail {
 
 // Between the four entries about (x, y), both in [0, 1], by their columns and rows.
 template<class S>
-GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size_t size, S x, S y, S width, S mu) {
+GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size_t size, S x, S y, S width, S mu, S s) {
     using T = simd::value_of<S>;
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
     constexpr std::size_t fields = 6;
@@ -78,13 +78,11 @@ GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size
         const S high = simd::mul_add(share_x, c11 - c01, c01);
         return simd::mul_add(share_y, high - low, low);
     };
-    const S s2 = simd::max((S(1) - mu) * (S(1) + mu), S(0));
-    const S s = simd::sqrt(s2);
     const S along = field(0);
     const S raised = field(1);
     constexpr double least = 1e-18;
     LtcLobe<S> lobe;
-    lobe.m00 = simd::max(simd::mul_add(along, mu, raised * s2), S(least));
+    lobe.m00 = simd::max(simd::mul_add(along, mu, raised * s * s), S(least));
     lobe.m02 = simd::mul_add(raised, mu, -along) * s;
     lobe.m11 = field(2);
     lobe.m20 = width * field(3) * s;
@@ -99,12 +97,23 @@ GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size
 
 } // namespace detail
 
-// GGX with height-correlated Smith shadowing. α counts as at least 1e-4 and at most 1, n·v as in [0, 1].
+// √(1 − c²).
 template<class S>
-GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v) {
+GONIO_FORCE_INLINE S sine_of_cosine(S cosine) {
+    return simd::sqrt(simd::max((S(1) - cosine) * (S(1) + cosine), S(0)));
+}
+
+// GGX with height-correlated Smith shadowing. α counts as at least 1e-4 and at most 1, n·v as in [0, 1]. `sine` is
+// ‖n×v‖: where n·v is near 1 it knows the mirrored direction to the last digit, which n·v does not.
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v, S sine) {
     const S a = simd::min(simd::max(alpha, S(1e-4)), S(1));
     const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
-    return detail::interpolated_lobe(&ltc_ggx_table[0], ltc_ggx_size, simd::sqrt(a), simd::sqrt(mu), a, mu);
+    return detail::interpolated_lobe(&ltc_ggx_table[0], ltc_ggx_size, simd::sqrt(a), simd::sqrt(mu), a, mu, sine);
+}
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v) {
+    return ltc_ggx(alpha, n_dot_v, sine_of_cosine(n_dot_v));
 }
 
 // The renormalised Disney diffuse of albedo 1 (brdf_frostbite.hpp), whose linear roughness counts as in [0, 1].
@@ -112,13 +121,14 @@ template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> ltc_diffuse(S linear_roughness, S n_dot_v) {
     const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
     return detail::interpolated_lobe(&ltc_diffuse_table[0], ltc_diffuse_size, linear_roughness, simd::sqrt(mu), S(1),
-                                     mu);
+                                     mu, sine_of_cosine(mu));
 }
 
-// x, y, z of the lobe's frame.
+// x, y, z of the lobe's frame, and ‖n×v‖.
 template<class S>
 struct LtcFrame {
     vec3<S> x, y, z;
+    S sine;
 
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
 };
@@ -129,11 +139,11 @@ GONIO_FORCE_INLINE LtcFrame<S> ltc_frame(vec3<S> normal, vec3<S> view) {
     const vec3<S> away = normal * dot(normal, view) - view;
     const vec3<S> leaning = away - normal * dot(normal, away);
     const S square = dot(leaning, leaning);
-    constexpr double least = __is_same(S, double) ? 1e-24 : 1e-10;
+    constexpr double least = __is_same(S, double) ? 1e-28 : 1e-12;
     const auto upright = square < S(least);
     const vec3<S> x =
         select(upright, TangentFrame<S>(normal).x, leaning * (S(1) / simd::sqrt(simd::max(square, S(least)))));
-    return {x, cross(normal, x), normal};
+    return {x, cross(normal, x), normal, simd::sqrt(square)};
 }
 
 } // namespace gonio::shading

@@ -41,8 +41,9 @@ template<class S, class Light>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
                                                      vec3<S> view, S alpha) {
     const S n_dot_v = dot(normal, view);
-    const LtcLobe<S> lobe = ltc_ggx(alpha, n_dot_v);
-    const S share = detail::ltc_share(lobe, ltc_frame(normal, view), light, to_center);
+    const LtcFrame<S> frame = ltc_frame(normal, view);
+    const LtcLobe<S> lobe = ltc_ggx(alpha, n_dot_v, frame.sine);
+    const S share = detail::ltc_share(lobe, frame, light, to_center);
     return {simd::select(n_dot_v > S(0), share * lobe.albedo, S(0)), lobe.grazing / lobe.albedo};
 }
 

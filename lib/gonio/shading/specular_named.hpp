@@ -116,7 +116,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> 
     if constexpr (method == SpecularMethod::sun_disk) toward = sun_disk_direction(toward, light_at.sine, mirrored);
     const SpecularTerms<S> terms = specular_ggx(normal, toward, view, a, widened);
     const S scale = terms.scale * peak * light_at.solid_angle * simd::max(cosine, S(0));
-    return {simd::min(simd::max(scale, S(0)), S(specular_ceiling)), terms.grazing};
+    return {simd::min(simd::max(scale, S(0)), S(specular_ceiling)), simd::min(terms.grazing, S(1))};
 }
 
 } // namespace gonio::shading

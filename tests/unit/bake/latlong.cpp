@@ -1,5 +1,3 @@
-#include <gonio/asset/content_hash.hpp>
-#include <gonio/asset/sidecar.hpp>
 #include <gonio/bake/bake.hpp>
 #include <gonio/web/integrate.hpp>
 
@@ -152,20 +150,6 @@ TEST(BakeLatlong, NegativeIntensitiesAreStoredAsNothing) {
     for (const float texel : texture.image.pixels)
         EXPECT_EQ(texel, 0.0F);
     EXPECT_NEAR(texture.max_error.value, 5.0, 1e-12);
-}
-
-TEST(Sidecar, SaysWhatTheTexelsMean) {
-    const Texture texture = bake_texture(web_of(Symmetry::axial), {}).value();
-    const std::string json = texture_sidecar(texture, {"lamp \xff.ies", sha256("abc")}, "float");
-    EXPECT_NE(json.find("\"schema\": \"gonio.texture/1\""), std::string::npos);
-    EXPECT_NE(json.find("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"), std::string::npos);
-    EXPECT_EQ(json.back(), '\n');
-}
-
-TEST(ContentHash, AgreesWithTheStandard) {
-    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
 
 } // namespace

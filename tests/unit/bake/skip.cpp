@@ -29,9 +29,9 @@ struct Case {
 constexpr Case cases[] = {
     {Layout::latlong, 64, 32},     {Layout::latlong, 63, 31},    {Layout::latlong, 66, 33},
     {Layout::latlong, 1, 1},       {Layout::latlong, 2, 2},      {Layout::latlong, 1000, 50},
-    {Layout::v180, 90, 1},         {Layout::octahedral, 33, 33}, {Layout::octahedral_equal_area, 32, 32},
-    {Layout::cube_strip, 120, 20}, {Layout::cube_cross, 84, 63}, {Layout::gnomonic, 40, 40},
-    {Layout::panorama, 50, 25},
+    {Layout::v180, 90, 1},         {Layout::octahedral, 23, 23}, {Layout::octahedral_equal_area, 22, 22},
+    {Layout::cube_strip, 120, 20}, {Layout::cube_cross, 84, 63}, {Layout::gnomonic, 20, 20},
+    {Layout::panorama, 36, 18},
 };
 
 // Dark beyond some γ, and of each symmetry; numbers without pattern.
@@ -63,7 +63,7 @@ std::string name(const Case& size, const Web& web) {
 TEST(BakeSkip, LeavesEveryTexelTheSame) {
     for (const Web& web : some_webs())
         for (const Case& size : cases)
-            for (const TexelType type : {TexelType::float32, TexelType::half, TexelType::uint8}) {
+            for (const TexelType type : {TexelType::float32, TexelType::half}) {
                 BakeOptions options;
                 options.layout = size.layout;
                 options.width = size.width;
@@ -74,6 +74,8 @@ TEST(BakeSkip, LeavesEveryTexelTheSame) {
                 options.skip = false;
                 const Texture whole = bake_texture(web, options).value();
                 EXPECT_EQ(quick.image.pixels, whole.image.pixels) << name(size, web);
+                for (const float texel : whole.image.pixels)
+                    ASSERT_FALSE(std::signbit(texel)) << name(size, web);
                 EXPECT_EQ(whole.evaluated, whole.texels) << name(size, web);
                 EXPECT_NEAR(quick.texture_flux.value, whole.texture_flux.value, 1e-12 * whole.texture_flux.value);
                 EXPECT_NEAR(quick.quantization_error.value, whole.quantization_error.value, 1e-10 * whole.peak.value);

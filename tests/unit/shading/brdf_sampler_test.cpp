@@ -51,16 +51,17 @@ Tested sampled(const std::string& name, const Drawn& drawn, const Stated& stated
 template<class S>
 void all_samplers(std::vector<Tested>& tested) {
     std::uint64_t seed = 100;
-    brdf_cases::each([&](const std::string& name, const auto& make, double alpha) {
+    brdf_cases::each([&](const std::string& name, const auto& make) {
         const auto drawn = make(S());
         const auto stated = make(double());
+        const double alpha = lobe_alpha(stated);
         // One lobe alone is met by cells of its own width; beside a wide one they must be wide enough for both.
         const bool alone = std::is_same_v<decltype(make(double())), Ggx<double>>;
         if (!alone && alpha < 0.03) return;
         for (const double mu : {0.04, 0.4, 1.0}) {
             if (std::is_same_v<S, float> && mu != 0.4) continue;
             if (mu < 0.1 && alpha < 0.1) continue; // too long and thin for the quadrature of the cells
-            tested.push_back(sampled<S>(name, drawn, stated, 2.0 * std::max(alpha, minimum_alpha), mu, ++seed));
+            tested.push_back(sampled<S>(name, drawn, stated, 2.0 * alpha, mu, ++seed));
         }
     });
 }
@@ -70,7 +71,8 @@ TEST(BrdfSampler, DirectionsFallWhereTheDensitySays) {
     std::vector<Tested> tested;
     all_samplers<double>(tested);
     all_samplers<float>(tested);
-    ASSERT_GE(tested.size(), 70U);
+    ASSERT_GE(tested.size(), 90U);
+    RecordProperty("cases", std::to_string(tested.size()));
     const double least = chi_square::sidak(0.01, tested.size());
     for (const Tested& test : tested) {
         EXPECT_GT(test.outcome.probability, least)
@@ -83,7 +85,7 @@ TEST(BrdfSampler, DirectionsFallWhereTheDensitySays) {
 // E[f n·l/pdf] is the albedo that quadrature gives, for views as shallow and lobes as narrow as there are.
 TEST(BrdfSampler, WeightsMeanTheAlbedo) {
     std::vector<std::pair<std::string, double>> scores;
-    brdf_cases::each([&](const std::string& name, const auto& make, double alpha) {
+    brdf_cases::each([&](const std::string& name, const auto& make) {
         const auto material = make(double());
         for (const double mu : {0.02, 0.3, 1.0}) {
             Random random(17);
@@ -100,13 +102,13 @@ TEST(BrdfSampler, WeightsMeanTheAlbedo) {
                 squares += weight * weight;
             }
             const double mean = sum / count;
-            const double truth = gonio::measure::directional_albedo(material, mu, alpha).z;
+            const double truth = gonio::measure::directional_albedo(material, mu, lobe_alpha(material)).z;
             const double deviation = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
             EXPECT_LE(std::fabs(mean - truth), 4.5 * deviation + 1e-4) << name << " at n·v " << mu;
             scores.emplace_back(name, deviation);
         }
     });
-    ASSERT_GE(scores.size(), 90U);
+    ASSERT_GE(scores.size(), 80U);
     // One sample is worth something: the mean of 20 000 is known to better than 1 %, at grazing too.
     for (const auto& [name, deviation] : scores)
         EXPECT_LT(deviation, 0.01) << name;
@@ -125,8 +127,8 @@ TEST(BrdfSampler, TheTestSeesAWrongDensity) {
     };
     const auto right = [&](Vec l) { return pdf_brdf(material, n, v, l); };
     const auto wrong = [&](Vec l) { return pdf_brdf(other, n, v, l); };
-    EXPECT_GT(chi_square::test(cells, sample, right, 4 * samples, 8).probability, 1e-3);
-    EXPECT_LT(chi_square::test(cells, sample, wrong, 4 * samples, 8).probability, 1e-6);
+    EXPECT_GT(chi_square::test(cells, sample, right, 8 * samples, 8).probability, 1e-3);
+    EXPECT_LT(chi_square::test(cells, sample, wrong, 8 * samples, 8).probability, 1e-6);
 }
 
 // Reference values: Q(1/2, x) = erfc(√x), Q(1, x) = exp(−x).

@@ -7,6 +7,8 @@
 // E = ∫∫ G₂/G₁ over the visible normals: a cap of the unit sphere about the stretched view (J. Dupuy and A. Benyoub,
 // 2023), each ring of it an arc, since the mirrored direction is above the surface where a linear function of cosφ is
 // positive. Rings where that arc begins or becomes whole divide the cap; within the pieces all is smooth.
+#include <gonio/base/gauss_legendre.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,33 +23,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t of_cosine = 16; // coefficients in s = √(μ(1 + α)/(μ + α)): L goes with μ ln μ at 0
 constexpr std::size_t of_alpha = 10;  // and in α
-constexpr std::size_t nodes_of_mean = 24;
 
-struct GaussRule {
-    std::vector<double> at, weight; // on [0, 1]
-
-    explicit GaussRule(std::size_t n) {
-        const auto count = static_cast<double>(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            double z = -std::cos(pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
-            double slope = 1.0;
-            for (int step = 0; step < 50; ++step) {
-                double before = 1.0;
-                double here = z;
-                for (std::size_t k = 2; k <= n; ++k) {
-                    const auto order = static_cast<double>(k);
-                    const double next = ((2.0 * order - 1.0) * z * here - (order - 1.0) * before) / order;
-                    before = here;
-                    here = next;
-                }
-                slope = count * (z * here - before) / (z * z - 1.0);
-                z -= here / slope;
-            }
-            at.push_back(0.5 + 0.5 * z);
-            weight.push_back(1.0 / ((1.0 - z * z) * slope * slope));
-        }
-    }
-};
+// On [0, 1].
+constexpr auto rule = [] {
+    auto nodes = gonio::gauss_legendre<40>();
+    for (gonio::QuadratureNode& node : nodes)
+        node = {0.5 + 0.5 * node.at, 0.5 * node.weight};
+    return nodes;
+}();
 
 // The cap of one view.
 class VisibleNormals {
@@ -60,16 +43,15 @@ public:
 
     // ∫∫ G₂/G₁ du dφ/π over φ in [0, π], u the share of the cap's height.
     [[nodiscard]] double albedo() const {
-        static const GaussRule rule(40);
         double sum = 0.0;
         const std::vector<double> cuts = divisions();
         for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
             const double width = cuts[piece + 1] - cuts[piece];
-            for (std::size_t i = 0; i < rule.at.size(); ++i) {
+            for (const gonio::QuadratureNode& node : rule) {
                 // Denser towards both ends, where square roots of the distance stand.
-                const double x = rule.at[i];
+                const double x = node.at;
                 const double u = cuts[piece] + width * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
-                sum += rule.weight[i] * width * 30.0 * x * x * (1.0 - x) * (1.0 - x) * ring(u, rule);
+                sum += node.weight * width * 30.0 * x * x * (1.0 - x) * (1.0 - x) * ring(u);
             }
         }
         return sum;
@@ -91,7 +73,7 @@ private:
         return {r, up, constant, 2.0 * r * (up * across_ * alpha_ - mu_ * a2 * stretched_across_)};
     }
 
-    [[nodiscard]] double ring(double u, const GaussRule& rule) const {
+    [[nodiscard]] double ring(double u) const {
         const Ring at = ring_at(u);
         double from = 0.0;
         double to = pi;
@@ -99,8 +81,8 @@ private:
         if (at.constant <= -size) return 0.0;
         if (at.constant < size) (at.of_cosine > 0.0 ? to : from) = std::acos(-at.constant / at.of_cosine);
         double sum = 0.0;
-        for (std::size_t i = 0; i < rule.at.size(); ++i)
-            sum += rule.weight[i] * shadowing(at, from + (to - from) * rule.at[i]);
+        for (const gonio::QuadratureNode& node : rule)
+            sum += node.weight * shadowing(at, from + (to - from) * node.at);
         return sum * (to - from) / pi;
     }
 
@@ -222,12 +204,10 @@ struct Fit {
     }
 };
 
-void print_rows(const std::vector<double>& values, bool relative, std::size_t in_row) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        std::fputs(i % in_row == 0 ? "    " : " ", stdout);
-        std::printf(relative ? "%.8eF," : "%.9fF,", values[i]);
-        if ((i + 1) % in_row == 0) std::putchar('\n');
-    }
+// To the rounding of the largest: further digits of the small ones differ by compiler.
+void print_rows(const std::vector<double>& values, std::size_t in_row) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        std::printf("%s%.9fF,%s", i % in_row == 0 ? "    " : " ", values[i], (i + 1) % in_row == 0 ? "\n" : "");
 }
 
 } // namespace
@@ -243,7 +223,6 @@ int main(int count, char** arguments) {
         return 0;
     }
     const Fit fit(of_cosine, of_alpha);
-    const GaussRule rule(nodes_of_mean);
     std::puts("// Printed by fit/ggx_loss.cpp: what GGX facets that reflect all light lose by a single scattering.");
     std::puts("#pragma once\n\n#include <cstddef>\n\n// clang-format off\nnamespace gonio::shading::detail {\n");
     std::printf("inline constexpr std::size_t ggx_loss_of_cosine = %zu;\n", of_cosine);
@@ -251,14 +230,7 @@ int main(int count, char** arguments) {
     std::puts("// L(μ, α) = Σᵢ Σⱼ c[i][j] Tᵢ(2s − 1) Tⱼ(2α − 1), s = √(μ(1 + α)/(μ + α)), T Chebyshev's polynomials.");
     std::printf("// Largest error for 1e-4 ≤ α ≤ 1: %.1e.\n", fit.largest_error());
     std::puts("inline constexpr float ggx_loss_terms[ggx_loss_of_cosine * ggx_loss_of_alpha] = {");
-    // To the rounding of the largest: further digits of the small ones differ by compiler.
-    print_rows(fit.c, false, of_alpha / 2);
-    std::puts("};\n\n// ∫ f(x) dx over [0, 1] = Σ weight·f(node), by C. F. Gauss.");
-    std::printf("inline constexpr std::size_t gauss_nodes = %zu;\n", nodes_of_mean);
-    std::puts("inline constexpr float gauss_node[gauss_nodes] = {");
-    print_rows(rule.at, true, 6);
-    std::puts("};\ninline constexpr float gauss_weight[gauss_nodes] = {");
-    print_rows(rule.weight, true, 6);
+    print_rows(fit.c, of_alpha / 2);
     std::puts("};\n\n} // namespace gonio::shading::detail\n// clang-format on");
     return 0;
 }

@@ -1,0 +1,163 @@
+#include "request.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gonio::cli {
+
+namespace {
+
+Result<int> parse_texels(const std::string& text, const char* option) {
+    const std::optional<double> number = parse_number(text);
+    if (!number || *number != std::floor(*number) || *number < 0.0 || *number > max_texture_size)
+        return fail(Failure::usage, fmt::format("{} takes a number of texels, not '{}'", option, text));
+    return static_cast<int>(*number);
+}
+
+// The options of the gnomonic layout, which the others refuse.
+Result<void> parse_plane(const Arguments& arguments, BakeOptions& bake) {
+    for (const char* option : {"--cone", "--border"})
+        if (arguments.value(option) && bake.layout != Layout::gnomonic)
+            return fail(Failure::usage, fmt::format("{} belongs to the layout gnomonic", option),
+                        "add --layout gnomonic");
+    if (const auto text = arguments.value("--cone")) {
+        Result<double> cone = parse_amount(*text, Dimension::angle, "--cone");
+        if (!cone) return pass_on(cone);
+        bake.chart.cone = Radians(*cone);
+    }
+    if (const auto text = arguments.value("--border")) {
+        Result<int> border = parse_texels(*text, "--border");
+        if (!border) return pass_on(border);
+        bake.chart.border = *border;
+    }
+    return {};
+}
+
+Result<ErrorLimit> parse_limit(const std::string& text) {
+    if (text.ends_with('%')) {
+        const std::optional<double> percent = parse_number(text.substr(0, text.size() - 1));
+        if (percent && *percent > 0.0) return ErrorLimit{*percent / 100.0, true};
+    } else if (const Result<double> candela = parse_amount(text, Dimension::luminous_intensity, "--max-error");
+               candela && *candela > 0.0) {
+        return ErrorLimit{*candela, false};
+    }
+    return fail(Failure::usage, fmt::format("--max-error takes an intensity or a share of the peak, not '{}'", text),
+                "for example 5cd or 1%");
+}
+
+Result<void> parse_extent(const Arguments& arguments, BakeRequest& request) {
+    BakeOptions& bake = request.bake;
+    const std::optional<std::string> text = arguments.value("--size");
+    const std::optional<std::string> limit = arguments.value("--max-error");
+    const bool automatic = text && *text == "auto";
+    if (automatic != limit.has_value())
+        return automatic ? fail(Failure::usage, "-s auto needs a limit", "add --max-error 1% or --max-error 5cd")
+                         : fail(Failure::usage, "--max-error belongs to -s auto", "add -s auto");
+    if (automatic) {
+        if (bake.sampling != Sampling::mean)
+            return fail(Failure::usage, "-s auto is for textures of means, which this engine's are not");
+        Result<ErrorLimit> parsed = parse_limit(*limit);
+        if (!parsed) return pass_on(parsed);
+        request.max_error = *parsed;
+    } else if (text) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        bake.width = size->width;
+        bake.height = size->height;
+        if (bake.layout == Layout::cube) {
+            if (size->width != size->height)
+                return fail(Failure::usage, fmt::format("a face of a cube is square, not {}", *text),
+                            "write for example -s 128x128");
+            bake.width = size->width <= max_texture_size ? 6 * size->width : size->width;
+        }
+    }
+    return {};
+}
+
+Result<void> parse_storage(const Arguments& arguments, BakeRequest& request) {
+    if (const auto text = arguments.value("--normalize")) {
+        Result<Normalization> normalization = parse_normalization(*text);
+        if (!normalization) return pass_on(normalization);
+        request.bake.normalization = *normalization;
+    }
+    if (const auto text = arguments.value("--pixel")) {
+        std::vector<std::string_view> names;
+        for (const media::Pixel known :
+             {media::Pixel::float32, media::Pixel::half, media::Pixel::uint16, media::Pixel::uint8}) {
+            names.push_back(media::to_text(known));
+            if (names.back() == *text) request.pixel = known;
+        }
+        if (!request.pixel) return unknown_name("pixel", *text, names);
+    } else if (request.engine != nullptr) {
+        constexpr std::array pixels{media::Pixel::float32, media::Pixel::half, media::Pixel::uint16,
+                                    media::Pixel::uint8};
+        request.pixel = pixels[static_cast<std::size_t>(request.bake.texel_type)];
+    }
+    if (request.bake.transfer == Transfer::srgb && request.bake.normalization != Normalization::peak)
+        return fail(Failure::usage, "this engine's texture holds values from 0 to 1 only", "leave --normalize out");
+    return {};
+}
+
+Result<Shard> parse_shard(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const std::optional<double> index = parse_number(text.substr(0, slash));
+    const std::optional<double> count =
+        slash == std::string::npos ? std::nullopt : parse_number(text.substr(slash + 1));
+    const bool whole = index && count && *index == std::floor(*index) && *count == std::floor(*count);
+    if (!whole || *index < 1.0 || *index > *count || *count > 1e6)
+        return fail(Failure::usage, fmt::format("--shard takes K/N with K from 1 to N, not '{}'", text),
+                    "for example --shard 1/4");
+    return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+} // namespace
+
+Result<BakeRequest> parse_bake(const Arguments& arguments) {
+    BakeRequest request;
+    if (const auto name = arguments.value("--engine")) {
+        if (arguments.value("--layout"))
+            return fail(Failure::usage, "--layout and --engine are both given", "an engine has its layout");
+        Result<const Engine*> engine = find_engine(*name);
+        if (!engine) return pass_on(engine);
+        request.engine = *engine;
+        request.bake = request.engine->bake;
+    } else {
+        Result<Layout> layout = parse_layout(arguments.value("--layout").value_or("latlong"));
+        if (!layout) return pass_on(layout);
+        request.bake.layout = *layout;
+        const TextureSize usual = usual_size(*layout);
+        request.bake.width = usual.width;
+        request.bake.height = usual.height;
+    }
+    if (Result<void> plane = parse_plane(arguments, request.bake); !plane) return pass_on(plane);
+    if (Result<void> extent = parse_extent(arguments, request); !extent) return pass_on(extent);
+    if (Result<void> storage = parse_storage(arguments, request); !storage) return pass_on(storage);
+    if (const auto text = arguments.value("--shard")) {
+        Result<Shard> shard = parse_shard(*text);
+        if (!shard) return pass_on(shard);
+        request.shard = *shard;
+    }
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    request.bake.threads = *threads;
+    Result<ProfileInputOptions> input = profile_input(arguments);
+    if (!input) return pass_on(input);
+    request.input = *input;
+    request.sidecar = arguments.value("--sidecar");
+    request.no_sidecar = arguments.has("--no-sidecar");
+    request.stats = arguments.has("--stats");
+    request.update = arguments.has("--update");
+    request.bake.skip = !arguments.has("--no-skip");
+    request.manifest = arguments.value("--manifest");
+    return request;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,307 @@
+#include "texture_job.hpp"
+
+#include <gonio/asset/content_hash.hpp>
+#include <gonio/asset/sidecar.hpp>
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/folder.hpp>
+#include <gonio/base/version.hpp>
+#include <gonio/web/metrics.hpp>
+
+#include "../json_text.hpp"
+#include "../stopwatch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> face_names{"px", "nx", "py", "ny", "pz", "nz"};
+
+// "out/lamp.exr" → "out/lamp-px.exr", …
+std::vector<std::string> face_files(const std::string& output) {
+    const std::size_t slash = output.rfind('/');
+    const std::size_t dot = output.rfind('.');
+    const bool has_end = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
+    const std::string stem = has_end ? output.substr(0, dot) : output;
+    std::vector<std::string> files;
+    for (const std::string_view face : face_names)
+        files.push_back(fmt::format("{}-{}{}", stem, face, has_end ? output.substr(dot) : std::string()));
+    return files;
+}
+
+TexelType texel_type(media::Pixel pixel) {
+    switch (pixel) {
+    case media::Pixel::uint8:
+        return TexelType::uint8;
+    case media::Pixel::uint16:
+        return TexelType::uint16;
+    case media::Pixel::half:
+        return TexelType::half;
+    case media::Pixel::float32:
+        break;
+    }
+    return TexelType::float32;
+}
+
+int channels_of(const BakeRequest& request) {
+    return request.engine != nullptr ? request.engine->channels : 1;
+}
+
+// As asked, or the finest that the format has.
+Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeRequest& request) {
+    const bool holds_floats = has_pixel(format, media::Pixel::float32);
+    const media::Pixel pixel = request.pixel.value_or(holds_floats ? media::Pixel::float32 : format.pixels.front());
+    if (!has_pixel(format, pixel))
+        return fail(Failure::usage, fmt::format("{} has no {} pixels", format.title, media::to_text(pixel)),
+                    "write .exr for float and half, .png or .tif for uint16 and uint8");
+    const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
+    // An integer texture of candela would be white all over.
+    if (integers && request.bake.normalization != Normalization::peak)
+        return fail(
+            Failure::usage,
+            fmt::format("{} stores values from 0 to 1 only", holds_floats ? media::to_text(pixel) : format.title),
+            "add --normalize peak, or write .exr");
+    const int channels = channels_of(request);
+    if (!format.channels.empty() &&
+        std::find(format.channels.begin(), format.channels.end(), channels) == format.channels.end())
+        return fail(
+            Failure::unsupported,
+            fmt::format("{} holds {} channels, a texture has {}", format.title, format.channels.front(), channels),
+            "write .exr, which holds any number");
+    return pixel;
+}
+
+std::string recipe_of(const BakeRequest& request, const media::ImageFormat& format, media::Pixel pixel) {
+    const BakeOptions& bake = request.bake;
+    std::string text = fmt::format("gonio {} layout={}", version, info_of(bake.layout).name);
+    if (request.engine != nullptr) text += fmt::format(" engine={}", request.engine->name);
+    if (request.max_error)
+        text += fmt::format(" size=auto max-error={}{}", request.max_error->value,
+                            request.max_error->of_peak ? " of peak" : "cd");
+    else
+        text += fmt::format(" size={}x{}", bake.width, bake.height);
+    if (bake.layout == Layout::gnomonic)
+        text += fmt::format(" cone={}deg border={}", to_degrees(bake.chart.cone), bake.chart.border);
+    text += fmt::format(" normalize={} pixel={} format={}", to_text(bake.normalization), media::to_text(pixel),
+                        format.name);
+    const ResolveOptions& resolve = request.input.resolve;
+    if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
+    if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
+    if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
+    if (resolve.azimuth == AzimuthConvention::eulumdat) text += " azimuth=eulumdat";
+    return text;
+}
+
+media::ImageWriteOptions write_options(const std::string& sidecar, media::Pixel pixel, int channels) {
+    media::ImageWriteOptions options;
+    options.pixel = pixel;
+    if (channels == 1) options.channel_names = {"Y"};
+    for (SidecarField& field : sidecar_fields(sidecar)) {
+        std::string name = "gonio:" + field.name;
+        if (const auto* const number = std::get_if<double>(&field.value))
+            options.attributes.push_back({std::move(name), std::vector<float>{static_cast<float>(*number)}});
+        else
+            options.attributes.push_back({std::move(name), std::get<std::string>(field.value)});
+    }
+    return options;
+}
+
+// A part of the texels as a picture of `channels`, encoded as the file wants it.
+Image picture(const Texture& texture, int x, int width, int channels) {
+    Image image(width, texture.image.height, channels);
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const float value = *texture.image.at(x + column, row);
+            const float stored = texture.transfer == Transfer::linear
+                                     ? value
+                                     : static_cast<float>(encoded(texture.transfer, static_cast<double>(value)));
+            std::fill_n(image.at(column, row), channels, stored);
+        }
+    return image;
+}
+
+Result<Texture> baked(const Web& web, const BakeOptions& options, const std::optional<ErrorLimit>& limit) {
+    if (!limit) return bake_texture(web, options);
+    const double cd = limit->of_peak ? limit->value * peak(web).intensity.value : limit->value;
+    return bake_smallest(web, options, Candelas(cd));
+}
+
+struct OutputFile {
+    std::string name;
+    std::string bytes;
+};
+
+// All of them or none: what stands there after a failure would be taken for whole.
+Result<void> write_all(const std::vector<OutputFile>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Result<void> written = write_output(files[i].name, files[i].bytes);
+        if (written) continue;
+        if (i > 0)
+            for (const OutputFile& file : files) {
+                std::error_code ignored;
+                if (file.name != "-" && std::filesystem::is_regular_file(file.name, ignored))
+                    std::filesystem::remove(file.name, ignored);
+            }
+        return written;
+    }
+    return {};
+}
+
+Result<ManifestFile> hashed(const std::string& file) {
+    Result<std::string> bytes = read_file(file);
+    if (!bytes) return pass_on(bytes);
+    return ManifestFile{file, sha256(*bytes)};
+}
+
+std::string stats_line(const std::string& input, const Texture& texture, double read_ms, double bake_ms) {
+    const auto left_out = static_cast<double>(texture.texels - texture.evaluated);
+    return fmt::format("{}: {} of {} texels evaluated, {:.1f} % left out; read in {:.2f} ms, baked in {:.2f} ms\n",
+                       input, texture.evaluated, texture.texels,
+                       100.0 * left_out / std::max(1.0, static_cast<double>(texture.texels)), read_ms, bake_ms);
+}
+
+// What would be replaced without having been asked for; plan_outputs has looked at the output's own name.
+Result<void> refuse_existing(const Arguments& arguments, const TextureJob& job) {
+    if (!arguments.has("--output-dir") || arguments.has("--overwrite") || arguments.has("--update")) return {};
+    for (const std::string& file : job.pictures)
+        if (file_exists(file))
+            return fail(Failure::usage, fmt::format("'{}' exists", file),
+                        "add --overwrite, or -u to write only what is out of date");
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const BakeRequest& request,
+                                              const std::vector<std::string>& inputs) {
+    std::optional<std::string> named = arguments.value("--to");
+    if (!named && request.engine != nullptr && arguments.value("--output-dir")) named = request.engine->format;
+    Result<std::vector<Job>> outputs =
+        plan_outputs(arguments, inputs, named.value_or("exr"),
+                     request.shard ? Share{request.shard->index - 1, request.shard->count} : Share{});
+    if (!outputs) return pass_on(outputs);
+    if (!request.max_error) {
+        const Result<std::vector<PlacedChart>> charts =
+            charts_of(request.bake.layout, request.bake.width, request.bake.height, request.bake.chart);
+        if (!charts && request.bake.width > 0 && request.bake.height > 0) return Unexpected(charts.error());
+    }
+    std::vector<TextureJob> jobs;
+    for (Job& files : *outputs) {
+        const Result<const media::ImageFormat*> format = picture_format(named, files.output);
+        if (!format) return Unexpected(format.error());
+        const Result<media::Pixel> pixel = pixel_of(**format, request);
+        if (!pixel) return Unexpected(pixel.error());
+        TextureJob job{std::move(files), *format, *pixel, {}, {}, recipe_of(request, **format, *pixel)};
+        const bool to_stdout = job.files.output == "-";
+        if (request.bake.layout == Layout::cube && to_stdout)
+            return fail(Failure::usage, "six files cannot go to standard output",
+                        "use -o FILE, or --layout cube-strip");
+        job.pictures = request.bake.layout == Layout::cube ? face_files(job.files.output)
+                                                           : std::vector<std::string>{job.files.output};
+        if (request.sidecar || (!to_stdout && !request.no_sidecar))
+            job.sidecar = request.sidecar.value_or(job.files.output + ".json");
+        // With a sidecar the contents decide, not the time of day; see is_up_to_date.
+        if (job.files.skip && !job.sidecar) continue;
+        if (const Result<void> free = refuse_existing(arguments, job); !free) return Unexpected(free.error());
+        jobs.push_back(std::move(job));
+    }
+    return jobs;
+}
+
+bool is_up_to_date(const TextureJob& job) {
+    if (!job.sidecar || job.files.input == "-" || !file_exists(*job.sidecar)) return false;
+    if (!std::all_of(job.pictures.begin(), job.pictures.end(), file_exists)) return false;
+    const Result<std::string> sidecar = read_file(*job.sidecar);
+    const std::optional<TextureRecord> record = sidecar ? read_sidecar(*sidecar) : std::nullopt;
+    if (!record || record->recipe != job.recipe) return false;
+    const Result<std::string> input = read_file(job.files.input);
+    return input && sha256(*input) == record->source_sha256;
+}
+
+Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+    MadeTexture made;
+    const Stopwatch reading;
+    Result<LoadedProfile> loaded = load(job.files.input, request.input);
+    if (!loaded) return pass_on(loaded);
+    const double read_ms = reading.milliseconds();
+    const Stopwatch baking;
+    BakeOptions options = request.bake;
+    options.texel_type = texel_type(job.pixel);
+    Result<Texture> texture = baked(loaded->web, options, request.max_error);
+    if (!texture) return pass_on(texture);
+    const double bake_ms = baking.milliseconds();
+    made.outcome.remarks.push_back(
+        fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.files.input, read_ms, bake_ms));
+
+    const bool faces = request.bake.layout == Layout::cube;
+    const ManifestFile source{job.files.input, sha256(loaded->bytes)};
+    const std::string sidecar =
+        texture_sidecar(*texture, {source.file, source.sha256},
+                        {std::string(media::to_text(job.pixel)), channels_of(request), request.engine,
+                         faces ? job.pictures : std::vector<std::string>{}, job.recipe});
+    std::vector<OutputFile> files;
+    const int width = texture->image.width / static_cast<int>(job.pictures.size());
+    const media::ImageWriteOptions writing = write_options(sidecar, job.pixel, channels_of(request));
+    for (std::size_t i = 0; i < job.pictures.size(); ++i) {
+        Result<std::string> bytes = media::encode_image(
+            picture(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
+        if (!bytes) return pass_on(bytes);
+        files.push_back({job.pictures[i], std::move(*bytes)});
+    }
+    if (job.sidecar) files.push_back({*job.sidecar, sidecar});
+    if (Result<void> written = write_all(files); !written) return pass_on(written);
+
+    if (request.manifest) {
+        made.asset.input = source;
+        for (const OutputFile& file : files)
+            made.asset.files.push_back({file.name, sha256(file.bytes)});
+    }
+    if (request.stats) made.outcome.words = stats_line(job.files.input, *texture, read_ms, bake_ms);
+    if (kind != ReportKind::words) {
+        made.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.output}, {"up_to_date", false}};
+        made.outcome.report["texture"] = Json::parse(sidecar);
+        if (request.stats)
+            made.outcome.report["stats"] = {{"texels", texture->texels},
+                                            {"evaluated", texture->evaluated},
+                                            {"read_ms", read_ms},
+                                            {"bake_ms", bake_ms}};
+        made.outcome.report["diagnostics"] = diagnostics_json(loaded->diagnostics);
+    }
+    made.outcome.diagnostics = std::move(loaded->diagnostics);
+    return made;
+}
+
+Result<MadeTexture> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+    MadeTexture found;
+    found.outcome.unchanged = true;
+    found.outcome.remarks.push_back(fmt::format("{}: up to date", job.files.output));
+    if (request.manifest) {
+        Result<ManifestFile> input = hashed(job.files.input);
+        if (!input) return pass_on(input);
+        found.asset.input = std::move(*input);
+        std::vector<std::string> files = job.pictures;
+        if (job.sidecar) files.push_back(*job.sidecar);
+        for (const std::string& name : files) {
+            Result<ManifestFile> file = hashed(name);
+            if (!file) return pass_on(file);
+            found.asset.files.push_back(std::move(*file));
+        }
+    }
+    if (kind != ReportKind::words) {
+        Result<std::string> sidecar = read_file(*job.sidecar);
+        if (!sidecar) return pass_on(sidecar);
+        found.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.output}, {"up_to_date", true}};
+        found.outcome.report["texture"] = Json::parse(*sidecar);
+        found.outcome.report["diagnostics"] = Json::array();
+    }
+    return found;
+}
+
+} // namespace gonio::cli

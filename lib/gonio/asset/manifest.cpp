@@ -1,0 +1,140 @@
+#include <gonio/asset/manifest.hpp>
+#include <gonio/base/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const ManifestFile& file) {
+    return {{"file", file.file}, {"sha256", file.sha256}};
+}
+
+// Reads members and remembers the first that is not as it must be.
+class Reader {
+public:
+    explicit Reader(const std::string& name) : name_(name) {}
+
+    const Json& member(const Json& object, const char* key, Json::value_t type) {
+        static const Json nothing;
+        const auto found = object.is_object() ? object.find(key) : object.end();
+        const bool number =
+            type == Json::value_t::number_unsigned && found != object.end() && found->is_number_unsigned();
+        if (found != object.end() && (found->type() == type || number)) return *found;
+        if (wrong_.empty()) wrong_ = key;
+        return nothing;
+    }
+    std::string text(const Json& object, const char* key) {
+        const Json& value = member(object, key, Json::value_t::string);
+        return value.is_string() ? value.get<std::string>() : std::string();
+    }
+    std::size_t count(const Json& object, const char* key) {
+        const Json& value = member(object, key, Json::value_t::number_unsigned);
+        return value.is_number_unsigned() ? value.get<std::size_t>() : 0;
+    }
+    ManifestFile file(const Json& object) { return {text(object, "file"), text(object, "sha256")}; }
+
+    // What to fail with, if anything.
+    [[nodiscard]] std::optional<Unexpected> failure() const {
+        if (wrong_.empty()) return std::nullopt;
+        return fail(Failure::malformed, fmt::format("no manifest: '{}' is missing or of another kind", wrong_), {},
+                    name_);
+    }
+
+private:
+    const std::string& name_;
+    std::string wrong_;
+};
+
+void sort_by_name(Manifest& manifest) {
+    std::sort(manifest.assets.begin(), manifest.assets.end(),
+              [](const ManifestAsset& a, const ManifestAsset& b) { return a.input.file < b.input.file; });
+    std::sort(manifest.failed.begin(), manifest.failed.end());
+}
+
+} // namespace
+
+std::string manifest_json(const Manifest& manifest) {
+    Json json{{"schema", "gonio.manifest/1"}, {"tool", std::string("gonio ") + version},
+              {"recipe", manifest.recipe},    {"shard", nullptr},
+              {"inputs", manifest.inputs},    {"assets", Json::array()},
+              {"failed", manifest.failed}};
+    if (manifest.shard) json["shard"] = {{"index", manifest.shard->index}, {"count", manifest.shard->count}};
+    for (const ManifestAsset& asset : manifest.assets) {
+        Json files = Json::array();
+        for (const ManifestFile& file : asset.files)
+            files.push_back(to_json(file));
+        json["assets"].push_back({{"input", to_json(asset.input)}, {"files", std::move(files)}});
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) return fail(Failure::malformed, "no manifest: not a JSON object", {}, name);
+    Reader reader(name);
+    const std::string schema = reader.text(json, "schema");
+    if (!schema.empty() && schema != "gonio.manifest/1")
+        return fail(Failure::unsupported, fmt::format("the schema is '{}', not gonio.manifest/1", schema), {}, name);
+    Manifest manifest;
+    manifest.recipe = reader.text(json, "recipe");
+    manifest.inputs = reader.count(json, "inputs");
+    if (const auto shard = json.find("shard"); shard != json.end() && !shard->is_null())
+        manifest.shard = Shard{reader.count(*shard, "index"), reader.count(*shard, "count")};
+    for (const Json& asset : reader.member(json, "assets", Json::value_t::array)) {
+        ManifestAsset read;
+        read.input = reader.file(reader.member(asset, "input", Json::value_t::object));
+        for (const Json& file : reader.member(asset, "files", Json::value_t::array))
+            read.files.push_back(reader.file(file));
+        manifest.assets.push_back(std::move(read));
+    }
+    for (const Json& input : reader.member(json, "failed", Json::value_t::array))
+        if (input.is_string()) manifest.failed.push_back(input.get<std::string>());
+    if (auto failure = reader.failure()) return *failure;
+    return manifest;
+}
+
+Result<Manifest> merged(std::span<const Manifest> manifests) {
+    if (manifests.empty()) return fail(Failure::usage, "there is no manifest to merge");
+    Manifest whole;
+    whole.recipe = manifests.front().recipe;
+    std::set<std::size_t> shards;
+    std::set<std::string> inputs;
+    std::set<std::string> files;
+    const std::size_t count = manifests.front().shard ? manifests.front().shard->count : 0;
+    for (const Manifest& part : manifests) {
+        if (part.recipe != whole.recipe)
+            return fail(Failure::usage, "the manifests were made with different options",
+                        fmt::format("'{}' and '{}'", whole.recipe, part.recipe));
+        if ((part.shard ? part.shard->count : 0) != count)
+            return fail(Failure::usage, "the manifests are of different numbers of shards");
+        if (part.shard && !shards.insert(part.shard->index).second)
+            return fail(Failure::usage, fmt::format("shard {}/{} is there twice", part.shard->index, count));
+        for (const ManifestAsset& asset : part.assets) {
+            if (!inputs.insert(asset.input.file).second)
+                return fail(Failure::usage, fmt::format("two manifests list the input '{}'", asset.input.file));
+            for (const ManifestFile& file : asset.files)
+                if (!files.insert(file.file).second)
+                    return fail(Failure::usage, fmt::format("two inputs were written to '{}'", file.file));
+        }
+        whole.inputs += part.inputs;
+        whole.assets.insert(whole.assets.end(), part.assets.begin(), part.assets.end());
+        whole.failed.insert(whole.failed.end(), part.failed.begin(), part.failed.end());
+    }
+    for (std::size_t index = 1; index <= count && shards.size() < count; ++index)
+        if (!shards.contains(index))
+            return fail(Failure::usage, fmt::format("the manifest of shard {}/{} is missing", index, count));
+    sort_by_name(whole);
+    return whole;
+}
+
+} // namespace gonio

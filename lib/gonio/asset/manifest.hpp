@@ -1,0 +1,59 @@
+// The manifest of a batch: a JSON object of schema gonio.manifest/1 that lists what is whole, with the hash of every
+// file (manifest.schema.json describes it). A catalogue may be made in shards, whose manifests are merged.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio {
+
+// Every count-th input, from the index-th on: 1 ≤ index ≤ count.
+struct Shard {
+    std::size_t index = 1;
+    std::size_t count = 1;
+
+    bool operator==(const Shard&) const = default;
+};
+
+struct ManifestFile {
+    std::string file;
+    std::string sha256;
+
+    bool operator==(const ManifestFile&) const = default;
+};
+
+// An input and the files that were made of it, all of them there.
+struct ManifestAsset {
+    ManifestFile input;
+    std::vector<ManifestFile> files;
+
+    bool operator==(const ManifestAsset&) const = default;
+};
+
+struct Manifest {
+    std::string recipe;                // the options that the assets were made with
+    std::optional<Shard> shard;        // nothing: the whole batch
+    std::size_t inputs = 0;            // as many as were tried
+    std::vector<ManifestAsset> assets; // in the order of the inputs' names
+    std::vector<std::string> failed;   // inputs of which nothing was made, in that order
+
+    bool operator==(const Manifest&) const = default;
+};
+
+// Keys in a fixed order, two spaces of indentation, a newline at the end.
+std::string manifest_json(const Manifest& manifest);
+
+// `name` is the file's, for messages. Fails (malformed) on what is no such object, and (unsupported) on another schema.
+Result<Manifest> read_manifest(std::string_view json, const std::string& name);
+
+// Fails (usage) when the manifests were made with different options or numbers of shards, when one is missing, and when
+// two list the same input or the same file.
+Result<Manifest> merged(std::span<const Manifest> manifests);
+
+} // namespace gonio

@@ -1,0 +1,73 @@
+#include <gonio/bake/bake.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+constexpr int least_side = 4;
+constexpr int greatest_side = 4096;
+
+// `side` is what the layout's shape is counted in: a face of a cube, the height of a map of the sphere.
+TextureSize size_of(const BakeOptions& options, int side) {
+    switch (options.layout) {
+    case Layout::latlong:
+    case Layout::panorama:
+        return {2 * side, side};
+    case Layout::v180:
+        return {side, 1};
+    case Layout::octahedral:
+    case Layout::octahedral_equal_area:
+        return {side, side};
+    case Layout::gnomonic:
+        return {side + 2 * options.chart.border, side + 2 * options.chart.border};
+    case Layout::cube:
+    case Layout::cube_strip:
+        return {6 * side, side};
+    case Layout::cube_cross:
+        return {4 * side, 3 * side};
+    }
+    return {2 * side, side};
+}
+
+} // namespace
+
+Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candelas max_error) {
+    const auto bake = [&](int side) {
+        BakeOptions sized = options;
+        const TextureSize size = size_of(options, side);
+        sized.width = size.width;
+        sized.height = size.height;
+        return bake_texture(web, sized);
+    };
+    int too_small = 0;
+    int side = least_side;
+    Result<Texture> best = bake(side);
+    while (best && best->max_error.value > max_error.value) {
+        too_small = side;
+        if (side == greatest_side)
+            return fail(Failure::usage,
+                        fmt::format("no size up to {}x{} stays within {:.6g} cd: there it is {:.6g} cd",
+                                    best->image.width, best->image.height, max_error.value, best->max_error.value),
+                        "allow more, or choose another layout");
+        side *= 2;
+        best = bake(side);
+    }
+    while (best && side - too_small > 1 && too_small > 0) {
+        const int middle = (side + too_small) / 2;
+        Result<Texture> smaller = bake(middle);
+        if (!smaller) return smaller;
+        if (smaller->max_error.value <= max_error.value) {
+            side = middle;
+            best = std::move(smaller);
+        } else {
+            too_small = middle;
+        }
+    }
+    return best;
+}
+
+} // namespace gonio

@@ -1,0 +1,32 @@
+// Engines by name: the texture that each reads, with its own frame, size and sampling rule.
+//
+// Gathered from the engines' published sources and documentation; what a rule rests on stands beside it. An engine's
+// texture is an ordinary one (gonio/bake/bake.hpp) with options set, and its sidecar says what they are.
+#pragma once
+
+#include <gonio/bake/bake.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace gonio {
+
+struct Engine {
+    std::string_view name;    // "unity-spot"
+    std::string_view summary; // for lists
+    std::string_view rule;    // for the sidecar: how the engine reads the texture
+    BakeOptions bake;         // all but cone and threads
+    int channels = 1;         // the same value in each
+    std::string_view format;  // of the file: "exr", "png"
+    // Of the engine's light space, for the sidecar: where the aim and C0 point to.
+    std::string_view aim;
+    std::string_view c0;
+    std::string_view handedness;
+};
+
+std::span<const Engine> engines();
+
+// Fails (usage) on an unknown name.
+Result<const Engine*> find_engine(std::string_view name);
+
+} // namespace gonio

@@ -1,0 +1,208 @@
+// Engines' textures by the formulas with which the engines read them, and the smallest texture within an error.
+#include <gonio/bake/engine.hpp>
+#include <gonio/web/integrate.hpp>
+
+#include "../web/webs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace gonio {
+namespace {
+
+using std::numbers::pi;
+using test::random_web;
+using test::steps;
+
+// Smooth and of no symmetry, so that every turn and mirror shows.
+Web smooth_web() {
+    const std::vector<double> planes = steps(0, 360, 49);
+    const std::vector<double> gammas = steps(0, 180, 25);
+    std::vector<double> candela;
+    for (const double c : planes)
+        for (const double gamma : gammas) {
+            const double x = std::sin(gamma * pi / 180) * std::cos(c * pi / 180);
+            const double y = std::sin(gamma * pi / 180) * std::sin(c * pi / 180);
+            const double z = -std::cos(gamma * pi / 180);
+            candela.push_back(100 + 50 * x + 25 * y * y + 20 * x * y - 10 * z + 15 * y);
+        }
+    return *Web::create(Symmetry::none, planes, gammas, candela);
+}
+
+// At most 128 texels a side, where the engine does not mind.
+BakeOptions smaller(BakeOptions options) {
+    while (options.sampling == Sampling::mean && options.height > 128) {
+        options.width /= 2;
+        options.height /= 2;
+    }
+    return options;
+}
+
+Texture baked(const char* engine, const Web& web) {
+    return bake_texture(web, smaller(find_engine(engine).value()->bake)).value();
+}
+
+// In candela, of texel (i, j).
+double texel(const Texture& texture, int i, int j) {
+    return *texture.image.at(i, j) * texture.cd_per_unit;
+}
+
+double mean_over_c(const Web& web, double gamma) {
+    double sum = 0.0;
+    for (int k = 0; k < 720; ++k)
+        sum += web.candela((k + 0.5) * 0.5, gamma) / 720;
+    return sum;
+}
+
+TEST(Engines, RowsStandAtLeftEdges) {
+    const Web web = smooth_web();
+    for (const char* name : {"three", "babylon", "unreal"}) {
+        const Texture texture = baked(name, web);
+        const double step = std::string(name) == "babylon" ? 1e-6 : 1e-3; // half: 11 bits
+        for (const int i : {0, 1, 45, 100, texture.image.width - 1})
+            EXPECT_NEAR(texel(texture, i, 0), mean_over_c(web, 180.0 * i / texture.image.width), 200 * step)
+                << name << ' ' << i;
+    }
+}
+
+// Types A and B take thin rings.
+TEST(Engines, RowsOfNativeWebs) {
+    const std::vector<double> h = steps(-90, 90, 19);
+    const std::vector<double> v = steps(-90, 90, 19);
+    const Web b = *Web::create(Photometry::b, Symmetry::none, h, v, std::vector<double>(19 * 19, 70.0));
+    const Texture texture = baked("babylon", b);
+    EXPECT_NEAR(texel(texture, 0, 0), 70.0, 1e-4);
+    EXPECT_NEAR(texel(texture, 60, 0), 70.0, 1e-4);
+    EXPECT_NEAR(texel(texture, 120, 0), 0.0, 1e-4);
+}
+
+// pbrt-v4: EqualAreaSquareToSphere with y and z swapped, the image's rows downwards.
+TEST(Engines, PbrtLooksUpWhatItMeans) {
+    const Web web = smooth_web();
+    const Texture texture = baked("pbrt-v4", web);
+    const int n = texture.image.width;
+    const int near = 1;
+    // Middle: aim. Edges' middles: right +X is C0, bottom +Z is C90. Corners: γ = 180°.
+    EXPECT_NEAR(texel(texture, n / 2, n / 2), web.candela(0, 0), 2.0);
+    EXPECT_NEAR(texel(texture, n - near, n / 2), web.candela(0, 90), 2.0);
+    EXPECT_NEAR(texel(texture, n / 2, n - near), web.candela(90, 90), 2.0);
+    EXPECT_NEAR(texel(texture, near, n / 2), web.candela(180, 90), 2.0);
+    EXPECT_NEAR(texel(texture, n / 2, near), web.candela(270, 90), 2.0);
+    EXPECT_NEAR(texel(texture, 0, 0), web.candela(0, 180), 2.0);
+}
+
+// Unity: V = atan(r), H = atan2(v, u) − 90°, pixels 1 to N−2 from −tan(cone/2) to tan(cone/2).
+TEST(Engines, UnityCookieRunsFromEdgeToEdge) {
+    const Web web = smooth_web();
+    const Texture texture = baked("unity-spot", web);
+    const int n = texture.image.width;
+    const double limit = std::tan(45.0 * pi / 180.0);
+    for (const int i : {1, 30, 64, n - 2})
+        for (const int j : {1, 50, n - 2}) {
+            const double u = limit * (2.0 * (i - 1) / (n - 3) - 1.0);
+            const double v = limit * (1.0 - 2.0 * (j - 1) / (n - 3));
+            double h = std::atan2(v, u) * 180.0 / pi - 90.0;
+            if (h < 0.0) h += 360.0;
+            EXPECT_NEAR(texel(texture, i, j), web.candela(h, std::atan(std::hypot(u, v)) * 180.0 / pi),
+                        texture.peak.value / 254.0)
+                << i << ' ' << j;
+        }
+    for (int i = 0; i < n; ++i)
+        EXPECT_EQ(*texture.image.at(i, 0), 0.0F);
+}
+
+// Centre V = 0, up H = 0, left H = 90.
+TEST(Engines, UnityPointLooksAlongTheAim) {
+    const Web web = smooth_web();
+    const Texture texture = baked("unity-point", web);
+    const int w = texture.image.width;
+    const int h = texture.image.height;
+    EXPECT_NEAR(texel(texture, w / 2, h / 2), web.candela(0, 0), 1.0);
+    EXPECT_NEAR(texel(texture, 0, h / 2), web.candela(0, 180), 1.0);
+    EXPECT_NEAR(texel(texture, w / 2, 0), web.candela(0, 90), 1.0);
+    EXPECT_NEAR(texel(texture, w / 4, h / 2), web.candela(90, 90), 1.0);
+    EXPECT_NEAR(texel(texture, 3 * w / 4, h / 2), web.candela(270, 90), 1.0);
+}
+
+TEST(Engines, UnrealRunsAcrossGammaAndDownC) {
+    const Web web = smooth_web();
+    const Texture texture = baked("unreal-2d", web);
+    const int n = texture.image.width;
+    for (const int i : {0, 30, 100, n - 1})
+        for (const int j : {0, 50, n - 1})
+            EXPECT_NEAR(texel(texture, i, j), web.candela((j + 0.5) / n * 360, (i + 0.5) / n * 180), 0.5);
+}
+
+TEST(Engines, NablaStandsOnCorners) {
+    const Web web = smooth_web();
+    const Texture texture = baked("nabla", web);
+    EXPECT_NEAR(texel(texture, 128, 128), web.candela(0, 0), 0.01);
+    EXPECT_NEAR(texel(texture, 256, 128), web.candela(0, 90), 0.01);
+    EXPECT_NEAR(texel(texture, 128, 0), web.candela(90, 90), 0.01);
+    EXPECT_NEAR(texel(texture, 0, 256), web.candela(0, 180), 0.01);
+}
+
+// An encoded file holds steps of the encoding: fine where it is dark.
+TEST(Engines, GodotEncodes) {
+    const Web web = smooth_web();
+    const Texture texture = baked("godot-omni", web);
+    EXPECT_EQ(texture.transfer, Transfer::srgb);
+    EXPECT_LT(texture.quantization_error.value, texture.peak.value * 0.5 / 255 * 2.3);
+    for (const float value : texture.image.pixels) {
+        const double steps_of = encoded(Transfer::srgb, static_cast<double>(value)) * 255.0;
+        ASSERT_NEAR(steps_of, std::nearbyint(steps_of), 1e-4);
+    }
+    for (const double x : {0.0, 0.001, 0.0031308, 0.2, 1.0})
+        EXPECT_NEAR(decoded(Transfer::srgb, encoded(Transfer::srgb, x)), x, 1e-7);
+    EXPECT_NEAR(encoded(Transfer::srgb, 0.5), 0.7353569830524495, 1e-12); // IEC 61966-2-1
+}
+
+TEST(Engines, MeansHoldTheFlux) {
+    const Web web = smooth_web();
+    for (const Engine& engine : engines()) {
+        if (engine.bake.sampling != Sampling::mean || engine.bake.layout == Layout::gnomonic) continue;
+        BakeOptions options = smaller(engine.bake);
+        options.texel_type = TexelType::float32;
+        options.transfer = Transfer::linear;
+        const Texture texture = bake_texture(web, options).value();
+        EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-7 * flux(web).value) << engine.name;
+    }
+}
+
+TEST(AutoSize, IsTheSmallestWithinTheError) {
+    const Web web = smooth_web();
+    for (const Layout layout :
+         {Layout::latlong, Layout::v180, Layout::octahedral, Layout::cube, Layout::cube_cross, Layout::gnomonic}) {
+        BakeOptions options;
+        options.layout = layout;
+        options.chart.border = layout == Layout::gnomonic ? 1 : 0;
+        const bool axial_only = layout == Layout::v180;
+        const Web of = axial_only ? random_web(Symmetry::axial, {0}, steps(0, 180, 7), 3) : web;
+        const Candelas limit(axial_only ? 20.0 : 3.0);
+        const Result<Texture> found = bake_smallest(of, options, limit);
+        ASSERT_TRUE(found) << info_of(layout).name;
+        EXPECT_LE(found->max_error.value, limit.value);
+        // One step smaller is not good enough.
+        const int across = layout == Layout::latlong      ? 2
+                           : layout == Layout::cube       ? 6
+                           : layout == Layout::cube_cross ? 4
+                                                          : 1;
+        const int down = layout == Layout::v180 ? 0 : layout == Layout::cube_cross ? 3 : 1;
+        options.width = found->image.width - across;
+        options.height = found->image.height - down;
+        EXPECT_GT(bake_texture(of, options).value().max_error.value, limit.value) << info_of(layout).name;
+    }
+    // A jump is never closer than half of it.
+    const Web jump = *Web::create(Symmetry::axial, {0}, {0, 60}, {1000, 1000});
+    BakeOptions options;
+    options.layout = Layout::v180;
+    const Result<Texture> never = bake_smallest(jump, options, Candelas(1.0));
+    ASSERT_FALSE(never);
+    EXPECT_NE(never.error().diagnostics.front().message.find("no size up to 4096x1"), std::string::npos);
+}
+
+} // namespace
+} // namespace gonio
