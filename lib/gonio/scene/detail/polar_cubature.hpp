@@ -190,7 +190,8 @@ private:
 
     void begin(std::size_t section) {
         const Ray ray = cast(section, 0.5);
-        const std::size_t pieces = std::clamp<std::size_t>(static_cast<std::size_t>((ray.s1 - ray.s0) / 2.0), 1, 8);
+        const double wanted = 0.5 * (ray.s1 - ray.s0);
+        const std::size_t pieces = wanted > 1.0 ? static_cast<std::size_t>(std::min(wanted, 8.0)) : 1;
         for (std::size_t i = 0; i < pieces; ++i) {
             Cell cell;
             cell.section = section;
