@@ -29,8 +29,10 @@ constexpr std::array rig_options{
 };
 constexpr std::array probe_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
-    Option{"--compare", "M1,M2", "several methods beside each other, with their errors against exact", "methods"},
-    Option{"--view", "X,Y,Z", "direction from the points to the eye: asks for the luminance seen there"},
+    Option{"--compare", "M1,M2", "several methods beside each other, with their errors against the true one",
+           "methods"},
+    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{"--view", "X,Y,Z", "direction from the points to the eye, or at:X,Y,Z its place: asks for luminance"},
     Option{"--material", "MATERIAL", "of the surface, for that luminance", "materials"},
     Option{"-j,--jobs", "N", "threads (all processors)"},
 };
@@ -56,6 +58,12 @@ constexpr std::array examples{
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
             "--compare exact,frostbite",
             "what an approximation costs"},
+    Example{"gonio probe --shape tube:r=2cm,l=1.2m --intensity 2500lm --position 0,0,2 --at 0,0,0 "
+            "--view 1,0,1 --material frostbite:smoothness=0.7 --method reference --error 1e-8",
+            "what the eye sees of a glossy floor, with the error that is left"},
+    Example{"gonio probe --shape sphere:r=20cm --intensity 800lm --position 0,1,1 --at 0,0,0 "
+            "--view 0,-1,1 --material frostbite:smoothness=0.8 --compare representative-point",
+            "how far a highlight's approximation is off"},
 };
 
 constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of lights held at a time
@@ -70,7 +78,7 @@ struct Request {
     std::vector<Light> lights;
     Diagnostics diagnostics;
     Points points;
-    std::vector<IrradianceMethod> methods; // one, or those compared; `exact` first then
+    std::vector<IrradianceMethod> methods; // one, or those compared; then the true one first
     bool compare = false;
     ProbeOptions options;
     Form form = Form::text;
@@ -100,6 +108,19 @@ Result<void> read_lights(const Arguments& arguments, Request& request) {
     return {};
 }
 
+Result<void> read_error(const Arguments& arguments, Request& request) {
+    const auto given = arguments.value("--error");
+    if (!given) return {};
+    if (std::find(request.methods.begin(), request.methods.end(), IrradianceMethod::reference) == request.methods.end())
+        return fail(Failure::usage, "--error is given without the method reference", "add --method reference");
+    const std::optional<double> error = parse_number(*given);
+    if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
+        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
+                    "it is relative: 1e-4 is a hundredth of a percent");
+    request.options.goal.relative_error = *error;
+    return {};
+}
+
 Result<void> read_methods(const Arguments& arguments, Request& request) {
     const auto compare = arguments.value("--compare");
     const auto method = arguments.value("--method");
@@ -107,7 +128,9 @@ Result<void> read_methods(const Arguments& arguments, Request& request) {
         return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
     std::string_view rest = compare ? *compare : method ? *method : std::string_view("exact");
     request.compare = compare.has_value();
-    if (request.compare) request.methods.push_back(IrradianceMethod::exact);
+    // Of luminance the quadrature is the truth, of illuminance the closed forms are.
+    if (request.compare)
+        request.methods.push_back(arguments.has("--view") ? IrradianceMethod::reference : IrradianceMethod::exact);
     for (bool more = true; more;) {
         const std::size_t comma = request.compare ? rest.find(',') : std::string_view::npos;
         Result<IrradianceMethod> parsed = parse_irradiance_method(rest.substr(0, comma));
@@ -117,7 +140,7 @@ Result<void> read_methods(const Arguments& arguments, Request& request) {
         more = comma != std::string_view::npos;
         if (more) rest.remove_prefix(comma + 1);
     }
-    return {};
+    return read_error(arguments, request);
 }
 
 Result<void> read_view(const Arguments& arguments, Request& request) {
@@ -127,16 +150,18 @@ Result<void> read_view(const Arguments& arguments, Request& request) {
     if (!view || !material)
         return fail(Failure::usage, view ? "--view is given without --material" : "--material is given without --view",
                     "luminance needs both");
-    if (request.compare) return fail(Failure::usage, "--compare compares illuminance, without --view and --material");
-    Result<glm::dvec3> direction = parse_vector(*view, "--view");
-    if (!direction) return pass_on(direction);
-    if (!unit_vector(*direction))
+    constexpr std::string_view place = "at:";
+    const bool is_place = view->starts_with(place);
+    Result<glm::dvec3> vector = parse_vector(is_place ? view->substr(place.size()) : *view, "--view");
+    if (!vector) return pass_on(vector);
+    if (!is_place && !unit_vector(*vector))
         return fail(Failure::usage, "--view is zero", "it points from the surface to the eye");
     Result<Material> parsed = parse_material(*material);
     if (!parsed) return pass_on(parsed);
     const Diagnostics judged = check_charts(*parsed);
     request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
-    request.options.view = ProbeView{*direction, *parsed};
+    request.options.view = ProbeView{*vector, *parsed};
+    if (is_place) request.options.view->eye = *vector;
     return {};
 }
 
@@ -178,38 +203,62 @@ double relative_error(double value, double truth) {
     return value == truth ? 0.0 : (value - truth) / truth;
 }
 
+// What is compared: the luminance where one is asked for, else the illuminance.
+double compared(const ProbeResult& result, std::size_t i) {
+    return result.luminance.empty() ? result.illuminance_lx[i] : result.luminance[i].total().value;
+}
+
+Json luminance_json(const ProbeLuminance& nt, bool with_error) {
+    Json json{{"diffuse", nt.diffuse.value}, {"specular", nt.specular.value}, {"total", nt.total().value}};
+    if (with_error) json["error_estimate"] = nt.error_estimate.value;
+    return json;
+}
+
 Json vector_json(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
+}
+
+// One of the methods compared at a point, beside the first of them.
+Json method_json(const Request& request, const Stretch& stretch, std::size_t m, std::size_t i) {
+    const ProbeResult& truth = stretch.by_method.front();
+    const ProbeResult& result = stretch.by_method[m];
+    const double lx = result.illuminance_lx[i];
+    // The ratio to darkness is no number.
+    Json json{{"method", to_text(request.methods[m])},
+              {"illuminance_lx", lx},
+              {"error_lx", lx - truth.illuminance_lx[i]},
+              {"error_relative", number_or_null(relative_error(lx, truth.illuminance_lx[i]))}};
+    if (result.luminance.empty()) return json;
+    const double nt = compared(result, i);
+    const double true_nt = compared(truth, i);
+    json["luminance_nt"] = luminance_json(result.luminance[i], false);
+    json["error_nt"] = nt - true_nt;
+    json["error_nt_relative"] = number_or_null(relative_error(nt, true_nt));
+    return json;
 }
 
 Json point_json(const Request& request, const Stretch& stretch, std::size_t i) {
     const Receiver& receiver = stretch.receivers[i];
     const ProbeResult& result = stretch.by_method.front();
+    const bool estimated = !result.illuminance_error_lx.empty();
     Json json{{"position", vector_json(receiver.position)},
               {"normal", vector_json(unit_vector(receiver.normal).value_or(receiver.normal))},
               {"illuminance_lx", result.illuminance_lx[i]}};
-    if (!result.luminance.empty()) {
-        const ProbeLuminance& nt = result.luminance[i];
-        json["luminance_nt"] = {{"diffuse", nt.diffuse.value},
-                                {"specular", nt.specular.value},
-                                {"total", (nt.diffuse + nt.specular).value}};
-    }
+    if (estimated) json["illuminance_error_lx"] = result.illuminance_error_lx[i];
+    if (!result.luminance.empty()) json["luminance_nt"] = luminance_json(result.luminance[i], estimated);
     if (request.compare) {
         Json methods = Json::array();
-        for (std::size_t m = 0; m < request.methods.size(); ++m) {
-            const double lx = stretch.by_method[m].illuminance_lx[i];
-            // The ratio to darkness is no number.
-            methods.push_back({{"method", to_text(request.methods[m])},
-                               {"illuminance_lx", lx},
-                               {"error_lx", lx - result.illuminance_lx[i]},
-                               {"error_relative", number_or_null(relative_error(lx, result.illuminance_lx[i]))}});
-        }
+        for (std::size_t m = 0; m < request.methods.size(); ++m)
+            methods.push_back(method_json(request, stretch, m, i));
         json["methods"] = std::move(methods);
     }
     Json lights = Json::array();
-    for (std::size_t l = 0; l < request.lights.size(); ++l)
-        lights.push_back(
-            {{"name", request.lights[l].name}, {"illuminance_lx", result.parts_lx[i * request.lights.size() + l]}});
+    for (std::size_t l = 0; l < request.lights.size(); ++l) {
+        const std::size_t part = i * request.lights.size() + l;
+        Json light{{"name", request.lights[l].name}, {"illuminance_lx", result.parts_lx[part]}};
+        if (!result.parts_nt.empty()) light["luminance_nt"] = luminance_json(result.parts_nt[part], estimated);
+        lights.push_back(std::move(light));
+    }
     json["lights"] = std::move(lights);
     return json;
 }
@@ -228,8 +277,17 @@ std::string percent(double relative) {
     return fmt::format("{}{} %", relative > 0.0 ? "+" : "", text);
 }
 
+std::string luminance_text(const ProbeLuminance& nt) {
+    return fmt::format("{:>14} nt (diffuse {}, specular {})", rounded(nt.total().value), rounded(nt.diffuse.value),
+                       rounded(nt.specular.value));
+}
+
+// Heading and width of the column of a method in a comparison.
 std::string method_column(const Request& request, std::size_t m) {
-    return fmt::format("{} lx", to_text(request.methods[m]));
+    return fmt::format("{} {}", to_text(request.methods[m]), request.options.view ? "nt" : "lx");
+}
+std::size_t column_width(const Request& request, std::size_t m) {
+    return std::max<std::size_t>(14, method_column(request, m).size() + 2);
 }
 
 class Report {
@@ -252,14 +310,12 @@ public:
             json_->begin_array("points");
         } else if (request_.form == Form::csv) {
             console_.print("x,y,z,nx,ny,nz");
-            for (const IrradianceMethod method : request_.methods)
-                console_.print(request_.compare ? fmt::format(",illuminance_{}_lx", to_text(method))
-                                                : ",illuminance_lx");
-            console_.print(request_.options.view ? ",diffuse_nt,specular_nt,total_nt\n" : "\n");
+            print_csv_heading();
         } else if (request_.compare && listed()) {
             console_.print(fmt::format("{:<24}", "point"));
             for (std::size_t m = 0; m < request_.methods.size(); ++m)
-                console_.print(fmt::format("{:>14}{}", method_column(request_, m), m == 0 ? "" : "       error"));
+                console_.print(fmt::format("{:>{}}{}", method_column(request_, m), column_width(request_, m),
+                                           m == 0 ? "" : "       error"));
             console_.print("\n");
         }
     }
@@ -274,9 +330,11 @@ public:
                 text_lines(stretch, i);
         }
         for (std::size_t m = 0; m < request_.methods.size(); ++m) {
-            const std::vector<double>& lx = stretch.by_method[m].illuminance_lx;
-            values_[m].insert(values_[m].end(), lx.begin(), lx.end());
+            const ProbeResult& result = stretch.by_method[m];
+            for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
+                values_[m].push_back(request_.compare ? compared(result, i) : result.illuminance_lx[i]);
         }
+        note_error(stretch.by_method.front());
         remarks_.add(stretch.by_method.front().remarks, stretch.first);
     }
 
@@ -285,6 +343,8 @@ public:
         diagnostics.insert(diagnostics.end(), said.begin(), said.end());
         if (json_) {
             json_->end_array();
+            if (request_.methods.front() == IrradianceMethod::reference)
+                json_->member("error_estimate", largest_error_);
             if (request_.points.grid) json_->member("grid", grid_json());
             json_->member("diagnostics", diagnostics_json(diagnostics));
             json_->end();
@@ -302,16 +362,52 @@ private:
         return request_.lights.size() > 1 && request_.lights.size() <= lights_listed && !request_.compare;
     }
 
+    // The largest error that the quadrature leaves open, relative to its value.
+    void note_error(const ProbeResult& result) {
+        const auto note = [&](double error, double value) {
+            if (value > 0.0) largest_error_ = std::max(largest_error_, error / value);
+        };
+        for (std::size_t i = 0; i < result.illuminance_error_lx.size(); ++i) {
+            note(result.illuminance_error_lx[i], result.illuminance_lx[i]);
+            if (!result.luminance.empty())
+                note(result.luminance[i].error_estimate.value, result.luminance[i].total().value);
+        }
+    }
+
+    bool estimated() const { return request_.methods.front() == IrradianceMethod::reference; }
+
+    void print_csv_heading() {
+        if (request_.compare) {
+            for (const IrradianceMethod method : request_.methods)
+                console_.print(fmt::format(",illuminance_{}_lx", to_text(method)));
+            for (const IrradianceMethod method : request_.methods)
+                if (request_.options.view) console_.print(fmt::format(",total_{}_nt", to_text(method)));
+            console_.print("\n");
+            return;
+        }
+        console_.print(estimated() ? ",illuminance_lx,illuminance_error_lx" : ",illuminance_lx");
+        if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
+        console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
+    }
+
     void csv_row(const Stretch& stretch, std::size_t i) {
         const Receiver& r = stretch.receivers[i];
         const glm::dvec3 n = unit_vector(r.normal).value_or(r.normal);
         std::string row = row_text(r.position) + ',' + row_text(n);
+        const ProbeResult& first = stretch.by_method.front();
         for (const ProbeResult& result : stretch.by_method)
             row += ',' + shortest(result.illuminance_lx[i]);
-        if (request_.options.view) {
-            const ProbeLuminance& nt = stretch.by_method.front().luminance[i];
-            row += fmt::format(",{},{},{}", shortest(nt.diffuse.value), shortest(nt.specular.value),
-                               shortest((nt.diffuse + nt.specular).value));
+        if (request_.compare) {
+            for (const ProbeResult& result : stretch.by_method)
+                if (!result.luminance.empty()) row += ',' + shortest(result.luminance[i].total().value);
+        } else {
+            if (estimated()) row += ',' + shortest(first.illuminance_error_lx[i]);
+            if (request_.options.view) {
+                const ProbeLuminance& nt = first.luminance[i];
+                row += fmt::format(",{},{},{}", shortest(nt.diffuse.value), shortest(nt.specular.value),
+                                   shortest(nt.total().value));
+                if (estimated()) row += ',' + shortest(nt.error_estimate.value);
+            }
         }
         console_.print(row + '\n');
     }
@@ -321,31 +417,39 @@ private:
         const ProbeResult& result = stretch.by_method.front();
         const double lx = result.illuminance_lx[i];
         if (request_.compare) {
-            std::string line = fmt::format("{:<24}{:>14}", position, rounded(lx));
+            const double truth = compared(result, i);
+            std::string line = fmt::format("{:<24}{:>{}}", position, rounded(truth), column_width(request_, 0));
             for (std::size_t m = 1; m < request_.methods.size(); ++m) {
-                const double other = stretch.by_method[m].illuminance_lx[i];
-                line += fmt::format("{:>14}{:>12}", rounded(other), percent(relative_error(other, lx)));
+                const double other = compared(stretch.by_method[m], i);
+                line += fmt::format("{:>{}}{:>12}", rounded(other), column_width(request_, m),
+                                    percent(relative_error(other, truth)));
             }
             console_.print(line + '\n');
             return;
         }
         console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
+        if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.illuminance_error_lx[i], 2)));
         if (!result.luminance.empty()) {
-            const ProbeLuminance& nt = result.luminance[i];
-            console_.print(fmt::format("{:>14} nt (diffuse {}, specular {})", rounded((nt.diffuse + nt.specular).value),
-                                       rounded(nt.diffuse.value), rounded(nt.specular.value)));
+            console_.print(luminance_text(result.luminance[i]));
+            if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.luminance[i].error_estimate.value, 2)));
         }
         console_.print("\n");
         if (!lights_listed_too()) return;
-        for (std::size_t l = 0; l < request_.lights.size(); ++l)
-            console_.print(fmt::format("  {:<22}{:>14} lx\n", request_.lights[l].name,
-                                       rounded(result.parts_lx[i * request_.lights.size() + l])));
+        for (std::size_t l = 0; l < request_.lights.size(); ++l) {
+            const std::size_t part = i * request_.lights.size() + l;
+            console_.print(fmt::format("  {:<22}{:>14} lx", request_.lights[l].name, rounded(result.parts_lx[part])));
+            if (!result.parts_nt.empty()) console_.print(luminance_text(result.parts_nt[part]));
+            console_.print("\n");
+        }
     }
 
-    static Json spread_json(const Spread& s) {
-        return {{"min_lx", s.least},
-                {"mean_lx", s.mean},
-                {"max_lx", s.greatest},
+    std::string_view compared_unit() const { return request_.compare && request_.options.view ? "nt" : "lx"; }
+
+    Json spread_json(const Spread& s) const {
+        const std::string_view unit = compared_unit();
+        return {{fmt::format("min_{}", unit), s.least},
+                {fmt::format("mean_{}", unit), s.mean},
+                {fmt::format("max_{}", unit), s.greatest},
                 {"uniformity_min_mean", s.uniformity()},
                 {"uniformity_min_max", s.diversity()}};
     }
@@ -358,7 +462,7 @@ private:
         for (std::size_t m = 0; m < request_.methods.size(); ++m) {
             Json of_method{{"method", to_text(request_.methods[m])}};
             of_method.update(spread_json(spread(values_[m])));
-            of_method["max_error_lx"] = worst(m).error_lx;
+            of_method[fmt::format("max_error_{}", compared_unit())] = worst(m).error;
             methods.push_back(std::move(of_method));
         }
         json["methods"] = std::move(methods);
@@ -366,7 +470,7 @@ private:
     }
 
     struct Worst {
-        double error_lx = 0.0; // the largest in size, signed
+        double error = 0.0; // the largest in size, signed
         std::size_t point = 0;
     };
 
@@ -374,7 +478,7 @@ private:
         Worst found;
         for (std::size_t i = 0; i < values_[m].size(); ++i) {
             const double error = values_[m][i] - values_.front()[i];
-            if (std::abs(error) > std::abs(found.error_lx)) found = {error, i};
+            if (std::abs(error) > std::abs(found.error)) found = {error, i};
         }
         return found;
     }
@@ -399,19 +503,20 @@ private:
         if (request_.compare) {
             console_.print(fmt::format("{:<10}", ""));
             for (std::size_t m = 0; m < request_.methods.size(); ++m)
-                console_.print(fmt::format("{:>14}", method_column(request_, m)));
+                console_.print(fmt::format("{:>{}}", method_column(request_, m), column_width(request_, m)));
             console_.print("\n");
         }
         for (std::size_t line = 0; line < lines.size(); ++line) {
             console_.print(fmt::format("{:<10}", lines[line].name));
-            for (const Spread& s : spreads)
-                console_.print(fmt::format("{:>14}", rounded(lines[line].of(s))));
+            for (std::size_t m = 0; m < spreads.size(); ++m)
+                console_.print(fmt::format("{:>{}}", rounded(lines[line].of(spreads[m])),
+                                           request_.compare ? column_width(request_, m) : 14));
             console_.print(line < 3 && !request_.compare ? " lx\n" : "\n");
         }
         for (std::size_t m = 1; m < request_.methods.size(); ++m) {
             const Worst w = worst(m);
-            console_.print(fmt::format("{} is off by up to {} lx ({}), at {}\n", to_text(request_.methods[m]),
-                                       rounded(w.error_lx),
+            console_.print(fmt::format("{} is off by up to {} {} ({}), at {}\n", to_text(request_.methods[m]),
+                                       rounded(w.error), compared_unit(),
                                        percent(relative_error(values_[m][w.point], values_.front()[w.point])),
                                        position_text(request_.points.receivers[w.point].position)));
         }
@@ -421,6 +526,7 @@ private:
     Console& console_;
     std::optional<JsonWriter> json_;
     std::vector<std::vector<double>> values_; // of each method, for the summary
+    double largest_error_ = 0.0;              // relative, of `reference`
     ProbeRemarks remarks_;
 };
 
@@ -461,10 +567,11 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command probe_command;
 const Command probe_command{"probe",
-                            "illuminance at points, from a rig or one light",
+                            "illuminance and luminance at points, from a rig or one light",
                             "--rig RIG | FILE | --shape SHAPE … --at X,Y,Z",
                             "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1.\n"
-                            "Prints lux in double precision; lights neither occlude nor reflect each other.",
+                            "Prints lux in double precision, and with --view and --material the luminance that\n"
+                            "the eye sees there, in nits; lights neither occlude nor reflect each other.",
                             groups,
                             examples,
                             run,

@@ -1,3 +1,4 @@
+#include <gonio/base/frame.hpp>
 #include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/light/lobe.hpp>
@@ -230,16 +231,62 @@ double masked_rings(const Shape& shape, const Web& mask) {
     return rings.zone(0.0, 90.0, [&](const glm::dvec3& direction) { return lobe(frustum, direction); });
 }
 
+// The area that a flat shape or a tube shows towards a direction of its frame, over that along its own.
+struct ShownShare {
+    const glm::dvec3& d; // unit
+
+    double flat(bool two_sided) const { return two_sided ? std::abs(d.z) : std::max(-d.z, 0.0); }
+    double operator()(const DiskShape& s) const { return flat(s.two_sided); }
+    double operator()(const RectShape& s) const { return flat(s.two_sided); }
+    double operator()(const TubeShape& s) const {
+        const double side = 2.0 * s.length.value;
+        const double ends = pi * s.radius.value;
+        return (side * std::hypot(d.y, d.z) + ends) / (side + ends);
+    }
+    template<class Other>
+    double operator()(const Other& /*shape*/) const {
+        return 0.0;
+    }
+};
+
+// ∬ mask · shown area over that along the direction, dω.
+double masked_area(const Shape& shape, const Web& mask) {
+    std::vector<double> gammas_deg;
+    for (int deg = 0; deg <= 180; ++deg)
+        gammas_deg.push_back(deg);
+    if (mask.photometry() == Photometry::c)
+        gammas_deg.insert(gammas_deg.end(), mask.gammas_deg().begin(), mask.gammas_deg().end());
+    sort_unique(gammas_deg);
+    constexpr auto three = gauss_legendre<3>();
+    double sum = 0.0;
+    for (std::size_t j = 1; j < gammas_deg.size(); ++j)
+        for (const QuadratureNode& of_gamma : three) {
+            const double half = 0.5 * (gammas_deg[j] - gammas_deg[j - 1]) * radians_per_degree;
+            const double gamma = 0.5 * (gammas_deg[j] + gammas_deg[j - 1]) * radians_per_degree + half * of_gamma.at;
+            double ring = 0.0;
+            for (int plane = 0; plane < 360; ++plane)
+                for (const QuadratureNode& of_c : three) {
+                    const double c = (plane + 0.5 + 0.5 * of_c.at) * radians_per_degree;
+                    const glm::dvec3 toward = direction_of({Radians(c), Radians(gamma)});
+                    const double shown = std::visit(ShownShare{toward}, shape);
+                    if (shown > 0.0) ring += of_c.weight * shown * mask.candela(toward);
+                }
+            sum += of_gamma.weight * half * std::sin(gamma) * ring;
+        }
+    return sum * 0.5 * radians_per_degree;
+}
+
 } // namespace
 
 Steradians masked_solid_angle(const Shape& shape, const Web& mask) {
     const double top = peak(mask).intensity.value;
-    if (std::holds_alternative<PointShape>(shape)) return Steradians(flux(mask).value / top);
+    if (std::holds_alternative<PointShape>(shape) || std::holds_alternative<SphereShape>(shape))
+        return Steradians(flux(mask).value / top);
     const bool lit_by_angle = std::holds_alternative<SpotShape>(shape) || std::holds_alternative<FrustumShape>(shape);
     if (lit_by_angle && mask.photometry() != Photometry::c) return Steradians(masked_rings(shape, mask) / top);
     if (const auto* spot = std::get_if<SpotShape>(&shape)) return Steradians(masked(*spot, mask) / top);
     if (const auto* frustum = std::get_if<FrustumShape>(&shape)) return Steradians(masked(*frustum, mask) / top);
-    return Steradians(0.0);
+    return Steradians(masked_area(shape, mask) / top);
 }
 
 } // namespace gonio

@@ -67,6 +67,10 @@ Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factor
                         fmt::format("write {} alone", unit.unit->symbol));
         return facing_factor(shape, factors, Meters(0.0));
     }
+    if (factors.luminance && mask_of(shape).web != nullptr)
+        return fail(Failure::unsupported,
+                    fmt::format("the illuminance of a {} behind a mask has no closed form", kind_of(shape)),
+                    "give lm, cd or nt; probe computes the illuminance");
     if (!unit.distance)
         return fail(Failure::usage,
                     fmt::format("an illuminance in {} needs the distance of the receiver", unit.unit->symbol),

@@ -295,6 +295,9 @@ Result<Facts> facts_of(const Shape& shape) {
     Facts facts;
     const bool punctual = std::holds_alternative<PointShape>(shape) || std::holds_alternative<SpotShape>(shape) ||
                           std::holds_alternative<FrustumShape>(shape) || std::holds_alternative<ProfileShape>(shape);
+    if (!punctual && mask_of(shape).web != nullptr)
+        return fail(Failure::unsupported, "no other program has masks on lights with a size",
+                    "name the shape without its mask");
     if (!punctual) return facts;
     facts.masked = mask_of(shape).web != nullptr;
     if (const auto* spot = std::get_if<SpotShape>(&shape); spot != nullptr && !(spot->outer.value > 0.0))

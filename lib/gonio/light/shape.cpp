@@ -25,10 +25,11 @@ constexpr std::array kinds{
               "a cone; half angles, or cone=ANGLE for the full one"},
     ShapeKind{"frustum", "frustum:h=ANGLE,v=ANGLE[,mask=FILE]", "a pyramid, even inside; full apex angles"},
     ShapeKind{"ies", "ies:FILE", "a measured luminaire: an IES or EULUMDAT profile"},
-    ShapeKind{"sphere", "sphere:r=LENGTH", "a Lambertian sphere of radius r"},
-    ShapeKind{"disk", "disk:r=LENGTH[,two-sided]", "a Lambertian disk of radius r"},
-    ShapeKind{"rect", "rect:w=LENGTH,h=LENGTH[,two-sided]", "a Lambertian rectangle, w along X and h along Y"},
-    ShapeKind{"tube", "tube:r=LENGTH,l=LENGTH", "a Lambertian capsule along X, l without its caps"},
+    ShapeKind{"sphere", "sphere:r=LENGTH[,mask=FILE]", "a Lambertian sphere of radius r"},
+    ShapeKind{"disk", "disk:r=LENGTH[,two-sided][,mask=FILE]", "a Lambertian disk of radius r"},
+    ShapeKind{"rect", "rect:w=LENGTH,h=LENGTH[,two-sided][,mask=FILE]",
+              "a Lambertian rectangle, w along X and h along Y"},
+    ShapeKind{"tube", "tube:r=LENGTH,l=LENGTH[,mask=FILE]", "a Lambertian capsule along X, l without its caps"},
     ShapeKind{"sun", "sun:angle=ANGLE", "an even disk of that angular diameter, at infinity"},
 };
 
@@ -183,39 +184,47 @@ Result<Shape> frustum(const KindText& text) {
 }
 
 Result<Shape> sphere(const KindText& text) {
-    if (Result<void> known = keys<1>(text, {"r"}); !known) return pass_on(known);
+    if (Result<void> known = keys<2>(text, {"r", "mask"}); !known) return pass_on(known);
     Result<Meters> r = positive_length(text, "r");
     if (!r) return pass_on(r);
-    return Shape(SphereShape{*r});
+    Result<std::string> mask = mask_file(text);
+    if (!mask) return pass_on(mask);
+    return Shape(SphereShape{*r, *mask});
 }
 
 Result<Shape> disk(const KindText& text) {
-    if (Result<void> known = keys<2>(text, {"r", "two-sided"}); !known) return pass_on(known);
+    if (Result<void> known = keys<3>(text, {"r", "two-sided", "mask"}); !known) return pass_on(known);
     Result<Meters> r = positive_length(text, "r");
     if (!r) return pass_on(r);
     Result<bool> two_sided = flag(text, "two-sided");
     if (!two_sided) return pass_on(two_sided);
-    return Shape(DiskShape{*r, *two_sided});
+    Result<std::string> mask = mask_file(text);
+    if (!mask) return pass_on(mask);
+    return Shape(DiskShape{*r, *two_sided, *mask});
 }
 
 Result<Shape> rect(const KindText& text) {
-    if (Result<void> known = keys<3>(text, {"w", "h", "two-sided"}); !known) return pass_on(known);
+    if (Result<void> known = keys<4>(text, {"w", "h", "two-sided", "mask"}); !known) return pass_on(known);
     Result<Meters> w = positive_length(text, "w");
     if (!w) return pass_on(w);
     Result<Meters> h = positive_length(text, "h");
     if (!h) return pass_on(h);
     Result<bool> two_sided = flag(text, "two-sided");
     if (!two_sided) return pass_on(two_sided);
-    return Shape(RectShape{*w, *h, *two_sided});
+    Result<std::string> mask = mask_file(text);
+    if (!mask) return pass_on(mask);
+    return Shape(RectShape{*w, *h, *two_sided, *mask});
 }
 
 Result<Shape> tube(const KindText& text) {
-    if (Result<void> known = keys<2>(text, {"r", "l"}); !known) return pass_on(known);
+    if (Result<void> known = keys<3>(text, {"r", "l", "mask"}); !known) return pass_on(known);
     Result<Meters> r = positive_length(text, "r");
     if (!r) return pass_on(r);
     Result<Meters> l = positive_length(text, "l");
     if (!l) return pass_on(l);
-    return Shape(TubeShape{*r, *l});
+    Result<std::string> mask = mask_file(text);
+    if (!mask) return pass_on(mask);
+    return Shape(TubeShape{*r, *l, *mask});
 }
 
 Result<Shape> sun(const KindText& text) {
@@ -247,10 +256,10 @@ WebSlot web_slot(Shape& shape) {
         WebSlot operator()(PointShape& masked) const { return {&masked.mask_file, &masked.mask}; }
         WebSlot operator()(SpotShape& masked) const { return {&masked.mask_file, &masked.mask}; }
         WebSlot operator()(FrustumShape& masked) const { return {&masked.mask_file, &masked.mask}; }
-        WebSlot operator()(SphereShape&) const { return {}; }
-        WebSlot operator()(DiskShape&) const { return {}; }
-        WebSlot operator()(RectShape&) const { return {}; }
-        WebSlot operator()(TubeShape&) const { return {}; }
+        WebSlot operator()(SphereShape& masked) const { return {&masked.mask_file, &masked.mask}; }
+        WebSlot operator()(DiskShape& masked) const { return {&masked.mask_file, &masked.mask}; }
+        WebSlot operator()(RectShape& masked) const { return {&masked.mask_file, &masked.mask}; }
+        WebSlot operator()(TubeShape& masked) const { return {&masked.mask_file, &masked.mask}; }
         WebSlot operator()(SunShape&) const { return {}; }
     };
     return std::visit(Slot{}, shape);
@@ -308,10 +317,10 @@ Mask mask_of(const Shape& shape) {
         Mask operator()(const SpotShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
         Mask operator()(const FrustumShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
         Mask operator()(const ProfileShape&) const { return {}; }
-        Mask operator()(const SphereShape&) const { return {}; }
-        Mask operator()(const DiskShape&) const { return {}; }
-        Mask operator()(const RectShape&) const { return {}; }
-        Mask operator()(const TubeShape&) const { return {}; }
+        Mask operator()(const SphereShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
+        Mask operator()(const DiskShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
+        Mask operator()(const RectShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
+        Mask operator()(const TubeShape& masked) const { return {&masked.mask_file, masked.mask.get()}; }
         Mask operator()(const SunShape&) const { return {}; }
     };
     Mask mask = std::visit(Slot{}, shape);

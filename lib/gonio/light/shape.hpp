@@ -51,16 +51,21 @@ struct ProfileShape {
     std::shared_ptr<const Web> web; // nullptr until load_profile() has read the file
 };
 
-// Area shapes are Lambertian: the same luminance in every direction that they emit to.
+// Area shapes are Lambertian: the same luminance in every direction that they emit to. A mask multiplies the luminance
+// of every point of theirs by a web over its peak, by the direction in the light's frame.
 
 struct SphereShape {
     Meters radius; // > 0
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
 };
 
 // Emits along its direction; with two_sided also against it.
 struct DiskShape {
     Meters radius; // > 0
     bool two_sided = false;
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
 };
 
 // `width` along X, `height` along Y.
@@ -68,12 +73,16 @@ struct RectShape {
     Meters width;  // > 0
     Meters height; // > 0
     bool two_sided = false;
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
 };
 
 // A capsule: a cylinder of `length` along X without its caps, and a hemisphere at each end.
 struct TubeShape {
     Meters radius; // > 0
     Meters length; // > 0
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
 };
 
 // A uniform disk at infinity.

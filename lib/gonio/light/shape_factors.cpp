@@ -32,8 +32,13 @@ struct MakeFactors {
         factors.strength = "I₀";
         return factors;
     }
-    static ShapeFactors area(double projected_m2, const char* formula, double nearest_m = 0.0) {
-        ShapeFactors factors;
+    template<class Area>
+    static Result<ShapeFactors> area(const Area& shape, double projected_m2, const char* formula,
+                                     double nearest_m = 0.0) {
+        Result<ShapeFactors> masked = punctual(shape.mask_file, shape.mask.get());
+        if (!masked) return masked;
+        ShapeFactors factors = *masked;
+        factors.no_luminance = "";
         factors.luminance = Factor{projected_m2, formula};
         factors.nearest_m = nearest_m;
         return factors;
@@ -59,17 +64,17 @@ struct MakeFactors {
     }
     Result<ShapeFactors> operator()(const SphereShape& sphere) const {
         const double r = sphere.radius.value;
-        return area(closed_form::disk_area(r), "I = π r² L", r);
+        return area(sphere, closed_form::disk_area(r), "I = π r² L", r);
     }
     Result<ShapeFactors> operator()(const DiskShape& disk) const {
-        return area(closed_form::disk_area(disk.radius.value), "I = π r² L");
+        return area(disk, closed_form::disk_area(disk.radius.value), "I = π r² L");
     }
     Result<ShapeFactors> operator()(const RectShape& rect) const {
-        return area(rect.width.value * rect.height.value, "I = w h L");
+        return area(rect, rect.width.value * rect.height.value, "I = w h L");
     }
     Result<ShapeFactors> operator()(const TubeShape& tube) const {
         const double r = tube.radius.value;
-        return area(closed_form::tube_area(r, tube.length.value), "I = (2 r l + π r²) L", r);
+        return area(tube, closed_form::tube_area(r, tube.length.value), "I = (2 r l + π r²) L", r);
     }
     Result<ShapeFactors> operator()(const SunShape& sun) const {
         ShapeFactors factors;
@@ -104,10 +109,20 @@ struct FluxFactor {
     Factor operator()(const ProfileShape& profile) const {
         return {flux(*profile.web).value / factors.peak_cd, "Φ = (Φ_web / I_peak) I"};
     }
-    Factor operator()(const SphereShape&) const { return {4.0 * pi, "Φ = 4π I"}; }
-    Factor operator()(const DiskShape& disk) const { return sided(disk.two_sided); }
-    Factor operator()(const RectShape& rect) const { return sided(rect.two_sided); }
+    Factor operator()(const SphereShape& sphere) const {
+        if (sphere.mask) return masked("Φ = (∬ mask dω) I₀", *sphere.mask);
+        return {4.0 * pi, "Φ = 4π I"};
+    }
+    Factor operator()(const DiskShape& disk) const {
+        if (disk.mask) return masked("Φ = (∬ mask cosγ dω) I₀", *disk.mask);
+        return sided(disk.two_sided);
+    }
+    Factor operator()(const RectShape& rect) const {
+        if (rect.mask) return masked("Φ = (∬ mask cosγ dω) I₀", *rect.mask);
+        return sided(rect.two_sided);
+    }
     Factor operator()(const TubeShape& tube) const {
+        if (tube.mask) return masked("Φ = (∬ mask A(ω)/A dω) I₀", *tube.mask);
         return {closed_form::tube_solid_angle(tube.radius.value, tube.length.value),
                 "Φ = π (2π r l + 4π r²)/(2 r l + π r²) I"};
     }

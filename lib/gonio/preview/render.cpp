@@ -3,6 +3,7 @@
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/reference.hpp>
 
 #include <fmt/format.h>
 
@@ -182,6 +183,9 @@ Result<Image> render(const Stage& stage, const Light& light, const Camera& camer
         return fail(Failure::usage,
                     fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
                     fmt::format("each side may have 1 to {} pixels", max_picture_size));
+    if (has_extent(light.shape) && mask_of(light.shape).web != nullptr)
+        return fail(Failure::unsupported, fmt::format("a {} behind a mask is not rendered yet", kind_of(light.shape)),
+                    "probe computes what it gives to points");
     if (!has_kernel(light.shape))
         return fail(Failure::unsupported,
                     fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),

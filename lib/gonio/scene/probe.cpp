@@ -16,7 +16,22 @@ namespace gonio {
 namespace {
 
 constexpr std::array method_names{
-    IrradianceMethodName{IrradianceMethod::exact, "exact", "closed forms with horizon clipping, no distance guard"},
+    IrradianceMethodName{IrradianceMethod::exact, "exact",
+                         "closed forms with horizon clipping, no distance guard; luminance by quadrature to 1e-6"},
+    IrradianceMethodName{IrradianceMethod::reference, "reference",
+                         "quadrature over the light to the error of --error, with an estimate of its own error"},
+    IrradianceMethodName{IrradianceMethod::ltc, "ltc",
+                         "illuminance as exact; highlights of lights with a size by linearly transformed cosines"},
+    IrradianceMethodName{IrradianceMethod::representative_point, "representative-point",
+                         "the same; highlights by the light's point nearest to the mirrored view (Karis 2013)"},
+    IrradianceMethodName{IrradianceMethod::dominant_direction, "dominant-direction",
+                         "the same, with the lobe's dominant direction (Lagarde and de Rousiers 2014)"},
+    IrradianceMethodName{IrradianceMethod::specular_d, "specular-d",
+                         "highlights by the light's centre and a widened lobe (Karis 2013)"},
+    IrradianceMethodName{IrradianceMethod::spherical_hack, "spherical-hack",
+                         "highlights by the light's centre and a lower power (Lagarde and Harduin 2013)"},
+    IrradianceMethodName{IrradianceMethod::sun_disk, "sun-disk",
+                         "highlights by the nearest point of the light's disk (Lagarde and de Rousiers 2014)"},
     IrradianceMethodName{IrradianceMethod::frostbite, "frostbite",
                          "Lagarde and de Rousiers 2014: its approximation of each shape, guard max(d2, 1 cm2)"},
     IrradianceMethodName{IrradianceMethod::ue4, "ue4",
@@ -27,19 +42,49 @@ constexpr std::array method_names{
 // Summed one after the other; a block's sum does not depend on the number of threads.
 constexpr std::size_t lights_in_block = 4096;
 constexpr double farthest = 1e100; // [m]; differences and their products stay far from overflow
+bool in_range(const glm::dvec3& position) {
+    return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
+}
+
 struct Sums {
     double illuminance_lx = 0.0;
+    double error_lx = 0.0;
     ProbeLuminance luminance;
 
     void add(const Sums& other) {
         illuminance_lx += other.illuminance_lx;
+        error_lx += other.error_lx;
         luminance.diffuse = luminance.diffuse + other.luminance.diffuse;
         luminance.specular = luminance.specular + other.luminance.specular;
+        luminance.error_estimate = luminance.error_estimate + other.luminance.error_estimate;
     }
 };
 
-bool in_range(const glm::dvec3& position) {
-    return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
+Result<void> check_lights(std::span<const Light> lights) {
+    for (const Light& light : lights) {
+        if (!in_range(light.frame.origin))
+            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+                        fmt::format("coordinates reach to {} m", farthest));
+        if (!std::isfinite(light.luminance.value) || !std::isfinite(light.intensity.value))
+            return fail(Failure::usage, fmt::format("the luminance of '{}' is infinite", light.name),
+                        "its amount is too large for its size");
+    }
+    return {};
+}
+
+// The direction to the eye from each receiver, unit.
+Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const Receiver> receivers) {
+    std::vector<glm::dvec3> views;
+    views.reserve(receivers.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const std::optional<glm::dvec3> toward =
+            unit_vector(view.eye ? *view.eye - receivers[i].position : view.direction);
+        if (!toward)
+            return view.eye ? fail(Failure::usage, fmt::format("the eye is at point {}", i + 1))
+                            : fail(Failure::usage, "the view is zero or not finite");
+        views.push_back(*toward);
+    }
+    return views;
 }
 
 std::string others(std::size_t count) {
@@ -77,7 +122,8 @@ void ProbeOccurrence::add(const ProbeOccurrence& others, std::size_t offset) {
 void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
     on_light.add(others.on_light, offset);
     inside.add(others.inside, offset);
-    coarse_specular |= others.coarse_specular;
+    unseen.add(others.unseen, offset);
+    not_converged.add(others.not_converged, offset);
 }
 
 std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
@@ -101,27 +147,25 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
                         fmt::format("coordinates reach to {} m", farthest));
         normals.push_back(*normal);
     }
-    for (const Light& light : lights) {
-        if (!in_range(light.frame.origin))
-            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
-                        fmt::format("coordinates reach to {} m", farthest));
-    }
-    std::optional<detail::ProbeSurface> surface;
+    if (Result<void> checked = check_lights(lights); !checked) return pass_on(checked);
+    std::vector<glm::dvec3> views;
     if (options.view) {
-        const std::optional<glm::dvec3> view = unit_vector(options.view->direction);
-        if (!view) return fail(Failure::usage, "the view is zero or not finite");
-        if (options.method != IrradianceMethod::exact &&
-            !std::holds_alternative<LambertMaterial>(options.view->material))
+        Result<std::vector<glm::dvec3>> found = views_of(*options.view, receivers);
+        if (!found) return pass_on(found);
+        views = std::move(*found);
+        if (!detail::has_luminance(options.view->material, options.method))
             return fail(Failure::unsupported,
                         fmt::format("the luminance of this material is not computed by '{}'", to_text(options.method)),
-                        "use the method exact, or lambert");
-        surface = detail::ProbeSurface{options.view->material, *view};
+                        "use the method exact or reference, or another material");
     }
+    const bool surface = options.view.has_value();
 
     ProbeResult result;
     result.illuminance_lx.resize(receivers.size());
+    if (options.method == IrradianceMethod::reference) result.illuminance_error_lx.resize(receivers.size());
     if (options.parts) result.parts_lx.resize(receivers.size() * lights.size());
     if (surface) result.luminance.resize(receivers.size());
+    if (surface && options.parts) result.parts_nt.resize(receivers.size() * lights.size());
     if (receivers.empty() || lights.empty()) return result;
 
     // A task is one block of lights for a few receivers; with several blocks their sums are joined in order afterwards.
@@ -130,6 +174,7 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
     const std::size_t groups = (receivers.size() - 1) / group + 1;
     std::vector<Sums> sums(receivers.size() * blocks);
     std::vector<ProbeRemarks> remarks(groups * blocks);
+    const detail::ProbeWay way{options.method, options.goal};
     parallel_for(groups * blocks, options.threads, [&](std::size_t task) {
         const std::size_t block = task % blocks;
         const std::size_t first = task / blocks * group;
@@ -138,13 +183,17 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
             Sums sum;
             for (std::size_t l = block * lights_in_block; l < last_light; ++l) {
                 const detail::ProbeShare share =
-                    detail::illuminance_of(lights[l], receivers[r].position, normals[r], options.method);
-                sum.illuminance_lx += share.illuminance_lx;
-                if (options.parts) result.parts_lx[r * lights.size() + l] = share.illuminance_lx;
+                    detail::illuminance_of(lights[l], receivers[r].position, normals[r], way);
+                detail::ProbeShine shine;
                 if (surface)
-                    sum.add({0.0, detail::luminance_of(lights[l], receivers[r].position, normals[r], *surface, share)});
+                    shine = detail::luminance_of(lights[l], receivers[r].position, normals[r],
+                                                 {options.view->material, views[r]}, share, way);
+                sum.add({share.illuminance_lx, share.error_lx, shine.luminance});
+                if (options.parts) result.parts_lx[r * lights.size() + l] = share.illuminance_lx;
+                if (surface && options.parts) result.parts_nt[r * lights.size() + l] = shine.luminance;
                 if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
                 if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
+                if (!share.converged || !shine.converged) remarks[task].not_converged.add({1, r, l});
             }
             sums[r * blocks + block] = sum;
         }
@@ -154,12 +203,10 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         for (std::size_t block = 0; block < blocks; ++block)
             sum.add(sums[r * blocks + block]);
         result.illuminance_lx[r] = sum.illuminance_lx;
+        if (!result.illuminance_error_lx.empty()) result.illuminance_error_lx[r] = sum.error_lx;
         if (surface) result.luminance[r] = sum.luminance;
+        if (surface && !(glm::dot(normals[r], views[r]) > 0.0)) result.remarks.unseen.add({1, r, 0});
     }
-    if (surface)
-        result.remarks.coarse_specular = std::any_of(lights.begin(), lights.end(), [&](const Light& light) {
-            return detail::coarse_specular(light.shape, surface->material);
-        });
     for (const ProbeRemarks& of_task : remarks)
         result.remarks.add(of_task);
     return result;
@@ -184,9 +231,19 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
             fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
                         lights[remarks.inside.light].name, others(remarks.inside.count)),
             {});
-    if (remarks.coarse_specular)
-        say(Severity::note, "the specular luminance of lights with a size is approximate: one representative point",
-            "illuminance and diffuse luminance are exact");
+    if (remarks.unseen.count > 0)
+        say(Severity::note,
+            fmt::format("point {} is seen from below its surface, where it shows no luminance{}",
+                        remarks.unseen.receiver + 1,
+                        remarks.unseen.count > 1 ? fmt::format("; {} such points in all", remarks.unseen.count)
+                                                 : std::string()),
+            "the view points from the surface to the eye");
+    if (remarks.not_converged.count > 0)
+        say(Severity::warning,
+            fmt::format("the error asked for was not reached at point {} under '{}'{}",
+                        remarks.not_converged.receiver + 1, lights[remarks.not_converged.light].name,
+                        others(remarks.not_converged.count)),
+            "the estimates tell the error that was");
     return diagnostics;
 }
 

@@ -1,13 +1,12 @@
 #include <gonio/light/light_color.hpp>
-#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_named.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/shade_area.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -124,11 +123,10 @@ double inverse_square(double inverse_distance, IrradianceMethod method) {
 
 ProbeShare of_point(const Light& light, const Vec& to_light, const Vec& normal, IrradianceMethod method) {
     const shading::Direction<double> d = shading::direction(to_light, normal);
-    if (d.inverse_distance == 0.0) return {0.0, ProbeRemark::at_light};
+    if (d.inverse_distance == 0.0) return {0.0, 0.0, ProbeRemark::at_light};
     if (!(d.n_dot_l > 0.0)) return {};
     const double cd = light.intensity_towards(-glm::dvec3(to_light.x, to_light.y, to_light.z)).value;
-    return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light)),
-            ProbeRemark::none};
+    return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light))};
 }
 
 // A uniform cap of half angle δ/2 around the direction that the sun stands in, with the receiver's horizon.
@@ -149,71 +147,89 @@ bool is_inside(const Shape& shape, const Frame& frame, const glm::dvec3& to_cent
     return glm::length(to_center - std::clamp(along, -half, half) * frame.x) < tube->radius.value;
 }
 
-// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
-double sun_radius(const SunShape& sun) {
-    return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
+// Whose illuminance the method takes.
+IrradianceMethod illuminance_method(IrradianceMethod method) {
+    return is_specular_method(method) ? IrradianceMethod::exact : method;
+}
+
+ReferenceGoal goal_of(const ProbeWay& way) {
+    return way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{};
+}
+
+// The BRDF towards the one direction that there is.
+ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                           const ProbeSurface& surface, const ProbeShare& share) {
+    if (!(share.illuminance_lx > 0.0)) return {};
+    const shading::Direction<double> d = shading::direction(vec(light.frame.origin - position), vec(normal));
+    const Vec l = d.scaled * d.inverse_distance;
+    const SurfaceParts parts = surface_parts(surface.material);
+    const auto nt = [&](const SurfaceParts::Reflectance& reflectance) {
+        const Vec f = reflectance(vec(normal), l, vec(surface.view));
+        return Nits(bounded(share.illuminance_lx * luminance_y(light.color * glm::dvec3(f.x, f.y, f.z))));
+    };
+    return {nt(parts.diffuse), nt(parts.specular), Nits()};
 }
 
 } // namespace
 
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                          IrradianceMethod method) {
+                          const ProbeWay& way) {
+    const IrradianceMethod method = illuminance_method(way.method);
+    const glm::dvec3 to_center = light.frame.origin - position;
+    const bool inside = is_inside(light.shape, light.frame, to_center);
+    const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
+    const bool masked_area = has_extent(light.shape) && mask_of(light.shape).web != nullptr;
+    // Behind a mask there is no closed form.
+    const bool integrated =
+        way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && masked_area);
+    if (integrated && has_extent(light.shape)) {
+        const ReferenceValue e = reference_illuminance(light, position, normal, goal_of(way));
+        return {bounded(e.value), e.error_estimate, remark, e.converged};
+    }
     if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
         const double lx = method == IrradianceMethod::exact ? light.luminance.value * of_sun(*sun, light.frame, normal)
                                                             : light.illuminance.value * glm::dot(normal, light.frame.z);
-        return {bounded(lx), ProbeRemark::none};
+        return {bounded(lx)};
     }
-    const glm::dvec3 to_center = light.frame.origin - position;
     if (as_point(light.shape, method)) return of_point(light, vec(to_center), vec(normal), method);
-    const bool inside = is_inside(light.shape, light.frame, to_center);
     const double e_over_l =
         inside && method == IrradianceMethod::exact
             ? std::numbers::pi
             : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
-    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center))),
-            inside ? ProbeRemark::inside : ProbeRemark::none};
+    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center)) * mask_share(light, position)),
+            0.0, remark};
 }
 
-bool coarse_specular(const Shape& shape, const Material& material) {
-    return !punctual(shape) && !std::holds_alternative<LambertMaterial>(material);
+double mask_share(const Light& light, const glm::dvec3& position) {
+    const Web* const mask = mask_of(light.shape).web;
+    const glm::dvec3 way = position - light.frame.origin;
+    if (mask == nullptr || !has_extent(light.shape) || way == glm::dvec3(0.0)) return 1.0;
+    return std::max(light.web_scale * mask->candela(light.frame.to_local(way)), 0.0);
 }
 
-ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const ProbeSurface& surface, const ProbeShare& share) {
+bool has_luminance(const Material& material, IrradianceMethod method) {
+    if (std::holds_alternative<LambertMaterial>(material)) return true;
+    if (is_specular_method(method)) return has_named_lobe(material);
+    return method == IrradianceMethod::exact || method == IrradianceMethod::reference;
+}
+
+ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                        const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way) {
+    if (!(glm::dot(normal, surface.view) > 0.0)) return {};
     if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
-        const double y = luminance_y(lambert->albedo * light.color);
-        const bool seen = glm::dot(normal, surface.view) > 0.0;
-        return {Nits(seen ? bounded(share.illuminance_lx * y * std::numbers::inv_pi) : 0.0), Nits()};
+        const double y = luminance_y(lambert->albedo * light.color) * std::numbers::inv_pi;
+        return {{Nits(bounded(share.illuminance_lx * y)), Nits(), Nits(bounded(share.error_lx * y))}, share.converged};
     }
-    // The sun is as far from everywhere; its rounding must not depend on where the origin is.
-    const bool sunlit = std::holds_alternative<SunShape>(light.shape);
-    const Vec place = sunlit ? Vec{0.0, 0.0, 0.0} : vec(position);
-    const shading::SurfacePoint<double> point{place, vec(normal), vec(surface.view)};
-    const auto y_of = [](const Vec& rgb) { return bounded(luminance_y({rgb.x, rgb.y, rgb.z})); };
-    const auto both = [&](const auto& core_light) {
-        const auto parts = std::visit(
-            [&](const auto& material) { return shading::shade_parts(point, core_light, core_material(material)); },
-            surface.material);
-        return ProbeLuminance{Nits(y_of(parts.diffuse)), Nits(y_of(parts.specular))};
-    };
-    const Vec center = vec(light.frame.origin);
-    const Vec luminance = vec(light.color * light.luminance.value);
-    const double near = inverse_range(light);
-    if (const auto* sphere = std::get_if<SphereShape>(&light.shape))
-        return both(shading::SphereLight<double>{center, luminance, sphere->radius.value, near});
-    if (const auto* disk = std::get_if<DiskShape>(&light.shape))
-        return both(shading::DiskLight<double>{center, luminance, vec(-light.frame.z), disk->radius.value, near,
-                                               disk->two_sided});
-    if (const auto* rect = std::get_if<RectShape>(&light.shape))
-        return both(shading::RectangleLight<double>{center, luminance, vec(-light.frame.z), vec(light.frame.x),
-                                                    rect->width.value, rect->height.value, near, rect->two_sided});
-    if (const auto* tube = std::get_if<TubeShape>(&light.shape))
-        return both(shading::TubeLight<double>{center, luminance, vec(light.frame.x), tube->radius.value,
-                                               tube->length.value, near});
-    if (const auto* sun = std::get_if<SunShape>(&light.shape))
-        return both(shading::SphereLight<double>{vec(light.frame.z), luminance, sun_radius(*sun), 0.0});
-    const double cd = light.intensity_towards(position - light.frame.origin).value;
-    return both(shading::PunctualLight<double>{center, vec(light.color), cd, near});
+    if (!has_extent(light.shape)) return {of_punctual(light, position, normal, surface, share)};
+    if (is_specular_method(way.method)) {
+        const NamedLuminance nt = named_luminance(light, position, normal, surface, way.method);
+        return {{Nits(bounded(nt.diffuse_nt)), Nits(bounded(nt.specular_nt)), Nits()}};
+    }
+    const ReferenceLuminance nt =
+        reference_luminance(light, position, normal, surface.view, surface.material, goal_of(way));
+    return {{Nits(bounded(nt.diffuse.value)), Nits(bounded(nt.specular.value)),
+             Nits(bounded(nt.diffuse.error_estimate + nt.specular.error_estimate))},
+            nt.diffuse.converged && nt.specular.converged};
 }
 
 } // namespace gonio::detail

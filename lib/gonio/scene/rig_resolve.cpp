@@ -31,8 +31,12 @@ struct EmitterOf {
         : numbers{s.outer.value, s.inner.value, static_cast<double>(s.falloff)}, web(s.mask.get()) {}
     EmitterOf(const FrustumShape& s) : numbers{s.horizontal.value, s.vertical.value, 0.0}, web(s.mask.get()) {}
     EmitterOf(const ProfileShape& s) : web(s.web.get()) {}
-    template<class AreaShape>
-    EmitterOf(const AreaShape& /*area*/) {}
+    EmitterOf(const SphereShape& s) : numbers{s.radius.value, 0.0, 0.0}, web(s.mask.get()) {}
+    EmitterOf(const DiskShape& s) : numbers{s.radius.value, s.two_sided ? 1.0 : 0.0, 0.0}, web(s.mask.get()) {}
+    EmitterOf(const RectShape& s)
+        : numbers{s.width.value, s.height.value, s.two_sided ? 1.0 : 0.0}, web(s.mask.get()) {}
+    EmitterOf(const TubeShape& s) : numbers{s.radius.value, s.length.value, 0.0}, web(s.mask.get()) {}
+    EmitterOf(const SunShape& /*no web*/) {}
 };
 
 // Nothing for lights without a web: theirs is arithmetic.

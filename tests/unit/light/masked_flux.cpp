@@ -61,6 +61,27 @@ TEST(MaskedFlux, AConstantMaskChangesNothing) {
                 << text << ", " << to_text(mask.stored_symmetry());
 }
 
+// Those with a size, weighted by the area that they show: cells of a degree, so to a few 1e-8 about a tube's ends.
+TEST(MaskedFlux, AConstantMaskOnAShapeWithASizeChangesNothing) {
+    const Web masks[] = {constant(Symmetry::axial, {0}, {0, 180}, 3.0),
+                         constant(Symmetry::none, {-17, 40, 101, 222, 343}, {0, 1, 60, 180}, 9.0)};
+    for (const Web& mask : masks)
+        for (const char* text : {"sphere:r=10cm", "disk:r=10cm", "disk:r=10cm,two-sided", "rect:w=60cm,h=30cm",
+                                 "rect:w=60cm,h=30cm,two-sided", "tube:r=1cm,l=1m", "tube:r=1m,l=1cm"})
+            EXPECT_NEAR(flux_of(text, mask), unmasked(text), 1e-7 * unmasked(text)) << text;
+}
+
+// m = cos γ below the horizontal: ∬ cos²γ dω = 2π/3 of a disk, where the web is linear between its many angles.
+TEST(MaskedFlux, ADiskBehindACosineInClosedForm) {
+    std::vector<double> gammas = test::steps(0, 180, 721);
+    std::vector<double> candela;
+    for (const double gamma : gammas)
+        candela.push_back(std::max(std::cos(gamma * rad), 0.0));
+    const Web mask = *Web::create(Symmetry::axial, {0}, gammas, candela);
+    EXPECT_NEAR(flux_of("disk:r=10cm", mask), 2.0 * pi / 3.0, 1e-5);
+    EXPECT_NEAR(flux_of("rect:w=1m,h=2m,two-sided", mask), 2.0 * pi / 3.0, 1e-5);
+}
+
 TEST(MaskedFlux, AMaskOfHalfTheCircleHalves) {
     for (const double first : {0.0, 33.0, -90.0}) {
         const Web mask = constant(Symmetry::none, {first, first + 180.0}, {0, 180}, 7.0);

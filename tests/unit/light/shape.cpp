@@ -97,7 +97,8 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
                              "sun",
                              "sun:angle=0deg",
                              "sun:angle=181deg",
-                             "sphere:r=1m,mask=a.ies",
+                             "sphere:r=1m,mask",
+                             "sun:angle=1deg,mask=a.ies",
                              "point:mask"})
         EXPECT_FALSE(parse_shape(text)) << text;
     const auto reason = [](const char* text) {
@@ -115,7 +116,8 @@ TEST(Shape, MasksAreLoadedLikeProfiles) {
     const test::TemporaryFolder folder;
     const std::string file = (folder.path() / "mask.ies").string();
     std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n200 100\n";
-    for (const char* kind : {"point:", "spot:outer=40deg,", "frustum:h=60deg,v=40deg,"}) {
+    for (const char* kind : {"point:", "spot:outer=40deg,", "frustum:h=60deg,v=40deg,", "sphere:r=1m,", "disk:r=1m,",
+                             "rect:w=1m,h=1m,", "tube:r=1m,l=1m,"}) {
         Shape shape = test::shape(std::string(kind) + "mask=" + file);
         EXPECT_EQ(*mask_of(shape).file, file);
         EXPECT_EQ(mask_of(shape).web, nullptr);

@@ -277,7 +277,6 @@ TEST(Probe, FrostbiteLuminanceIsItsBrdfTimesLux) {
         glm::dot(glm::dvec3(f.x, f.y, f.z) * light.color, rec709_luminance) * result.illuminance_lx[0];
     EXPECT_NEAR((result.luminance[0].diffuse + result.luminance[0].specular).value / expected, 1.0, 1e-12);
     EXPECT_GT(result.luminance[0].specular.value, 0.0);
-    EXPECT_FALSE(result.remarks.coarse_specular);
     options.method = IrradianceMethod::ue4;
     EXPECT_EQ(probe({&light, 1}, {&receiver, 1}, options).error().failure, Failure::unsupported);
 }
@@ -316,6 +315,8 @@ TEST(Probe, ResultsAreFiniteEverywhere) {
             const Light light = make(shape, sun ? "1e280lx" : "1e280cd", {pick(), pick(), pick()}, direction / longest);
             const Receiver receiver{{pick(), pick(), pick()}, normal};
             for (const IrradianceMethodName& method : irradiance_methods()) {
+                if (method.method == IrradianceMethod::reference && i % 40 != 0)
+                    continue; // it takes a thousand times as long
                 const double lx = lux(light, receiver, method.method);
                 EXPECT_TRUE(lx >= 0.0 && lx <= 1e30) << shape << " " << method.name << " " << lx;
             }

@@ -14,27 +14,60 @@ enum class ProbeRemark : std::uint8_t {
     inside    // the receiver lies inside a sphere or tube
 };
 
+// Who computes it: a method and, for `reference`, its goal.
+struct ProbeWay {
+    IrradianceMethod method = IrradianceMethod::exact;
+    ReferenceGoal goal;
+};
+
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]
+    double error_lx = 0.0;       // as `reference` estimates it
     ProbeRemark remark = ProbeRemark::none;
+    bool converged = true;
 };
 
 // `normal` is unit.
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                          IrradianceMethod method);
+                          const ProbeWay& way);
+
+// What the mask of a light with a size lets through towards the receiver from its centre, the fast way to take it; 1
+// without a mask.
+double mask_share(const Light& light, const glm::dvec3& position);
 
 // A material as the shading core takes it, and the view to it.
 struct ProbeSurface {
-    Material material;
+    const Material& material;
     glm::dvec3 view; // unit
 };
 
-// Luminance by the exact method; `share` is the illuminance that it gives.
-ProbeLuminance luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
-                            const ProbeSurface& surface, const ProbeShare& share);
+struct ProbeShine {
+    ProbeLuminance luminance;
+    bool converged = true;
+};
 
-// Whether the specular part of luminance_of() is an approximation.
-bool coarse_specular(const Shape& shape, const Material& material);
+// `share` is the illuminance that the light gives the same way.
+ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                        const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way);
+
+// The methods that are named after how they take the lobe: ltc and those after it that share its illuminance.
+bool is_specular_method(IrradianceMethod method);
+
+// Whether they know the material's lobe: GGX alone, or none.
+bool has_named_lobe(const Material& material);
+
+struct NamedLuminance {
+    double diffuse_nt = 0.0;
+    double specular_nt = 0.0;
+};
+
+// By one of these methods, under a light with a size. Diffuse parts are of the exact irradiance towards one direction,
+// by ltc Frostbite's of its own transformed cosine. The view is above the surface.
+NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                               const ProbeSurface& surface, IrradianceMethod method);
+
+// Whether luminance_of() knows the material by this method.
+bool has_luminance(const Material& material, IrradianceMethod method);
 
 } // namespace gonio::detail

@@ -1,0 +1,304 @@
+// Adaptive integration over the part of the sphere in which a light is seen, with an estimate of its own error.
+//
+// Polar coordinates about a pole: the azimuth is divided where the outline turns, so that within a section the ends of
+// the rays are smooth; the map t → −cos(πt) takes the square roots off the sections' ends. Along a ray the angle is w
+// sinh s: even steps of s resolve a lobe of the width w about the pole and what is far from it as well; where a ray
+// ends at the horizon they shrink with the cube, as shadowing rises from 0 there within a height of α. Cells of
+// (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens et al.,
+// "QUADPACK", 1983) and the worst is halved along its worse side until the sum of the errors is small enough.
+#pragma once
+
+#include <gonio/scene/detail/light_region.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace gonio::detail {
+
+// A peak that is expected: `pole` its direction, `along` a unit tangent there, `width` [rad] its half width along it,
+// `squeeze` in (0, 1] times that across it.
+struct PolarPeak {
+    Vec pole;
+    Vec along;
+    double width = 1.0;
+    double squeeze = 1.0;
+};
+
+struct CubatureGoal {
+    double relative_error = 1e-6;
+    std::size_t most_evaluations = 4'000'000;
+};
+
+struct CubatureResult {
+    double value = 0.0;
+    double error_estimate = 0.0; // absolute
+    std::size_t evaluations = 0;
+    bool converged = true;
+};
+
+// Kronrod's 15 nodes on [−1, 1] and their weights; Gauss's seven are every other one of them.
+struct GaussKronrod {
+    static constexpr std::size_t count = 15;
+    std::array<double, count> node{};
+    std::array<double, count> kronrod{};
+    std::array<double, count> gauss{}; // 0 at the others
+
+    constexpr GaussKronrod() {
+        constexpr std::array nodes{0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+                                   0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+                                   0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
+                                   0.207784955007898467600689403773245, 0.0};
+        constexpr std::array weights{0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+                                     0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+                                     0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+                                     0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
+        constexpr std::array gauss_weights{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+                                           0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
+        for (std::size_t i = 0; i < 8; ++i) {
+            node[i] = -nodes[i];
+            node[count - 1 - i] = nodes[i];
+            kronrod[i] = kronrod[count - 1 - i] = weights[i];
+            if (i % 2 == 1) gauss[i] = gauss[count - 1 - i] = gauss_weights[i / 2];
+        }
+    }
+};
+
+template<class Integrand>
+class PolarCubature {
+public:
+    // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there but for what adaptivity finds.
+    PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand)
+        : region_(region), integrand_(integrand), pole_(peak.pole), width_(peak.width), squeeze_(peak.squeeze) {
+        divide(peak.along);
+    }
+
+    CubatureResult integrate(const CubatureGoal& goal) {
+        for (std::size_t i = 0; i < sections_.size(); ++i)
+            begin(i);
+        const auto better = [](const Cell& a, const Cell& b) { return a.error() < b.error(); };
+        std::make_heap(cells_.begin(), cells_.end(), better);
+        // Sums that are kept up to date gather rounding, so they are formed anew now and then.
+        CubatureResult sums = sum();
+        double before = sums.error_estimate;
+        for (std::size_t steps = 1; !enough(sums, goal) && sums.evaluations < goal.most_evaluations; ++steps) {
+            std::pop_heap(cells_.begin(), cells_.end(), better);
+            const Cell worst = cells_.back();
+            cells_.pop_back();
+            sums.value -= worst.value;
+            sums.error_estimate -= worst.error();
+            for (const Cell& half : halves(worst)) {
+                cells_.push_back(half);
+                std::push_heap(cells_.begin(), cells_.end(), better);
+                sums.value += half.value;
+                sums.error_estimate += half.error();
+            }
+            sums.evaluations = evaluations_;
+            if (steps % 64 == 0 || enough(sums, goal)) sums = sum();
+            if (steps % patience == 0) {
+                // Halving rounding does not make it less.
+                if (sums.error_estimate > 0.9 * before) break;
+                before = sums.error_estimate;
+            }
+        }
+        sums = sum();
+        sums.converged = enough(sums, goal);
+        return sums;
+    }
+
+private:
+    // Azimuths about the pole from `zero`; ψ is the azimuth as a peak that is squeezed across `along` has it round.
+    struct Section {
+        double from = 0.0; // ψ
+        double to = 0.0;
+        bool horizon = false; // the rays end there
+    };
+    struct Cell {
+        std::size_t section = 0;
+        double t0 = 0.0, t1 = 1.0; // of the section
+        double u0 = 0.0, u1 = 1.0; // of the ray
+        double value = 0.0;
+        double error_t = 0.0, error_u = 0.0;
+        double rounding = 0.0;
+
+        double error() const { return error_t + error_u + rounding; }
+    };
+
+    static bool enough(const CubatureResult& sums, const CubatureGoal& goal) {
+        return sums.error_estimate <= goal.relative_error * std::abs(sums.value);
+    }
+
+    CubatureResult sum() const {
+        CubatureResult sums;
+        for (const Cell& cell : cells_) {
+            sums.value += cell.value;
+            sums.error_estimate += cell.error();
+        }
+        sums.evaluations = evaluations_;
+        return sums;
+    }
+
+    static Vec unit(Vec a) { return a * (1.0 / shading::length(a)); }
+
+    double squeezed(double phi) const {
+        const double c = std::cos(phi);
+        const double s = std::sin(phi);
+        return phi + std::atan2((1.0 / squeeze_ - 1.0) * s * c, c * c + s * s / squeeze_);
+    }
+    double stretched(double psi) const {
+        const double c = std::cos(psi);
+        const double s = std::sin(psi);
+        return psi + std::atan2((squeeze_ - 1.0) * s * c, c * c + squeeze_ * s * s);
+    }
+
+    void divide(Vec along) {
+        using std::numbers::pi;
+        if (region_.dark()) return;
+        // Azimuths count from the region's middle, so that those of a narrow region keep their digits.
+        const Vec middle = region_.middle();
+        const Vec toward = middle - pole_ * dot(pole_, middle);
+        along_ = unit(along - pole_ * dot(pole_, along));
+        zero_ = shading::length(toward) > 1e-9 ? unit(toward) : along_;
+        zero_ = unit(zero_ - pole_ * dot(pole_, zero_));
+        quarter_ = cross(pole_, zero_);
+        // Of `zero_` counted from `along_`.
+        offset_ = std::atan2(dot(zero_, cross(pole_, along_)), dot(zero_, along_));
+        std::vector<double> turns;
+        for (const Vec& point : region_.turns(pole_)) {
+            const double x = dot(point, zero_);
+            const double y = dot(point, quarter_);
+            if (x != 0.0 || y != 0.0) turns.push_back(std::atan2(y, x));
+        }
+        for (int k = 0; k < 4; ++k) // the axes of the peak
+            turns.push_back(std::remainder(0.5 * pi * k - offset_, 2.0 * pi));
+        std::sort(turns.begin(), turns.end());
+        for (std::size_t i = 0; i < turns.size(); ++i) {
+            const double from = turns[i];
+            const double to = i + 1 < turns.size() ? turns[i + 1] : turns.front() + 2.0 * pi;
+            const Vec between = tangent(0.5 * (from + to));
+            const PolarInterval seen = region_.along(pole_, between);
+            if (!(from < to) || seen.empty()) continue;
+            sections_.push_back(
+                {squeezed(from + offset_), squeezed(to + offset_), seen.to >= region_.above(pole_, between).to});
+        }
+    }
+
+    Vec tangent(double azimuth) const { return zero_ * std::cos(azimuth) + quarter_ * std::sin(azimuth); }
+
+    void begin(std::size_t section) {
+        const Ray ray = cast(section, 0.5);
+        const double wanted = 0.5 * (ray.s1 - ray.s0);
+        const std::size_t pieces = wanted > 1.0 ? static_cast<std::size_t>(std::min(wanted, 8.0)) : 1;
+        for (std::size_t i = 0; i < pieces; ++i) {
+            Cell cell;
+            cell.section = section;
+            cell.u0 = static_cast<double>(i) / static_cast<double>(pieces);
+            cell.u1 = static_cast<double>(i + 1) / static_cast<double>(pieces);
+            evaluate(cell);
+            for (const Cell& half : halves(cell))
+                cells_.push_back(half);
+        }
+    }
+
+    // What the halves give that the whole did not foresee is an error that its estimate has missed; they bear it.
+    std::array<Cell, 2> halves(const Cell& cell) {
+        std::array<Cell, 2> made{cell, cell};
+        if (cell.error_t > cell.error_u)
+            made[0].t1 = made[1].t0 = 0.5 * (cell.t0 + cell.t1);
+        else
+            made[0].u1 = made[1].u0 = 0.5 * (cell.u0 + cell.u1);
+        for (Cell& half : made)
+            evaluate(half);
+        const double moved = std::abs(made[0].value + made[1].value - cell.value);
+        const double seen = made[0].error() + made[1].error();
+        if (moved > cell.error_t + cell.error_u)
+            for (Cell& half : made)
+                half.rounding += inherited * moved * (seen > 0.0 ? half.error() / seen : 0.5);
+        return made;
+    }
+
+    struct Ray {
+        Vec tangent{0.0, 0.0, 0.0};
+        double width = 1.0;
+        double s0 = 0.0, s1 = 0.0; // the angle is width sinh s
+        double measure = 0.0;      // dφ/dt
+    };
+
+    Ray cast(std::size_t section, double t) const {
+        const auto [from, to, horizon] = sections_[section];
+        const double rest = 1.0 - t;
+        const double psi = from + (to - from) * t * t * t * (10.0 - t * (15.0 - 6.0 * t));
+        const double crowding = 30.0 * t * t * rest * rest;
+        const double c = std::cos(psi);
+        const double s = squeeze_ * std::sin(psi);
+        const double norm = std::sqrt(c * c + s * s);
+        Ray ray;
+        // The width along φ, where cos φ = c/norm and sin φ = s/norm.
+        ray.width = width_ * norm;
+        ray.measure = (to - from) * crowding * squeeze_ / (norm * norm);
+        ray.tangent = tangent(stretched(psi) - offset_);
+        const PolarInterval seen = region_.along(pole_, ray.tangent);
+        if (seen.empty()) return ray;
+        ray.s0 = std::asinh(seen.from / ray.width);
+        ray.s1 = std::asinh(seen.to / ray.width);
+        return ray;
+    }
+
+    void evaluate(Cell& cell) {
+        constexpr std::size_t count = GaussKronrod::count;
+        double kk = 0.0;
+        double gk = 0.0; // Gauss over the azimuth
+        double kg = 0.0; // Gauss along the rays
+        const bool horizon = sections_[cell.section].horizon;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double t = 0.5 * (cell.t0 + cell.t1) + 0.5 * (cell.t1 - cell.t0) * rule.node[i];
+            const Ray ray = cast(cell.section, t);
+            const double reach = ray.s1 - ray.s0;
+            if (!(reach > 0.0)) continue;
+            double k = 0.0;
+            double g = 0.0;
+            for (std::size_t j = 0; j < count; ++j) {
+                const double u = 0.5 * (cell.u0 + cell.u1) + 0.5 * (cell.u1 - cell.u0) * rule.node[j];
+                const double left = 1.0 - u;
+                const double s = ray.s0 + reach * (horizon ? 1.0 - left * left * left : u);
+                const double theta = ray.width * std::sinh(s);
+                const double sine = std::sin(theta);
+                const Vec toward = pole_ * std::cos(theta) + ray.tangent * sine;
+                const double f = integrand_(toward) * sine * std::sqrt(theta * theta + ray.width * ray.width) *
+                                 (horizon ? 3.0 * left * left : 1.0);
+                k += rule.kronrod[j] * f;
+                g += rule.gauss[j] * f;
+            }
+            evaluations_ += count;
+            const double measure = ray.measure * reach;
+            kk += rule.kronrod[i] * k * measure;
+            gk += rule.gauss[i] * k * measure;
+            kg += rule.kronrod[i] * g * measure;
+        }
+        const double area = 0.25 * (cell.t1 - cell.t0) * (cell.u1 - cell.u0);
+        cell.value = kk * area;
+        cell.error_t = std::abs(kk - gk) * area;
+        cell.error_u = std::abs(kk - kg) * area;
+        cell.rounding = (4e-15 + 2e-16 / region_.reach()) * std::abs(cell.value);
+    }
+
+    static constexpr GaussKronrod rule{};
+    static constexpr double inherited = 0.25;
+    static constexpr std::size_t patience = 512;
+
+    const LightRegion& region_;
+    const Integrand& integrand_;
+    Vec pole_;
+    double width_;
+    double squeeze_;
+    Vec along_{}, zero_{}, quarter_{};
+    double offset_ = 0.0;
+    std::vector<Section> sections_;
+    std::vector<Cell> cells_;
+    std::size_t evaluations_ = 0;
+};
+
+} // namespace gonio::detail

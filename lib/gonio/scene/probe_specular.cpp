@@ -1,0 +1,183 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/scene/core_material.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/shading/falloff.hpp>
+#include <gonio/shading/shade.hpp>
+#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/specular_ltc.hpp>
+#include <gonio/shading/specular_named.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gonio::detail {
+
+namespace {
+
+using Vec = shading::vec3<double>;
+
+Vec vec(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+// A lobe of GGX: (f0 + (f90 − f0)·grazing)·factor of what a reflectance of 1 gives.
+struct Lobe {
+    Vec f0{0.0, 0.0, 0.0};
+    double f90 = 0.0;
+    double alpha = 1.0;
+    double factor = 0.0; // 0: there is none
+};
+
+std::optional<Lobe> lobe_of(const shading::Frostbite<double>& m) {
+    return Lobe{m.f0, m.f90, m.alpha, 1.0};
+}
+std::optional<Lobe> lobe_of(const shading::Ggx<double>& m) {
+    return Lobe{m.f0, 1.0, m.alpha, 1.0};
+}
+std::optional<Lobe> lobe_of(const shading::Ue4<double>& m) {
+    return Lobe{m.f0, 1.0, m.alpha, m.cavity};
+}
+std::optional<Lobe> lobe_of(const shading::Eon<double>& /*none*/) {
+    return Lobe{};
+}
+std::optional<Lobe> lobe_of(const shading::Lambert<double>& /*none*/) {
+    return Lobe{};
+}
+template<class Other>
+std::optional<Lobe> lobe_of(const Other& /*another lobe*/) {
+    return std::nullopt;
+}
+
+template<class CoreLight>
+shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal, Vec view, double alpha,
+                                            IrradianceMethod method) {
+    using shading::specular_by;
+    using shading::SpecularMethod;
+    switch (method) {
+    case IrradianceMethod::dominant_direction:
+        return specular_by<SpecularMethod::dominant_direction>(light, to_center, normal, view, alpha);
+    case IrradianceMethod::specular_d:
+        return specular_by<SpecularMethod::specular_d>(light, to_center, normal, view, alpha);
+    case IrradianceMethod::spherical_hack:
+        return specular_by<SpecularMethod::spherical_hack>(light, to_center, normal, view, alpha);
+    case IrradianceMethod::sun_disk:
+        return specular_by<SpecularMethod::sun_disk>(light, to_center, normal, view, alpha);
+    case IrradianceMethod::representative_point:
+        return specular_by<SpecularMethod::representative_point>(light, to_center, normal, view, alpha);
+    default:
+        return specular_by<SpecularMethod::ltc>(light, to_center, normal, view, alpha);
+    }
+}
+
+// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
+double sun_radius(const SunShape& sun) {
+    return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
+}
+
+struct ByMethod {
+    const Light& light;
+    const shading::SurfacePoint<double>& point; // at the origin
+    const Material& material;
+    IrradianceMethod method;
+    Vec center; // from the point
+
+    NamedLuminance operator()(const SphereShape& s) const {
+        return of(shading::SphereLight<double>{center, luminance(), s.radius.value, 0.0});
+    }
+    NamedLuminance operator()(const DiskShape& s) const {
+        return of(
+            shading::DiskLight<double>{center, luminance(), vec(-light.frame.z), s.radius.value, 0.0, s.two_sided});
+    }
+    NamedLuminance operator()(const RectShape& s) const {
+        return of(shading::RectangleLight<double>{center, luminance(), vec(-light.frame.z), vec(light.frame.x),
+                                                  s.width.value, s.height.value, 0.0, s.two_sided});
+    }
+    NamedLuminance operator()(const TubeShape& s) const {
+        return of(
+            shading::TubeLight<double>{center, luminance(), vec(light.frame.x), s.radius.value, s.length.value, 0.0});
+    }
+    NamedLuminance operator()(const SunShape& s) const {
+        return of(shading::SphereLight<double>{vec(light.frame.z), luminance(), sun_radius(s), 0.0});
+    }
+    template<class Punctual>
+    NamedLuminance operator()(const Punctual& /*shape*/) const {
+        return {};
+    }
+
+private:
+    Vec luminance() const { return vec(light.color * light.luminance.value); }
+
+    static double y_of(Vec rgb) { return glm::dot(glm::dvec3(rgb.x, rgb.y, rgb.z), rec709_luminance); }
+
+    template<class CoreLight>
+    NamedLuminance of(const CoreLight& core_light) const {
+        return std::visit(
+            [&](const auto& m) {
+                const auto core = core_material(m);
+                NamedLuminance nt;
+                nt.diffuse_nt = diffuse(core_light, core);
+                const Lobe lobe = lobe_of(core).value_or(Lobe{});
+                if (!(lobe.factor > 0.0)) return nt;
+                const auto share =
+                    specular(core_light, core_light.center, point.normal, point.view, lobe.alpha, method);
+                const auto channel = [&](double f0) {
+                    return lobe.factor * share.scale * (f0 + (lobe.f90 - f0) * share.grazing);
+                };
+                nt.specular_nt =
+                    y_of(core_light.luminance * Vec{channel(lobe.f0.x), channel(lobe.f0.y), channel(lobe.f0.z)});
+                return nt;
+            },
+            material);
+    }
+
+    template<class CoreLight, class Core>
+    double diffuse(const CoreLight& core_light, const Core& core) const {
+        if constexpr (requires { core.linear_roughness; })
+            if (method == IrradianceMethod::ltc)
+                return y_of(core_light.luminance * core.albedo) * shading::diffuse_ltc(core_light, core_light.center,
+                                                                                       point.normal, point.view,
+                                                                                       core.linear_roughness);
+        return y_of(shading::shade_parts(point, core_light, core).diffuse);
+    }
+};
+
+} // namespace
+
+bool is_specular_method(IrradianceMethod method) {
+    switch (method) {
+    case IrradianceMethod::ltc:
+    case IrradianceMethod::representative_point:
+    case IrradianceMethod::dominant_direction:
+    case IrradianceMethod::specular_d:
+    case IrradianceMethod::spherical_hack:
+    case IrradianceMethod::sun_disk:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool has_named_lobe(const Material& material) {
+    return std::visit([](const auto& m) { return lobe_of(core_material(m)).has_value(); }, material);
+}
+
+NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                               const ProbeSurface& surface, IrradianceMethod method) {
+    const Vec center = vec(light.frame.origin - position);
+    const shading::SurfacePoint<double> point{{0.0, 0.0, 0.0}, vec(normal), vec(surface.view)};
+    NamedLuminance nt = std::visit(ByMethod{light, point, surface.material, method, center}, light.shape);
+    const double masked = mask_share(light, position);
+    nt.diffuse_nt *= masked;
+    nt.specular_nt *= masked;
+    if (light.range && !std::holds_alternative<SunShape>(light.shape)) {
+        const double window = shading::window_squared(shading::length(center), 1.0 / light.range->value);
+        nt.diffuse_nt *= window;
+        nt.specular_nt *= window;
+    }
+    return nt;
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,207 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/polar_cubature.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/detail/surface_parts.hpp>
+#include <gonio/scene/reference.hpp>
+#include <gonio/shading/falloff.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace gonio {
+
+namespace {
+
+using detail::CubatureResult;
+using detail::LightRegion;
+using detail::PolarPeak;
+using detail::Vec;
+
+Vec vec(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+// Lights that are seen smaller than this have no digits left of their own outline; they are a direction.
+constexpr double least_reach = 1e-8; // [rad]
+
+// Where the shape is seen from a receiver at the origin; all lengths by `scale`.
+struct Region {
+    const Frame& frame;
+    Vec center;
+    Vec normal;
+    double scale;
+
+    LightRegion operator()(const SphereShape& s) const {
+        return LightRegion::sphere(center, scale * s.radius.value, normal);
+    }
+    LightRegion operator()(const DiskShape& s) const {
+        return LightRegion::disk(center, vec(-frame.z), scale * s.radius.value, s.two_sided, normal);
+    }
+    LightRegion operator()(const RectShape& s) const {
+        return LightRegion::rectangle(center, vec(-frame.z), vec(frame.x), scale * s.width.value,
+                                      scale * s.height.value, s.two_sided, normal);
+    }
+    LightRegion operator()(const TubeShape& s) const {
+        return LightRegion::tube(center, vec(frame.x), scale * s.radius.value, scale * s.length.value, normal);
+    }
+    LightRegion operator()(const SunShape& s) const {
+        const double sigma = 0.5 * s.diameter.value;
+        return LightRegion::cap(vec(frame.z), std::sin(sigma), std::max(std::cos(sigma), 0.0), normal);
+    }
+    // A cap without a size.
+    template<class Punctual>
+    LightRegion operator()(const Punctual& /*shape*/) const {
+        return LightRegion::cap(normal, 0.0, 1.0, normal);
+    }
+};
+
+double largest_size(const Shape& shape) {
+    if (const auto* s = std::get_if<SphereShape>(&shape)) return s->radius.value;
+    if (const auto* s = std::get_if<DiskShape>(&shape)) return s->radius.value;
+    if (const auto* s = std::get_if<RectShape>(&shape)) return std::max(s->width.value, s->height.value);
+    if (const auto* s = std::get_if<TubeShape>(&shape)) return std::max(s->radius.value, s->length.value);
+    return 0.0;
+}
+
+// The light's luminance towards the receiver from the direction ω, over that of its brightest.
+class EmissionByDirection {
+public:
+    explicit EmissionByDirection(const Light& light) : light_(light), mask_(mask_of(light.shape).web) {}
+
+    double operator()(Vec toward) const {
+        if (mask_ == nullptr) return 1.0;
+        const glm::dvec3 local = light_.frame.to_local(-glm::dvec3(toward.x, toward.y, toward.z));
+        return std::max(light_.web_scale * mask_->candela(local), 0.0);
+    }
+
+private:
+    const Light& light_;
+    const Web* mask_;
+};
+
+// Of a function without a peak of its own: the pole in the light's middle.
+PolarPeak smooth(const LightRegion& region, Vec normal) {
+    const Vec middle = region.middle();
+    Vec along = normal - middle * dot(normal, middle);
+    if (!(dot(along, along) > 1e-12)) along = cross(middle, std::abs(middle.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+    return {middle, along, 1.0, 1.0};
+}
+
+// Of a lobe of normals of the width α: about the mirrored view the light's direction moves by 2 in the plane of
+// incidence and by 2 n·v across it, for 1 of the normal. From views at the horizon the pole is lifted off it by α, by
+// which nothing of the lobe changes: seen from within its width the horizon would turn sharply.
+PolarPeak lobe(const LightRegion& region, Vec normal, Vec view, double alpha) {
+    const double cosine = dot(normal, view);
+    const double lifted = std::clamp(alpha, 1e-3, 0.5);
+    const Vec mirrored = normal * (2.0 * cosine) - view + normal * std::max(lifted - cosine, 0.0);
+    const Vec pole = mirrored * (1.0 / shading::length(mirrored));
+    const double squeeze = std::min(std::max(cosine, lifted), 1.0);
+    const double width = 2.0 * alpha;
+    // From far, or before a wide lobe, nothing happens within a small light.
+    const double away = shading::length(region.middle() - pole);
+    if (region.reach() >= least_reach && region.reach() < 1e-4 * std::max(width * squeeze, away))
+        return smooth(region, normal);
+    Vec along = normal - pole * dot(normal, pole);
+    if (!(dot(along, along) > 1e-12)) along = smooth(region, normal).along;
+    return {pole, along, width, squeeze};
+}
+
+double bounded(double value) {
+    return std::min(std::max(value, 0.0), shading::illuminance_ceiling);
+}
+
+struct Pose {
+    LightRegion region;
+    Vec normal;
+    double scale; // luminance, and the window of the range
+};
+
+Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
+    const Vec center = vec(light.frame.origin - position);
+    const bool windowed = light.range && !std::holds_alternative<SunShape>(light.shape);
+    const double window = windowed ? shading::window_squared(shading::length(center), 1.0 / light.range->value) : 1.0;
+    // Squares of what is scaled neither overflow nor vanish.
+    const double scale =
+        simd::reciprocal_power_of_two(std::max(shading::largest_component(center), largest_size(light.shape)));
+    return {std::visit(Region{light.frame, center * scale, vec(normal), scale}, light.shape), vec(normal),
+            light.luminance.value * window};
+}
+
+// ∫ f(l) ⟨n·l⟩ over the light times its luminance; f is a function of the unit direction. `closed_lx` is the integral
+// for f = 1.
+template<class F>
+ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, double closed_lx,
+                         const ReferenceGoal& goal) {
+    const double relative_error = std::max(goal.relative_error, 1e-13);
+    const double reach = p.region.reach();
+    if (reach < least_reach) {
+        // f varies by the square of the light's extent in its lobe's.
+        const double value = f(p.region.middle()) * closed_lx;
+        const double extent = reach / (peak.width * peak.squeeze);
+        const double error = value * (1e-10 + extent * extent);
+        return {bounded(value), bounded(error), 1, error <= relative_error * value};
+    }
+    const auto integrand = [&](Vec l) { return f(l) * std::max(dot(p.normal, l), 0.0); };
+    detail::PolarCubature<decltype(integrand)> cubature(p.region, peak, integrand);
+    const CubatureResult result = cubature.integrate({relative_error, goal.most_evaluations});
+    return {bounded(result.value * p.scale), bounded(result.error_estimate * p.scale), result.evaluations,
+            result.converged};
+}
+
+// By the closed form, without the mask.
+double closed_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
+    Light bare = light;
+    std::visit(
+        [](auto& shape) {
+            if constexpr (requires { shape.mask; }) shape.mask.reset();
+        },
+        bare.shape);
+    return detail::illuminance_of(bare, position, normal, {IrradianceMethod::exact, {}}).illuminance_lx;
+}
+
+} // namespace
+
+ReferenceValue operator+(const ReferenceValue& a, const ReferenceValue& b) {
+    return {a.value + b.value, a.error_estimate + b.error_estimate, a.evaluations + b.evaluations,
+            a.converged && b.converged};
+}
+
+bool has_extent(const Shape& shape) {
+    return std::holds_alternative<SphereShape>(shape) || std::holds_alternative<DiskShape>(shape) ||
+           std::holds_alternative<RectShape>(shape) || std::holds_alternative<TubeShape>(shape) ||
+           std::holds_alternative<SunShape>(shape);
+}
+
+ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                                     const ReferenceGoal& goal) {
+    if (!has_extent(light.shape)) return {};
+    const Pose p = pose(light, position, normal);
+    if (p.region.dark() || !(p.scale > 0.0)) return {};
+    const EmissionByDirection emission(light);
+    const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
+    return integrate(p, smooth(p.region, p.normal), emission, closed_lx, goal);
+}
+
+ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
+                                       const glm::dvec3& view, const Material& material, const ReferenceGoal& goal) {
+    if (!has_extent(light.shape) || !(glm::dot(normal, view) > 0.0)) return {};
+    const Pose p = pose(light, position, normal);
+    if (p.region.dark() || !(p.scale > 0.0)) return {};
+    const EmissionByDirection emission(light);
+    const Vec v = vec(view);
+    const Vec weight = vec(rec709_luminance * light.color); // to Y
+    const detail::SurfaceParts parts = detail::surface_parts(material);
+    const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
+    const auto part = [&](const detail::SurfaceParts::Reflectance& reflectance, const PolarPeak& peak) {
+        const auto f = [&](Vec l) { return dot(weight, reflectance(p.normal, l, v)) * emission(l); };
+        return integrate(p, peak, f, closed_lx, goal);
+    };
+    return {part(parts.diffuse, smooth(p.region, p.normal)),
+            part(parts.specular, lobe(p.region, p.normal, v, parts.alpha))};
+}
+
+} // namespace gonio
