@@ -1,5 +1,6 @@
 #include <gonio/color/kernels.hpp>
 #include <gonio/color/kernels_impl.hpp>
+#include <gonio/simd/kernel_choice.hpp>
 
 namespace gonio::color {
 
@@ -21,22 +22,7 @@ RgbConstants rgb_constants(const RgbSpace& space) {
 }
 
 const Kernels& kernels(simd::InstructionSet set) {
-    if (!simd::available(set)) return detail::kernels_scalar;
-    switch (set) {
-#if defined(__x86_64__)
-    case simd::InstructionSet::sse2:
-        return detail::kernels_sse2;
-    case simd::InstructionSet::avx2:
-        return detail::kernels_avx2;
-    case simd::InstructionSet::avx512:
-        return detail::kernels_avx512;
-#elif defined(__aarch64__)
-    case simd::InstructionSet::neon:
-        return detail::kernels_neon;
-#endif
-    default:
-        return detail::kernels_scalar;
-    }
+    return GONIO_CHOSEN_KERNELS(set, detail::kernels);
 }
 
 } // namespace gonio::color

@@ -1,0 +1,53 @@
+// One of the tables of kernels that a room has for each instruction set, by the set asked for at run time.
+//
+// The tables' names end in the set's, as the sources' do that gonio_kernel_sources() compiles:
+// GONIO_CHOSEN_KERNELS(set, detail::kernels) is detail::kernels_avx2, or detail::kernels_scalar where this build or
+// machine has no such set.
+#pragma once
+
+#include <gonio/simd/dispatch.hpp>
+
+namespace gonio::simd::detail {
+
+#if defined(__x86_64__)
+
+template<class Kernels>
+const Kernels& chosen(InstructionSet set, const Kernels& scalar, const Kernels& sse2, const Kernels& avx2,
+                      const Kernels& avx512) {
+    if (!available(set)) return scalar;
+    switch (set) {
+    case InstructionSet::sse2:
+        return sse2;
+    case InstructionSet::avx2:
+        return avx2;
+    case InstructionSet::avx512:
+        return avx512;
+    default:
+        return scalar;
+    }
+}
+
+#define GONIO_CHOSEN_KERNELS(set, stem)                                                                                \
+    ::gonio::simd::detail::chosen(set, stem##_scalar, stem##_sse2, stem##_avx2, stem##_avx512)
+
+#elif defined(__aarch64__)
+
+template<class Kernels>
+const Kernels& chosen(InstructionSet set, const Kernels& scalar, const Kernels& neon) {
+    return available(set) && set == InstructionSet::neon ? neon : scalar;
+}
+
+#define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_scalar, stem##_neon)
+
+#else
+
+template<class Kernels>
+const Kernels& chosen(InstructionSet /*set*/, const Kernels& scalar) {
+    return scalar;
+}
+
+#define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_scalar)
+
+#endif
+
+} // namespace gonio::simd::detail
