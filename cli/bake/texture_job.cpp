@@ -9,13 +9,12 @@
 
 #include "../json_text.hpp"
 #include "../stopwatch.hpp"
+#include "texture_picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace gonio::cli {
@@ -34,20 +33,6 @@ std::vector<std::string> face_files(const std::string& output) {
     for (const std::string_view face : face_names)
         files.push_back(fmt::format("{}-{}{}", stem, face, has_end ? output.substr(dot) : std::string()));
     return files;
-}
-
-TexelType texel_type(media::Pixel pixel) {
-    switch (pixel) {
-    case media::Pixel::uint8:
-        return TexelType::uint8;
-    case media::Pixel::uint16:
-        return TexelType::uint16;
-    case media::Pixel::half:
-        return TexelType::half;
-    case media::Pixel::float32:
-        break;
-    }
-    return TexelType::float32;
 }
 
 int channels_of(const BakeRequest& request) {
@@ -113,45 +98,10 @@ media::ImageWriteOptions write_options(const std::string& sidecar, media::Pixel 
     return options;
 }
 
-// A part of the texels as a picture of `channels`, encoded as the file wants it.
-Image picture(const Texture& texture, int x, int width, int channels) {
-    Image image(width, texture.image.height, channels);
-    for (int row = 0; row < image.height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const float value = *texture.image.at(x + column, row);
-            const float stored = texture.transfer == Transfer::linear
-                                     ? value
-                                     : static_cast<float>(encoded(texture.transfer, static_cast<double>(value)));
-            std::fill_n(image.at(column, row), channels, stored);
-        }
-    return image;
-}
-
 Result<Texture> baked(const Web& web, const BakeOptions& options, const std::optional<ErrorLimit>& limit) {
     if (!limit) return bake_texture(web, options);
     const double cd = limit->of_peak ? limit->value * peak(web).intensity.value : limit->value;
     return bake_smallest(web, options, Candelas(cd));
-}
-
-struct OutputFile {
-    std::string name;
-    std::string bytes;
-};
-
-// All of them or none: what stands there after a failure would be taken for whole.
-Result<void> write_all(const std::vector<OutputFile>& files) {
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        Result<void> written = write_output(files[i].name, files[i].bytes);
-        if (written) continue;
-        if (i > 0)
-            for (const OutputFile& file : files) {
-                std::error_code ignored;
-                if (file.name != "-" && std::filesystem::is_regular_file(file.name, ignored))
-                    std::filesystem::remove(file.name, ignored);
-            }
-        return written;
-    }
-    return {};
 }
 
 Result<ManifestFile> hashed(const std::string& file) {
@@ -251,12 +201,12 @@ Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& reque
     const media::ImageWriteOptions writing = write_options(sidecar, job.pixel, channels_of(request));
     for (std::size_t i = 0; i < job.pictures.size(); ++i) {
         Result<std::string> bytes = media::encode_image(
-            picture(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
+            texture_picture(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
         if (!bytes) return pass_on(bytes);
         files.push_back({job.pictures[i], std::move(*bytes)});
     }
     if (job.sidecar) files.push_back({*job.sidecar, sidecar});
-    if (Result<void> written = write_all(files); !written) return pass_on(written);
+    if (Result<void> written = write_outputs(files); !written) return pass_on(written);
 
     if (request.manifest) {
         made.asset.input = source;

@@ -9,11 +9,13 @@
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
+#include "../bake/texture_picture.hpp"
 #include "../batch.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
@@ -95,7 +97,7 @@ Result<Request> parse(const Arguments& arguments) {
         request.light.rotation = Radians(*angle);
     }
     const auto color = arguments.value("--color");
-    if (color && *color != "auto" && *color != "always" && *color != "never") {
+    if (color && !is_about_messages(*color)) {
         const Result<glm::dvec3> rgb = parse_light_color(*color); // before anything is written
         if (!rgb) return Unexpected(rgb.error());
         request.light.color = *color;
@@ -111,31 +113,13 @@ std::string folder_of(const Request& request, const Target& target) {
     return fmt::format("{}/{}", request.folder, target.name);
 }
 
-media::Pixel pixel_of(TexelType type) {
-    switch (type) {
-    case TexelType::uint8:
-        return media::Pixel::uint8;
-    case TexelType::uint16:
-        return media::Pixel::uint16;
-    case TexelType::half:
-        return media::Pixel::half;
-    case TexelType::float32:
-        break;
-    }
-    return media::Pixel::float32;
-}
-
 // The bytes of an asset's file.
 Result<std::string> bytes_of(const AssetFile& file, const Web& web) {
     if (!file.texture) return file.bytes;
     Result<Texture> texture = bake_texture(web, file.texture->bake);
     if (!texture) return pass_on(texture);
-    const Image& texels = texture->image;
     const int channels = file.texture->channels;
-    Image image(texels.width, texels.height, channels);
-    for (int row = 0; row < image.height; ++row)
-        for (int column = 0; column < image.width; ++column)
-            std::fill_n(image.at(column, row), channels, *texels.at(column, row));
+    const Image image = texture_picture(*texture, 0, texture->image.width, channels);
     media::ImageWriteOptions options;
     options.pixel = pixel_of(file.texture->bake.texel_type);
     if (channels == 1) options.channel_names = {"Y"};
@@ -150,7 +134,7 @@ struct Written {
 // All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
 Result<std::vector<Written>> write_targets(const MeasuredLight& light, const Request& request) {
     std::vector<Written> written;
-    std::vector<std::pair<std::string, std::string>> contents;
+    std::vector<OutputFile> contents;
     for (const Target* target : request.targets) {
         Written files{target, {}};
         for (const AssetFile& file : target->files(light)) {
@@ -160,14 +144,11 @@ Result<std::vector<Written>> write_targets(const MeasuredLight& light, const Req
             if (!request.overwrite && file_exists(path))
                 return fail(Failure::usage, fmt::format("'{}' exists", path), "add --overwrite");
             files.files.push_back({path, sha256(*bytes)});
-            contents.emplace_back(path, std::move(*bytes));
+            contents.push_back({path, std::move(*bytes)});
         }
         written.push_back(std::move(files));
     }
-    for (const auto& [path, bytes] : contents) {
-        const Result<void> done = write_file(path, bytes);
-        if (!done) return Unexpected(done.error());
-    }
+    if (const Result<void> done = write_outputs(contents); !done) return Unexpected(done.error());
     return written;
 }
 

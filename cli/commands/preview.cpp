@@ -44,14 +44,8 @@ constexpr std::array picture_output_options{
     Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
     Option{"-n,--dry-run", "", "check everything, render nothing"},
 };
-constexpr std::array preview_common{
-    Option{"-q,--quiet", "", "no warnings, notes or progress"},
-    Option{"-v,--verbose", "", "say what is done and how long it takes"},
-    Option{"-h,--help", "", "this text"},
-};
 constexpr std::array groups{light_group, OptionGroup{"picture", picture_options},
-                            OptionGroup{"output", picture_output_options}, json_group,
-                            OptionGroup{"common options", preview_common}};
+                            OptionGroup{"output", picture_output_options}, json_group, light_common_group};
 constexpr std::array examples{
     Example{"gonio preview lamp.ies --stage floor -s 512x512 -o lamp.png", "how a measured luminaire lights a room"},
     Example{"gonio preview --shape sphere:r=10cm --intensity 800lm -o bulb.png", "a globe"},

@@ -9,13 +9,9 @@
 
 namespace gonio::cli {
 
-namespace {
-
 bool is_about_messages(std::string_view color) {
     return color == "auto" || color == "always" || color == "never";
 }
-
-} // namespace
 
 Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position,
                                      Diagnostics& diagnostics) {

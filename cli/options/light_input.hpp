@@ -26,6 +26,9 @@ inline constexpr std::array light_options{
 
 inline constexpr OptionGroup light_group{"light", light_options};
 
+// Whether a --color is when diagnostics are coloured, and not a light's colour.
+bool is_about_messages(std::string_view color);
+
 // The light of the positional FILE or --shape. Reads no profile; what there is to say of the colour goes to
 // `diagnostics`. Fails (usage) when there is none or both, and on what the
 // options cannot mean.

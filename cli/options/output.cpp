@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
 
 namespace gonio::cli {
 
@@ -37,6 +39,21 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
 
 Result<void> write_output(const std::string& output, std::string_view bytes) {
     return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
+}
+
+Result<void> write_outputs(const std::vector<OutputFile>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Result<void> written = write_output(files[i].name, files[i].bytes);
+        if (written) continue;
+        if (i > 0)
+            for (const OutputFile& file : files) {
+                std::error_code ignored;
+                if (file.name != "-" && std::filesystem::is_regular_file(file.name, ignored))
+                    std::filesystem::remove(file.name, ignored);
+            }
+        return written;
+    }
+    return {};
 }
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {

@@ -40,6 +40,14 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
 // To the file, or to standard output for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
 
+struct OutputFile {
+    std::string name; // "-" is standard output
+    std::string bytes;
+};
+
+// All of them or none: what stands there after a failure would be taken for whole.
+Result<void> write_outputs(const std::vector<OutputFile>& files);
+
 // The refusal of an output (a "picture", a "profile") and a report that would both go to standard output.
 Unexpected both_to_standard_output(std::string_view what = "picture");
 
