@@ -1,7 +1,6 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/material_charts.hpp>
 #include <gonio/scene/probe.hpp>
-#include <gonio/scene/rig.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -10,6 +9,7 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/points_input.hpp"
+#include "../options/rig_input.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
@@ -24,9 +24,6 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array rig_options{
-    Option{"--rig", "RIG", "lights from a rig file (JSON), '-' for standard input"},
-};
 constexpr std::array probe_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
     Option{"--compare", "M1,M2", "several methods beside each other, with their errors against the true one",
@@ -85,24 +82,10 @@ struct Request {
 };
 
 Result<void> read_lights(const Arguments& arguments, Request& request) {
-    const auto rig_file = arguments.value("--rig");
-    if (!rig_file) {
-        Result<LightDescription> description = light_input(arguments, {0.0, 0.0, 0.0}, request.diagnostics);
-        if (!description) return pass_on(description);
-        Result<Light> light = resolve_light(std::move(*description), request.diagnostics);
-        if (!light) return pass_on(light);
-        request.lights.push_back(std::move(*light));
-        return {};
-    }
-    if (const std::string_view option = given_light_option(arguments); !option.empty())
-        return fail(Failure::usage, fmt::format("--rig and {} are both given", option),
-                    "the rig says all of its lights");
-    if (!arguments.positional().empty())
-        return fail(Failure::usage, "--rig and a profile are both given", "name the profile in the rig");
-    request.rig = *rig_file;
-    Result<Rig> rig = read_rig_file(*rig_file);
-    if (!rig) return pass_on(rig);
-    Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), request.diagnostics, request.options.threads);
+    Result<LightsInput> input = lights_input(arguments, {0.0, 0.0, 0.0}, request.diagnostics);
+    if (!input) return pass_on(input);
+    request.rig = input->rig_file;
+    Result<std::vector<Light>> lights = resolve_input(std::move(*input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
     return {};

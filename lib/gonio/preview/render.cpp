@@ -58,7 +58,7 @@ public:
             materials_.push_back(material_constants(surface.material));
     }
 
-    void render_tile(Image& image, int left, int top) const {
+    void render_tile(Rendering& image, int left, int top) const {
         const int right = std::min(left + tile_size, options_.width);
         const int bottom = std::min(top + tile_size, options_.height);
         // One pixel more on each side shows which pixels of the tile lie on an outline.
@@ -114,17 +114,18 @@ private:
                (a.hit.surface != b.hit.surface || std::abs(a.visible - b.visible) > 0.5);
     }
 
-    void add_subsamples(Image& image, std::vector<Batch>& batches, int x, int y) const {
+    void add_subsamples(Rendering& image, std::vector<Batch>& batches, int x, int y) const {
         for (int j = 0; j < edge_samples; ++j)
             for (int i = 0; i < edge_samples; ++i)
                 add(image, batches, x, y, look(x + (i + 0.5) / edge_samples, y + (j + 0.5) / edge_samples),
                     1.0 / (edge_samples * edge_samples));
     }
 
-    void add(Image& image, std::vector<Batch>& batches, int x, int y, const Seen& seen, double share) const {
+    void add(Rendering& image, std::vector<Batch>& batches, int x, int y, const Seen& seen, double share) const {
         if (seen.what == Seen::What::emitter) {
             for (int channel = 0; channel < 3; ++channel)
-                image.at(x, y)[channel] += static_cast<float>(share * light_.luminance.value * light_.color[channel]);
+                image.luminance_nt.at(x, y)[channel] +=
+                    static_cast<float>(share * light_.luminance.value * light_.color[channel]);
         }
         if (seen.what != Seen::What::surface || seen.visible <= 0.0) return;
         Batch& batch = batches[seen.hit.surface];
@@ -143,7 +144,7 @@ private:
                               static_cast<std::uint32_t>(x));
     }
 
-    void shade(Image& image, Batch& batch, const shading::MaterialConstants& material) const {
+    void shade(Rendering& image, Batch& batch, const shading::MaterialConstants& material) const {
         const std::size_t count = batch.pixel.size();
         if (count == 0) return;
         shading::Surfaces surfaces;
@@ -161,7 +162,13 @@ private:
         kernels_.shade(surfaces, light, material, rgb.data());
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t channel = 0; channel < 3; ++channel)
-                image.pixels[std::size_t{batch.pixel[i]} * 3 + channel] += batch.weight[i] * rgb[channel][i];
+                image.luminance_nt.pixels[std::size_t{batch.pixel[i]} * 3 + channel] +=
+                    batch.weight[i] * rgb[channel][i];
+        if (!options_.illuminance) return;
+        kernels_.irradiance(surfaces, light, batch.rgb[0].data());
+        const float luminance_nt = is_punctual_ ? 1.0F : static_cast<float>(light_.luminance.value);
+        for (std::size_t i = 0; i < count; ++i)
+            image.illuminance_lx.pixels[batch.pixel[i]] += batch.weight[i] * luminance_nt * batch.rgb[0][i];
     }
 
     const Stage& stage_;
@@ -177,28 +184,35 @@ private:
 
 } // namespace
 
-Result<Image> render(const Stage& stage, const Light& light, const Camera& camera, const RenderOptions& options) {
+Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
+                         const RenderOptions& options) {
     const auto fits = [](int side) { return side >= 1 && side <= max_picture_size; };
     if (!fits(options.width) || !fits(options.height))
         return fail(Failure::usage,
                     fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
                     fmt::format("each side may have 1 to {} pixels", max_picture_size));
-    if (has_extent(light.shape) && mask_of(light.shape).web != nullptr)
-        return fail(Failure::unsupported, fmt::format("a {} behind a mask is not rendered yet", kind_of(light.shape)),
-                    "probe computes what it gives to points");
-    if (!has_kernel(light.shape))
-        return fail(Failure::unsupported,
-                    fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),
-                    "those of every other shape are");
-    Image image(options.width, options.height, 3);
-    const Renderer renderer(stage, light, camera, options);
+    for (const Light& light : lights) {
+        if (has_extent(light.shape) && mask_of(light.shape).web != nullptr)
+            return fail(Failure::unsupported,
+                        fmt::format("a {} behind a mask is not rendered yet", kind_of(light.shape)),
+                        "probe computes what it gives to points");
+        if (!has_kernel(light.shape))
+            return fail(Failure::unsupported,
+                        fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),
+                        "those of every other shape are");
+    }
+    Rendering image{Image(options.width, options.height, 3), {}};
+    if (options.illuminance) image.illuminance_lx = Image(options.width, options.height, 1);
     const int across = (options.width + tile_size - 1) / tile_size;
     const int down = (options.height + tile_size - 1) / tile_size;
-    parallel_for(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), options.threads,
-                 [&](std::size_t tile) {
-                     const int index = static_cast<int>(tile);
-                     renderer.render_tile(image, index % across * tile_size, index / across * tile_size);
-                 });
+    for (const Light& light : lights) {
+        const Renderer renderer(stage, light, camera, options);
+        parallel_for(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), options.threads,
+                     [&](std::size_t tile) {
+                         const int index = static_cast<int>(tile);
+                         renderer.render_tile(image, index % across * tile_size, index / across * tile_size);
+                     });
+    }
     return image;
 }
 
