@@ -3,7 +3,7 @@
 #include <gonio/measure/area_cases.hpp>
 #include <gonio/measure/area_methods.hpp>
 #include <gonio/shading/kernels.hpp>
-#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/shade.hpp>
 
 #include "poses.hpp"
 
@@ -240,7 +240,7 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     }
 }
 
-// The kernels against shade_area.hpp in double.
+// The kernels against shade.hpp in double.
 TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
     const AreaCases cases = gonio::measure::area_cases(kind, scaled(20'000), 25);
     std::vector<float> view[3];
