@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gonio::plot_detail {
@@ -15,6 +16,7 @@ constexpr double numbers_below_px = 40.0;
 constexpr double scale_width_px = 14.0;
 
 double share(const Axis& axis, double value) {
+    if (axis.logarithmic) return std::log(value / axis.at.front()) / std::log(axis.at.back() / axis.at.front());
     return (value - axis.at.front()) / (axis.at.back() - axis.at.front());
 }
 
