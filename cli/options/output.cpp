@@ -48,6 +48,18 @@ Result<void> write_output(const std::string& output, std::string_view bytes) {
     return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
 }
 
+Result<void> check_writable(const std::string& output) {
+    if (output == "-") return {};
+    if (is_folder(output)) return fail(Failure::io, "is a folder, and cannot be written as a file", {}, output);
+    std::error_code ignored;
+    if (file_exists(output) && !std::filesystem::is_regular_file(output, ignored)) return {}; // a device, a pipe
+    const std::string trial = output + ".trial";
+    Result<void> written = write_file(trial, {});
+    if (!written) return fail(written.error().failure, written.error().diagnostics.back().message, {}, output);
+    std::filesystem::remove(trial, ignored);
+    return {};
+}
+
 Result<void> write_outputs(const std::vector<OutputFile>& files) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         Result<void> written = write_output(files[i].name, files[i].bytes);

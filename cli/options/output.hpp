@@ -44,6 +44,10 @@ Result<std::string> encode_for_display(const Image& image, const media::ImageFor
 // To the file, or to standard output for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
 
+// Whether the file could be written, for work that is too long to find out at its end. Writes and removes a file beside
+// it; what exists there is left alone.
+Result<void> check_writable(const std::string& output);
+
 struct OutputFile {
     std::string name; // "-" is standard output
     std::string bytes;

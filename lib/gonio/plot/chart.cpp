@@ -2,6 +2,7 @@
 #include <gonio/plot/chart.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gonio::plot_detail {
@@ -14,6 +15,7 @@ constexpr double scale_width_px = 14.0;
 constexpr Ink numbers_ink = ink(0x555555);
 
 double share(const Axis& axis, double value) {
+    if (axis.logarithmic) return std::log(value / axis.at.front()) / std::log(axis.at.back() / axis.at.front());
     return (value - axis.at.front()) / (axis.at.back() - axis.at.front());
 }
 

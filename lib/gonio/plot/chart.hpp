@@ -1,4 +1,4 @@
-// A chart with two linear axes: where values lie on the page, grid lines, numbers and names of the axes.
+// A chart with two axes, linear or logarithmic: where values lie on the page, grid lines, numbers and names of the axes.
 // Internal to the room.
 #pragma once
 
@@ -13,6 +13,7 @@ namespace gonio::plot_detail {
 struct Axis {
     std::string_view name;  // "gamma [°]"
     std::vector<double> at; // where the lines stand: ascending, at least two; the first and last bound the axis
+    bool logarithmic = false; // all of them above 0
 };
 
 class Chart {
