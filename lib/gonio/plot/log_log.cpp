@@ -170,8 +170,10 @@ Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const Lo
     Svg svg(width, height, options.title);
     svg.text({margin_px, headline_px - 8.0}, options.title, TextAnchor::start, 16.0, R"(font-weight="bold")");
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const double left = static_cast<double>(static_cast<int>(i) % columns * options.panel_width_px);
-        const double top = headline_px + static_cast<double>(static_cast<int>(i) / columns * options.panel_height_px);
+        const auto index = static_cast<int>(i);
+        const int row = index / columns;
+        const double left = index % columns * options.panel_width_px;
+        const double top = headline_px + row * options.panel_height_px;
         draw_panel(svg, *shown[i],
                    {left + margin_px, top + margin_px, left + options.panel_width_px - margin_px,
                     top + options.panel_height_px - 4.0});
