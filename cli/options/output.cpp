@@ -37,6 +37,13 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
                 "end it in .png or .exr, or add --to");
 }
 
+Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format) {
+    media::ImageWriteOptions write;
+    write.pixel = media::Pixel::uint8;
+    write.color_space = "sRGB";
+    return media::encode_image(image, format, write);
+}
+
 Result<void> write_output(const std::string& output, std::string_view bytes) {
     return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
 }

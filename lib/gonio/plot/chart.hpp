@@ -2,10 +2,9 @@
 // Internal to the room.
 #pragma once
 
+#include <gonio/plot/drawing.hpp>
 #include <gonio/plot/frame.hpp>
-#include <gonio/plot/svg.hpp>
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,12 +22,12 @@ public:
     // in both directions.
     Chart(const Area& area, Axis x, Axis y, bool y_down = false, bool square = false);
 
-    SvgPoint at(double x, double y) const;
+    PagePoint at(double x, double y) const;
     const Area& inner() const { return inner_; }
 
-    // Grid lines in `style`, numbers and names; to be drawn before or after what is charted.
-    void draw_lines(Svg& svg, std::string_view style) const;
-    void draw_numbers(Svg& svg) const;
+    // Grid lines, numbers and names; to be drawn before or after what is charted.
+    void draw_lines(Drawing& drawing, Ink ink) const;
+    void draw_numbers(Drawing& drawing) const;
 
 private:
     Area inner_;
@@ -38,7 +37,7 @@ private:
 };
 
 // Values by colour: a strip beside a chart, `levels` ascending, each colour holding from its level to the next one.
-void draw_color_scale(Svg& svg, const Area& area, const std::vector<double>& levels,
-                      const std::vector<std::string>& colors, std::string_view unit);
+void draw_color_scale(Drawing& drawing, const Area& area, const std::vector<double>& levels,
+                      const std::vector<Ink>& colors, std::string_view unit);
 
 } // namespace gonio::plot_detail

@@ -4,7 +4,7 @@
 #include <gonio/measure/area_methods.hpp>
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/shading/kernels.hpp>
-#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/shade.hpp>
 
 #include "poses.hpp"
 
@@ -241,7 +241,7 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     }
 }
 
-// The kernels against shade_area.hpp in double.
+// The kernels against shade.hpp in double.
 TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
     const AreaCases cases = gonio::measure::area_cases(kind, scaled(20'000), 25);
     std::vector<float> view[3];
