@@ -111,7 +111,7 @@ private:
     static bool differ(const Seen& a, const Seen& b) {
         if (a.what != b.what) return true;
         return a.what == Seen::What::surface &&
-               (a.hit.surface != b.hit.surface || std::abs(a.visible - b.visible) > 0.5);
+               (a.hit.surface != b.hit.surface || a.hit.face != b.hit.face || std::abs(a.visible - b.visible) > 0.5);
     }
 
     void add_subsamples(Rendering& image, std::vector<Batch>& batches, int x, int y) const {
