@@ -112,7 +112,7 @@ TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
         Numbers numbers(3);
         std::vector<Light> all;
         for (LightDescription& light : every_light()) {
-            light.position = stage.light_position + numbers.in_box(0.9);
+            light.position = stage.light.position + numbers.in_box(0.9);
             light.direction = numbers.direction();
             all.push_back(resolved(light));
         }
