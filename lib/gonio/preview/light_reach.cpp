@@ -58,28 +58,49 @@ DirectionCone cone_of(const glm::dvec3& axis, double half_angle) {
     return {axis, std::sin(angle), std::cos(angle)};
 }
 
-// γ beyond which a web of type C is dark, from its aim and from the other end.
+// The least and the greatest cosine of angles in [−180°, 180°] between two of them.
+struct Cosines {
+    double least, greatest;
+};
+Cosines cosines(double low_deg, double high_deg) {
+    const double a = std::cos(degrees(low_deg).value);
+    const double b = std::cos(degrees(high_deg).value);
+    return {std::min(a, b), low_deg <= 0.0 && high_deg >= 0.0 ? 1.0 : std::max(a, b)};
+}
+
+// Between which cosines of γ a web has light.
+Cosines lit_cosines(const Web& web) {
+    const std::span<const double> horizontal = web.horizontal_deg();
+    const std::span<const double> vertical = web.vertical_deg();
+    Cosines lit{1.0, -1.0};
+    for (std::size_t column = 0; column < horizontal.size(); ++column)
+        for (std::size_t row = 0; row < vertical.size(); ++row) {
+            if (web.column(column)[row] == 0.0) continue;
+            // The interpolant reaches to the next angles.
+            const Cosines v =
+                cosines(vertical[row > 0 ? row - 1 : row], vertical[std::min(row + 1, vertical.size() - 1)]);
+            Cosines h{1.0, 1.0}; // of type C, cosγ is that of the row; of A and B cos H cos V
+            if (web.photometry() != Photometry::c)
+                h = cosines(horizontal[column > 0 ? column - 1 : column],
+                            horizontal[std::min(column + 1, horizontal.size() - 1)]);
+            for (const double product :
+                 {v.least * h.least, v.least * h.greatest, v.greatest * h.least, v.greatest * h.greatest}) {
+                lit.least = std::min(lit.least, product);
+                lit.greatest = std::max(lit.greatest, product);
+            }
+        }
+    return lit;
+}
+
+// A web's light about its aim, and about the other end.
 void add_web_cones(const Web& web, const Frame& frame, LightReach& reach) {
-    if (web.photometry() != Photometry::c) return;
-    const std::span<const double> gammas = web.gammas_deg();
-    double first = 180.0;
-    double last = 0.0;
-    for (std::size_t row = 0; row < gammas.size(); ++row) {
-        bool lit = false;
-        for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
-            lit = lit || web.column(plane)[row] != 0.0;
-        if (!lit) continue;
-        // The interpolant reaches to the next rows.
-        first = std::min(first, row > 0 ? gammas[row - 1] : gammas[row]);
-        last = std::max(last, row + 1 < gammas.size() ? gammas[row + 1] : gammas[row]);
-    }
-    const auto add = [&](const glm::dvec3& axis, double half_angle_deg) {
-        // What the renderer's table takes for its end.
-        const double half_angle = degrees(half_angle_deg).value + angle_room;
-        if (half_angle_deg < 180.0) reach.cones[reach.cone_count++] = cone_of(axis, half_angle);
+    const Cosines lit = lit_cosines(web);
+    const auto add = [&](const glm::dvec3& axis, double cosine) {
+        // The room is also for what the renderer's table takes for its end.
+        if (cosine > -1.0) reach.cones[reach.cone_count++] = cone_of(axis, std::acos(cosine) + angle_room);
     };
-    add(-frame.z, last);
-    add(frame.z, 180.0 - first);
+    add(-frame.z, lit.least);
+    add(frame.z, -lit.greatest);
 }
 
 struct OwnCone {

@@ -95,6 +95,19 @@ std::vector<LightDescription> every_light() {
         lights.push_back(measured(symmetry, 0.0, 70.0));
         lights.push_back(measured(symmetry, 95.0, 180.0));
     }
+    for (const Photometry type : {Photometry::a, Photometry::b}) {
+        lights.push_back(measured(Symmetry::none, 0.0, 70.0));
+        std::get<ProfileShape>(lights.back().shape).web =
+            std::make_shared<const Web>(Web::create(type, Symmetry::none, test::steps(-60, 40, 11),
+                                                    test::steps(-30, 45, 6), std::vector<double>(66, 700.0))
+                                            .value());
+        lights.push_back(measured(Symmetry::none, 0.0, 70.0));
+        std::vector<double> slopes;
+        for (int i = 0; i < 35; ++i)
+            slopes.push_back(10.0 * (i % 7) + 3.0 * i);
+        std::get<ProfileShape>(lights.back().shape).web = std::make_shared<const Web>(
+            Web::create(type, Symmetry::quadrant, test::steps(0, 80, 7), test::steps(0, 50, 5), slopes).value());
+    }
     lights.push_back(described("disk:r=30cm", "800lm"));
     std::get<DiskShape>(lights.back().shape).mask = std::make_shared<const Web>(web_of(Symmetry::none, 0.0, 45.0, 6));
     lights.push_back(described("spot:outer=70deg", "800lm"));
