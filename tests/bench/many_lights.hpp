@@ -1,7 +1,7 @@
 // A seeded rig of many small lights over a square: what a renderer's culling is measured by.
 //
-// Half of the lights are spots, half of them profiles of this project, all of 10 to 100 cd, hung 2.5 to 5 m high and
-// aimed within 20° of the nadir: the lights of a park or a car park. Each has the range at which it leaves 0.1 lx.
+// Half of the lights are spots, half of them profiles of this project, all of 5 to 60 cd, hung 2.5 to 5 m high and
+// aimed within 20° of the nadir: a park lit to a few lux. Each has the range at which it leaves 0.1 lx.
 #pragma once
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ inline std::string many_lights(std::size_t count, double side_m, const std::stri
         const std::string shape =
             i % 2 == 0 ? fmt::format("spot:outer={:.2f}deg,inner={:.2f}deg", outer_deg, 0.6 * outer_deg)
                        : fmt::format("ies:{}/{}.ies", profiles_folder, profiles[i / 2 % profiles.size()]);
-        const double cd = std::exp(between(std::log(10.0), std::log(100.0)));
+        const double cd = std::exp(between(std::log(5.0), std::log(60.0)));
         const double tilt = between(0.0, 20.0) * std::numbers::pi / 180.0;
         const double turn = between(0.0, 2.0 * std::numbers::pi);
         const double x = between(-0.5, 0.5) * side_m;

@@ -45,6 +45,20 @@ bool misses(const DirectionCone& cone, const Seen& seen) {
     return glm::dot(cone.axis, seen.toward) < cosine_of_sum(cone.sine, cone.cosine, seen.sine, seen.cosine);
 }
 
+// The same by the plane that touches the cone on the side where the box is: tighter for long boxes. Of cones that are
+// not wider than a right angle.
+bool misses_box(const DirectionCone& cone, const glm::dvec3& apex, const SampleBounds& bounds) {
+    if (cone.cosine < 0.0) return false;
+    const glm::dvec3 way = bounds.center - apex;
+    const glm::dvec3 across = way - glm::dot(way, cone.axis) * cone.axis;
+    const double distance = glm::length(across);
+    if (!(distance > 0.0)) return false;
+    const glm::dvec3 normal = across * (cone.cosine / distance) - cone.axis * cone.sine;
+    const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
+    const double reach = glm::dot(glm::abs(normal), half);
+    return glm::dot(normal, way) > reach + length_room * (glm::length(way) + bounds.radius);
+}
+
 // Whether all directions within `sine` of `toward`, as seen from the points, lie below their horizons.
 bool is_below(const SampleBounds& bounds, const glm::dvec3& toward, double sine, double cosine) {
     // The sum of the angle and of the normals' spread stays short of a right angle.
@@ -152,9 +166,9 @@ Unlit LightReach::unlit(const SampleBounds& bounds) const {
     if (!bounds.flat && seen_from(center, bounds, body_radius, seen) &&
         is_below(bounds, -seen.toward, seen.sine, seen.cosine))
         return Unlit::below_horizon;
-    if (cone_count == 0 || !seen_from(center, bounds, 0.0, seen)) return Unlit::no;
+    const bool outside = cone_count > 0 && seen_from(center, bounds, 0.0, seen);
     for (std::size_t i = 0; i < cone_count; ++i)
-        if (misses(cones[i], seen)) return Unlit::outside_cone;
+        if ((outside && misses(cones[i], seen)) || misses_box(cones[i], center, bounds)) return Unlit::outside_cone;
     return Unlit::no;
 }
 

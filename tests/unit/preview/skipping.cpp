@@ -191,17 +191,15 @@ TEST(Skipping, IsNeverWrongAboutWhoGetsNothing) {
             const glm::dvec3 normal = numbers.direction();
             const double size = std::exp(numbers.between(-4.0, 0.0));
             const double bulge = trial % 2 == 0 ? 0.0 : numbers.between(0.0, 1.5);
-            std::vector<glm::dvec3> points;
-            std::vector<glm::dvec3> normals;
+            detail::BoundsBuilder bounds;
             std::vector<Receiver> receivers;
             for (int i = 0; i < 12; ++i) {
                 glm::dvec3 off = numbers.in_box(1.0);
                 off -= glm::dot(off, normal) * normal;
-                points.push_back(at + size * off);
-                normals.push_back(bulge > 0.0 ? glm::normalize(normal + bulge * off) : normal);
-                receivers.push_back({points.back(), normals.back()});
+                receivers.push_back({at + size * off, bulge > 0.0 ? glm::normalize(normal + bulge * off) : normal});
+                bounds.add(receivers.back().position, receivers.back().normal);
             }
-            const bool none = reach.unlit(detail::bounds_of(points, normals)) != detail::Unlit::no;
+            const bool none = reach.unlit(bounds.bounds()) != detail::Unlit::no;
             ProbeOptions options;
             options.method = IrradianceMethod::ltc; // masks from the centre, as pictures take them
             options.threads = 1;
