@@ -132,13 +132,13 @@ public:
 
     Result<void> add(const Light& light) {
         const std::string name = unique(light.name);
-        const bool dark =
-            std::holds_alternative<SunShape>(light.shape) ? !(light.illuminance.value > 0.0) : !emits(light);
+        const bool is_sun = std::holds_alternative<SunShape>(light.shape);
+        const bool dark = is_sun ? !(light.illuminance.value > 0.0) : !emits(light);
         if (dark) {
             say(light, "is dark, and left out");
             return {};
         }
-        if (light.range && !target_.holds.range)
+        if (light.range && !target_.holds.range && !is_sun)
             say(light, fmt::format("its range of {:.6g} m is left out", light.range->value));
         SceneLight made;
         made.name = name;
