@@ -13,6 +13,7 @@
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
 #include <gonio/light/shape.hpp>
+#include <gonio/measure/scaling.hpp>
 #include <gonio/measure/suite.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/diagram.hpp>
@@ -208,6 +209,13 @@ Entries tone_maps() {
     return entries;
 }
 
+Entries scalings() {
+    Entries entries;
+    for (const measure::Scaling& scaling : measure::scalings())
+        entries.push_back({std::string(scaling.name), std::string(scaling.summary)});
+    return entries;
+}
+
 Entries suites() {
     Entries entries;
     for (const measure::Suite& suite : measure::suites())
@@ -240,6 +248,7 @@ constexpr std::array lists{
     NamedList{"palettes", "colours of false-colour pictures", palettes},
     NamedList{"policies", "whose meaning of photometric numbers", policies},
     NamedList{"presets", "everyday sources", presets},
+    NamedList{"scalings", "what bench takes the time of by size", scalings},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"spaces", "linear colour spaces", spaces},

@@ -14,6 +14,9 @@ namespace gonio::cli {
 // --stress: returns the exit status.
 Result<int> bench_stress(const Arguments& arguments, Console& console);
 
+// --scaling: the same.
+Result<int> bench_scaling(const Arguments& arguments, Console& console);
+
 // Fails (usage) where one of `options` is given beside `mode`, which has no use for it.
 Result<void> refuse_beside(std::string_view mode, std::span<const std::string_view> options,
                            const Arguments& arguments);

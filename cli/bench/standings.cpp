@@ -41,8 +41,11 @@ std::string title_text(const Standings& standings) {
 std::string says_text(const Standings& standings) {
     const measure::ContestTitle& title = standings.title;
     const Standing& baseline = standings.rows[standings.baseline];
-    return fmt::format("error {}, of {} values, against {}; time of one {}, ratio to {} {}", title.error,
-                       baseline.error.count, title.truth, title.item, baseline.method, baseline.code);
+    std::size_t values = 0;
+    for (const Standing& row : standings.rows)
+        values = std::max(values, row.error.count);
+    return fmt::format("error {}, of {} values, against {}; time of one {}, ratio to {} {}", title.error, values,
+                       title.truth, title.item, baseline.method, baseline.code);
 }
 
 std::string csv_field(std::string_view text) {

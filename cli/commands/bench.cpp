@@ -34,7 +34,11 @@ constexpr std::array suite_options{
 };
 constexpr std::array stress_options{
     Option{"--stress", "", "adversarial and random input for every numeric function, held to its documented bar"},
-    Option{"--count", "N", "evaluations of all functions together, about (1e7)"},
+    Option{"--count", "N", "--stress: evaluations of all functions together, about (1e7)"},
+};
+constexpr std::array scaling_options{
+    Option{"--scaling", "NAME,...", "time against size instead: lights, pixels, file-size, threads, or all",
+           "scalings"},
 };
 constexpr std::array report_options{
     Option{"--json", "", "one JSON object"},
@@ -43,12 +47,17 @@ constexpr std::array report_options{
     Option{"--markdown", "", "tables in Markdown"},
     Option{"-o,--output", "FILE", "a file besides, .svg: error against time; .csv, .md, .json too; again for more"},
 };
-constexpr std::array groups{OptionGroup{"suites", suite_options}, OptionGroup{"stress", stress_options},
-                            OptionGroup{"report", report_options}, threads_group, common_group};
+constexpr std::array groups{OptionGroup{"suites", suite_options},
+                            OptionGroup{"stress", stress_options},
+                            OptionGroup{"scaling", scaling_options},
+                            OptionGroup{"report", report_options},
+                            threads_group,
+                            common_group};
 constexpr std::array examples{
     Example{"gonio bench --quick", "every method of every kind, error and time, on this machine"},
     Example{"gonio bench --suite irradiance -o irradiance.svg", "one suite, with a chart of error against time"},
     Example{"gonio bench --stress --count 1e8", "whether any function breaks its promise, and on which input"},
+    Example{"gonio bench --scaling lights -o lights.svg", "how time grows with the number of lights"},
     Example{"gonio bench --suite specular --method ltc,specular-d --csv > specular.csv", "two methods, for a program"},
 };
 
@@ -248,7 +257,8 @@ Result<int> bench(const Arguments& arguments, Console& console) {
 }
 
 int run(const Arguments& arguments, Console& console) {
-    const Result<int> status = arguments.has("--stress") ? bench_stress(arguments, console) : bench(arguments, console);
+    const auto mode = arguments.has("--scaling") ? bench_scaling : arguments.has("--stress") ? bench_stress : bench;
+    const Result<int> status = mode(arguments, console);
     return status ? *status : console.fail(status.error());
 }
 
@@ -258,7 +268,7 @@ extern const Command bench_command;
 const Command bench_command{
     "bench",
     "run time against error of every method on this machine",
-    "[--suite NAME] [--quick] | --stress [--count N]",
+    "[--suite NAME] [--quick] | --stress [--count N] | --scaling NAME",
     "Each table holds the methods of one kind on the same seeded cases: their error against "
     "the truth, the time of one\n"
     "evaluation (the least of all samples) and the median ratio to a named baseline, taken in "

@@ -16,6 +16,10 @@ constexpr std::array all_suites{
     Suite{"brdf", "materials, and the light that they lose or make", detail::brdf_methods, detail::brdf_contests},
     Suite{"colour", "colours of temperatures and temperatures of colours", detail::color_methods,
           detail::color_contests},
+    Suite{"profiles", "files of luminaires, their flux, and intensities between their angles", detail::profile_methods,
+          detail::profile_contests},
+    Suite{"bake", "textures of a luminaire", detail::bake_methods, detail::bake_contests},
+    Suite{"preview", "pictures under one light and under many", detail::preview_methods, detail::preview_contests},
 };
 
 std::vector<std::string_view> split(std::string_view list) {

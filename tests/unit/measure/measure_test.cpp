@@ -1,6 +1,7 @@
 #include <gonio/measure/contest.hpp>
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/pareto.hpp>
+#include <gonio/measure/scaling.hpp>
 #include <gonio/measure/sphere_cases.hpp>
 #include <gonio/measure/sphere_methods.hpp>
 #include <gonio/measure/sphere_truth.hpp>
@@ -243,6 +244,32 @@ TEST(Contest, KeepsTheNamedMethodsAndTheBaseline) {
     EXPECT_EQ(contest.contestants[contest.baseline].code, "float");
     EXPECT_EQ(contest.contestants[contest.baseline].method, "exact");
     EXPECT_EQ(contest.contestants[1].method, "rough");
+}
+
+TEST(Scalings, NamesAreFoundAndOthersRefused) {
+    const auto all = parse_scalings("threads,all");
+    ASSERT_TRUE(all.has_value());
+    EXPECT_EQ(all->size(), scalings().size());
+    EXPECT_FALSE(parse_scalings("pixel").has_value());
+    EXPECT_FALSE(parse_scalings("").has_value());
+}
+
+// Sizes ascend, and what is stopped leaves what it has.
+TEST(Scalings, CurvesAscendAndCanBeStopped) {
+    const auto found = parse_scalings("file-size");
+    ASSERT_TRUE(found.has_value());
+    ScalingOptions options;
+    options.quick = true;
+    int asked = 0;
+    options.stop = [&] { return ++asked > 20; };
+    const auto curves = found->front()->measure(options);
+    ASSERT_TRUE(curves.has_value());
+    ASSERT_FALSE(curves->empty());
+    const auto& points = curves->front().points;
+    ASSERT_GE(points.size(), 2U);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        EXPECT_GT(points[i].size, points[i - 1].size);
+    EXPECT_LT(curves->size(), 3U) << "stopped before the last curve";
 }
 
 TEST(Suites, NamesAreFoundAndOthersRefused) {
