@@ -161,7 +161,7 @@ void reflect_part(const Surfaces& surfaces, const Light& light, const Material& 
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     packet.load(surfaces.view)};
-        const Reflected<S> parts = scattered(point, material, diffuse_toward(point, light));
+        const Reflected<S> parts = scattered_under(point, light, material);
         vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
         if constexpr (Glossy<Material>) {
             const S window_left = faded(light, way_to(light, point.position));
