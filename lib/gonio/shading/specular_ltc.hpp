@@ -103,12 +103,11 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     const auto points = detail::points_of(light, frame, to_center);
     const vec3<S> c = points.patch.center;
     const S rise = points.rise();
-    const auto whole = c.z > rise;
     const vec3<S> c1 = cosine(c);
     const S distance2 = simd::max(dot(c1, c1), S(1e-36));
     const S size2 = points.transformed_size2(cosine);
     constexpr double alone2 = detail::ltc_points_alone[0] * detail::ltc_points_alone[0];
-    const auto small = simd::both(whole, size2 < S(alone2) * distance2);
+    const auto small = size2 < S(alone2) * distance2;
     const auto dark = simd::either(c.z < -rise, !seen);
     if (simd::all(simd::either(small, dark))) {
         const detail::PointSums<S> sums = detail::point_sums<false>(points, lobe, cosine, v);
@@ -132,7 +131,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     const S confidence = fall(detail::ltc_points_useful) * trust * trust;
     const S ratio = sums.value / simd::max(by_cosine, S(1e-30));
     const S corrected = share * simd::mul_add(confidence, ratio - S(1), S(1));
-    const S alone = simd::select(whole, fall(detail::ltc_points_alone), S(0));
+    const S alone = fall(detail::ltc_points_alone);
     const S scale = simd::mul_add(alone, sums.value - corrected, corrected);
     const S by_points = sums.grazing / simd::max(sums.value, S(1e-36));
     const S by_table = cosine.grazing / cosine.albedo;
