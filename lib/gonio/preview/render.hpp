@@ -1,14 +1,18 @@
-// The preview: one light on a stage, as a picture in scene-linear luminance.
+// The preview: lights on a stage, as a picture in scene-linear luminance.
 //
-// Noise-free: every pixel is an exact evaluation of the light at its surface point, pixels on outlines and hard shadow
+// Noise-free: every pixel is an exact evaluation of the lights at its surface point, pixels on outlines and hard shadow
 // edges are the mean of 4×4 such points. Tiles run on all threads; the picture does not depend on how many.
+// What cannot change the picture is not computed; README.md says what that is and what it saves.
 #pragma once
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/preview/render_stats.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
+
+#include <span>
 
 namespace gonio {
 
@@ -19,13 +23,25 @@ struct RenderOptions {
     int width = 512;
     int height = 512;
     bool shadows = true;
-    unsigned threads = 0; // 0 = as many as there are
+    bool illuminance = false; // asks for Rendering::illuminance_lx
+    bool skip = true;         // false: every light at every point, whether it can reach it or not
+    unsigned threads = 0;     // 0 = as many as there are
     // Pictures of different sets agree to 1e-4 of the picture's greatest luminance.
     simd::InstructionSet instruction_set = simd::best_available();
 };
 
-// Three channels, linear Rec.709, in cd/m². A spherical light is seen itself where the camera sees it. Fails (usage) on
-// a size outside [1, max_picture_size], (unsupported) on a disk, rectangle, tube or sun.
-Result<Image> render(const Stage& stage, const Light& light, const Camera& camera, const RenderOptions& options = {});
+struct Rendering {
+    // Three channels, linear Rec.709, in cd/m². Lights with a size are seen themselves where the camera sees them.
+    Image luminance_nt;
+    // One channel: what the surface that is seen receives from all lights; 0 where a light or nothing is seen. Empty
+    // unless asked for.
+    Image illuminance_lx;
+    RenderStats stats;
+};
+
+// A light with a size behind a mask takes the mask from its centre: scene/README.md gives the error.
+// Fails (usage) on a size outside [1, max_picture_size], (unsupported) on a sun.
+Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
+                         const RenderOptions& options = {});
 
 } // namespace gonio

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,10 @@ Stage matte_floor(double albedo) {
     return stage;
 }
 
+Image picture_of(const Stage& stage, const Light& light, const RenderOptions& options) {
+    return render(stage, {&light, 1}, stage.camera, options).value().luminance_nt;
+}
+
 // A Lambertian floor under a light shows albedo/π · E: the closed form at each pixel's own point.
 TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
     const Stage stage = matte_floor(0.4);
@@ -41,7 +46,7 @@ TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
     for (const char* shape : {"point", "sphere:r=20cm"}) {
         // The spherical light hangs behind the camera, which would see it otherwise.
         const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
-        const Image image = render(stage, light, stage.camera, options).value();
+        const Image image = picture_of(stage, light, options);
         for (int y = 0; y < options.height; ++y)
             for (int x = 0; x < options.width; ++x) {
                 const glm::dvec3 point = first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position;
@@ -63,7 +68,7 @@ TEST(ThreadsPreview, PicturesShowWhatProbesSay) {
     for (const char* shape : {"spot:outer=40deg,inner=10deg", "frustum:h=50deg,v=30deg", "sphere:r=50cm", "disk:r=80cm",
                               "rect:w=2m,h=30cm", "tube:r=10cm,l=2m"}) {
         const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
-        const Image image = render(stage, light, stage.camera, options).value();
+        const Image image = picture_of(stage, light, options);
         std::vector<Receiver> receivers;
         for (int y = 0; y < options.height; ++y)
             for (int x = 0; x < options.width; ++x)
@@ -84,9 +89,9 @@ TEST(ThreadsPreview, ColoursKeepTheLuminance) {
     options.width = 9;
     options.height = 9;
     options.shadows = false;
-    const Image white = render(stage, light, stage.camera, options).value();
+    const Image white = picture_of(stage, light, options);
     light.color = parse_light_color("#ffb060").value();
-    const Image warm = render(stage, light, stage.camera, options).value();
+    const Image warm = picture_of(stage, light, options);
     const auto y = [](const float* rgb) { return glm::dot(glm::dvec3(rgb[0], rgb[1], rgb[2]), rec709_luminance); };
     EXPECT_NEAR(y(warm.at(4, 4)), y(white.at(4, 4)), 1e-6 * y(white.at(4, 4)));
     EXPECT_GT(warm.at(4, 4)[0], warm.at(4, 4)[2]);
@@ -109,9 +114,9 @@ TEST(ThreadsPreview, ThreadsChangeNothing) {
         options.width = 150;
         options.height = 100;
         options.threads = 1;
-        const Image one = render(stage, light, stage.camera, options).value();
+        const Image one = picture_of(stage, light, options);
         options.threads = 7;
-        EXPECT_EQ(render(stage, light, stage.camera, options).value().pixels, one.pixels);
+        EXPECT_EQ(picture_of(stage, light, options).pixels, one.pixels);
     }
 }
 
@@ -122,11 +127,11 @@ TEST(ThreadsPreview, InstructionSetsAgree) {
         options.width = 96;
         options.height = 96;
         options.instruction_set = simd::InstructionSet::scalar;
-        const Image scalar = render(stage, light, stage.camera, options).value();
+        const Image scalar = picture_of(stage, light, options);
         const float top = *std::max_element(scalar.pixels.begin(), scalar.pixels.end());
         for (const simd::InstructionSet set : simd::available_sets()) {
             options.instruction_set = set;
-            const Image other = render(stage, light, stage.camera, options).value();
+            const Image other = picture_of(stage, light, options);
             for (std::size_t i = 0; i < other.pixels.size(); ++i)
                 ASSERT_NEAR(other.pixels[i], scalar.pixels[i], 1e-4F * top) << simd::to_text(set);
         }
@@ -143,7 +148,7 @@ TEST(ThreadsPreview, NothingIsEverNotANumber) {
             RenderOptions options;
             options.width = 40;
             options.height = 40;
-            const Image image = render(stage, light_of(shape, "800lm", position), stage.camera, options).value();
+            const Image image = picture_of(stage, light_of(shape, "800lm", position), options);
             for (const float value : image.pixels)
                 ASSERT_TRUE(std::isfinite(value) && value >= 0.0F) << shape;
         }
@@ -157,7 +162,7 @@ TEST(Preview, RefusesSizes) {
         RenderOptions options;
         options.width = width;
         options.height = height;
-        EXPECT_FALSE(render(stage, light, stage.camera, options));
+        EXPECT_FALSE(render(stage, {&light, 1}, stage.camera, options));
     }
 }
 
@@ -169,6 +174,49 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     EXPECT_NEAR(image.pixels[0], 1.0, 1e-6);
     EXPECT_EQ(auto_exposure(Image(4, 4, 3)).value, 0.0);
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
+}
+
+// Light adds up: a picture of two lights is the sum of theirs, in luminance and in lux.
+TEST(ThreadsPreview, LightsAddUp) {
+    const Stage stage = make_stage("floor").value();
+    const std::array lights{light_of("point", "800lm", {0.3, -0.2, 2.0}),
+                            light_of("rect:w=60cm,h=30cm", "500lm", {-0.4, -3.0, 2.4})}; // above what the camera sees
+    RenderOptions options;
+    options.width = 48;
+    options.height = 32;
+    options.illuminance = true;
+    const Rendering both = render(stage, lights, stage.camera, options).value();
+    const Rendering first = render(stage, {lights.data(), 1}, stage.camera, options).value();
+    const Rendering second = render(stage, {lights.data() + 1, 1}, stage.camera, options).value();
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < both.luminance_nt.pixels.size(); ++i) {
+        const float sum = first.luminance_nt.pixels[i] + second.luminance_nt.pixels[i];
+        largest = std::max(largest, sum);
+        EXPECT_NEAR(both.luminance_nt.pixels[i], sum, 4e-6F * sum);
+    }
+    EXPECT_GT(largest, 1.0F);
+    for (std::size_t i = 0; i < both.illuminance_lx.pixels.size(); ++i) {
+        const float sum = first.illuminance_lx.pixels[i] + second.illuminance_lx.pixels[i];
+        EXPECT_NEAR(both.illuminance_lx.pixels[i], sum, 4e-6F * sum);
+    }
+}
+
+// On a matte surface luminance is albedo/π of the illuminance that is told beside it.
+TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
+    const Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 24;
+    options.height = 16;
+    options.illuminance = true;
+    for (const char* shape : {"point", "sphere:r=20cm", "disk:r=20cm", "rect:w=60cm,h=30cm", "tube:r=2cm,l=1m"}) {
+        const Light light = light_of(shape, "800lm", {0.3, -0.2, 6.0});
+        const Rendering rendering = render(stage, {&light, 1}, stage.camera, options).value();
+        for (std::size_t i = 0; i < rendering.illuminance_lx.pixels.size(); ++i) {
+            const double expected = rendering.luminance_nt.pixels[3 * i] * std::numbers::pi / 0.4;
+            EXPECT_GT(expected, 0.0);
+            EXPECT_NEAR(rendering.illuminance_lx.pixels[i], expected, 2e-6 * expected) << shape;
+        }
+    }
 }
 
 } // namespace

@@ -1,0 +1,42 @@
+#include "rig_input.hpp"
+
+#include "light_input.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gonio::cli {
+
+Result<LightsInput> lights_input(const Arguments& arguments, const glm::dvec3& default_position,
+                                 Diagnostics& diagnostics) {
+    LightsInput input;
+    const auto rig_file = arguments.value("--rig");
+    if (!rig_file) {
+        Result<LightDescription> light = light_input(arguments, default_position, diagnostics);
+        if (!light) return pass_on(light);
+        input.rig.lights.push_back(std::move(*light));
+        return input;
+    }
+    if (const std::string_view option = given_light_option(arguments); !option.empty())
+        return fail(Failure::usage, fmt::format("--rig and {} are both given", option),
+                    "the rig says all of its lights");
+    if (!arguments.positional().empty())
+        return fail(Failure::usage, "--rig and a profile are both given", "name the profile in the rig");
+    input.rig_file = *rig_file;
+    Result<Rig> rig = read_rig_file(*rig_file);
+    if (!rig) return pass_on(rig);
+    input.rig = std::move(*rig);
+    return input;
+}
+
+Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads) {
+    if (!input.rig_file.empty()) return resolve_lights(std::move(input.rig), diagnostics, threads);
+    Result<Light> light = resolve_light(std::move(input.rig.lights.front()), diagnostics);
+    if (!light) return pass_on(light);
+    std::vector<Light> lights;
+    lights.push_back(std::move(*light));
+    return lights;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,113 @@
+#include "request.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/scene/material_charts.hpp>
+
+#include "../options/light_input.hpp"
+#include "../options/output.hpp"
+#include "../options/values.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace gonio::cli {
+
+namespace {
+
+Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        request.render.width = size->width;
+        request.render.height = size->height;
+    }
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    Result<simd::InstructionSet> set = instruction_set(arguments);
+    if (!set) return pass_on(set);
+    request.render.threads = *threads;
+    request.render.instruction_set = *set;
+    request.render.shadows = !arguments.has("--no-shadows");
+    // The library never reads the environment; the tool hands $OCIO on.
+    const char* const config = std::getenv("OCIO");
+    request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
+    request.display.display = arguments.value("--display").value_or("");
+    request.display.view = arguments.value("--view").value_or("");
+    request.display.threads = *threads;
+    return {};
+}
+
+Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
+    const auto output = arguments.value("--output");
+    if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
+    request.output = *output;
+    if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
+    Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), *output);
+    if (!format) return pass_on(format);
+    request.format = *format;
+    Result<LookRequest> look = read_look(arguments, **format);
+    if (!look) return pass_on(look);
+    request.look = std::move(*look);
+    request.render.illuminance =
+        request.look.look != Look::beauty && request.look.quantity == PictureQuantity::illuminance;
+    Result<ExposureRequest> exposure = read_exposure(arguments, **format);
+    if (!exposure) return pass_on(exposure);
+    request.exposure = *exposure;
+    return {};
+}
+
+// The rig's materials go to the surfaces they name.
+Result<void> apply_materials(const Rig& rig, Stage& stage) {
+    for (const SurfaceMaterial& named : rig.materials) {
+        std::vector<std::string_view> names;
+        bool found = false;
+        for (Surface& surface : stage.surfaces) {
+            names.push_back(surface.name);
+            if (surface.name != named.surface) continue;
+            surface.material = named.material;
+            found = true;
+        }
+        if (!found) return unknown_name("surface", named.surface, names);
+    }
+    return {};
+}
+
+Result<void> apply_material(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--material");
+    if (!text) return {};
+    Result<Material> material = parse_material(*text);
+    if (!material) return pass_on(material);
+    const Diagnostics judged = check_charts(*material);
+    request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
+    for (Surface& surface : request.stage.surfaces)
+        if (!std::holds_alternative<Plane>(surface.geometry)) surface.material = *material;
+    return {};
+}
+
+} // namespace
+
+Result<PreviewRequest> parse_preview(const Arguments& arguments) {
+    PreviewRequest request;
+    Result<void> read = read_picture(arguments, request);
+    if (read) read = read_output(arguments, request);
+    if (!read) return pass_on(read);
+    const auto named_stage = arguments.value("--stage");
+    Result<Stage> stage = make_stage(named_stage.value_or("floor"));
+    if (!stage) return pass_on(stage);
+    Result<LightsInput> lights = lights_input(arguments, stage->light_position, request.diagnostics);
+    if (!lights) return pass_on(lights);
+    request.lights = std::move(*lights);
+    const Rig& rig = request.lights.rig;
+    if (rig.stage && !named_stage) stage = make_stage(*rig.stage);
+    if (!stage) return pass_on(stage);
+    request.stage = std::move(*stage);
+    if (rig.camera) request.stage.camera = *rig.camera;
+    read = apply_materials(rig, request.stage);
+    if (read) read = apply_material(arguments, request);
+    if (!read) return pass_on(read);
+    return request;
+}
+
+} // namespace gonio::cli

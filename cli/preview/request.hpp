@@ -1,0 +1,59 @@
+// What `gonio preview` is asked: lights on a stage, seen by a camera, as a picture.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/media/display.hpp>
+#include <gonio/media/image_file.hpp>
+#include <gonio/preview/render.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../options/rig_input.hpp"
+#include "look_options.hpp"
+
+#include <array>
+#include <string>
+
+namespace gonio::cli {
+
+inline constexpr std::array preview_stage_options{
+    Option{"--stage", "STAGE", "what the lights are shown on (the rig's; else floor)", "stages"},
+    Option{"--material", "MATERIAL", "of what stands on the stage", "materials"},
+};
+
+inline constexpr std::array preview_picture_options{
+    Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
+    Option{"--no-shadows", "", "let the light through what stands on the stage"},
+    Option{"--display", "NAME", "display of the OpenColorIO configuration"},
+    Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
+    Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
+    Option{"--simd", "SET", "instruction set (the widest there is)", "simd"},
+    Option{"-j,--jobs", "N", "threads (all processors)"},
+};
+
+inline constexpr std::array preview_output_options{
+    Option{"-o,--output", "FILE",
+           "the picture: .png and other integer formats through the display transform, .exr as "
+           "linear Rec.709 in cd/m2, or of another look as its numbers; '-' is standard output (with --to)"},
+    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+    Option{"-n,--dry-run", "", "check everything, render nothing"},
+};
+
+struct PreviewRequest {
+    LightsInput lights;
+    Stage stage;
+    RenderOptions render;
+    LookRequest look;
+    ExposureRequest exposure;
+    media::DisplayOptions display;
+    std::string output;
+    const media::ImageFormat* format = nullptr;
+    Diagnostics diagnostics;
+};
+
+// Everything but the files is checked first: a mistake is told before a large rig is read.
+Result<PreviewRequest> parse_preview(const Arguments& arguments);
+
+} // namespace gonio::cli
