@@ -15,29 +15,10 @@
 
 namespace gonio::shading::detail {
 
+// Rules are members of templates on the scalar: nothing here may be shared between instruction sets.
 struct RulePoint {
     float x, y, weight;
 };
-
-inline constexpr RulePoint disk_rule[7] = {{0.0F, 0.0F, 0.25F},
-                                           {0.81649658F, 0.0F, 0.125F},
-                                           {0.40824829F, 0.70710678F, 0.125F},
-                                           {-0.40824829F, 0.70710678F, 0.125F},
-                                           {-0.81649658F, 0.0F, 0.125F},
-                                           {-0.40824829F, -0.70710678F, 0.125F},
-                                           {0.40824829F, -0.70710678F, 0.125F}};
-inline constexpr RulePoint rectangle_rule[9] = {{-0.77459667F, -0.77459667F, 25.0F / 324},
-                                                {0.0F, -0.77459667F, 40.0F / 324},
-                                                {0.77459667F, -0.77459667F, 25.0F / 324},
-                                                {-0.77459667F, 0.0F, 40.0F / 324},
-                                                {0.0F, 0.0F, 64.0F / 324},
-                                                {0.77459667F, 0.0F, 40.0F / 324},
-                                                {-0.77459667F, 0.77459667F, 25.0F / 324},
-                                                {0.0F, 0.77459667F, 40.0F / 324},
-                                                {0.77459667F, 0.77459667F, 25.0F / 324}};
-inline constexpr RulePoint strip_rule[6] = {
-    {-0.77459667F, -0.57735027F, 5.0F / 36}, {0.0F, -0.57735027F, 8.0F / 36}, {0.77459667F, -0.57735027F, 5.0F / 36},
-    {-0.77459667F, 0.57735027F, 5.0F / 36},  {0.0F, 0.57735027F, 8.0F / 36},  {0.77459667F, 0.57735027F, 5.0F / 36}};
 
 // The plane patch center + u·x + v·y, of which the receiver sees dω = strength·weight/|p|³.
 template<class S>
@@ -56,6 +37,14 @@ struct LightPatch {
 // (ltc_frame).
 template<class S>
 struct DiskPoints {
+    static constexpr RulePoint rule[7] = {{0.0F, 0.0F, 0.25F},
+                                          {0.81649658F, 0.0F, 0.125F},
+                                          {0.40824829F, 0.70710678F, 0.125F},
+                                          {-0.40824829F, 0.70710678F, 0.125F},
+                                          {-0.81649658F, 0.0F, 0.125F},
+                                          {-0.40824829F, -0.70710678F, 0.125F},
+                                          {0.40824829F, -0.70710678F, 0.125F}};
+
     LightPatch<S> patch;
 
     // How far the light reaches from the centre along the normal.
@@ -68,11 +57,21 @@ struct DiskPoints {
     }
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
-        patch.for_each(disk_rule, work);
+        patch.for_each(rule, work);
     }
 };
 template<class S>
 struct RectanglePoints {
+    static constexpr RulePoint rule[9] = {{-0.77459667F, -0.77459667F, 25.0F / 324},
+                                          {0.0F, -0.77459667F, 40.0F / 324},
+                                          {0.77459667F, -0.77459667F, 25.0F / 324},
+                                          {-0.77459667F, 0.0F, 40.0F / 324},
+                                          {0.0F, 0.0F, 64.0F / 324},
+                                          {0.77459667F, 0.0F, 40.0F / 324},
+                                          {-0.77459667F, 0.77459667F, 25.0F / 324},
+                                          {0.0F, 0.77459667F, 40.0F / 324},
+                                          {0.77459667F, 0.77459667F, 25.0F / 324}};
+
     LightPatch<S> patch;
 
     GONIO_FORCE_INLINE S rise() const { return simd::abs(patch.u.z) + simd::abs(patch.v.z); }
@@ -83,11 +82,16 @@ struct RectanglePoints {
     }
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
-        patch.for_each(rectangle_rule, work);
+        patch.for_each(rule, work);
     }
 };
 template<class S>
 struct TubePoints {
+    static constexpr RulePoint rule[6] = {
+        {-0.77459667F, -0.57735027F, 5.0F / 36}, {0.0F, -0.57735027F, 8.0F / 36},
+        {0.77459667F, -0.57735027F, 5.0F / 36},  {-0.77459667F, 0.57735027F, 5.0F / 36},
+        {0.0F, 0.57735027F, 8.0F / 36},          {0.77459667F, 0.57735027F, 5.0F / 36}};
+
     LightPatch<S> patch; // u along the axis
     S radius, half;
     vec3<S> end[2];    // where the half disks have their centroids
@@ -102,7 +106,7 @@ struct TubePoints {
     }
     template<class Work>
     GONIO_FORCE_INLINE void for_each(const Work& work) const {
-        patch.for_each(strip_rule, work);
+        patch.for_each(rule, work);
         for (std::size_t i = 0; i < 2; ++i) {
             work(end[i] + beside, S(0.5) * end_strength[i]);
             work(end[i] - beside, S(0.5) * end_strength[i]);

@@ -128,7 +128,7 @@ public:
     explicit LtcGgxOfAlpha(simd::value_of<S> alpha)
         : alpha_(simd::min(simd::max(alpha, simd::value_of<S>(1e-4)), simd::value_of<S>(1))) {
         const simd::value_of<S> x = simd::sqrt(alpha_) * simd::value_of<S>(ltc_ggx_size - 1);
-        std::size_t column = static_cast<std::size_t>(x);
+        auto column = static_cast<std::size_t>(x);
         if (column > ltc_ggx_size - 2) column = ltc_ggx_size - 2;
         const simd::value_of<S> share = x - static_cast<simd::value_of<S>>(column);
         for (std::size_t row = 0; row < ltc_ggx_size; ++row) {
