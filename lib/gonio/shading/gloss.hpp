@@ -3,13 +3,44 @@
 
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+
+#include <numbers>
 
 namespace gonio::shading {
+
+// How a half vector lies to the normal, of directions in the surface's own frame: shares of the square of its length.
+template<class S>
+struct HalfVector {
+    S along2;  // (n·h)²
+    S across2; // ‖n×h‖², which does not cancel
+    S l_dot_h;
+};
+
+// l and v of unit length, in a frame whose z is the normal. Where both are in the surface and opposite, any.
+template<class S>
+GONIO_FORCE_INLINE HalfVector<S> half_vector(vec3<S> l, vec3<S> v) {
+    const vec3<S> h = l + v;
+    const S across2 = simd::mul_add(h.x, h.x, h.y * h.y);
+    const S square = simd::max(simd::mul_add(h.z, h.z, across2), S(1e-36));
+    const S inverse = S(1) / square;
+    return {h.z * h.z * inverse, across2 * inverse, S(0.5) * simd::sqrt(square)};
+}
 
 // GGX of α ≥ minimum_alpha.
 template<class S>
 struct GgxLobe {
     S alpha;
+
+    // The lobe [1/sr] for F = 1 in the surface's own frame; n·l, n·v > 0.
+    GONIO_FORCE_INLINE S value(S n_dot_l, S n_dot_v, const HalfVector<S>& h) const {
+        const S t = simd::mul_add(alpha * alpha, h.along2, h.across2);
+        const S v = n_dot_l * widened_cosine_ggx(n_dot_v, alpha);
+        const S l = n_dot_v * widened_cosine_ggx(n_dot_l, alpha);
+        return alpha * alpha * S(0.5 * std::numbers::inv_pi) / (t * t * (v + l));
+    }
+    // Of its directional albedo, that of the GGX lobe of the same α.
+    GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }
 
     // `widened` is α, or more: brdf_ggx.hpp.
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
@@ -21,6 +52,15 @@ struct GgxLobe {
 template<class S>
 struct CosinePowerLobe {
     S alpha, power;
+
+    GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
+        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
+    }
+    // As it has no shadowing: by that towards the mirrored eye.
+    GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
+        const S mu = simd::max(n_dot_v, S(least_cosine));
+        return S(0.25) / visibility_ggx(mu, mu, alpha);
+    }
 
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
         const S less = simd::max(S(2) / (widened * widened) - S(2), S(0));

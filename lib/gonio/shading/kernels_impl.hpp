@@ -136,6 +136,7 @@ void shade_punctual(const Surfaces& surfaces, const LightConstants& light_consta
 
 // What a light with a size leaves at the points of a part: illuminance [lx] and luminances of the glossy part, both for
 // 1 nt.
+template<class S>
 struct PartUnderLight {
     static constexpr std::size_t most = 2048;
     float lx[most];
@@ -148,7 +149,7 @@ struct PartUnderLight {
 // Lambert needs neither view nor direction.
 template<class S>
 void reflect_part(const Surfaces& surfaces, const LightConstants& light, const Lambert<S>& material,
-                  const PartUnderLight& under, float* const rgb[3]) {
+                  const PartUnderLight<S>& under, float* const rgb[3]) {
     const vec3<S> factor = material.albedo * broadcast<S>(light.color);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         packet.store(finite(factor * (packet.load(&under.lx[0]) * S(std::numbers::inv_pi))), rgb);
@@ -156,12 +157,12 @@ void reflect_part(const Surfaces& surfaces, const LightConstants& light, const L
 }
 
 template<class S, class Light, class Material>
-void reflect_part(const Surfaces& surfaces, const Light& light, const Material& material, const PartUnderLight& under,
-                  float* const rgb[3]) {
+void reflect_part(const Surfaces& surfaces, const Light& light, const Material& material,
+                  const PartUnderLight<S>& under, float* const rgb[3]) {
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     packet.load(surfaces.view)};
-        const Reflected<S> parts = scattered(point, material, diffuse_toward(point, light));
+        const Reflected<S> parts = scattered_under(point, light, material);
         vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
         if constexpr (Glossy<Material>) {
             const S window_left = faded(light, way_to(light, point.position));
@@ -178,10 +179,11 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
                 float* const rgb[3]) {
     Material material;
     constants(material_constants, material);
-    PartUnderLight under;
-    for (std::size_t first = 0; first < surfaces.count; first += PartUnderLight::most) {
+    constexpr std::size_t most = PartUnderLight<S>::most;
+    PartUnderLight<S> under;
+    for (std::size_t first = 0; first < surfaces.count; first += most) {
         const std::size_t rest = surfaces.count - first;
-        const Surfaces part = seen_part_of<S>(surfaces, first, rest < under.most ? rest : under.most);
+        const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
         irradiance_any<S>(part, light, &under.lx[0]);
         if constexpr (__is_same(Material, RememberMe<S>))

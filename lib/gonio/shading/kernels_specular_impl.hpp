@@ -25,12 +25,30 @@ void specular_batch(const Surfaces& surfaces, const LightConstants& light_consta
     });
 }
 
+// One α, so one row of the table of lobes for all.
+template<class S, class Light, class Lobe>
+void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_constants, const Lobe& lobe, float* scale,
+                        float* grazing) {
+    Light light;
+    constants(light_constants, light);
+    float alpha[simd::Traits<S>::lanes];
+    simd::store(lobe.alpha, &alpha[0]);
+    const LtcGgxOfAlpha<S> cosine_of(alpha[0]);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        const vec3<S> center = way_to(light, packet.load(surfaces.position));
+        const SpecularLuminance<S> found =
+            specular_ltc(light, center, packet.load(surfaces.normal), packet.load(surfaces.view), lobe, cosine_of);
+        packet.store(found.scale, scale);
+        packet.store(found.grazing, grazing);
+    });
+}
+
 template<class S, class Light, class Lobe>
 void specular_light(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                     float* scale, float* grazing) {
     switch (method) {
     case SpecularMethod::ltc:
-        return specular_batch<S, Light, Lobe, SpecularMethod::ltc>(surfaces, light, lobe, scale, grazing);
+        return specular_ltc_batch<S, Light, Lobe>(surfaces, light, lobe, scale, grazing);
     case SpecularMethod::representative_point:
         return specular_batch<S, Light, Lobe, SpecularMethod::representative_point>(surfaces, light, lobe, scale,
                                                                                     grazing);

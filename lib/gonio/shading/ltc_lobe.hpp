@@ -32,6 +32,24 @@ struct LtcLobe {
 
 namespace detail {
 
+// Of an entry's six numbers (LtcEntry), for n·v = μ and ‖n×v‖ = s; `width` is α, or 1 of a diffuse lobe.
+template<class S>
+GONIO_FORCE_INLINE LtcLobe<S> lobe_from(S along, S raised, S across, S slant, S albedo, S grazing, S width, S mu, S s) {
+    constexpr double least = 1e-18;
+    LtcLobe<S> lobe;
+    lobe.m00 = simd::max(simd::mul_add(along, mu, raised * s * s), S(least));
+    lobe.m02 = simd::mul_add(raised, mu, -along) * s;
+    lobe.m11 = across;
+    lobe.m20 = width * slant * s;
+    lobe.m22 = width;
+    const S inverse = S(1) / simd::sqrt(simd::mul_add(lobe.m00, lobe.m00, lobe.m20 * lobe.m20));
+    lobe.horizon_x = -(lobe.m20 * inverse);
+    lobe.horizon_z = lobe.m00 * inverse;
+    lobe.albedo = albedo;
+    lobe.grazing = grazing;
+    return lobe;
+}
+
 // Between the four entries about (x, y), both in [0, 1], by their columns and rows.
 template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size_t size, S x, S y, S width, S mu, S s) {
@@ -78,21 +96,7 @@ GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size
         const S high = simd::mul_add(share_x, c11 - c01, c01);
         return simd::mul_add(share_y, high - low, low);
     };
-    const S along = field(0);
-    const S raised = field(1);
-    constexpr double least = 1e-18;
-    LtcLobe<S> lobe;
-    lobe.m00 = simd::max(simd::mul_add(along, mu, raised * s * s), S(least));
-    lobe.m02 = simd::mul_add(raised, mu, -along) * s;
-    lobe.m11 = field(2);
-    lobe.m20 = width * field(3) * s;
-    lobe.m22 = width;
-    const S inverse = S(1) / simd::sqrt(simd::mul_add(lobe.m00, lobe.m00, lobe.m20 * lobe.m20));
-    lobe.horizon_x = -(lobe.m20 * inverse);
-    lobe.horizon_z = lobe.m00 * inverse;
-    lobe.albedo = field(4);
-    lobe.grazing = field(5);
-    return lobe;
+    return lobe_from(field(0), field(1), field(2), field(3), field(4), field(5), width, mu, s);
 }
 
 } // namespace detail
@@ -115,6 +119,59 @@ template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v) {
     return ltc_ggx(alpha, n_dot_v, sine_of_cosine(n_dot_v));
 }
+
+// The lobes of one α: what a whole array of surface points with the same α looks up, between two entries instead of
+// four.
+template<class S>
+class LtcGgxOfAlpha {
+public:
+    explicit LtcGgxOfAlpha(simd::value_of<S> alpha)
+        : alpha_(simd::min(simd::max(alpha, simd::value_of<S>(1e-4)), simd::value_of<S>(1))) {
+        const simd::value_of<S> x = simd::sqrt(alpha_) * simd::value_of<S>(ltc_ggx_size - 1);
+        auto column = static_cast<std::size_t>(x);
+        if (column > ltc_ggx_size - 2) column = ltc_ggx_size - 2;
+        const simd::value_of<S> share = x - static_cast<simd::value_of<S>>(column);
+        for (std::size_t row = 0; row < ltc_ggx_size; ++row) {
+            const LtcEntry* const at = &ltc_ggx_table[row * ltc_ggx_size + column];
+            const float low[fields] = {at[0].along, at[0].raised, at[0].across,
+                                       at[0].slant, at[0].albedo, at[0].grazing};
+            const float high[fields] = {at[1].along, at[1].raised, at[1].across,
+                                        at[1].slant, at[1].albedo, at[1].grazing};
+            for (std::size_t f = 0; f < fields; ++f)
+                rows_[row][f] =
+                    static_cast<simd::value_of<S>>(low[f]) +
+                    share * (static_cast<simd::value_of<S>>(high[f]) - static_cast<simd::value_of<S>>(low[f]));
+        }
+    }
+
+    // As ltc_ggx(α, n·v, ‖n×v‖), but for rounding.
+    GONIO_FORCE_INLINE LtcLobe<S> operator()(S n_dot_v, S sine) const {
+        constexpr std::size_t lanes = simd::Traits<S>::lanes;
+        constexpr auto last = static_cast<double>(ltc_ggx_size - 1);
+        const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
+        simd::value_of<S> at[lanes];
+        simd::value_of<S> found[fields][lanes];
+        simd::store(simd::sqrt(mu) * S(last), &at[0]);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            auto row = static_cast<std::size_t>(static_cast<int>(at[lane]));
+            if (row > ltc_ggx_size - 2) row = ltc_ggx_size - 2;
+            const simd::value_of<S> share = at[lane] - static_cast<simd::value_of<S>>(static_cast<int>(row));
+            const simd::value_of<S>* const low = &rows_[row][0];
+            for (std::size_t f = 0; f < fields; ++f)
+                found[f][lane] = low[f] + share * (low[f + padded] - low[f]);
+        }
+        S value[fields];
+        for (std::size_t f = 0; f < fields; ++f)
+            simd::load(&found[f][0], value[f]);
+        return detail::lobe_from(value[0], value[1], value[2], value[3], value[4], value[5], S(alpha_), mu, sine);
+    }
+
+private:
+    static constexpr std::size_t fields = 6;
+    static constexpr std::size_t padded = 8;
+    simd::value_of<S> alpha_;
+    simd::value_of<S> rows_[ltc_ggx_size][padded] = {};
+};
 
 // The renormalised Disney diffuse of albedo 1 (brdf_frostbite.hpp), whose linear roughness counts as in [0, 1].
 template<class S>

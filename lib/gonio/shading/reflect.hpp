@@ -36,6 +36,16 @@ GONIO_FORCE_INLINE vec3<S> above_horizon(vec3<S> n, vec3<S> l) {
     return normalized(l + n * simd::max(S(least) - dot(n, l), S(0)));
 }
 
+// Whether it scatters the same in all directions.
+template<class Material>
+inline constexpr bool is_even = true;
+template<class S>
+inline constexpr bool is_even<Frostbite<S>> = false;
+template<class S>
+inline constexpr bool is_even<Eon<S>> = false;
+template<class S>
+inline constexpr bool is_even<KullaConty<S>> = false;
+
 // What a material scatters [1/sr] in all directions of light from `l`: of its two parts what is no glossy lobe.
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const Material<S>& material, vec3<S> l) {

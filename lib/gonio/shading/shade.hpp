@@ -4,13 +4,13 @@
 // what kernels.cpp runs. Light and material are types, so each pair is its own straight code.
 // Results are finite and not negative for any finite input; illuminance ends at `illuminance_ceiling`.
 //
-// Under a light with a size the diffuse part takes the exact irradiance, with the factors of direction taken towards
-// the centre (raised to the horizon when below it), and the glossy part is specular_named.hpp's, by the method asked
-// for.
+// Under a light with a size the diffuse part takes the exact irradiance, its factors of direction the mean over a few
+// points of the light (light_points.hpp), and the glossy part is specular_named.hpp's, by the method asked for.
 #pragma once
 
 #include <gonio/shading/direction.hpp>
 #include <gonio/shading/irradiance_area.hpp>
+#include <gonio/shading/light_points.hpp>
 #include <gonio/shading/reflect.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/shading/vec3.hpp>
@@ -43,12 +43,63 @@ GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const Pu
     return {illuminance(point, light), d.scaled * d.inverse_distance};
 }
 
-// Where the diffuse part's light comes from.
+// What `scattered` is over a light, by the irradiance of its points above the horizon; towards the centre, raised to
+// the horizon, where none is.
+template<class S, class Light, class Even>
+GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, const Light& light, const Even& material) {
+    const vec3<S> to_center = way_to(light, point.position);
+    const vec3<S> n = point.normal;
+    if constexpr (is_even<Even>) {
+        return scattered(point, material, n);
+    } else {
+        Reflected<S> sum{{S(0), S(0), S(0)}, {S(0), S(0), S(0)}};
+        S weights = S(0);
+        constexpr double least = 1e-18; // its cube is still a float
+        points_of(light, SameFrame{}, to_center).for_each([&](vec3<S> p, S strength) __attribute__((always_inline)) {
+            const S inverse = S(1) / simd::sqrt(simd::max(dot(p, p), S(least)));
+            const vec3<S> l = p * inverse;
+            const S cosine = simd::max(dot(n, l), S(0));
+            const S weight = strength * inverse * inverse * (inverse * cosine);
+            const Reflected<S> value = scattered(point, material, l);
+            sum.diffuse = sum.diffuse + value.diffuse * weight;
+            sum.specular = sum.specular + value.specular * weight;
+            weights = weights + weight;
+        });
+        const auto known = weights > S(1e-30);
+        const S inverse = S(1) / simd::select(known, weights, S(1));
+        Reflected<S> mean{sum.diffuse * inverse, sum.specular * inverse};
+        if (!simd::all(known)) {
+            const Direction<S> d = direction(to_center, n);
+            const vec3<S> l = d.scaled * d.inverse_distance;
+            const vec3<S> raised = above_horizon(n, normalized(l - n * simd::min(d.n_dot_l, S(0))));
+            const Reflected<S> towards = scattered(point, material, raised);
+            mean.diffuse = select(known, mean.diffuse, towards.diffuse);
+            mean.specular = select(known, mean.specular, towards.specular);
+        }
+        return mean;
+    }
+}
+// These are of one colour in all directions.
 template<class S, class Light>
-GONIO_FORCE_INLINE vec3<S> diffuse_toward(const SurfacePoint<S>& point, const Light& light) {
-    const Direction<S> d = direction(way_to(light, point.position), point.normal);
-    const vec3<S> l = d.scaled * d.inverse_distance;
-    return above_horizon(point.normal, normalized(l - point.normal * simd::min(d.n_dot_l, S(0))));
+GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
+                                                const Frostbite<S>& material) {
+    Frostbite<S> white = material;
+    white.albedo = {S(1), S(1), S(1)};
+    const Reflected<S> mean = mean_scattered(point, light, white);
+    return {material.albedo * mean.diffuse.x, {S(0), S(0), S(0)}};
+}
+template<class S, class Light>
+GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
+                                                const KullaConty<S>& material) {
+    KullaConty<S> white = material;
+    white.multiple = {S(1), S(1), S(1)};
+    const Reflected<S> mean = mean_scattered(point, light, white);
+    return {{S(0), S(0), S(0)}, material.multiple * mean.specular.x};
+}
+template<class S, class Light, template<class> class Material>
+GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
+                                                const Material<S>& material) {
+    return mean_scattered(point, light, material);
 }
 
 // The glossy part per luminance of the light, its window included.
@@ -71,7 +122,7 @@ GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const 
         const Reflected<S> parts = detail::reflect_parts(point, material, detail::incidence(point, light));
         return {detail::finite(color * parts.diffuse), detail::finite(color * parts.specular)};
     } else {
-        Reflected<S> parts = detail::scattered(point, material, detail::diffuse_toward(point, light));
+        Reflected<S> parts = detail::scattered_under(point, light, material);
         const S lx = illuminance(point, light);
         parts.diffuse = parts.diffuse * lx;
         parts.specular = parts.specular * lx;

@@ -151,7 +151,7 @@ GONIO_FORCE_INLINE Approach<S> approach(const Light& light, vec3<S> to_center, v
 template<SpecularMethod method, class S, class Light, template<class> class Lobe>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
                                                     const Lobe<S>& lobe) {
-    if constexpr (method == SpecularMethod::ltc) return specular_ltc(light, to_center, normal, view, lobe.alpha);
+    if constexpr (method == SpecularMethod::ltc) return specular_ltc(light, to_center, normal, view, lobe);
     const S a = lobe.alpha;
     const vec3<S> mirrored = normal * (S(2) * dot(normal, view)) - view;
     const auto unit_center = [&] {

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -308,23 +309,72 @@ TEST(SpecularLtc, FiniteForHostileNumbers) {
 TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     const auto rows = specular::rows();
     if (rows.empty()) GTEST_SKIP() << "no reference values of speculars were given at configure time";
-    // Measured 0.0320, 0.0152, 0.0305 and 0.0348. Over the 60 rectangles the published table has 0.036 and p95 0.42.
-    const std::map<std::string, double> medians = {
-        {"sphere", 0.034}, {"disk", 0.017}, {"rect", 0.033}, {"tube", 0.037}};
+    // Median and what 95 of 100 are below, measured and a little more. Of the transformed cosine alone the medians are
+    // 0.0320, 0.0152, 0.0305 and 0.0348.
+    const std::map<std::string, std::pair<double, double>> bars = {
+        {"sphere", {0.0043, 0.10}}, {"disk", {0.0116, 0.14}}, {"rect", {0.0094, 0.19}}, {"tube", {0.0175, 0.15}}};
     std::map<std::string, std::vector<double>> errors;
     for (const specular::Row& row : rows) {
         const double value = specular::with_light<double>(row, [&](const auto& light) {
-            return specular_ltc(light, row.center, row.normal, row.view, row.alpha).scale;
+            return specular_ltc(light, row.center, row.normal, row.view, GgxLobe<double>{row.alpha}).scale;
         });
         errors[row.shape].push_back(std::fabs(value / row.luminance - 1.0));
     }
-    ASSERT_EQ(errors.size(), medians.size());
+    ASSERT_EQ(errors.size(), bars.size());
     for (auto& [shape, of_shape] : errors) {
         std::sort(of_shape.begin(), of_shape.end());
         ASSERT_EQ(of_shape.size(), 60U) << shape;
-        EXPECT_LT(of_shape[30], medians.at(shape)) << shape;
-        EXPECT_LT(of_shape[57], 0.36) << shape;
+        EXPECT_LT(of_shape[30], bars.at(shape).first) << shape;
+        EXPECT_LT(of_shape[57], bars.at(shape).second) << shape;
+        RecordProperty(shape, std::to_string(of_shape[30]) + " " + std::to_string(of_shape[57]));
     }
+}
+
+// A light that is small against the lobe is the true BRDF in its one direction times its exact irradiance, on every
+// shape; across the sizes where the transformed cosine takes over there is no step.
+TEST(SpecularLtc, SmallLightsAreTheBrdfItselfAndNoStepFollows) {
+    Random random(80);
+    for (const Shape::Kind kind : kinds)
+        for (int i = 0; i < 40; ++i) {
+            const GgxLobe<double> lobe{log_uniform(random, 0.1, 1.0)};
+            const Vec n{0.0, 0.0, 1.0};
+            const Vec v = poses::tilted(n, random.uniform(0.2, 1.0), random);
+            const Vec l = poses::tilted(n, random.uniform(0.3, 1.0), random);
+            // Turned to the receiver, more or less; a tube across.
+            const Vec facing = poses::tilted(l * -1.0, random.uniform(0.5, 1.0), random);
+            const Vec across = poses::unit(cross(facing, poses::random_direction(random)));
+            const auto value = [&](double size) {
+                const Vec zero{0.0, 0.0, 0.0};
+                switch (kind) {
+                case Shape::Kind::sphere:
+                    return specular_ltc(SphereLight<double>{l, zero, size, 0.0}, l, n, v, lobe).scale;
+                case Shape::Kind::disk:
+                    return specular_ltc(DiskLight<double>{l, zero, facing, size, 0.0, false}, l, n, v, lobe).scale;
+                case Shape::Kind::rectangle:
+                    return specular_ltc(RectangleLight<double>{l, zero, facing, across, size, 0.5 * size, 0.0, false},
+                                        l, n, v, lobe)
+                        .scale;
+                default:
+                    return specular_ltc(TubeLight<double>{l, zero, across, 0.3 * size, size, 0.0}, l, n, v, lobe).scale;
+                }
+            };
+            const SurfacePoint<double> point{{0.0, 0.0, 0.0}, n, v};
+            const double tiny = 1e-5;
+            const Vec zero{0.0, 0.0, 0.0};
+            const double lx =
+                kind == Shape::Kind::sphere ? illuminance(point, SphereLight<double>{l, zero, tiny, 0.0})
+                : kind == Shape::Kind::disk ? illuminance(point, DiskLight<double>{l, zero, facing, tiny, 0.0, false})
+                : kind == Shape::Kind::rectangle
+                    ? illuminance(point, RectangleLight<double>{l, zero, facing, across, tiny, 0.5 * tiny, 0.0, false})
+                    : illuminance(point, TubeLight<double>{l, zero, across, 0.3 * tiny, tiny, 0.0});
+            const double truth = specular_ggx(n, l, v, lobe.alpha, lobe.alpha).scale * lx;
+            EXPECT_NEAR(value(tiny), truth, 1e-6 * truth) << "kind " << static_cast<int>(kind) << " case " << i;
+            for (double size = 0.01; size < 0.5; size *= 1.003) {
+                const double before = value(size);
+                EXPECT_NEAR(value(1.003 * size), before, 0.04 * before)
+                    << "kind " << static_cast<int>(kind) << ' ' << size;
+            }
+        }
 }
 
 // The table's albedo against a sum over the hemisphere, between the places it was fitted at.

@@ -90,8 +90,9 @@ TEST(SpecularOfASphere, RepresentativePoint) {
     for (const Row& row : rows) {
         if (row.luminance < 1e-6) continue;
         const Frostbite<double> mirror{{0, 0, 0}, {1, 1, 1}, 1.0, std::sqrt(row.alpha), row.alpha};
-        const double value = shade(SurfacePoint<double>{{0, 0, 0}, row.normal, row.view},
-                                   SphereLight<double>{row.center, {1, 1, 1}, row.radius, 0.0}, mirror)
+        const double value = shade<SpecularMethod::representative_point>(
+                                 SurfacePoint<double>{{0, 0, 0}, row.normal, row.view},
+                                 SphereLight<double>{row.center, {1, 1, 1}, row.radius, 0.0}, mirror)
                                  .x;
         (row.alpha < 0.25 ? smooth : rough).push_back(std::fabs(value / row.luminance - 1.0));
     }

@@ -1,0 +1,212 @@
+// A few points of a light with their solid angles: what a material makes of a light that is small as seen, or of one
+// over which it changes slowly, is a sum over them.
+//
+// Rules of degree 5 over disk and rectangle (A. H. Stroud, "Approximate Calculation of Multiple Integrals", 1971; C. F.
+// Gauss), 7 and 9 points; a sphere is the disk within the circle that is seen of it. A tube is the strip that is seen
+// of its cylinder, 3 by 2 points, and half a disk at each end, 2 points each. Solid angles are right to the order of
+// the rule, and 0 for what turns away. What the horizon cuts off is not left out.
+#pragma once
+
+#include <gonio/shading/lights.hpp>
+#include <gonio/shading/ltc_lobe.hpp>
+#include <gonio/shading/vec3.hpp>
+
+#include <cstddef>
+
+namespace gonio::shading::detail {
+
+// Rules are members of templates on the scalar: nothing here may be shared between instruction sets.
+struct RulePoint {
+    float x, y, weight;
+};
+
+// The plane patch center + u·x + v·y, of which the receiver sees dω = strength·weight/|p|³.
+template<class S>
+struct LightPatch {
+    vec3<S> center, u, v;
+    S strength; // area times the distance of its plane
+
+    template<class Work, std::size_t count>
+    GONIO_FORCE_INLINE void for_each(const RulePoint (&rule)[count], const Work& work) const {
+        for (const RulePoint& at : rule)
+            work(center + u * S(at.x) + v * S(at.y), strength * S(at.weight));
+    }
+};
+
+// A light, all lengths scaled alike; what asks for a transform or for heights wants it in the receiver's frame
+// (ltc_frame).
+template<class S>
+struct DiskPoints {
+    static constexpr RulePoint rule[7] = {{0.0F, 0.0F, 0.25F},
+                                          {0.81649658F, 0.0F, 0.125F},
+                                          {0.40824829F, 0.70710678F, 0.125F},
+                                          {-0.40824829F, 0.70710678F, 0.125F},
+                                          {-0.81649658F, 0.0F, 0.125F},
+                                          {-0.40824829F, -0.70710678F, 0.125F},
+                                          {0.40824829F, -0.70710678F, 0.125F}};
+
+    LightPatch<S> patch;
+
+    // How far the light reaches from the centre along the normal.
+    GONIO_FORCE_INLINE S rise() const { return simd::sqrt(simd::mul_add(patch.u.z, patch.u.z, patch.v.z * patch.v.z)); }
+    // The square of the radius of what a lobe's transform makes of it.
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+        const vec3<S> u = lobe(patch.u);
+        const vec3<S> v = lobe(patch.v);
+        return dot(u, u) + dot(v, v);
+    }
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each(const Work& work) const {
+        patch.for_each(rule, work);
+    }
+};
+template<class S>
+struct RectanglePoints {
+    static constexpr RulePoint rule[9] = {{-0.77459667F, -0.77459667F, 25.0F / 324},
+                                          {0.0F, -0.77459667F, 40.0F / 324},
+                                          {0.77459667F, -0.77459667F, 25.0F / 324},
+                                          {-0.77459667F, 0.0F, 40.0F / 324},
+                                          {0.0F, 0.0F, 64.0F / 324},
+                                          {0.77459667F, 0.0F, 40.0F / 324},
+                                          {-0.77459667F, 0.77459667F, 25.0F / 324},
+                                          {0.0F, 0.77459667F, 40.0F / 324},
+                                          {0.77459667F, 0.77459667F, 25.0F / 324}};
+
+    LightPatch<S> patch;
+
+    GONIO_FORCE_INLINE S rise() const { return simd::abs(patch.u.z) + simd::abs(patch.v.z); }
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+        const vec3<S> u = lobe(patch.u);
+        const vec3<S> v = lobe(patch.v);
+        return dot(u, u) + dot(v, v);
+    }
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each(const Work& work) const {
+        patch.for_each(rule, work);
+    }
+};
+template<class S>
+struct TubePoints {
+    static constexpr RulePoint rule[6] = {
+        {-0.77459667F, -0.57735027F, 5.0F / 36}, {0.0F, -0.57735027F, 8.0F / 36},
+        {0.77459667F, -0.57735027F, 5.0F / 36},  {-0.77459667F, 0.57735027F, 5.0F / 36},
+        {0.0F, 0.57735027F, 8.0F / 36},          {0.77459667F, 0.57735027F, 5.0F / 36}};
+
+    LightPatch<S> patch; // u along the axis
+    S radius, half;
+    vec3<S> end[2];    // where the half disks have their centroids
+    vec3<S> beside;    // half a radius across
+    S end_strength[2]; // of one half disk
+
+    GONIO_FORCE_INLINE S rise() const { return simd::abs(patch.u.z) + radius; }
+    GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
+        const vec3<S> u = lobe(patch.u);
+        const S stretch = simd::max(simd::mul_add(lobe.m00, lobe.m00, lobe.m02 * lobe.m02), lobe.m11 * lobe.m11);
+        return dot(u, u) + S(2) * radius * radius * stretch;
+    }
+    template<class Work>
+    GONIO_FORCE_INLINE void for_each(const Work& work) const {
+        patch.for_each(rule, work);
+        for (std::size_t i = 0; i < 2; ++i) {
+            work(end[i] + beside, S(0.5) * end_strength[i]);
+            work(end[i] - beside, S(0.5) * end_strength[i]);
+        }
+    }
+};
+
+// So that no square leaves the range of numbers: the centre's largest component, or the light's size where that is
+// larger, becomes a quarter at most.
+template<class S, class Light>
+GONIO_FORCE_INLINE S points_scale(const Light& light, vec3<S> to_center) {
+    return S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(to_center), largest_size(light)));
+}
+
+// The frame that all is given in.
+struct SameFrame {
+    template<class S>
+    GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const {
+        return p;
+    }
+};
+
+// The disk within the circle that is seen of a sphere of angular radius σ about the unit vector `toward`.
+template<class S>
+GONIO_FORCE_INLINE DiskPoints<S> points_of_cap(vec3<S> toward, S sine, S cosine) {
+    const TangentFrame<S> frame(toward);
+    constexpr double pi = 3.14159265358979323846;
+    return {{toward * cosine, frame.x * sine, frame.y * sine, S(pi) * sine * sine * cosine}};
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE DiskPoints<S> points_of(const SphereLight<S>& light, const Frame& frame, vec3<S> to_center) {
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = frame(to_center) * scale;
+    const S r = simd::abs(light.radius) * scale;
+    const S inverse = reciprocal_or_zero(length(c));
+    const vec3<S> l = select(inverse > S(0), c * inverse, vec3<S>{S(0), S(0), S(1)});
+    const S sine = simd::min(r * inverse, S(1));
+    return points_of_cap(l, sine, simd::sqrt((S(1) - sine) * (S(1) + sine)));
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE DiskPoints<S> points_of(const SunLight<S>& light, const Frame& frame, vec3<S> toward) {
+    return points_of_cap(frame(toward), light.sine, light.cosine);
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE DiskPoints<S> points_of(const DiskLight<S>& light, const Frame& frame, vec3<S> to_center) {
+    constexpr double pi = 3.14159265358979323846;
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = frame(to_center) * scale;
+    const vec3<S> axis = frame(light.axis);
+    const S r = simd::abs(light.radius) * scale;
+    const S depth = -dot(axis, c);
+    const TangentFrame<S> across(axis);
+    return {
+        {c, across.x * r, across.y * r, S(pi) * r * r * (light.two_sided ? simd::abs(depth) : simd::max(depth, S(0)))}};
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE RectanglePoints<S> points_of(const RectangleLight<S>& light, const Frame& frame, vec3<S> to_center) {
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = frame(to_center) * scale;
+    const vec3<S> axis = frame(light.axis);
+    const vec3<S> x = frame(light.width_direction);
+    const S w = S(0.5) * (simd::abs(light.width) * scale);
+    const S h = S(0.5) * (simd::abs(light.height) * scale);
+    const S depth = -dot(axis, c);
+    return {
+        {c, x * w, cross(axis, x) * h, S(4) * w * h * (light.two_sided ? simd::abs(depth) : simd::max(depth, S(0)))}};
+}
+template<class S, class Frame>
+GONIO_FORCE_INLINE TubePoints<S> points_of(const TubeLight<S>& light, const Frame& frame, vec3<S> to_center) {
+    constexpr double pi = 3.14159265358979323846;
+    const S scale = points_scale(light, to_center);
+    const vec3<S> c = frame(to_center) * scale;
+    const vec3<S> a = frame(light.axis);
+    const S r = simd::abs(light.radius) * scale;
+    const S half = S(0.5) * (simd::abs(light.length) * scale);
+    const S z = dot(a, c);
+    const vec3<S> across = c - a * z;
+    const S d = length(across);
+    const S inverse_d = reciprocal_or_zero(d);
+    const vec3<S> f = across * inverse_d;
+    const S s = simd::min(r * inverse_d, S(1));
+    const S kappa = simd::sqrt((S(1) - s) * (S(1) + s));
+    // The strip between the lines where the tangent planes touch.
+    const vec3<S> g = cross(a, f);
+    const S plane = d * kappa * kappa;
+    TubePoints<S> points;
+    points.patch = {f * plane + a * z, a * half, g * (r * kappa), S(4) * half * r * kappa * plane};
+    points.radius = r;
+    points.half = half;
+    points.beside = g * (S(0.5) * r);
+    const auto end = [&](std::size_t i, S sign) {
+        const S along = simd::mul_add(sign, half, z);
+        const S distance = simd::sqrt(simd::mul_add(d, d, along * along));
+        const vec3<S> out = (a * d - f * along) * (sign * reciprocal_or_zero(distance));
+        points.end[i] = f * d + a * along + out * (r * S(4.0 / (3.0 * pi)));
+        points.end_strength[i] = S(0.5 * pi) * r * r * distance;
+    };
+    end(0, S(-1));
+    end(1, S(1));
+    return points;
+}
+
+} // namespace gonio::shading::detail
