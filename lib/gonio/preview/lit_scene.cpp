@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <type_traits>
+#include <cmath>
 
 namespace gonio::detail {
 
@@ -79,20 +78,27 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     return spheres;
 }
 
+struct OccluderOf {
+    std::size_t surface;
+
+    Occluder operator()(const Plane& plane) const { return {surface, plane.point, 0.0, plane.normal}; }
+    Occluder operator()(const Panel& panel) const {
+        return sphere(panel.frame.origin, 0.5 * std::hypot(panel.width, panel.height));
+    }
+    Occluder operator()(const Ball& ball) const { return sphere(ball.center, ball.radius); }
+    Occluder operator()(const Box& box) const { return sphere(box.frame.origin, glm::length(box.half_size)); }
+    Occluder operator()(const Capsule& capsule) const {
+        return sphere(capsule.center, capsule.half_length + capsule.radius);
+    }
+
+private:
+    Occluder sphere(const glm::dvec3& center, double radius) const { return {surface, center, radius, std::nullopt}; }
+};
+
 std::vector<Occluder> occluders_of(const Stage& stage) {
     std::vector<Occluder> occluders;
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
-        std::visit(
-            [&](const auto& geometry) {
-                using Geometry = std::decay_t<decltype(geometry)>;
-                if constexpr (std::is_same_v<Geometry, Ball>)
-                    occluders.push_back({i, geometry.center, geometry.radius, std::nullopt});
-                else if constexpr (std::is_same_v<Geometry, Plane>)
-                    occluders.push_back({i, geometry.point, 0.0, geometry.normal});
-                else
-                    occluders.push_back({i, glm::dvec3(0.0), std::numeric_limits<double>::infinity(), std::nullopt});
-            },
-            stage.surfaces[i].geometry);
+        occluders.push_back(std::visit(OccluderOf{i}, stage.surfaces[i].geometry));
     return occluders;
 }
 

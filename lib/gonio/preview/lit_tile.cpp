@@ -94,10 +94,10 @@ double LitTile::visible(const LitLight& light, std::size_t surface, const glm::d
     ++stats_.shadow_tested;
     if (!light.reach.at_infinity)
         return visible_share(scene_.stage, surface, position, light.reach.center, light.shadow_radius);
-    // A ball so far away that every point of the stage sees it in one direction.
-    constexpr double far = 1e6;
-    return visible_share(scene_.stage, surface, position, position + far * light.reach.toward,
-                         far * light.reach.angular_radius_sin);
+    const auto& sun = std::get<SunShape>(light.light.shape);
+    // A hemisphere's outline lies where no disk has one.
+    const double half_angle = std::min(0.5 * sun.diameter.value, 1.57);
+    return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward, half_angle);
 }
 
 void LitTile::find_shadows(const LitLight& light) {

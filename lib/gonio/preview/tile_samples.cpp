@@ -27,9 +27,7 @@ RayCone cone_of(const CameraRays& rays, double left, double top, double right, d
 bool differ(const Seen& a, const Seen& b) {
     if (a.what != b.what) return true;
     if (a.what == Seen::What::emitter) return a.light != b.light;
-    // The edges of a solid count too: from 45° on.
-    return a.what == Seen::What::surface &&
-           (a.hit.surface != b.hit.surface || glm::dot(a.hit.normal, b.hit.normal) < 0.7);
+    return a.what == Seen::What::surface && (a.hit.surface != b.hit.surface || a.hit.face != b.hit.face);
 }
 
 } // namespace

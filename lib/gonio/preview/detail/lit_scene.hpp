@@ -34,7 +34,7 @@ struct LitLight {
 struct Occluder {
     std::size_t surface = 0;
     glm::dvec3 center{0.0};                 // of a plane, a point of it
-    double radius = 0.0;                    // infinite where its bounds are not known
+    double radius = 0.0;                    // of the sphere that holds it
     std::optional<glm::dvec3> plane_normal; // of a plane
 };
 
