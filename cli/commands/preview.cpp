@@ -9,6 +9,7 @@
 #include "../options/output.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
+#include "../preview/stats.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
                             OptionGroup{"stage", preview_stage_options},
                             OptionGroup{"picture", preview_picture_options},
+                            OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
@@ -40,6 +42,7 @@ constexpr std::array examples{
     Example{"gonio preview --rig street.json --look isolux --levels 1lx,5lx,10lx -o lines.png", "lines of equal lux"},
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
+    Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -69,6 +72,7 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     report["exposure"] = {{"mode", to_text(request.exposure.mode)},
                           {"white_nt", white_luminance(picture.exposure).value},
                           {"card_lx", card_illuminance(picture.exposure).value}};
+    report["method"] = to_text(request.render.method);
     report["tone_map"] = to_text(request.exposure.tone_map);
     if (request.lights.rig_file.empty())
         report["intensity_cd"] = lights.front().intensity.value;
@@ -77,6 +81,15 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     report["lights"] = lights.size();
     report["diagnostics"] = diagnostics_json(diagnostics);
     return report;
+}
+
+Diagnostics check_convergence(const RenderStats& stats) {
+    if (stats.not_converged == 0) return {};
+    Diagnostic diagnostic;
+    diagnostic.severity = Severity::warning;
+    diagnostic.message =
+        fmt::format("the error asked for was not reached in {} evaluations of a light", stats.not_converged);
+    return {diagnostic};
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
@@ -93,17 +106,33 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     const Stopwatch rendering;
     Result<Rendering> rendered = render(request->stage, *lights, request->stage.camera, request->render);
     if (!rendered) return pass_on(rendered);
+    const double render_ms = rendering.milliseconds();
+    const RenderStats stats = rendered->stats;
+    if (const Diagnostics judged = check_convergence(stats); !judged.empty()) {
+        console.say(judged);
+        diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
+    }
     console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", request->render.width,
-                               request->render.height, rendering.milliseconds(),
-                               simd::to_text(request->render.instruction_set)));
+                               request->render.height, render_ms, simd::to_text(request->render.instruction_set)));
     const Stopwatch encoding;
     Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     const Result<void> written = write_output(request->output, picture->bytes);
     if (!written) return Unexpected(written.error());
-    if (arguments.has("--json") || arguments.has("--jsonl"))
-        console.print(dump(preview_json(*request, *lights, *picture, diagnostics), arguments.has("--jsonl") ? -1 : 2));
+    const bool as_json = arguments.has("--json") || arguments.has("--jsonl");
+    if (as_json) {
+        Json report = preview_json(*request, *lights, *picture, diagnostics);
+        if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
+        console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
+    } else if (arguments.has("--stats")) {
+        // Beside a picture on standard output they go where remarks go.
+        const std::string text = stats_text(stats, render_ms);
+        if (request->output == "-")
+            console.note(text);
+        else
+            console.print(text);
+    }
     return 0;
 }
 

@@ -79,4 +79,16 @@ Result<simd::InstructionSet> instruction_set(const Arguments& arguments) {
     return *set;
 }
 
+Result<std::optional<double>> reference_error(const Arguments& arguments, bool by_reference) {
+    const auto given = arguments.value("--error");
+    if (!given) return std::nullopt;
+    if (!by_reference)
+        return fail(Failure::usage, "--error is given without the method reference", "add --method reference");
+    const std::optional<double> error = parse_number(*given);
+    if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
+        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
+                    "it is relative: 1e-4 is a hundredth of a percent");
+    return error;
+}
+
 } // namespace gonio::cli

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -33,5 +34,8 @@ Result<unsigned> thread_count(const Arguments& arguments);
 
 // --simd NAME; the best there is when not given. Fails (unsupported) on a set that this machine does not have.
 Result<simd::InstructionSet> instruction_set(const Arguments& arguments);
+
+// --error E of the method reference, nothing when not given. Fails (usage) without that method.
+Result<std::optional<double>> reference_error(const Arguments& arguments, bool by_reference);
 
 } // namespace gonio::cli

@@ -36,6 +36,17 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
+    Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
+    if (!method) return pass_on(method);
+    request.render.method = *method;
+    Result<std::optional<double>> error = reference_error(arguments, *method == IrradianceMethod::reference);
+    if (!error) return pass_on(error);
+    if (*error) request.render.goal.relative_error = **error;
+    request.render.skip = !arguments.has("--no-skip");
+    return {};
+}
+
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     const auto output = arguments.value("--output");
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
@@ -60,6 +71,7 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
 Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     PreviewRequest request;
     Result<void> read = read_picture(arguments, request);
+    if (read) read = read_method(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
     Result<Stage> stage = named_stage(arguments);

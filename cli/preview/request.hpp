@@ -29,6 +29,13 @@ inline constexpr std::array preview_picture_options{
     Option{"-j,--jobs", "N", "threads (all processors)"},
 };
 
+inline constexpr std::array preview_method_options{
+    Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
+    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{"--stats", "", "say what was skipped because no light reaches it"},
+    Option{"--no-skip", "", "the same picture the long way: every light at every point"},
+};
+
 inline constexpr std::array preview_output_options{
     Option{"-o,--output", "FILE",
            "the picture: .png and other integer formats through the display transform, .exr as "

@@ -28,15 +28,11 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
 }
 
 Result<void> read_error(const Arguments& arguments, ProbeRequest& request) {
-    const auto given = arguments.value("--error");
-    if (!given) return {};
-    if (std::find(request.methods.begin(), request.methods.end(), IrradianceMethod::reference) == request.methods.end())
-        return fail(Failure::usage, "--error is given without the method reference", "add --method reference");
-    const std::optional<double> error = parse_number(*given);
-    if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
-        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
-                    "it is relative: 1e-4 is a hundredth of a percent");
-    request.options.goal.relative_error = *error;
+    const bool by_reference =
+        std::find(request.methods.begin(), request.methods.end(), IrradianceMethod::reference) != request.methods.end();
+    Result<std::optional<double>> error = reference_error(arguments, by_reference);
+    if (!error) return pass_on(error);
+    if (*error) request.options.goal.relative_error = **error;
     return {};
 }
 

@@ -120,7 +120,9 @@ WebConstants WebTable::constants(double scale) const {
             static_cast<float>(scale)};
 }
 
-IntensityPattern::IntensityPattern(const Light& light, WebTables& tables) : light_(light) {
+IntensityPattern::IntensityPattern(const Light& light, WebTables& tables, bool as_point)
+    : light_(light), as_point_(as_point) {
+    if (as_point) return;
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
     const bool is_share = has_extent(light.shape);
@@ -139,8 +141,17 @@ bool IntensityPattern::has_axial_web() const {
 
 void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3& anchor,
                                 const preview::IntensityKernels& kernels, float* cd) const {
+    if (as_point_) {
+        for (std::size_t i = 0; i < points.count; ++i) {
+            const glm::dvec3 at =
+                anchor + glm::dvec3(points.position[0][i], points.position[1][i], points.position[2][i]);
+            const double value = light_.intensity_towards(at - light_.frame.origin).value;
+            cd[i] = value > 0.0 ? static_cast<float>(value) : 0.0F; // nothing from the place of the light itself
+        }
+        return;
+    }
     std::fill(cd, cd + points.count, static_cast<float>(along_axis_));
-    if (is_constant()) return;
+    if (lobe_.kind == LobeConstants::Kind::none && table_ == nullptr) return;
     preview::LightFrame frame;
     copy(light_.frame.origin - anchor, frame.origin);
     copy(light_.frame.x, frame.x);

@@ -6,23 +6,57 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <type_traits>
+#include <cmath>
 
 namespace gonio::detail {
 
 namespace {
 
-std::vector<LitLight> lit_lights(std::span<const Light> lights) {
+shading::SpecularMethod specular_method(IrradianceMethod method) {
+    using Specular = shading::SpecularMethod;
+    switch (method) {
+    case IrradianceMethod::representative_point:
+    case IrradianceMethod::ue4:
+    case IrradianceMethod::point:
+        return Specular::representative_point;
+    case IrradianceMethod::dominant_direction:
+    case IrradianceMethod::frostbite:
+        return Specular::dominant_direction;
+    case IrradianceMethod::specular_d:
+        return Specular::specular_d;
+    case IrradianceMethod::spherical_hack:
+        return Specular::spherical_hack;
+    case IrradianceMethod::sun_disk:
+        return Specular::sun_disk;
+    case IrradianceMethod::exact:
+    case IrradianceMethod::reference:
+    case IrradianceMethod::ltc:
+        break;
+    }
+    return Specular::ltc;
+}
+
+std::optional<shading::Approximation> approximation(IrradianceMethod method) {
+    if (method == IrradianceMethod::frostbite) return shading::Approximation::frostbite;
+    if (method == IrradianceMethod::ue4) return shading::Approximation::ue4;
+    if (method == IrradianceMethod::point) return shading::Approximation::point;
+    return std::nullopt;
+}
+
+// Whether the method takes a light with a size as a point.
+bool becomes_point(const Shape& shape, IrradianceMethod method) {
+    if (!has_extent(shape) || std::holds_alternative<SunShape>(shape)) return false;
+    if (method == IrradianceMethod::point) return true;
+    return method == IrradianceMethod::ue4 &&
+           (std::holds_alternative<DiskShape>(shape) || std::holds_alternative<RectShape>(shape));
+}
+
+std::vector<LitLight> lit_lights(std::span<const Light> lights, IrradianceMethod method) {
     std::vector<LitLight> lit;
     lit.reserve(lights.size());
     WebTables tables;
-    for (const Light& light : lights) {
-        const bool punctual = !has_extent(light.shape);
-        lit.push_back({light, is_dark(light), light_constants(light), IntensityPattern(light, tables),
-                       punctual || mask_of(light.shape).web != nullptr, punctual, reach_of(light, true),
-                       shadow_radius(light)});
-    }
+    for (const Light& light : lights)
+        lit.emplace_back(light, method, tables);
     return lit;
 }
 
@@ -44,22 +78,50 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     return spheres;
 }
 
+struct OccluderOf {
+    std::size_t surface;
+
+    Occluder operator()(const Plane& plane) const { return {surface, plane.point, 0.0, plane.normal}; }
+    Occluder operator()(const Panel& panel) const {
+        return sphere(panel.frame.origin, 0.5 * std::hypot(panel.width, panel.height));
+    }
+    Occluder operator()(const Ball& ball) const { return sphere(ball.center, ball.radius); }
+    Occluder operator()(const Box& box) const { return sphere(box.frame.origin, glm::length(box.half_size)); }
+    Occluder operator()(const Capsule& capsule) const {
+        return sphere(capsule.center, capsule.half_length + capsule.radius);
+    }
+
+private:
+    Occluder sphere(const glm::dvec3& center, double radius) const { return {surface, center, radius, std::nullopt}; }
+};
+
 std::vector<Occluder> occluders_of(const Stage& stage) {
     std::vector<Occluder> occluders;
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
-        std::visit(
-            [&](const auto& geometry) {
-                using Geometry = std::decay_t<decltype(geometry)>;
-                if constexpr (std::is_same_v<Geometry, Ball>)
-                    occluders.push_back({i, geometry.center, geometry.radius});
-                else if constexpr (!std::is_same_v<Geometry, Plane>)
-                    occluders.push_back({i, glm::dvec3(0.0), std::numeric_limits<double>::infinity()});
-            },
-            stage.surfaces[i].geometry);
+        occluders.push_back(std::visit(OccluderOf{i}, stage.surfaces[i].geometry));
     return occluders;
 }
 
 } // namespace
+
+LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables)
+    : light(of_light),
+      is_dark(detail::is_dark(of_light)),
+      constants(light_constants(of_light)),
+      pattern(of_light, tables, becomes_point(of_light.shape, method)),
+      reach(reach_of(of_light, method != IrradianceMethod::reference)),
+      shadow_radius(gonio::shadow_radius(of_light)) {
+    const bool as_point = becomes_point(light.shape, method);
+    is_punctual = as_point || !has_extent(light.shape);
+    const bool is_masked = mask_of(light.shape).web != nullptr;
+    has_pattern = is_punctual || (is_masked && method != IrradianceMethod::reference);
+    constants.specular_method = specular_method(method);
+    if (!is_punctual) approximation = detail::approximation(method);
+    if (!as_point) return;
+    constants.kind = shading::LightConstants::Kind::punctual;
+    for (int channel = 0; channel < 3; ++channel)
+        constants.color[channel] = static_cast<float>(light.color[channel]);
+}
 
 LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options)
     : stage(on_stage),
@@ -67,7 +129,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       options(with_options),
       kernels(shading::kernels(with_options.instruction_set)),
       intensity(preview::intensity_kernels(with_options.instruction_set)),
-      lights(lit_lights(with_lights)),
+      lights(lit_lights(with_lights, with_options.method)),
       occluders(occluders_of(on_stage)),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
@@ -79,9 +141,16 @@ bool LitScene::may_be_shadowed(std::size_t surface, const SampleBounds& bounds, 
     // All ways from the points to the light lie within the hull of two spheres, which the wider one swept holds.
     const glm::dvec3 way = light.reach.at_infinity ? light.reach.toward * 1e6 : light.reach.center - bounds.center;
     const double length2 = glm::dot(way, way);
-    const double room = std::max(bounds.radius, std::max(light.shadow_radius, light.reach.body_radius));
+    const double light_radius = std::max(light.shadow_radius, light.reach.body_radius);
+    const double room = std::max(bounds.radius, light_radius);
     return std::any_of(occluders.begin(), occluders.end(), [&](const Occluder& occluder) {
         if (occluder.surface == surface) return false;
+        // What is seen of a stage is before its planes: they can hide only a light that reaches behind them.
+        if (occluder.plane_normal) {
+            if (light.reach.at_infinity)
+                return glm::dot(*occluder.plane_normal, way) < 1e6 * light.reach.angular_radius_sin;
+            return glm::dot(*occluder.plane_normal, light.reach.center - occluder.center) <= light_radius;
+        }
         const glm::dvec3 to_occluder = occluder.center - bounds.center;
         const double along = length2 > 0.0 ? std::clamp(glm::dot(to_occluder, way) / length2, 0.0, 1.0) : 0.0;
         const double near = (occluder.radius + room) * (1.0 + 1e-6);

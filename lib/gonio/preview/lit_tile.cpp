@@ -11,7 +11,7 @@
 namespace gonio::detail {
 
 LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats)
-    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats) {}
+    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats), shader_(scene) {}
 
 void LitTile::light_up() {
     show_emitters();
@@ -24,12 +24,13 @@ void LitTile::light_up() {
             shade(light, group);
         shade_edges(light);
     }
+    stats_.not_converged += shader_.not_converged();
 }
 
 void LitTile::show_emitters() {
     for (const TileSamples::EmitterShare& seen : tile_.emitters()) {
         const Light& light = scene_.lights[seen.light].light;
-        // Towards the eye, as towards every point, the mask is taken from the centre.
+        // Towards the eye the mask is the same from every point but for the width of the light.
         const double mask = mask_share(light, light.frame.origin + seen.view);
         for (int channel = 0; channel < 3; ++channel)
             picture_.luminance_nt.pixels[std::size_t{seen.pixel} * 3 + static_cast<std::size_t>(channel)] +=
@@ -91,7 +92,12 @@ bool LitTile::find_groups(const LitLight& light) {
 
 double LitTile::visible(const LitLight& light, std::size_t surface, const glm::dvec3& position) {
     ++stats_.shadow_tested;
-    return visible_share(scene_.stage, surface, position, light.light.frame.origin, light.shadow_radius);
+    if (!light.reach.at_infinity)
+        return visible_share(scene_.stage, surface, position, light.reach.center, light.shadow_radius);
+    const auto& sun = std::get<SunShape>(light.light.shape);
+    // A hemisphere's outline lies where no disk has one.
+    const double half_angle = std::min(0.5 * sun.diameter.value, 1.57);
+    return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward, half_angle);
 }
 
 void LitTile::find_shadows(const LitLight& light) {
@@ -184,42 +190,16 @@ void LitTile::shade_edges(const LitLight& light) {
 
 void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                     const float* weight) {
-    shading::Surfaces surfaces;
-    std::array<float*, 3> rgb{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        surfaces.position[axis] = samples.position[axis].data() + first;
-        surfaces.normal[axis] = samples.normal[axis].data() + first;
-        surfaces.view[axis] = samples.view[axis].data() + first;
-        rgb_[axis].resize(count);
-        rgb[axis] = rgb_[axis].data();
-    }
-    surfaces.count = count;
-    shading::LightConstants constants = light.constants;
-    for (int axis = 0; axis < 3; ++axis)
-        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
-    if (light.has_pattern) {
-        intensity_.resize(count);
-        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
-                               samples.anchor, scene_.intensity, intensity_.data());
-        constants.intensity_cd = intensity_.data();
-    }
-    if (light.has_pattern && !light.is_punctual) {
-        for (std::size_t i = 0; i < count; ++i)
-            intensity_[i] *= weight[i];
-        weight = intensity_.data();
-    }
-    scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], rgb.data());
+    shader_.shade(light, samples, first, count, weight);
     std::vector<float>& luminance = picture_.luminance_nt.pixels;
     for (std::size_t i = 0; i < count; ++i) {
         float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
         for (std::size_t channel = 0; channel < 3; ++channel)
-            pixel[channel] += weight[i] * rgb[channel][i];
+            pixel[channel] += weight[i] * shader_.rgb()[channel][i];
     }
     if (!scene_.options.illuminance) return;
-    scene_.kernels.irradiance(surfaces, constants, rgb[0]);
-    const float luminance_nt = light.is_punctual ? 1.0F : static_cast<float>(light.light.luminance.value);
     for (std::size_t i = 0; i < count; ++i)
-        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * luminance_nt * rgb[0][i];
+        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * shader_.lx()[i];
 }
 
 } // namespace gonio::detail

@@ -1,11 +1,10 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/render.hpp>
-#include <gonio/preview/shading_constants.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,10 +19,9 @@ Result<void> check(std::span<const Light> lights, const RenderOptions& options) 
                     fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
                     fmt::format("each side may have 1 to {} pixels", max_picture_size));
     for (const Light& light : lights)
-        if (!has_kernel(light.shape))
-            return fail(Failure::unsupported,
-                        fmt::format("pictures of {} lights are not computed yet", kind_of(light.shape)),
-                        "those of every other shape are");
+        if (!std::isfinite(light.luminance.value) || !std::isfinite(light.intensity.value))
+            return fail(Failure::usage, fmt::format("the luminance of '{}' is infinite", light.name),
+                        "its amount is too large for its size");
     return {};
 }
 
@@ -40,6 +38,7 @@ void RenderStats::add(const RenderStats& other) {
     below_horizon += other.below_horizon;
     in_shadow += other.in_shadow;
     at_shadow_edges += other.at_shadow_edges;
+    not_converged += other.not_converged;
     shadow_tests += other.shadow_tests;
     shadow_tested += other.shadow_tested;
 }

@@ -9,6 +9,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/preview/render_stats.hpp>
+#include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -22,6 +23,11 @@ inline constexpr int max_picture_size = 16384;
 struct RenderOptions {
     int width = 512;
     int height = 512;
+    // exact: irradiance in closed form, highlights as by ltc; reference: everything by quadrature, a millisecond for
+    // each light with a size and point. frostbite, ue4 and point with their own irradiance and the highlights that go
+    // with it (README.md).
+    IrradianceMethod method = IrradianceMethod::exact;
+    ReferenceGoal goal; // of `reference`
     bool shadows = true;
     bool illuminance = false; // asks for Rendering::illuminance_lx
     bool skip = true;         // false: every light at every point, whether it can reach it or not
@@ -39,8 +45,9 @@ struct Rendering {
     RenderStats stats;
 };
 
-// A light with a size behind a mask takes the mask from its centre: scene/README.md gives the error.
-// Fails (usage) on a size outside [1, max_picture_size], (unsupported) on a sun.
+// A light with a size behind a mask takes the mask from its centre (scene/README.md gives the error), but by
+// `reference`, which integrates it. Fails (usage) on a size outside [1, max_picture_size] and on a light whose
+// luminance or intensity is not finite.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options = {});
 

@@ -25,6 +25,7 @@ struct RenderStats {
     std::size_t in_shadow = 0;
     std::size_t dark = 0;            // of lights without flux
     std::size_t at_shadow_edges = 0; // evaluations added there
+    std::size_t not_converged = 0;   // of the method reference: evaluations that ended before the error asked for
     std::size_t shadow_tests = 0;    // all evaluations of lights that reach
     std::size_t shadow_tested = 0;   // those done: where something may stand between
 

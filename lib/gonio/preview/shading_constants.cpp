@@ -87,10 +87,6 @@ MaterialConstants constants_of(const shading::Eon<double>& material) {
 
 } // namespace
 
-bool has_kernel(const Shape& shape) {
-    return !std::holds_alternative<SunShape>(shape);
-}
-
 shading::LightConstants light_constants(const Light& light) {
     using LightKind = shading::LightConstants::Kind;
     shading::LightConstants constants;
@@ -115,6 +111,11 @@ shading::LightConstants light_constants(const Light& light) {
         copy(light.frame.x, constants.axis);
         constants.radius = static_cast<float>(tube->radius.value);
         constants.length = static_cast<float>(tube->length.value);
+    }
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
+        constants.kind = LightKind::sun;
+        constants.angular_radius = static_cast<float>(0.5 * sun->diameter.value);
+        constants.inverse_range = 0.0F;
     }
     const bool punctual = constants.kind == LightKind::punctual;
     copy(punctual ? light.color : light.color * light.luminance.value, constants.color);

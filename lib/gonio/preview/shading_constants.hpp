@@ -7,10 +7,7 @@
 
 namespace gonio {
 
-// Whether the kernels know this shape: point, spot, frustum, ies and sphere.
-bool has_kernel(const Shape& shape);
-
-// Of a shape that has a kernel. intensity_cd is left to the caller, who has one for each surface point.
+// intensity_cd of a punctual light is left to the caller, who has one for each surface point.
 shading::LightConstants light_constants(const Light& light);
 
 shading::MaterialConstants material_constants(const Material& material);

@@ -219,5 +219,72 @@ TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
     }
 }
 
+// By every method a picture's lux are what a probe says by it, and on a matte surface its luminance is theirs.
+TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
+    const Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 8;
+    options.height = 6;
+    options.illuminance = true;
+    const CameraRays rays(stage.camera, options.width, options.height);
+    std::vector<Receiver> receivers;
+    for (int y = 0; y < options.height; ++y)
+        for (int x = 0; x < options.width; ++x)
+            receivers.push_back({first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position, {0, 0, 1}});
+    for (const char* shape : {"point", "spot:outer=40deg,inner=10deg", "sphere:r=50cm", "disk:r=80cm",
+                              "disk:r=80cm,two-sided", "rect:w=2m,h=30cm", "tube:r=10cm,l=2m", "sun:angle=3deg"})
+        for (const IrradianceMethodName& name : irradiance_methods()) {
+            const bool is_sun = std::string_view(shape).starts_with("sun");
+            const Light light = light_of(shape, is_sun ? "1000lx" : "1000cd", {0.3, -0.2, 6.0});
+            options.method = name.method;
+            const Rendering rendering = render(stage, {&light, 1}, stage.camera, options).value();
+            ProbeOptions asked;
+            asked.method = name.method;
+            const ProbeResult truth = probe(std::span(&light, 1), receivers, asked).value();
+            for (std::size_t i = 0; i < receivers.size(); ++i) {
+                const double lx = truth.illuminance_lx[i];
+                EXPECT_NEAR(rendering.illuminance_lx.pixels[i], lx, 3e-5 * lx + 1e-4) << shape << ' ' << name.name;
+                const double nt = 0.4 / std::numbers::pi * lx;
+                EXPECT_NEAR(rendering.luminance_nt.pixels[3 * i + 1], nt, 3e-5 * nt + 1e-4)
+                    << shape << ' ' << name.name;
+            }
+        }
+}
+
+// The luminance of glossy, coloured materials: reference against a probe's, channel by channel through Y; ltc within
+// what its fit allows.
+TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
+    Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 4;
+    options.height = 3;
+    const CameraRays rays(stage.camera, options.width, options.height);
+    for (const char* material : {"frostbite:base=rgb(0.5,0.2,0.1),smoothness=0.6", "ue4:base=rgb(0.2,0.5,0.9)", "eon"})
+        for (const char* shape : {"point", "sphere:r=50cm", "rect:w=2m,h=30cm", "sun:angle=3deg"}) {
+            const bool is_sun = std::string_view(shape).starts_with("sun");
+            Light light = light_of(shape, is_sun ? "1000lx" : "1000cd", {0.3, -0.2, 6.0});
+            light.color = parse_light_color("#ffb060").value();
+            stage.surfaces[0].material = parse_material(material).value();
+            for (const IrradianceMethod method : {IrradianceMethod::reference, IrradianceMethod::exact}) {
+                const bool reference = method == IrradianceMethod::reference;
+                options.method = method;
+                const Image image = picture_of(stage, light, options);
+                for (int y = 0; y < options.height; ++y)
+                    for (int x = 0; x < options.width; ++x) {
+                        const glm::dvec3 at = first_hit(stage, rays.ray(x + 0.5, y + 0.5))->position;
+                        ProbeOptions asked;
+                        asked.method = IrradianceMethod::reference;
+                        asked.view = ProbeView{{}, stage.surfaces[0].material, stage.camera.position};
+                        const std::array receiver{Receiver{at, {0, 0, 1}}};
+                        const double truth =
+                            probe(std::span(&light, 1), receiver, asked).value().luminance[0].total().value;
+                        const float* rgb = image.at(x, y);
+                        const double shown = glm::dot(glm::dvec3(rgb[0], rgb[1], rgb[2]), rec709_luminance);
+                        EXPECT_NEAR(shown, truth, (reference ? 2e-5 : 0.03) * truth) << shape << ' ' << material;
+                    }
+            }
+        }
+}
+
 } // namespace
 } // namespace gonio

@@ -44,11 +44,10 @@ using WebTables = std::map<const Web*, std::shared_ptr<const WebTable>>;
 // What a punctual light sends towards points; of a light with a size what its mask lets through from its centre.
 class IntensityPattern {
 public:
-    // The light must outlive the pattern.
-    IntensityPattern(const Light& light, WebTables& tables);
+    // The light must outlive the pattern. `as_point`: of a light with a size what it sends towards far points, in
+    // double point by point.
+    IntensityPattern(const Light& light, WebTables& tables, bool as_point = false);
 
-    // Whether it is the same in every direction: `evaluate` fills with one number.
-    bool is_constant() const { return lobe_.kind == preview::LobeConstants::Kind::none && !table_; }
     bool has_axial_web() const;
 
     // Candela, or the share of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
@@ -61,6 +60,7 @@ private:
     preview::LobeConstants lobe_;
     std::shared_ptr<const WebTable> table_;
     double web_scale_ = 1.0;
+    bool as_point_ = false;
 };
 
 } // namespace gonio::detail

@@ -16,12 +16,16 @@
 namespace gonio::detail {
 
 struct LitLight {
+    // The light must outlive this.
+    LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables);
+
     const Light& light;
     bool is_dark = false;
     shading::LightConstants constants; // the position is set for each group of points
     IntensityPattern pattern;
-    bool has_pattern = false; // `pattern` is read: the light is punctual or masked
-    bool is_punctual = false;
+    bool has_pattern = false;                            // `pattern` is read: the light is punctual or masked
+    bool is_punctual = false;                            // or taken as a point
+    std::optional<shading::Approximation> approximation; // of the irradiance, by the methods that have one
     LightReach reach;
     double shadow_radius = 0.0;
 };
@@ -29,8 +33,9 @@ struct LitLight {
 // What may stand between a point and a light.
 struct Occluder {
     std::size_t surface = 0;
-    glm::dvec3 center{0.0};
-    double radius = 0.0; // infinite where its bounds are not known
+    glm::dvec3 center{0.0};                 // of a plane, a point of it
+    double radius = 0.0;                    // of the sphere that holds it
+    std::optional<glm::dvec3> plane_normal; // of a plane
 };
 
 struct LitScene {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <gonio/preview/detail/lit_scene.hpp>
+#include <gonio/preview/detail/sample_shader.hpp>
 #include <gonio/preview/detail/tile_samples.hpp>
 #include <gonio/preview/render.hpp>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +41,7 @@ private:
     TileSamples tile_;
     Rendering& picture_;
     RenderStats& stats_;
+    SampleShader shader_;
 
     // Of the light that is being added:
     std::vector<Group> groups_;
@@ -49,8 +50,6 @@ private:
     std::vector<std::uint8_t> on_shadow_edge_; // of each centre
     std::vector<std::size_t> edges_;           // the centres that are
     std::vector<float> weight_;
-    std::vector<float> intensity_;
-    std::array<std::vector<float>, 3> rgb_;
 };
 
 } // namespace gonio::detail

@@ -57,6 +57,7 @@ struct SurfaceSamples {
         return anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);
     }
     glm::dvec3 normal_of(std::size_t i) const { return {normal[0][i], normal[1][i], normal[2][i]}; }
+    glm::dvec3 view_of(std::size_t i) const { return {view[0][i], view[1][i], view[2][i]}; }
     void add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
 };
 

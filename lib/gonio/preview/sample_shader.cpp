@@ -1,0 +1,187 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/preview/detail/sample_shader.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace gonio::detail {
+
+namespace {
+
+using MaterialKind = shading::MaterialConstants::Kind;
+
+std::array<float*, 3> pointers(std::array<std::vector<float>, 3>& channels, std::size_t count) {
+    std::array<float*, 3> to{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        channels[channel].resize(count);
+        to[channel] = channels[channel].data();
+    }
+    return to;
+}
+
+// The guards of 1 cm that renderers put around 1/d², as factors on the intensity of a light without size.
+void guard(IrradianceMethod method, const shading::Surfaces& surfaces, const shading::LightConstants& light,
+           std::vector<float>& cd) {
+    constexpr float square_cm = 1e-4F;
+    if (method != IrradianceMethod::frostbite && method != IrradianceMethod::ue4) return;
+    for (std::size_t i = 0; i < surfaces.count; ++i) {
+        float d2 = 0.0F;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float way = light.position[axis] - surfaces.position[axis][i];
+            d2 += way * way;
+        }
+        cd[i] *= method == IrradianceMethod::frostbite ? d2 / std::max(d2, square_cm) : d2 / (d2 + square_cm);
+    }
+}
+
+// The albedo of a material whose diffuse part is Lambert's.
+std::optional<glm::vec3> lambert_albedo(const shading::MaterialConstants& material) {
+    const glm::vec3 albedo(material.albedo[0], material.albedo[1], material.albedo[2]);
+    switch (material.kind) {
+    case MaterialKind::lambert:
+    case MaterialKind::remember_me:
+        return albedo;
+    case MaterialKind::ue4:
+        return albedo * material.cavity;
+    default:
+        return std::nullopt;
+    }
+}
+
+bool is_grey(const float (&rgb)[3]) {
+    return rgb[0] == rgb[1] && rgb[1] == rgb[2];
+}
+
+bool is_grey(const shading::MaterialConstants& material) {
+    return is_grey(material.albedo) && is_grey(material.f0) && is_grey(material.multiple);
+}
+
+} // namespace
+
+void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
+                         const float* weight) {
+    const RenderOptions& options = scene_.options;
+    shading::Surfaces surfaces;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        surfaces.position[axis] = samples.position[axis].data() + first;
+        surfaces.normal[axis] = samples.normal[axis].data() + first;
+        surfaces.view[axis] = samples.view[axis].data() + first;
+    }
+    surfaces.count = count;
+    const std::array<float*, 3> rgb = pointers(rgb_, count);
+    if (options.illuminance) lx_.resize(count);
+    if (options.method == IrradianceMethod::reference && !light.is_punctual)
+        return integrate(light, samples, first, weight);
+
+    shading::LightConstants constants = light.constants;
+    for (int axis = 0; axis < 3; ++axis)
+        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
+    if (light.has_pattern) {
+        intensity_.resize(count);
+        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                               samples.anchor, scene_.intensity, intensity_.data());
+        if (light.is_punctual) guard(options.method, surfaces, constants, intensity_);
+        constants.intensity_cd = intensity_.data();
+    }
+    scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], rgb.data());
+    const bool approximated = light.approximation.has_value();
+    if (options.illuminance || approximated) {
+        lx_.resize(count);
+        scene_.kernels.irradiance(surfaces, constants, lx_.data());
+    }
+    if (approximated) approximate(light, surfaces, constants, samples.surface);
+    if (light.is_punctual) return;
+    const auto luminance_nt = static_cast<float>(light.light.luminance.value);
+    if (options.illuminance)
+        for (std::size_t i = 0; i < count; ++i)
+            lx_[i] *= luminance_nt;
+    if (!light.has_pattern) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rgb_[channel][i] *= intensity_[i];
+        if (options.illuminance) lx_[i] *= intensity_[i];
+    }
+}
+
+// Takes the approximated irradiance for the exact one of `lx_`, in the diffuse part and there.
+void SampleShader::approximate(const LitLight& light, const shading::Surfaces& surfaces,
+                               const shading::LightConstants& constants, std::size_t surface) {
+    const std::size_t count = surfaces.count;
+    approximate_lx_.resize(count);
+    shading::LightConstants side = constants;
+    side.two_sided = false;
+    scene_.kernels.approximate_irradiance(surfaces, side, *light.approximation, approximate_lx_.data());
+    if (constants.two_sided) {
+        side_lx_.resize(count);
+        for (float& along : side.axis)
+            along = -along;
+        scene_.kernels.approximate_irradiance(surfaces, side, *light.approximation, side_lx_.data());
+        for (std::size_t i = 0; i < count; ++i)
+            approximate_lx_[i] += side_lx_[i];
+    }
+    const shading::MaterialConstants& material = scene_.materials[surface];
+    if (const std::optional<glm::vec3> albedo = lambert_albedo(material)) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const float of_lux = (*albedo)[channel] * std::numbers::inv_pi_v<float> * constants.color[channel];
+            std::vector<float>& nt = rgb_[static_cast<std::size_t>(channel)];
+            for (std::size_t i = 0; i < count; ++i)
+                nt[i] = std::max(nt[i] + of_lux * (approximate_lx_[i] - lx_[i]), 0.0F);
+        }
+    } else if (material.kind == MaterialKind::frostbite || material.kind == MaterialKind::eon) {
+        // A diffuse part that is proportional to the irradiance: with the ratio of the two.
+        shading::MaterialConstants diffuse_only = material;
+        std::fill(std::begin(diffuse_only.f0), std::end(diffuse_only.f0), 0.0F);
+        diffuse_only.f90 = 0.0F;
+        scene_.kernels.shade(surfaces, constants, diffuse_only, pointers(diffuse_, count).data());
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!(lx_[i] > 0.0F)) continue;
+            const float change = approximate_lx_[i] / lx_[i] - 1.0F;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                rgb_[channel][i] = std::max(rgb_[channel][i] + diffuse_[channel][i] * change, 0.0F);
+        }
+    }
+    std::swap(lx_, approximate_lx_);
+}
+
+// The quadrature gives Y; of a coloured material each channel is asked for by a light of that channel alone.
+void SampleShader::integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first,
+                             const float* weight) {
+    const std::size_t count = rgb_[0].size();
+    const Material& material = scene_.stage.surfaces[samples.surface].material;
+    const ProbeWay way{IrradianceMethod::reference, scene_.options.goal};
+    const bool grey = is_grey(scene_.materials[samples.surface]);
+    Light colored = light.light;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (scene_.options.illuminance) lx_[i] = 0.0F;
+        for (std::vector<float>& channel : rgb_)
+            channel[i] = 0.0F;
+        if (weight[i] == 0.0F) continue;
+        const glm::dvec3 position = samples.position_of(first + i);
+        const glm::dvec3 normal = glm::normalize(samples.normal_of(first + i));
+        const glm::dvec3 view = glm::normalize(samples.view_of(first + i));
+        const ProbeShare share = illuminance_of(light.light, position, normal, way);
+        bool converged = share.converged;
+        if (scene_.options.illuminance) lx_[i] = static_cast<float>(share.illuminance_lx);
+        const auto y_of = [&](const glm::dvec3& color) {
+            colored.color = color;
+            const ProbeShine shine = luminance_of(colored, position, normal, {material, view}, share, way);
+            converged = converged && shine.converged;
+            return shine.luminance.total().value;
+        };
+        const double y = grey ? y_of(glm::dvec3(1.0)) : 0.0;
+        for (int channel = 0; channel < 3; ++channel) {
+            glm::dvec3 alone(0.0);
+            alone[channel] = 1.0 / rec709_luminance[channel];
+            const double nt = (grey ? y : y_of(alone)) * light.light.color[channel];
+            rgb_[static_cast<std::size_t>(channel)][i] = static_cast<float>(nt);
+        }
+        if (!converged) ++not_converged_;
+    }
+}
+
+} // namespace gonio::detail
