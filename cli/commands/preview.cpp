@@ -9,6 +9,7 @@
 #include "../options/output.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
+#include "../preview/sheet.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"stage", preview_stage_options},
                             OptionGroup{"picture", preview_picture_options},
                             OptionGroup{"look", preview_look_options},
+                            OptionGroup{"sheet", preview_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             json_group,
@@ -40,6 +42,7 @@ constexpr std::array examples{
     Example{"gonio preview --rig street.json --look isolux --levels 1lx,5lx,10lx -o lines.png", "lines of equal lux"},
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
+    Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -80,6 +83,9 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--sheet")) return preview_sheet(arguments, console);
+    for (const std::string_view option : {"--columns", "--title"})
+        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;
@@ -117,7 +123,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command preview_command;
 const Command preview_command{"preview",
                               "a picture of how lights fall on a stage",
-                              "FILE | --rig RIG | --shape SHAPE … -o OUT",
+                              "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT",
                               "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1, which "
                               "may name\nthe stage, camera and materials too; options win over it.",
                               groups,
