@@ -16,4 +16,11 @@ namespace gonio::cli {
 // clipped to its gamut, the greatest component 1. Fails (usage) on a size of fewer pixels than colours or methods.
 Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& request, PixelSize size, bool for_display);
 
+// The height of the scale below a strip of that size; 0 where there is no room for numbers.
+int strip_scale_px(PixelSize size);
+
+// A strip as a display shows it, with a scale below (temperatures, or the names of the inputs) and the names of the
+// methods on their rows.
+Image with_scale(const Image& strip, std::span<const CctAnswer> answers, int scale_px);
+
 } // namespace gonio::cli

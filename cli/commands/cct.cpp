@@ -44,6 +44,7 @@ constexpr std::array strip_options{
     Option{"-o,--output", "FILE", "a picture of the colours side by side; '-' is standard output (with --to)"},
     Option{"-s,--size", "WxH", "its pixels across and down (1024x128)"},
     Option{"--to", "FORMAT", "its format, where the file name does not tell", "images"},
+    Option{"--no-scale", "", "the colours alone; pictures of integers have a scale with numbers at their foot"},
 };
 constexpr std::array groups{OptionGroup{"colour", color_options}, OptionGroup{"space", space_options},
                             OptionGroup{"picture", strip_options}, json_group, common_group};
@@ -118,7 +119,9 @@ Result<void> draw(std::span<const CctAnswer> answers, const CctRequest& request,
     Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), output);
     if (!format) return pass_on(format);
     const bool linear = has_pixel(**format, media::Pixel::float32);
-    Result<Image> image = strip(answers, request, size, !linear);
+    // Numbers are for people: a file of floats is colours alone.
+    const int scale_px = linear || arguments.has("--no-scale") ? 0 : strip_scale_px(size);
+    Result<Image> image = strip(answers, request, {size.width, size.height - scale_px}, !linear);
     if (!image) return pass_on(image);
     media::ImageWriteOptions write;
     if (linear) {
@@ -128,6 +131,7 @@ Result<void> draw(std::span<const CctAnswer> answers, const CctRequest& request,
         Result<media::DisplayUsed> used = media::apply_display(*image);
         if (!used) return pass_on(used);
         write.color_space = "sRGB";
+        if (scale_px > 0) *image = with_scale(*image, answers, scale_px);
     }
     Result<std::string> bytes = media::encode_image(*image, **format, write);
     if (!bytes) return pass_on(bytes);

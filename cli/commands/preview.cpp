@@ -9,6 +9,7 @@
 #include "../options/output.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
+#include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
 #include "../stopwatch.hpp"
 
@@ -28,6 +29,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"picture", preview_picture_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
+                            OptionGroup{"sheet", preview_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             json_group,
@@ -43,6 +45,7 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
+    Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -93,6 +96,9 @@ Diagnostics check_convergence(const RenderStats& stats) {
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--sheet")) return preview_sheet(arguments, console);
+    for (const std::string_view option : {"--columns", "--title"})
+        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;
@@ -146,7 +152,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command preview_command;
 const Command preview_command{"preview",
                               "a picture of how lights fall on a stage",
-                              "FILE | --rig RIG | --shape SHAPE … -o OUT",
+                              "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT",
                               "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1, which "
                               "may name\nthe stage, camera and materials too; options win over it.",
                               groups,

@@ -22,14 +22,7 @@ constexpr int ramp_colors = 256;
 // From cd/m² to display-encoded values.
 Result<void> develop(Image& image, Ev100 exposure, const PreviewRequest& request, const Console& console) {
     expose(image, exposure);
-    if (request.exposure.tone_map == ToneMap::ue3) {
-        apply_ue3(image);
-        return {};
-    }
-    Result<media::DisplayUsed> used = media::apply_display(image, request.display);
-    if (!used) return pass_on(used);
-    console.say(used->diagnostics);
-    return {};
+    return show_exposed(image, request, console);
 }
 
 Image gray_picture(const Image& values) {
@@ -187,6 +180,17 @@ private:
 };
 
 } // namespace
+
+Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console) {
+    if (request.exposure.tone_map == ToneMap::ue3) {
+        apply_ue3(exposed);
+        return {};
+    }
+    Result<media::DisplayUsed> used = media::apply_display(exposed, request.display);
+    if (!used) return pass_on(used);
+    console.say(used->diagnostics);
+    return {};
+}
 
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                                       const Console& console) {

@@ -24,6 +24,9 @@ struct EncodedPicture {
     std::vector<double> levels;      // isolux, in base units
 };
 
+// An exposed linear picture as display-encoded values, by the view or the tone map that is asked for.
+Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console);
+
 // Integer formats: exposed, through the display transform, as the look that is asked for. Float formats: linear Rec.709
 // in cd/m², or one channel Y of the look's quantity in lux or cd/m².
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,

@@ -68,6 +68,19 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
 
 } // namespace
 
+Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
+    PreviewRequest request;
+    Result<void> read = read_picture(arguments, request);
+    if (read) read = read_output(arguments, request);
+    if (!read) return pass_on(read);
+    Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
+    if (!stage) return pass_on(stage);
+    request.stage = std::move(*stage);
+    read = apply_material(arguments, request);
+    if (!read) return pass_on(read);
+    return request;
+}
+
 Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     PreviewRequest request;
     Result<void> read = read_picture(arguments, request);

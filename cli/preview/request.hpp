@@ -56,6 +56,9 @@ struct PreviewRequest {
     Diagnostics diagnostics;
 };
 
+// All but the lights: a picture on a stage.
+Result<PreviewRequest> parse_without_lights(const Arguments& arguments);
+
 // Everything but the files is checked first: a mistake is told before a large rig is read.
 Result<PreviewRequest> parse_preview(const Arguments& arguments);
 

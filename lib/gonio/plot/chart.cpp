@@ -48,10 +48,10 @@ void Chart::draw_lines(Drawing& drawing, Ink ink) const {
 
 void Chart::draw_numbers(Drawing& drawing) const {
     for (const double x : x_.at)
-        drawing.text({at(x, y_.at.front()).x, inner_.bottom + 16.0}, rounded(x, 4),
+        drawing.text({at(x, y_.at.front()).x, inner_.bottom + 16.0}, rounded(x),
                      {TextAnchor::middle, 11.0, numbers_ink});
     for (const double y : y_.at)
-        drawing.text({inner_.left - 6.0, at(x_.at.front(), y).y + 4.0}, rounded(y, 4),
+        drawing.text({inner_.left - 6.0, at(x_.at.front(), y).y + 4.0}, rounded(y),
                      {TextAnchor::end, 11.0, numbers_ink});
     drawing.text({0.5 * (inner_.left + inner_.right), inner_.bottom + 34.0}, x_.name, {TextAnchor::middle});
     drawing.text({inner_.left - 6.0, inner_.top - 8.0}, y_.name);

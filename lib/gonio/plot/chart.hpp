@@ -1,5 +1,5 @@
-// A chart with two axes, linear or logarithmic: where values lie on the page, grid lines, numbers and names of the axes.
-// Internal to the room.
+// A chart with two axes, linear or logarithmic: where values lie on the page, grid lines, numbers and names of the
+// axes. Internal to the room.
 #pragma once
 
 #include <gonio/plot/drawing.hpp>
@@ -11,8 +11,8 @@
 namespace gonio::plot_detail {
 
 struct Axis {
-    std::string_view name;  // "gamma [°]"
-    std::vector<double> at; // where the lines stand: ascending, at least two; the first and last bound the axis
+    std::string_view name;    // "gamma [°]"
+    std::vector<double> at;   // where the lines stand: ascending, at least two; the first and last bound the axis
     bool logarithmic = false; // all of them above 0
 };
 

@@ -152,9 +152,10 @@ Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const Fall
 
     Area area;
     Drawing page = begin_page(names, page_options, "illuminance on the axis against the distance", legend, area);
-    std::vector<double> x_lines = log_lines(options.nearest_m, options.farthest_m);
-    std::erase_if(x_lines,
-                  [&](double at) { return at <= options.nearest_m * 1.001 || at >= options.farthest_m * 0.999; });
+    const bool few = std::log10(options.farthest_m / options.nearest_m) <= 3.2;
+    std::vector<double> x_lines =
+        few ? levels_1_2_5(options.nearest_m, options.farthest_m) : log_lines(options.nearest_m, options.farthest_m);
+    std::erase_if(x_lines, [&](double at) { return at <= options.nearest_m * 1.2 || at >= options.farthest_m / 1.2; });
     x_lines.insert(x_lines.begin(), options.nearest_m);
     x_lines.push_back(options.farthest_m);
     const Chart chart(area, {"distance [m]", x_lines, true}, {"illuminance [lx]", log_lines(low, high), true});

@@ -20,6 +20,11 @@ constexpr double top_px = 40.0;
 constexpr double foot_px = 50.0; // below the bar, for the greatest value
 constexpr double line_px = 17.0; // what a number needs
 
+// Four digits, without an exponent where the number is a large one.
+std::string number(double value) {
+    return value >= 1000.0 ? rounded(std::round(value), 9) : rounded(value, 4);
+}
+
 // The picture with an empty column to its right.
 Image widened(const Image& picture) {
     Image wide(picture.width + legend_width_px, picture.height, 3);
@@ -35,7 +40,7 @@ Drawing begin_legend(int height, const LegendUnit& unit, double greatest) {
     legend.text({left_px, 24.0}, unit.symbol, {TextAnchor::start, 14.0, words, true});
     if (height >= 160) {
         legend.text({left_px, height - 26.0}, "max", {TextAnchor::start, 12.0, ink(0x9a9a9a)});
-        legend.text({left_px, height - 10.0}, rounded(greatest / unit.factor, 4), number_style);
+        legend.text({left_px, height - 10.0}, number(greatest / unit.factor), number_style);
     }
     return legend;
 }
@@ -72,7 +77,7 @@ Image with_legend(const Image& picture, const RampLegend& legend) {
         if (y > free_below - line_px) continue;
         free_below = y;
         page.line({left_px + bar_px, y}, {left_px + bar_px + 4.0, y}, {words});
-        page.text({left_px + bar_px + 8.0, y + 4.5}, rounded(value / legend.unit.factor, 4), number_style);
+        page.text({left_px + bar_px + 8.0, y + 4.5}, rounded(value / legend.unit.factor), number_style);
     }
     draw(page, wide, {static_cast<double>(picture.width), 0.0});
     return wide;
@@ -85,7 +90,7 @@ Image with_legend(const Image& picture, const LineLegend& legend) {
     for (std::size_t i = legend.levels.size(); i-- > 0 && y < picture.height - (picture.height >= 160 ? foot_px : 4.0);
          y += line_px + 3.0) {
         page.line({left_px, y}, {left_px + bar_px, y}, {legend.inks[i], 3.0});
-        page.text({left_px + bar_px + 8.0, y + 4.5}, rounded(legend.levels[i] / legend.unit.factor, 4), number_style);
+        page.text({left_px + bar_px + 8.0, y + 4.5}, rounded(legend.levels[i] / legend.unit.factor), number_style);
     }
     draw(page, wide, {static_cast<double>(picture.width), 0.0});
     return wide;

@@ -146,7 +146,7 @@ Drawing contour_drawing(const Image& values, std::span<const std::int32_t> surfa
     LabelPlacer placer(values.width, values.height);
     std::vector<WrittenText> labels;
     for (std::size_t i = levels.size(); i-- > 0;) { // the brightest lines are the shortest and choose first
-        const std::string text = rounded(levels[i] / unit, 4);
+        const std::string text = rounded(levels[i] / unit);
         for (const ContourLine& line : contour_lines(field, levels[i], surfaces)) {
             drawing.stroke(path_of(line), {inks[i], 1.4});
             const double length = length_of(line);

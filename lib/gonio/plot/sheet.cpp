@@ -25,7 +25,7 @@ constexpr Ink second_plane = ink(0x6cb8f0);
 
 constexpr int gap_px = 10;
 constexpr int title_px = 40;
-constexpr int words_px = 52; // below the picture
+constexpr int words_px = 42; // below the picture
 constexpr double name_px = 13.0;
 constexpr double fact_px = 12.0;
 

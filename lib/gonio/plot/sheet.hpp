@@ -17,7 +17,7 @@ inline constexpr int sheet_polar_px = 132;
 
 struct SheetTile {
     std::string name;               // UTF-8, cut with an ellipsis where it is too long
-    std::vector<std::string> facts; // up to two lines below the name
+    std::vector<std::string> facts; // a line each below the name, which has room for one
     Image picture;                  // three display-encoded channels; empty: none
     std::optional<Drawing> polar;   // of polar_thumbnail
     std::string fault;              // in the picture's stead, in words

@@ -1,5 +1,7 @@
 #include <gonio/plot/diagram.hpp>
+#include <gonio/plot/falloff.hpp>
 #include <gonio/plot/frame.hpp>
+#include <gonio/plot/sheet.hpp>
 #include <gonio/plot/svg.hpp>
 #include <gonio/web/metrics.hpp>
 
@@ -7,10 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace gonio {
 namespace {
@@ -214,6 +218,112 @@ TEST(Diagram, WhatCannotBeDrawnIsRefused) {
         EXPECT_EQ(kind.draw({&plotted[1], 1}, options).has_value(), kind.name != "isolux" && kind.name != "cone");
     }
     EXPECT_FALSE(find_diagram("polr").has_value());
+}
+
+Light light_of(const char* shape, const char* intensity) {
+    Diagnostics diagnostics;
+    LightDescription description;
+    description.shape = parse_shape(shape).value();
+    description.intensity = parse_photometric_value(intensity).value();
+    description.position = {1.0, -2.0, 3.0};
+    description.direction = {1.0, 1.0, -1.0};
+    return resolve_light(description, diagnostics).value();
+}
+
+// The points of a drawing's lines of that width and dash.
+std::vector<std::vector<PagePoint>> lines_of(const Drawing& drawing, double width_px, double dash_px) {
+    std::vector<std::vector<PagePoint>> lines;
+    for (const DrawingStep& step : drawing.steps())
+        if (const auto* line = std::get_if<StrokedPath>(&step))
+            if (line->pen.width_px == width_px && line->pen.dash_px[0] == dash_px &&
+                line->path.parts()[0].points.size() > 9)
+                lines.push_back(line->path.parts()[0].points);
+    return lines;
+}
+
+// A disk on its axis gives π L r²/(d²+r²) and the inverse square π L r²/d²: the gap between the curves, in decades, is
+// log10(1 + r²/d²). The window takes (1 − (d/R)⁴)² of it.
+TEST(Diagram, FalloffIsTheExactLightBesideTheInverseSquare) {
+    const double radius_m = 0.3;
+    const double range_m = 10.0;
+    PlottedLight plotted{"disk", light_of("disk:r=30cm", "500cd")};
+    plotted.light.range = Meters(range_m);
+    FalloffOptions options;
+    options.nearest_m = 0.1;
+    options.farthest_m = 9.9;
+    const Result<Drawing> page = falloff_diagram({&plotted, 1}, options);
+    ASSERT_TRUE(page.has_value());
+    expect_whole(to_svg(*page));
+    const auto square = lines_of(*page, 1.0, 6.0);
+    const auto windowed = lines_of(*page, 2.0, 0.0);
+    const auto unlimited = lines_of(*page, 1.5, 1.5);
+    ASSERT_EQ(square.size(), 1U);
+    ASSERT_EQ(windowed.size(), 1U);
+    ASSERT_EQ(unlimited.size(), 1U);
+    const std::size_t count = square[0].size();
+    ASSERT_EQ(windowed[0].size(), count);
+    const double decades = std::log10(options.farthest_m / options.nearest_m);
+    const double px_per_decade = (square[0].back().y - square[0].front().y) / (2.0 * decades);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double d =
+            options.nearest_m * std::pow(10.0, decades * static_cast<double>(i) / static_cast<double>(count - 1));
+        const double gap = (unlimited[0][i].y - square[0][i].y) / px_per_decade;
+        EXPECT_NEAR(gap, std::log10(1.0 + radius_m * radius_m / (d * d)), 1e-9) << d;
+        const double window = std::pow(1.0 - std::pow(d / range_m, 4.0), 2.0);
+        EXPECT_NEAR((windowed[0][i].y - unlimited[0][i].y) / px_per_decade, -std::log10(window), 1e-8) << d;
+    }
+}
+
+TEST(Diagram, FalloffRefusesWhatHasNone) {
+    const FalloffOptions options;
+    EXPECT_FALSE(falloff_diagram({}, options).has_value());
+    const PlottedLight sun{"sun", light_of("sun:angle=0.53deg", "100000lx")};
+    EXPECT_FALSE(falloff_diagram({&sun, 1}, options).has_value());
+    const PlottedLight bulb{"bulb", light_of("sphere:r=3cm", "800lm")};
+    EXPECT_TRUE(falloff_diagram({&bulb, 1}, options).has_value());
+    for (const auto& [from, to] : {std::pair{0.0, 1.0}, {2.0, 1.0}, {1.0, 1.1}, {1.0, 1e9}, {std::nan(""), 1.0}}) {
+        FalloffOptions wrong;
+        wrong.nearest_m = from;
+        wrong.farthest_m = to;
+        EXPECT_FALSE(falloff_diagram({&bulb, 1}, wrong).has_value()) << from << ':' << to;
+    }
+}
+
+TEST(Sheet, HoldsEveryTileInItsPlace) {
+    const Web web = downlight();
+    std::vector<SheetTile> tiles(7);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        tiles[i].name = "a name that is far too long for the tile of a sheet, and goes on and on.ies";
+        tiles[i].picture = Image(64, 64, 3);
+        std::fill(tiles[i].picture.pixels.begin(), tiles[i].picture.pixels.end(), 0.1F * static_cast<float>(i + 1));
+        tiles[i].polar = polar_thumbnail(web);
+    }
+    tiles[3].picture = {};
+    tiles[3].fault = "91 candela values announced, 21 found, and so on, a long sentence that is cut somewhere";
+    SheetOptions options;
+    options.picture_width_px = 64;
+    options.picture_height_px = 64;
+    options.columns = 3;
+    options.title = "Seven";
+    const SheetLayout layout = layout_of(tiles.size(), options);
+    EXPECT_EQ(layout.columns, 3);
+    EXPECT_EQ(layout.rows, 3);
+    const Image image = sheet(tiles, options);
+    EXPECT_EQ(image.width, layout.width_px);
+    EXPECT_EQ(image.height, layout.height_px);
+    const int pitch_x = (layout.width_px - 10) / 3;
+    const int pitch_y = (layout.height_px - 40 - 10) / 3;
+    for (int i = 0; i < 7; ++i)
+        if (i != 3)
+            EXPECT_FLOAT_EQ(image.at(10 + i % 3 * pitch_x + 32, 50 + i / 3 * pitch_y + 32)[0],
+                            0.1F * static_cast<float>(i + 1));
+    EXPECT_EQ(sheet(tiles, options).pixels, image.pixels);
+    options.columns = 0;
+    for (const std::size_t count : {1U, 2U, 50U, 172U}) {
+        const SheetLayout chosen = layout_of(count, options);
+        EXPECT_GE(static_cast<std::size_t>(chosen.columns * chosen.rows), count);
+        EXPECT_LT(static_cast<std::size_t>(chosen.columns * (chosen.rows - 1)), count);
+    }
 }
 
 TEST(Diagram, NumbersHaveNoNegativeZeroAndNoExponent) {

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Makes the pictures of the README and its gallery again.
+#
+#   .readme/make.sh GONIO
+#
+# Every picture must stay below 60 kB: a checkout carries them for ever.
+set -euo pipefail
+
+gonio=$(realpath "${1:?"usage: make.sh GONIO"}")
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+here=.readme
+unset OCIO
+
+"$gonio" plot profiles/wall-washer.ies profiles/downlight.ies --per-klm -s 560x420 -o $here/polar.svg
+"$gonio" cct 1000K:10000K:20K --versus krystek,materialx,usd,helland -s 900x144 -o $here/strip.png
+"$gonio" preview profiles/wall-washer.ies --rotate 90deg -s 320x260 --look falsecolour -o $here/falsecolour.png
+"$gonio" preview profiles/downlight.ies -s 320x260 --look isolux -o $here/isolux.png
+"$gonio" preview profiles/downlight.ies -s 320x260 --look luminance -o $here/luminance.png
+"$gonio" plot --diagram falloff --shape sphere:r=5cm --shape disk:r=30cm --shape rect:w=1.2m,h=30cm \
+    --intensity 800lm --range 12m --distance 0.05m:15m -s 480x400 -o $here/falloff.png
+"$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
+    -o $here/sheet.png
+
+for picture in $here/*.png; do
+    bytes=$(stat -c %s "$picture")
+    ((bytes < 60000)) || { echo "$picture has $bytes bytes, more than 60 kB" >&2; exit 1; }
+done

@@ -1,0 +1,24 @@
+// `gonio preview --sheet`: a labelled thumbnail of every profile, in one picture.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+
+#include <array>
+
+namespace gonio::cli {
+
+inline constexpr std::array preview_sheet_options{
+    Option{"--sheet", "", "FILE… (folders and @LIST too) as labelled thumbnails: floor, polar diagram, lm, cd, beam"},
+    Option{"--columns", "N", "tiles side by side (as many as make the sheet about 4:3)"},
+    Option{"--title", "TEXT", "a headline of the sheet"},
+};
+
+// Returns the exit status: the worst of all profiles. One that cannot be read has a tile that says so. -s is the size
+// of each tile's picture. Fails (usage) on what a sheet has no use for, before a profile is read.
+Result<int> preview_sheet(const Arguments& arguments, Console& console);
+
+} // namespace gonio::cli
