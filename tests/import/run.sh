@@ -63,11 +63,12 @@ if command -v blender > /dev/null; then
         "$gonio" probe "$here/../../profiles/$lamp.ies" --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > "$lamp.probe.csv"
         python3 "$here/compare_planes.py" "$lamp.csv" "$lamp.probe.csv"
     done
-    # A rig, by 1024 samples a pixel: its areas are noise.
+    # A rig, by 1024 samples a pixel: its areas are noise. The tube is a mesh and casts shadows of the other lights, a
+    # line of pixels, which gonio's lights do not.
     blender --background --factory-startup --python "$here/blender_plane.py" -- \
         assets/blender/studio.py studio.csv 1024 > blender.log 2>&1 || { cat blender.log; exit 1; }
     "$gonio" probe --rig "$here/studio.json" --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > studio.probe.csv
-    python3 "$here/compare_planes.py" studio.csv studio.probe.csv 0.005 0.02
+    python3 "$here/compare_planes.py" studio.csv studio.probe.csv 0.005 0.1
 else
     echo 'Blender is not installed: skipped'
 fi
