@@ -71,13 +71,14 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
 Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     PreviewRequest request;
     Result<void> read = read_picture(arguments, request);
+    if (read) read = read_method(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
-    Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
+    Result<Stage> stage = named_stage(arguments);
+    if (!stage) return pass_on(stage);
+    stage = stage_input(arguments, {}, std::move(*stage), request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    read = apply_material(arguments, request);
-    if (!read) return pass_on(read);
     return request;
 }
 
