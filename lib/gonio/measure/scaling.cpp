@@ -3,6 +3,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/random.hpp>
 #include <gonio/measure/scaling.hpp>
+#include <gonio/measure/strtod_baseline.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/scene/probe.hpp>
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -170,15 +171,7 @@ Result<std::vector<ScalingCurve>> by_file_size(const ScalingOptions& options) {
     const std::vector<Growing> works{
         {"strtod over the bytes",
          [&](std::size_t count) -> std::function<void()> {
-             return [&bytes = bytes_of(count), sum = 0.0]() mutable {
-                 const char* at = bytes.c_str();
-                 const char* const end = at + bytes.size();
-                 while (at < end) {
-                     char* stop = nullptr;
-                     sum += std::strtod(at, &stop);
-                     at = stop == at ? at + 1 : stop;
-                 }
-             };
+             return [&bytes = bytes_of(count), sink = std::make_shared<double>()] { *sink += sum_by_strtod(bytes); };
          }},
         {"read",
          [&](std::size_t count) -> std::function<void()> {

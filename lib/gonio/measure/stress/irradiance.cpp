@@ -22,7 +22,7 @@ using hostile::Shape;
 using hostile::Stratum;
 using Kind = shading::LightConstants::Kind;
 
-constexpr std::size_t group = 9 * 16; // receivers of one light
+constexpr std::size_t group = std::size_t{9} * 16; // receivers of one light
 
 // Positions and normals, or views too.
 template<std::size_t count>

@@ -18,7 +18,7 @@ using hostile::Shape;
 using hostile::Stratum;
 using shading::SpecularMethod;
 
-constexpr std::size_t group = 9 * 16; // receivers of one light
+constexpr std::size_t group = std::size_t{9} * 16; // receivers of one light
 constexpr std::size_t method_count = 6;
 
 // Any direction, above the surface or below it; some along the normal, some grazing.

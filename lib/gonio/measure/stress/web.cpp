@@ -117,7 +117,7 @@ void fluxes(Random& random, std::uint64_t evaluations, StressTally& tally) {
 
 // A texture of any layout holds the web's flux. Floats: 24 bits of each texel, which round to either side.
 void textures(Random& random, std::uint64_t evaluations, StressTally& tally) {
-    for (std::uint64_t done = 0; done < evaluations; done += 32 * 16) {
+    for (std::uint64_t done = 0; done < evaluations; done += 512) { // texels, about
         const Result<RandomWeb> made = random_web(random);
         if (!made || made->greatest == 0.0) continue;
         BakeOptions options;

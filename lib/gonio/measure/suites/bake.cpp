@@ -81,7 +81,7 @@ double sample(const Baked& baked, const glm::dvec3& direction) {
         const double left = std::floor(x);
         const double top = std::min(std::floor(y), placed.height - 1.0);
         const auto column = [&](double i) {
-            const int c = static_cast<int>(i);
+            const auto c = static_cast<int>(i);
             if (placed.chart->wraps()) return placed.x + (c + placed.width) % placed.width;
             return placed.x + std::clamp(c, 0, placed.width - 1);
         };
@@ -130,9 +130,9 @@ Result<Contest> of_question(Question question, const SuiteOptions& options) {
                     off.push_back(std::fabs(sample(baked, d) - web->candela(d)) / peak_cd);
                 return off;
             };
-            const auto texels =
-                static_cast<std::size_t>(subject.width * times) * static_cast<std::size_t>(subject.height * times);
-            contest.contestants.push_back({subject.name, code, {work, texels}, errors});
+            const auto columns = static_cast<std::size_t>(subject.width) * static_cast<std::size_t>(times);
+            const auto rows = static_cast<std::size_t>(subject.height) * static_cast<std::size_t>(times);
+            contest.contestants.push_back({subject.name, code, {work, columns * rows}, errors});
         }
     return contest;
 }

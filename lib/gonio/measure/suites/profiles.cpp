@@ -1,6 +1,7 @@
 // Measured light: reading the files of three formats, the flux of a table, and the intensity between its angles.
 #include <gonio/base/gauss_legendre.hpp>
 #include <gonio/measure/hostile_poses.hpp>
+#include <gonio/measure/strtod_baseline.hpp>
 #include <gonio/measure/suites/suites.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/author.hpp>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 
@@ -52,15 +52,7 @@ Result<Contest> of_reading(const char* format) {
         return off;
     };
     const auto sink = std::make_shared<double>();
-    const auto numbers_alone = [bytes, sink] {
-        const char* at = bytes->c_str();
-        const char* const end = at + bytes->size();
-        while (at < end) {
-            char* stop = nullptr;
-            *sink += std::strtod(at, &stop);
-            at = stop == at ? at + 1 : stop;
-        }
-    };
+    const auto numbers_alone = [bytes, sink] { *sink += sum_by_strtod(*bytes); };
     const auto none = [] { return std::vector<double>{std::numeric_limits<double>::quiet_NaN()}; };
     return Contest{
         {"profiles", std::string("reading ") + format, "all", "relative to the peak intensity", "candela value",
