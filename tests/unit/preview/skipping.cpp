@@ -118,8 +118,8 @@ std::vector<LightDescription> every_light() {
 // The picture without any skipping is the same to the last bit, for every light from several places on every stage.
 TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
     RenderOptions options;
-    options.width = 40;
-    options.height = 32;
+    options.width = 32;
+    options.height = 24;
     std::vector<Light> all;
     for (const LightDescription& light : every_light())
         all.push_back(resolved(light));
@@ -128,7 +128,9 @@ TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
         Numbers numbers(3);
         for (Light& light : all)
             light.frame = aimed_frame(stage.light.position + numbers.in_box(0.9), numbers.direction(), {0.0, 1.0, 0.0});
-        for (std::size_t first = 0; first < all.size(); first += 5) {
+        // The long way is slow: some of the lights on each stage, each of them somewhere.
+        const auto stage_index = static_cast<std::size_t>(&kind - stage_kinds().data());
+        for (std::size_t first = stage_index % 4 * 5; first < all.size(); first += 20) {
             const std::span<const Light> lights =
                 std::span(all).subspan(first, std::min<std::size_t>(5, all.size() - first));
             options.skip = true;
