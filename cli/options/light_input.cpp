@@ -13,7 +13,7 @@ bool is_about_messages(std::string_view color) {
     return color == "auto" || color == "always" || color == "never";
 }
 
-Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position,
+Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics) {
     const std::vector<std::string>& files = arguments.positional();
     const auto shape_text = arguments.value("--shape");
@@ -28,7 +28,9 @@ Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec
     if (!shape) return pass_on(shape);
     light.shape = *shape;
     light.name = kind_of(light.shape);
-    light.position = default_position;
+    light.position = placement.position;
+    light.direction = placement.direction;
+    light.up = placement.up;
     if (const auto text = arguments.value("--intensity")) {
         Result<PhotometricValue> value = parse_photometric_value(*text);
         if (!value) return pass_on(value);

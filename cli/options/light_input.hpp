@@ -3,6 +3,7 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -18,8 +19,8 @@ inline constexpr std::array light_options{
            "of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, always, "
            "never for messages"},
     Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it; of probe: 0,0,0)"},
-    Option{"--direction", "X,Y,Z", "along which it shines (0,0,-1)"},
-    Option{"--up", "X,Y,Z", "where C90 of a profile points (0,1,0)"},
+    Option{"--direction", "X,Y,Z", "along which it shines (as the stage has it; of probe: 0,0,-1)"},
+    Option{"--up", "X,Y,Z", "where C90 of a profile points (as the stage has it; of probe: 0,1,0)"},
     Option{"--rotate", "ANGLE", "turns the light about its direction, C0 towards C90: 90deg"},
     Option{"--range", "LENGTH", "distance at which the light is windowed to nothing (none)"},
 };
@@ -32,7 +33,7 @@ bool is_about_messages(std::string_view color);
 // The light of the positional FILE or --shape. Reads no profile; what there is to say of the colour goes to
 // `diagnostics`. Fails (usage) when there is none or both, and on what the
 // options cannot mean.
-Result<LightDescription> light_input(const Arguments& arguments, const glm::dvec3& default_position,
+Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics);
 
 // The first of light_options, other than a --color that is about messages, that is given: "--shape"; empty for none.

@@ -8,12 +8,12 @@
 
 namespace gonio::cli {
 
-Result<LightsInput> lights_input(const Arguments& arguments, const glm::dvec3& default_position,
+Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement,
                                  Diagnostics& diagnostics) {
     LightsInput input;
     const auto rig_file = arguments.value("--rig");
     if (!rig_file) {
-        Result<LightDescription> light = light_input(arguments, default_position, diagnostics);
+        Result<LightDescription> light = light_input(arguments, placement, diagnostics);
         if (!light) return pass_on(light);
         input.rig.lights.push_back(std::move(*light));
         return input;

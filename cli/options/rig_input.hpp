@@ -4,6 +4,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/scene/rig.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -25,11 +26,10 @@ struct LightsInput {
     Rig rig;
 };
 
-// Of --rig, or of the positional FILE or --shape, which then hangs at `default_position`. Reads the rig and its
+// Of --rig, or of the positional FILE or --shape, which then hangs at the placement. Reads the rig and its
 // profiles, but not the profile of one light. Fails (usage) when a rig and a light are both given, and as
 // read_rig_file and light_input do.
-Result<LightsInput> lights_input(const Arguments& arguments, const glm::dvec3& default_position,
-                                 Diagnostics& diagnostics);
+Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement, Diagnostics& diagnostics);
 
 // Resolved, in order; messages name the rig's JSON path where there is a rig.
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads);

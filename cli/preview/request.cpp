@@ -1,8 +1,5 @@
 #include "request.hpp"
 
-#include <gonio/base/kind_text.hpp>
-#include <gonio/scene/material_charts.hpp>
-
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
@@ -58,34 +55,6 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
-// The rig's materials go to the surfaces they name.
-Result<void> apply_materials(const Rig& rig, Stage& stage) {
-    for (const SurfaceMaterial& named : rig.materials) {
-        std::vector<std::string_view> names;
-        bool found = false;
-        for (Surface& surface : stage.surfaces) {
-            names.push_back(surface.name);
-            if (surface.name != named.surface) continue;
-            surface.material = named.material;
-            found = true;
-        }
-        if (!found) return unknown_name("surface", named.surface, names);
-    }
-    return {};
-}
-
-Result<void> apply_material(const Arguments& arguments, PreviewRequest& request) {
-    const auto text = arguments.value("--material");
-    if (!text) return {};
-    Result<Material> material = parse_material(*text);
-    if (!material) return pass_on(material);
-    const Diagnostics judged = check_charts(*material);
-    request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
-    for (Surface& surface : request.stage.surfaces)
-        if (!std::holds_alternative<Plane>(surface.geometry)) surface.material = *material;
-    return {};
-}
-
 } // namespace
 
 Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
@@ -93,11 +62,10 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     Result<void> read = read_picture(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
-    Result<Stage> stage = make_stage(arguments.value("--stage").value_or("floor"));
+    Result<Stage> stage = named_stage(arguments);
+    if (stage) stage = stage_input(arguments, {}, std::move(*stage), request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    read = apply_material(arguments, request);
-    if (!read) return pass_on(read);
     return request;
 }
 
@@ -106,20 +74,14 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     Result<void> read = read_picture(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
-    const auto named_stage = arguments.value("--stage");
-    Result<Stage> stage = make_stage(named_stage.value_or("floor"));
+    Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    Result<LightsInput> lights = lights_input(arguments, stage->light_position, request.diagnostics);
+    Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
-    const Rig& rig = request.lights.rig;
-    if (rig.stage && !named_stage) stage = make_stage(*rig.stage);
+    stage = stage_input(arguments, request.lights.rig, std::move(*stage), request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    if (rig.camera) request.stage.camera = *rig.camera;
-    read = apply_materials(rig, request.stage);
-    if (read) read = apply_material(arguments, request);
-    if (!read) return pass_on(read);
     return request;
 }
 

@@ -12,16 +12,12 @@
 #include "../command.hpp"
 #include "../options/rig_input.hpp"
 #include "look_options.hpp"
+#include "stage_input.hpp"
 
 #include <array>
 #include <string>
 
 namespace gonio::cli {
-
-inline constexpr std::array preview_stage_options{
-    Option{"--stage", "STAGE", "what the lights are shown on (the rig's; else floor)", "stages"},
-    Option{"--material", "MATERIAL", "of what stands on the stage", "materials"},
-};
 
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},

@@ -18,7 +18,7 @@ namespace gonio::cli {
 namespace {
 
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
-    Result<LightsInput> input = lights_input(arguments, {0.0, 0.0, 0.0}, request.diagnostics);
+    Result<LightsInput> input = lights_input(arguments, LightPlacement{glm::dvec3(0.0)}, request.diagnostics);
     if (!input) return pass_on(input);
     request.rig = input->rig_file;
     Result<std::vector<Light>> lights = resolve_input(std::move(*input), request.diagnostics, request.options.threads);

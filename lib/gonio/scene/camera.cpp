@@ -1,6 +1,7 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/scene/camera.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gonio {
@@ -8,7 +9,8 @@ namespace gonio {
 CameraRays::CameraRays(const Camera& camera, int width, int height) : origin_(camera.position) {
     const Frame frame = aimed_frame(camera.position, camera.target - camera.position, camera.up);
     const double half_height = std::tan(0.5 * degrees(camera.vertical_fov_deg).value);
-    const double pixel = 2.0 * half_height / height;
+    const double half_width = std::tan(0.5 * degrees(camera.least_horizontal_fov_deg).value);
+    const double pixel = 2.0 * std::max(half_height / height, half_width / width);
     right_ = frame.x * pixel;
     down_ = -frame.y * pixel;
     corner_ = -frame.z - 0.5 * width * right_ - 0.5 * height * down_;

@@ -15,6 +15,8 @@ struct Camera {
     glm::dvec3 target{0.0, 0.0, 1.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
     double vertical_fov_deg = 40.0; // full angle
+    // Narrow pictures see more above and below, until they see this far to the sides; full angle, 0 for as it comes.
+    double least_horizontal_fov_deg = 0.0;
 };
 
 // The camera's basis for one picture size, made once; ray() is what the pixels call.

@@ -1,5 +1,5 @@
 #include <gonio/scene/emitter.hpp>
-#include <gonio/scene/stage.hpp>
+#include <gonio/scene/primitives.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -47,26 +47,7 @@ struct Distance {
         return inside ? std::optional(at->distance) : std::nullopt;
     }
     std::optional<double> operator()(const TubeShape& tube) const {
-        const double r = tube.radius.value;
-        const glm::dvec3 axis = light.frame.x;
-        const glm::dvec3 half = 0.5 * tube.length.value * axis;
-        std::optional<double> nearest = distance_to(Ball{light.frame.origin - half, r}, ray);
-        const std::optional<double> other = distance_to(Ball{light.frame.origin + half, r}, ray);
-        if (other && (!nearest || *other < *nearest)) nearest = other;
-        // The side of the cylinder: a circle in the plane across the axis.
-        const glm::dvec3 to_center = light.frame.origin - ray.origin;
-        const glm::dvec3 across = ray.direction - glm::dot(ray.direction, axis) * axis;
-        const double speed2 = glm::dot(across, across);
-        if (!(speed2 > 0.0)) return nearest;
-        const double closest = glm::dot(to_center, across) / speed2;
-        const glm::dvec3 miss = to_center - glm::dot(to_center, axis) * axis - closest * across;
-        const double half_chord2 = (r * r - glm::dot(miss, miss)) / speed2;
-        if (!(half_chord2 >= 0.0)) return nearest;
-        const double t = closest - std::sqrt(half_chord2);
-        const double along = glm::dot(ray.origin + t * ray.direction - light.frame.origin, axis);
-        const bool on_side = t > 0.0 && std::abs(along) <= 0.5 * tube.length.value;
-        if (on_side && (!nearest || t < *nearest)) nearest = t;
-        return nearest;
+        return distance_to(Capsule{light.frame.origin, light.frame.x, 0.5 * tube.length.value, tube.radius.value}, ray);
     }
     template<class Other>
     std::optional<double> operator()(const Other& /*no surface*/) const {

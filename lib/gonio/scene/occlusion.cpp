@@ -1,14 +1,21 @@
+#include <gonio/base/frame.hpp>
 #include <gonio/scene/occlusion.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace gonio {
 
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 double safe_acos(double x) {
     return std::acos(std::clamp(x, -1.0, 1.0));
@@ -17,7 +24,7 @@ double safe_acos(double x) {
 // 2π(1−cos a) without cancellation.
 double cap_area(double a) {
     const double s = std::sin(0.5 * a);
-    return 4.0 * std::numbers::pi * s * s;
+    return 4.0 * pi * s * s;
 }
 
 double lens_area(double a, double b, double d) {
@@ -39,6 +46,259 @@ double angle_between(const glm::dvec3& p, const glm::dvec3& q) {
     return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
 }
 
+double cross(const glm::dvec2& p, const glm::dvec2& q) {
+    return p.x * q.y - p.y * q.x;
+}
+
+// Corners of a convex outline, relative to the receiver.
+class Outline {
+public:
+    void add(const glm::dvec3& corner) { corners_[count_++] = corner; }
+    void clear() { count_ = 0; }
+    std::span<const glm::dvec3> corners() const { return {corners_.data(), count_}; }
+
+    // Each of the two planes that cut a convex outline adds a corner to the most there are, those of a capsule.
+    static constexpr std::size_t most = 28;
+
+private:
+    std::array<glm::dvec3, most> corners_{};
+    std::size_t count_ = 0;
+};
+
+// The outline of a capsule as corners relative to the receiver, which is the origin and outside of it; empty where one
+// end hides the other. After the outline of a tube light (irradiance of area lights, exact forms).
+class CapsuleOutline {
+public:
+    static constexpr int chords = 12; // of each round end
+
+    explicit CapsuleOutline(const Capsule& capsule, const glm::dvec3& point) : radius_(capsule.radius) {
+        const glm::dvec3 to_center = capsule.center - point;
+        const glm::dvec3& a = capsule.axis;
+        const double z = glm::dot(to_center, a);
+        const glm::dvec3 perpendicular = to_center - z * a;
+        const double distance = glm::length(perpendicular);
+        const double s = capsule.radius / distance;
+        if (!(s < 1.0)) return;
+        const double kappa = std::sqrt((1.0 - s) * (1.0 + s));
+        const glm::dvec3 f = perpendicular / distance;
+        const glm::dvec3 g = glm::cross(a, f);
+        const double z1 = z + capsule.half_length;
+        const double z0 = z - capsule.half_length;
+        const double d1 = std::hypot(distance, z1);
+        const double d0 = std::hypot(distance, z0);
+        round_end(distance * f + z1 * a, (distance * a - z1 * f) / d1, -g, std::atan2(d1 * kappa, s * z1));
+        round_end(distance * f + z0 * a, (z0 * f - distance * a) / d0, g, std::atan2(d0 * kappa, -s * z0));
+    }
+
+    std::span<const glm::dvec3> corners() const { return outline_.corners(); }
+
+private:
+    static_assert(2 * (chords + 1) + 2 <= Outline::most);
+
+    // Where the receiver's tangents touch the ball at an end, over the half angle `half` around u. The corners between
+    // the first and the last stand out so far that the chords enclose the area of the arc.
+    void round_end(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v, double half) {
+        const double d2 = glm::dot(center, center);
+        const double towards = radius_ * radius_ / d2;
+        const double across = radius_ * std::sqrt(std::max(1.0 - towards, 0.0));
+        const double step = 2.0 * half / chords;
+        const double sharp = std::sqrt(step / std::sin(step));
+        for (int i = 0; i <= chords; ++i) {
+            const double phi = -half + i * step;
+            const double out = i == 0 || i == chords ? across : across * sharp;
+            outline_.add((1.0 - towards) * center + out * (std::cos(phi) * u + std::sin(phi) * v));
+        }
+    }
+
+    double radius_;
+    Outline outline_;
+};
+
+// A light as a receiver sees it.
+class SeenLight {
+public:
+    SeenLight(const glm::dvec3& point, const glm::dvec3& direction, double distance, double angle)
+        : frame_(aimed_frame(point, -direction, {0.0, 0.0, 1.0})),
+          distance_(distance),
+          angle_(angle),
+          sine_(std::sin(angle)),
+          area_(cap_area(angle)),
+          tangent_(std::tan(angle)) {}
+
+    const glm::dvec3& point() const { return frame_.origin; }
+    const glm::dvec3& direction() const { return frame_.z; }
+    double distance() const { return distance_; }
+    bool has_extent() const { return area_ > 0.0; }
+    // The light's own radius, as far as distances to sheets and faces matter.
+    double radius() const { return std::isfinite(distance_) ? distance_ * sine_ : 0.0; }
+    double sine() const { return sine_; }
+
+    // Whether a ball reaches into the cone from the receiver to the light; errs to true.
+    bool may_be_met_by(const Ball& ball) const {
+        const glm::dvec3 to_ball = ball.center - point();
+        const double along = glm::dot(to_ball, direction());
+        if (along < -ball.radius || along > distance_ + ball.radius) return false;
+        const double reach = std::max(along, 0.0) * tangent_ + ball.radius * std::sqrt(1.0 + tangent_ * tangent_);
+        return glm::dot(to_ball, to_ball) - along * along <= reach * reach;
+    }
+
+    // The share that a ball covers. Only the part of it that is nearer than the light does, which ends where the sphere
+    // of the light's distance about the receiver cuts it.
+    double covered_by(const Ball& ball) const {
+        const glm::dvec3 to_ball = ball.center - point();
+        const double ball_distance = glm::length(to_ball);
+        if (!(ball_distance > ball.radius) || ball_distance - ball.radius >= distance_) return 0.0; // touching is not
+        double angle = std::asin(ball.radius / ball_distance);
+        if (std::isfinite(distance_) && distance_ < ball_distance * std::cos(angle))
+            angle = safe_acos((ball_distance * ball_distance + distance_ * distance_ - ball.radius * ball.radius) /
+                              (2.0 * ball_distance * distance_));
+        return cap_overlap(angle_, angle, angle_between(direction(), to_ball)) / area_;
+    }
+
+    // The share that a flat or bulging outline covers, its corners relative to the receiver.
+    double covered_by(std::span<const glm::dvec3> outline) const {
+        constexpr double nearest = 1e-6; // of the light's distance or of 1 m: what stands at the receiver's side
+        Outline local;
+        for (const glm::dvec3& corner : outline)
+            local.add(frame_.to_local(corner));
+        local = clipped(local, 1.0, nearest * (std::isfinite(distance_) ? distance_ : 1.0));
+        if (std::isfinite(distance_)) local = clipped(local, -1.0, -distance_);
+        std::array<glm::dvec2, Outline::most> projected{};
+        std::size_t count = 0;
+        for (const glm::dvec3& corner : local.corners())
+            projected[count++] = {corner.x / corner.z, corner.y / corner.z};
+        return polygon_overlap(angle_, {projected.data(), count}) / area_;
+    }
+
+private:
+    // What of an outline has sign·z ≥ least.
+    static Outline clipped(const Outline& outline, double sign, double least) {
+        const std::span<const glm::dvec3> corners = outline.corners();
+        Outline kept;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::dvec3& from = corners[i];
+            const glm::dvec3& to = corners[i + 1 < corners.size() ? i + 1 : 0];
+            const double above_from = sign * from.z - least;
+            const double above_to = sign * to.z - least;
+            if (above_from >= 0.0) kept.add(from);
+            if ((above_from >= 0.0) != (above_to >= 0.0))
+                kept.add(glm::mix(from, to, above_from / (above_from - above_to)));
+        }
+        return kept;
+    }
+
+    Frame frame_; // Z to the light
+    double distance_;
+    double angle_;
+    double sine_;
+    double area_;
+    double tangent_;
+};
+
+// How far before a sheet something counts as touching it: a receiver on the next one of a room is not behind this one.
+double touching(const glm::dvec3& point) {
+    return 1e-9 * (1.0 + glm::length(point));
+}
+
+// The share of a light that a primitive covers.
+struct Covered {
+    const SeenLight& light;
+
+    double operator()(const Plane& plane) const {
+        const double receiver = glm::dot(light.point() - plane.point, plane.normal);
+        if (std::abs(receiver) <= touching(light.point())) return 0.0;
+        const double side = receiver < 0.0 ? -1.0 : 1.0;
+        const double slope = side * glm::dot(light.direction(), plane.normal);
+        if (!std::isfinite(light.distance())) return slope < 0.0 ? 1.0 : 0.0;
+        // In light radii, on the receiver's side > 0.
+        const double height = std::abs(receiver) + slope * light.distance();
+        const double radius = light.radius();
+        if (height >= radius) return 0.0;
+        if (height <= -radius) return 1.0;
+        const double x = height / radius;
+        return (std::acos(x) - x * std::sqrt((1.0 - x) * (1.0 + x))) / pi;
+    }
+
+    double operator()(const Panel& panel) const {
+        const double receiver = glm::dot(light.point() - panel.frame.origin, panel.frame.z);
+        if (std::abs(receiver) <= touching(light.point())) return 0.0;
+        const double side = receiver < 0.0 ? -1.0 : 1.0;
+        const double slope = side * glm::dot(light.direction(), panel.frame.z);
+        if (std::isfinite(light.distance()) && std::abs(receiver) + slope * light.distance() >= light.radius())
+            return 0.0;
+        if (!light.has_extent()) return meets_either_side(panel) ? 1.0 : 0.0;
+        return polygon(panel);
+    }
+
+    double operator()(const Ball& ball) const { return light.has_extent() ? light.covered_by(ball) : solid(ball); }
+
+    double operator()(const Box& box) const {
+        // Nothing comes between where a face of the box has both the receiver and the light before it.
+        const glm::dvec3 receiver = box.frame.to_local(light.point() - box.frame.origin);
+        const glm::dvec3 direction = box.frame.to_local(light.direction());
+        for (int axis = 0; axis < 3; ++axis) {
+            const double side = receiver[axis] < 0.0 ? -1.0 : 1.0;
+            if (side * receiver[axis] < box.half_size[axis]) continue;
+            if (std::isfinite(light.distance())) {
+                const double center = side * (receiver[axis] + direction[axis] * light.distance());
+                if (center - light.radius() >= box.half_size[axis]) return 0.0;
+            } else if (side * direction[axis] >= light.sine()) {
+                return 0.0;
+            }
+        }
+        if (!light.has_extent()) return solid(box);
+        double covered = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(receiver[axis]) > box.half_size[axis])
+                covered += polygon(face(box, 2 * axis + (receiver[axis] < 0.0 ? 1 : 0)));
+        return covered;
+    }
+
+    double operator()(const Capsule& capsule) const {
+        if (!light.has_extent()) return solid(capsule);
+        const CapsuleOutline outline(capsule, light.point());
+        if (!outline.corners().empty()) return light.covered_by(outline.corners());
+        // The receiver looks along the axis: the nearer end is all there is to see.
+        const double along = glm::dot(light.point() - capsule.center, capsule.axis);
+        const double end = std::copysign(capsule.half_length, along);
+        return light.covered_by(Ball{capsule.center + end * capsule.axis, capsule.radius});
+    }
+
+private:
+    template<class Solid>
+    double solid(const Solid& body) const {
+        const auto t = distance_to(body, Ray{light.point(), light.direction()});
+        return t && *t < light.distance() ? 1.0 : 0.0;
+    }
+
+    bool meets_either_side(Panel panel) const {
+        const Ray ray{light.point(), light.direction()};
+        if (glm::dot(ray.direction, panel.frame.z) > 0.0) panel.frame.z = -panel.frame.z;
+        const auto t = distance_to(panel, ray);
+        return t && *t < light.distance();
+    }
+
+    double polygon(const Panel& panel) const {
+        std::array<glm::dvec3, 4> outline = corners(panel);
+        for (glm::dvec3& corner : outline)
+            corner -= light.point();
+        return light.covered_by(outline);
+    }
+};
+
+double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
+    double share = 1.0;
+    for (std::size_t i = 0; i < stage.surfaces.size() && share > 0.0; ++i) {
+        if (i == own) continue;
+        const Primitive& primitive = stage.surfaces[i].geometry;
+        const std::optional<Ball> around = bounds(primitive);
+        if (around && !light.may_be_met_by(*around)) continue;
+        share *= 1.0 - std::clamp(std::visit(Covered{light}, primitive), 0.0, 1.0);
+    }
+    // What rounding leaves of a light that is covered would count as lit.
+    return share > 1e-12 ? share : 0.0;
+}
+
 } // namespace
 
 double cap_overlap(double a, double b, double d) {
@@ -49,33 +309,64 @@ double cap_overlap(double a, double b, double d) {
     const double at_crossing = triangle_angle(d, a, b);
     const double at_a = triangle_angle(b, d, a);
     const double at_b = triangle_angle(a, d, b);
-    const double area = 2.0 * (std::numbers::pi - at_crossing - at_a * std::cos(a) - at_b * std::cos(b));
+    const double area = 2.0 * (pi - at_crossing - at_a * std::cos(a) - at_b * std::cos(b));
     return std::clamp(area, 0.0, cap_area(small));
+}
+
+double polygon_overlap(double a, std::span<const glm::dvec2> corners) {
+    const double area = cap_area(a);
+    const double tangent = std::tan(a);
+    const auto sector = [&](const glm::dvec2& p, const glm::dvec2& q) {
+        return area / (2.0 * pi) * std::atan2(cross(p, q), glm::dot(p, q));
+    };
+    const auto triangle = [](const glm::dvec2& p, const glm::dvec2& q) {
+        const double length_p = std::sqrt(1.0 + glm::dot(p, p));
+        const double length_q = std::sqrt(1.0 + glm::dot(q, q));
+        return 2.0 * std::atan2(cross(p, q), length_p * length_q + length_p + length_q + 1.0 + glm::dot(p, q));
+    };
+    double sum = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec2& p = corners[i];
+        const glm::dvec2& q = corners[(i + 1) % corners.size()];
+        // Where p + s (q − p) is in the cap: between the roots of |p + s (q − p)|² = tan² a.
+        const glm::dvec2 along = q - p;
+        const double length2 = glm::dot(along, along);
+        if (!(length2 > 0.0)) continue;
+        const double middle = -glm::dot(p, along) / length2;
+        const glm::dvec2 nearest = p + middle * along;
+        const double half2 = (tangent * tangent - glm::dot(nearest, nearest)) / length2;
+        const double half = half2 > 0.0 ? std::sqrt(half2) : 0.0;
+        const double entry = std::clamp(middle - half, 0.0, 1.0);
+        const double exit = std::clamp(middle + half, 0.0, 1.0);
+        if (!(entry < exit)) {
+            sum += sector(p, q);
+            continue;
+        }
+        const glm::dvec2 from = entry > 0.0 ? p + entry * along : p;
+        const glm::dvec2 to = exit < 1.0 ? p + exit * along : q;
+        if (entry > 0.0) sum += sector(p, from);
+        sum += triangle(from, to);
+        if (exit < 1.0) sum += sector(to, q);
+    }
+    return std::min(std::abs(sum), area);
 }
 
 double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& light_center,
                      double light_radius) {
     const glm::dvec3 to_light = light_center - point;
-    const double light_distance = glm::length(to_light);
-    if (!(light_distance > light_radius)) return 1.0;
-    double share = 1.0;
-    for (std::size_t i = 0; i < stage.surfaces.size() && share > 0.0; ++i) {
-        const auto* ball = std::get_if<Ball>(&stage.surfaces[i].geometry);
-        if (ball == nullptr || i == own) continue;
-        const glm::dvec3 to_ball = ball->center - point;
-        const double ball_distance = glm::length(to_ball);
-        // Touching is not covering, and what is behind the light casts nothing on us.
-        if (!(ball_distance > ball->radius) || ball_distance >= light_distance) continue;
-        const double ball_angle = std::asin(ball->radius / ball_distance);
-        const double apart = angle_between(to_light, to_ball);
-        if (light_radius <= 0.0) {
-            if (apart < ball_angle) share = 0.0;
-            continue;
-        }
-        const double light_angle = std::asin(light_radius / light_distance);
-        share *= 1.0 - cap_overlap(light_angle, ball_angle, apart) / cap_area(light_angle);
-    }
-    return std::max(share, 0.0);
+    const double distance = glm::length(to_light);
+    if (!(distance > light_radius)) return 1.0;
+    // Lights below 1e-7 rad have no penumbra that anybody could see.
+    const double sine = light_radius / distance;
+    const SeenLight light(point, to_light / distance, distance, sine > 1e-7 ? std::asin(sine) : 0.0);
+    return free_share(stage, own, light);
+}
+
+double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,
+                            double half_angle) {
+    const SeenLight light(point, towards, std::numeric_limits<double>::infinity(),
+                          half_angle > 1e-7 ? half_angle : 0.0);
+    return free_share(stage, own, light);
 }
 
 } // namespace gonio

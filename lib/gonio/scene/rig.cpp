@@ -126,7 +126,7 @@ public:
         if (streamed && !schema_seen_)
             streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",
                                          fmt::format(R"(write "schema": "{}")", schema_name));
-        if (streamed) streamed = check_materials();
+        if (streamed) streamed = check_stage();
         if (!streamed) return pass_on(streamed);
         return std::move(rig_);
     }
@@ -294,17 +294,17 @@ private:
         return {};
     }
 
-    // At the end, because the stage may be named behind its materials.
-    Result<void> check_materials() const {
+    // At the end, because the stage may be named behind its materials and camera.
+    Result<void> check_stage() const {
         const Result<Stage> stage = make_stage(rig_.stage.value_or(std::string(stage_kinds().front().name)));
         if (!stage) return Unexpected(stage.error());
-        std::vector<std::string_view> names;
-        for (const Surface& surface : stage->surfaces)
-            names.push_back(surface.name);
+        const std::vector<std::string_view> names = surface_names(*stage);
         for (const SurfaceMaterial& material : rig_.materials)
             if (std::find(names.begin(), names.end(), material.surface) == names.end())
                 return placed(unknown_name("surface", material.surface, names, stage->name).value(), rig_.source,
                               "materials");
+        const Result<void> stands = rig_.camera ? check_camera(*stage, *rig_.camera) : Result<void>();
+        if (!stands) return placed(stands.error(), rig_.source, "camera");
         return {};
     }
 

@@ -4,6 +4,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/primitives.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -12,34 +13,30 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace gonio {
 
-// An infinite plane that is lit and seen from the side its unit normal points to.
-struct Plane {
-    glm::dvec3 point{0.0};
-    glm::dvec3 normal{0.0, 0.0, 1.0};
-};
-
-// A solid sphere.
-struct Ball {
-    glm::dvec3 center{0.0};
-    double radius = 1.0;
-};
-
 struct Surface {
-    std::string name;
-    std::variant<Plane, Ball> geometry;
+    std::string name; // by which it is given a material; several may share one
+    Primitive geometry;
     Material material;
+    bool subject = false; // what the stage is there to show: a material without a surface's name is for these
+};
+
+// Where a light hangs and how it is turned unless that is said.
+struct LightPlacement {
+    glm::dvec3 position{0.0, 0.0, 2.5};
+    glm::dvec3 direction{0.0, 0.0, -1.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
 };
 
 struct Stage {
     std::string name;
     std::vector<Surface> surfaces;
-    Camera camera;                            // frames the stage well
-    glm::dvec3 light_position{0.0, 0.0, 2.5}; // where a light hangs unless it is placed
+    Camera camera; // frames the stage well
+    LightPlacement light;
+    glm::dvec3 figure_position{0.0}; // where a scale figure stands [m]
 };
 
 struct StageKind {
@@ -52,17 +49,21 @@ std::span<const StageKind> stage_kinds();
 // Fails (usage) on a name that is not one of stage_kinds().
 Result<Stage> make_stage(std::string_view name);
 
+// The names of its surfaces, each once, in their order.
+std::vector<std::string_view> surface_names(const Stage& stage);
+
+// Fails (usage) on a camera that stands at its own target, in a solid or behind a plane of the stage, or that is told
+// to hold upright the direction in which it looks.
+Result<void> check_camera(const Stage& stage, const Camera& camera);
+
 // Where a ray first meets a stage.
 struct Hit {
     double distance = 0.0;
     std::size_t surface = 0;
+    int face = 0; // of a box, which an edge divides from the next
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0}; // unit, towards the side that is lit
 };
-
-// Distance along a unit direction, nothing behind the origin; planes are met only from their lit side.
-std::optional<double> distance_to(const Plane& plane, const Ray& ray);
-std::optional<double> distance_to(const Ball& ball, const Ray& ray);
 
 std::optional<Hit> first_hit(const Stage& stage, const Ray& ray);
 

@@ -1,0 +1,88 @@
+#include "stage_input.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/scene/material_charts.hpp>
+
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+Result<void> give_material(Stage& stage, const SurfaceMaterial& named) {
+    bool found = false;
+    for (Surface& surface : stage.surfaces) {
+        if (surface.name != named.surface) continue;
+        surface.material = named.material;
+        found = true;
+    }
+    if (!found) return unknown_name("surface", named.surface, surface_names(stage), stage.name);
+    return {};
+}
+
+// "wall=lambert:albedo=0.7" or "lambert:albedo=0.7".
+Result<void> apply_material(std::string_view text, Stage& stage, Diagnostics& diagnostics) {
+    const std::size_t equals = text.find('=');
+    const bool is_named = equals != std::string_view::npos && equals < text.find(':');
+    Result<Material> material = parse_material(is_named ? text.substr(equals + 1) : text);
+    if (!material) return pass_on(material);
+    const Diagnostics judged = check_charts(*material);
+    diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
+    if (is_named) return give_material(stage, {std::string(text.substr(0, equals)), *material});
+    for (Surface& surface : stage.surfaces)
+        if (surface.subject) surface.material = *material;
+    return {};
+}
+
+Result<void> apply_camera(const Arguments& arguments, Camera& camera) {
+    const auto read = [&](const char* option, glm::dvec3& target) -> Result<void> {
+        const auto text = arguments.value(option);
+        if (!text) return {};
+        Result<glm::dvec3> vector = parse_vector(*text, option);
+        if (!vector) return pass_on(vector);
+        target = *vector;
+        return {};
+    };
+    Result<void> applied = read("--camera", camera.position);
+    if (applied) applied = read("--target", camera.target);
+    if (!applied) return applied;
+    if (const auto text = arguments.value("--fov")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--fov");
+        if (!angle) return pass_on(angle);
+        camera.vertical_fov_deg = to_degrees(Radians(*angle));
+        camera.least_horizontal_fov_deg = 0.0;
+        if (!(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
+            return fail(Failure::usage, fmt::format("--fov must lie between 0deg and 180deg, not {}", *text));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<Stage> named_stage(const Arguments& arguments) {
+    return make_stage(arguments.value("--stage").value_or(std::string(stage_kinds().front().name)));
+}
+
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics) {
+    Result<Stage> stage = std::move(named);
+    if (rig.stage && !arguments.has("--stage")) stage = make_stage(*rig.stage);
+    if (!stage) return stage;
+    if (rig.camera) stage->camera = *rig.camera;
+    Result<void> applied;
+    for (const SurfaceMaterial& material : rig.materials)
+        if (applied) applied = give_material(*stage, material);
+    for (const std::string& text : arguments.values("--material"))
+        if (applied) applied = apply_material(text, *stage, diagnostics);
+    if (applied) applied = apply_camera(arguments, stage->camera);
+    if (applied) applied = check_camera(*stage, stage->camera);
+    if (!applied) return pass_on(applied);
+    return stage;
+}
+
+} // namespace gonio::cli

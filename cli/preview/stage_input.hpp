@@ -1,0 +1,32 @@
+// The stage of `gonio preview`: by name or from a rig, with materials and a camera of one's own.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/scene/rig.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+
+namespace gonio::cli {
+
+inline constexpr std::array preview_stage_options{
+    Option{"--stage", "STAGE", "what the lights are shown on (the rig's; else floor)", "stages"},
+    Option{"--material", "[SURFACE=]MATERIAL", "of a surface; without its name of what the stage shows; repeatable",
+           "materials"},
+    Option{"--camera", "X,Y,Z", "where the camera stands, in metres (frames the stage)"},
+    Option{"--target", "X,Y,Z", "where it looks (what the stage shows)"},
+    Option{"--fov", "ANGLE", "its full vertical field of view"},
+};
+
+// The stage that --stage names, floor where it is not given. A light that is not placed hangs where this stage says.
+Result<Stage> named_stage(const Arguments& arguments);
+
+// That stage, or the rig's where --stage is not given, with the rig's camera and materials and then those of the
+// options. What there is to say of materials goes to `diagnostics`. Fails (usage) on what the stage has not and as
+// check_camera does.
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics);
+
+} // namespace gonio::cli
