@@ -104,8 +104,9 @@ std::vector<double> log_lines(double low, double high) {
     const double last = std::fmax(std::ceil(std::log10(high) - 1e-9), first + 1.0);
     std::vector<double> at;
     const double every = std::ceil((last - first) / 10.0);
-    for (double decade = first; decade <= last + every - 1.0; decade += every)
-        at.push_back(std::pow(10.0, decade));
+    const int count = static_cast<int>((last + every - 1.0 - first) / every);
+    for (int i = 0; i <= count; ++i)
+        at.push_back(std::pow(10.0, first + i * every));
     if (last - first > 3.0) return at;
     return levels_1_2_5(at.front() * (1.0 - 1e-9), at.back() * (1.0 + 1e-9));
 }

@@ -151,7 +151,8 @@ Drawing contour_drawing(const Image& values, std::span<const std::int32_t> surfa
             drawing.stroke(path_of(line), {inks[i], 1.4});
             const double length = length_of(line);
             if (length < shortest_labelled_px) continue;
-            for (double done = 0.0; done < length; done += between_labels_px) {
+            const int labels_wanted = 1 + static_cast<int>(length / between_labels_px);
+            for (int k = 0; k < labels_wanted; ++k) {
                 const std::optional<PagePoint> at = placer.place(line, text);
                 if (!at) break;
                 TextStyle style{TextAnchor::middle, text_px, inks[i], false, 2.2, ink(0x101010)};

@@ -313,9 +313,13 @@ TEST(Sheet, HoldsEveryTileInItsPlace) {
     EXPECT_EQ(image.height, layout.height_px);
     const int pitch_x = (layout.width_px - 10) / 3;
     const int pitch_y = (layout.height_px - 40 - 10) / 3;
-    for (const int i : {0, 1, 2, 4, 5, 6})
-        EXPECT_FLOAT_EQ(image.at(10 + i % 3 * pitch_x + 32, 50 + i / 3 * pitch_y + 32)[0],
-                        0.1F * static_cast<float>(i + 1));
+    for (int i = 0; i < 7; ++i) {
+        const float expected = 0.1F * static_cast<float>(i + 1);
+        const float shown = image.at(10 + i % 3 * pitch_x + 32, 50 + i / 3 * pitch_y + 32)[0];
+        if (i != 3) { // which holds words
+            EXPECT_FLOAT_EQ(shown, expected) << i;
+        }
+    }
     EXPECT_EQ(sheet(tiles, options).pixels, image.pixels);
     options.columns = 0;
     for (const std::size_t count : {1U, 2U, 50U, 172U}) {
