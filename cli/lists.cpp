@@ -13,6 +13,7 @@
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
 #include <gonio/light/shape.hpp>
+#include <gonio/measure/suite.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/scene/material.hpp>
@@ -184,6 +185,13 @@ Entries diagrams() {
     return entries;
 }
 
+Entries suites() {
+    Entries entries;
+    for (const measure::Suite& suite : measure::suites())
+        entries.push_back({std::string(suite.name), std::string(suite.summary)});
+    return entries;
+}
+
 Entries targets() {
     Entries entries;
     for (const Target& target : gonio::targets())
@@ -211,6 +219,7 @@ constexpr std::array lists{
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
+    NamedList{"suites", "what bench measures", suites},
     NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
     NamedList{"units", "units of values", units},

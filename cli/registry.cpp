@@ -18,6 +18,7 @@ extern const Command bake_command;
 extern const Command import_command;
 extern const Command probe_command;
 extern const Command preview_command;
+extern const Command bench_command;
 extern const Command explain_command;
 extern const Command list_command;
 extern const Command help_command;
@@ -41,6 +42,7 @@ static constexpr std::array all{
     &import_command,
     &probe_command,
     &preview_command,
+    &bench_command,
     &explain_command,
     &list_command,
     &help_command,

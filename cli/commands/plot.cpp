@@ -1,6 +1,8 @@
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/diagram.hpp>
+#include <gonio/plot/raster.hpp>
+#include <gonio/plot/svg.hpp>
 
 #include "../arguments.hpp"
 #include "../batch.hpp"
@@ -28,6 +30,7 @@ constexpr std::array diagram_options{
     Option{"--height", "LENGTH", "isolux, cone: of the light above the plane (3m)"},
     Option{"--extent", "LENGTH", "isolux: from the middle of the plane to its edges (twice the height)"},
     Option{"--title", "TEXT", "a headline"},
+    Option{"--to", "FORMAT", "svg or a picture format of 8 bits, where the file name does not tell (svg)", "images"},
 };
 constexpr std::array groups{OptionGroup{"diagram", diagram_options}, output_group, profile_input_group, threads_group,
                             common_group};
@@ -38,9 +41,12 @@ constexpr std::array examples{
     Example{"gonio plot catalogue -O diagrams", "one diagram for each profile below a folder"},
 };
 
+constexpr int most_picture_px = 8192;
+
 struct Request {
     const DiagramKind* diagram = nullptr;
     PlotOptions plot;
+    const media::ImageFormat* format = nullptr; // nullptr: SVG
     ProfileInputOptions input;
 };
 
@@ -99,9 +105,36 @@ std::string label_of(const std::string& file) {
 }
 
 Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, const std::string& output) {
-    Result<std::string> svg = request.diagram->draw(webs, request.plot);
-    if (!svg) return pass_on(svg);
-    return write_output(output, *svg);
+    Result<Drawing> page = request.diagram->draw(webs, request.plot);
+    if (!page) return pass_on(page);
+    if (request.format == nullptr) return write_output(output, to_svg(*page));
+    Result<std::string> bytes = encode_for_display(to_image(*page), *request.format);
+    if (!bytes) return pass_on(bytes);
+    return write_output(output, *bytes);
+}
+
+// SVG, or a picture format that --to or the output's name tells.
+Result<void> read_format(const Arguments& arguments, Request& request) {
+    const auto named = arguments.value("--to");
+    const std::string output = arguments.value("--output").value_or("");
+    const bool by_name = !output.empty() && output != "-";
+    if (named ? *named == "svg" : !by_name || output.ends_with(".svg")) return {};
+    if (!named && media::find_image_format(output) == nullptr)
+        return fail(Failure::usage, fmt::format("the name '{}' tells no format of diagrams", output),
+                    "end it in .svg or .png, or add --to");
+    Result<const media::ImageFormat*> format = picture_format(named, output);
+    if (!format) return pass_on(format);
+    if (!has_pixel(**format, media::Pixel::uint8))
+        return fail(Failure::usage, fmt::format("{} holds light, not diagrams", (*format)->title),
+                    "write .svg, .png, .tif or .jpg");
+    for (const int side : {request.plot.width_px, request.plot.height_px})
+        if (side > most_picture_px)
+            return fail(Failure::usage,
+                        fmt::format("a diagram as a picture may have up to {} pixels a side, not {}x{}",
+                                    most_picture_px, request.plot.width_px, request.plot.height_px),
+                        "SVG has no pixels: use a smaller -s with it");
+    request.format = *format;
+    return {};
 }
 
 // All profiles over each other in one diagram: one that cannot be read would be missing, so nothing is drawn then.
@@ -149,15 +182,15 @@ Result<int> plot(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     const std::optional<std::string> together = arguments.value("--output");
+    const Result<void> format = read_format(arguments, *request);
+    if (!format) return Unexpected(format.error());
     if (together && !arguments.has("--output-dir")) {
-        if (*together != "-" && !together->ends_with(".svg"))
-            return fail(Failure::usage, fmt::format("the name '{}' does not end in .svg", *together),
-                        "diagrams are written as SVG");
         if (!arguments.has("--dry-run")) return draw_together(*files, *request, *together, console);
         console.print(*together + "\n");
         return 0;
     }
-    Result<std::vector<Job>> jobs = plan_outputs(arguments, *files, "svg");
+    Result<std::vector<Job>> jobs =
+        plan_outputs(arguments, *files, request->format == nullptr ? "svg" : request->format->extensions.front());
     if (!jobs) return pass_on(jobs);
     std::erase_if(*jobs, [](const Job& job) { return job.skip; });
     if (!arguments.has("--dry-run")) return draw_each(*jobs, *request, *threads, console);
@@ -176,8 +209,8 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command plot_command;
 const Command plot_command{
     "plot",
-    "diagrams of profiles as SVG: polar, cartesian, heat map, isolux, cone",
-    "FILE… -o OUT.svg | FILE… -O DIR",
+    "diagrams of profiles, as SVG or pictures: polar, cartesian, heat map, isolux, cone",
+    "FILE… -o OUT.svg | FILE… -o OUT.png | FILE… -O DIR",
     "FILE is a profile, a folder of them, '-' for standard input, or @LIST for a list of files.\n"
     "With -o all profiles share one diagram, with -O each has its own.",
     groups,

@@ -37,8 +37,27 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
                 "end it in .png or .exr, or add --to");
 }
 
+Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format) {
+    media::ImageWriteOptions write;
+    write.pixel = media::Pixel::uint8;
+    write.color_space = "sRGB";
+    return media::encode_image(image, format, write);
+}
+
 Result<void> write_output(const std::string& output, std::string_view bytes) {
     return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
+}
+
+Result<void> check_writable(const std::string& output) {
+    if (output == "-") return {};
+    if (is_folder(output)) return fail(Failure::io, "is a folder, and cannot be written as a file", {}, output);
+    std::error_code ignored;
+    if (file_exists(output) && !std::filesystem::is_regular_file(output, ignored)) return {}; // a device, a pipe
+    const std::string trial = output + ".trial";
+    Result<void> written = write_file(trial, {});
+    if (!written) return fail(written.error().failure, written.error().diagnostics.back().message, {}, output);
+    std::filesystem::remove(trial, ignored);
+    return {};
 }
 
 Result<void> write_outputs(const std::vector<OutputFile>& files) {

@@ -1,6 +1,7 @@
 // Where results of a file-writing command go: -o FILE for one, -O DIR for many.
 #pragma once
 
+#include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
 
@@ -37,8 +38,15 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
 // The format that --to names, else the one that the output's name tells. Fails (usage) when neither does.
 Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output);
 
+// A picture of three display-encoded channels as bytes of a format that has 8 bits a channel.
+Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format);
+
 // To the file, or to standard output for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
+
+// Whether the file could be written, for work that is too long to find out at its end. Writes and removes a file beside
+// it; what exists there is left alone.
+Result<void> check_writable(const std::string& output);
 
 struct OutputFile {
     std::string name; // "-" is standard output

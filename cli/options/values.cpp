@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace gonio::cli {
@@ -45,6 +46,17 @@ Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {
         if (axis < 2) rest.remove_prefix(comma + 1);
     }
     return vector;
+}
+
+Result<std::uint64_t> whole_number(std::string_view text, std::string_view what) {
+    std::uint64_t digits = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, digits);
+    if (error == std::errc() && stop == end && !text.empty()) return digits;
+    const std::optional<double> number = parse_number(text);
+    if (number && *number >= 0.0 && *number <= 0x1p53 && std::floor(*number) == *number)
+        return static_cast<std::uint64_t>(*number);
+    return fail(Failure::usage, fmt::format("{} takes a whole number, not '{}'", what, text));
 }
 
 Result<unsigned> thread_count(const Arguments& arguments) {

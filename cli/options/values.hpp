@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -23,6 +24,9 @@ Result<PixelSize> parse_size(std::string_view text);
 
 // "1,2.5,-3".
 Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what);
+
+// "1000", "1e8": a whole number from 0 to 2⁵³, or any of 64 bits where only digits are written.
+Result<std::uint64_t> whole_number(std::string_view text, std::string_view what);
 
 // -j N: 0 = all processors, when not given too.
 Result<unsigned> thread_count(const Arguments& arguments);

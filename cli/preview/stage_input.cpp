@@ -70,17 +70,15 @@ Result<Stage> named_stage(const Arguments& arguments) {
 }
 
 Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics) {
-    Result<Stage> stage = std::move(named);
-    if (rig.stage && !arguments.has("--stage")) stage = make_stage(*rig.stage);
-    if (!stage) return stage;
-    if (rig.camera) stage->camera = *rig.camera;
+    Stage stage = rig.stage && !arguments.has("--stage") ? *rig.stage : std::move(named);
+    if (rig.camera) stage.camera = *rig.camera;
     Result<void> applied;
     for (const SurfaceMaterial& material : rig.materials)
-        if (applied) applied = give_material(*stage, material);
+        if (applied) applied = give_material(stage, material);
     for (const std::string& text : arguments.values("--material"))
-        if (applied) applied = apply_material(text, *stage, diagnostics);
-    if (applied) applied = apply_camera(arguments, stage->camera);
-    if (applied) applied = check_camera(*stage, stage->camera);
+        if (applied) applied = apply_material(text, stage, diagnostics);
+    if (applied) applied = apply_camera(arguments, stage.camera);
+    if (applied) applied = check_camera(stage, stage.camera);
     if (!applied) return pass_on(applied);
     return stage;
 }

@@ -106,6 +106,7 @@ double bounding_radius(const shading::LightConstants& light) {
     const auto r = static_cast<double>(light.radius);
     switch (light.kind) {
     case Kind::punctual:
+    case Kind::sun:
         return 0.0;
     case Kind::sphere:
     case Kind::disk:

@@ -185,12 +185,4 @@ std::vector<double> area_truth(const AreaCases& cases) {
     return truth;
 }
 
-Result<std::vector<MethodMeasurement>> compare_area_methods(Kind kind, const ComparisonOptions& options) {
-    const AreaCases cases = area_cases(kind, options.cases, options.seed);
-    const auto of_stratum = [&](Stratum stratum) {
-        return area_cases_of(kind, stratum, options.cases_by_stratum, options.seed);
-    };
-    return compare_methods(area_methods(kind), cases, area_truth(cases), of_stratum, options);
-}
-
 } // namespace gonio::measure

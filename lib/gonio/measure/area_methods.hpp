@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/measure/area_cases.hpp>
-#include <gonio/measure/comparison.hpp>
+#include <gonio/measure/method.hpp>
 
 #include <vector>
 
@@ -16,9 +16,5 @@ std::vector<AreaMethod> area_methods(shading::LightConstants::Kind kind);
 
 // E/L of each case by the closed form in double, which the tests hold against quadrature.
 std::vector<double> area_truth(const AreaCases& cases);
-
-// Measures each method of `kind` on the same cases, as compare_sphere_methods does. Fails as time_work does.
-Result<std::vector<MethodMeasurement>> compare_area_methods(shading::LightConstants::Kind kind,
-                                                            const ComparisonOptions& options = {});
 
 } // namespace gonio::measure

@@ -5,13 +5,12 @@
 #include <gonio/measure/color_methods.hpp>
 #include <gonio/measure/random.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace gonio::measure {
@@ -21,13 +20,11 @@ namespace {
 constexpr Kelvin coolest_measured{800.0};
 constexpr Kelvin hottest_measured{25000.0};
 
-using Colors = std::function<void(const std::vector<Kelvin>&, std::vector<glm::dvec3>&)>; // XYZ of each
-
-// The errors of what `colors` gives, against the sum.
-void fill(ColorMeasurement& measured, const Colors& colors, std::size_t cases) {
+// The errors of a subject, against the sum.
+void fill(ColorMeasurement& measured, const ColorSubject& subject, std::size_t cases) {
     const std::vector<Kelvin> kelvin = temperatures_between(measured.coolest, measured.hottest, cases);
     std::vector<glm::dvec3> xyz(kelvin.size());
-    colors(kelvin, xyz);
+    subject.xyz(kelvin, xyz);
     double squares = 0.0;
     for (std::size_t i = 0; i < kelvin.size(); ++i) {
         const double error = delta_uv_prime(to_uv(xyz[i]), to_uv(planckian_xyz(kelvin[i])));
@@ -41,37 +38,29 @@ void fill(ColorMeasurement& measured, const Colors& colors, std::size_t cases) {
     }
     measured.rms = std::sqrt(squares / static_cast<double>(kelvin.size()));
     std::vector<glm::dvec3> warm(1);
-    colors({Kelvin(2700)}, warm);
+    subject.xyz({Kelvin(2700)}, warm);
     measured.luminance_2700k = warm[0].y;
 }
 
-Result<ColorMeasurement> measure_function(std::string name, Kelvin coolest, Kelvin hottest,
-                                          const std::function<glm::dvec3(Kelvin)>& xyz,
-                                          const ColorComparisonOptions& options) {
-    ColorMeasurement measured;
-    measured.name = std::move(name);
-    measured.code = "double";
-    measured.coolest = Kelvin(std::max(coolest.value, coolest_measured.value));
-    measured.hottest = Kelvin(std::min(hottest.value, hottest_measured.value));
-    fill(
-        measured,
-        [&](const std::vector<Kelvin>& kelvin, std::vector<glm::dvec3>& colors) {
-            for (std::size_t i = 0; i < kelvin.size(); ++i)
-                colors[i] = xyz(kelvin[i]);
-        },
-        options.cases);
-    // A sum of 471 exponentials wants fewer of them.
-    const std::vector<Kelvin> kelvin = temperatures_between(measured.coolest, measured.hottest, 256);
-    std::vector<glm::dvec3> colors(kelvin.size());
-    Result<Timing> timing = time_work(
-        [&] {
-            for (std::size_t i = 0; i < kelvin.size(); ++i)
-                colors[i] = xyz(kelvin[i]);
-        },
-        kelvin.size(), options.timing);
-    if (!timing) return pass_on(timing);
-    measured.timing = *timing;
-    return measured;
+ColorSubject function_subject(std::string name, Kelvin coolest, Kelvin hottest, glm::dvec3 (*xyz)(Kelvin)) {
+    ColorSubject subject;
+    subject.name = std::move(name);
+    subject.code = "double";
+    subject.coolest = Kelvin(std::max(coolest.value, coolest_measured.value));
+    subject.hottest = Kelvin(std::min(hottest.value, hottest_measured.value));
+    subject.xyz = [xyz](const std::vector<Kelvin>& kelvin, std::vector<glm::dvec3>& colors) {
+        for (std::size_t i = 0; i < kelvin.size(); ++i)
+            colors[i] = xyz(kelvin[i]);
+    };
+    // A sum of 471 exponentials wants few of them.
+    const std::vector<Kelvin> kelvin = temperatures_between(subject.coolest, subject.hottest, 256);
+    const auto colors = std::make_shared<std::vector<glm::dvec3>>(kelvin.size());
+    subject.timed = {[xyz, kelvin, colors] {
+                         for (std::size_t i = 0; i < kelvin.size(); ++i)
+                             (*colors)[i] = xyz(kelvin[i]);
+                     },
+                     kelvin.size()};
+    return subject;
 }
 
 // Arrays as the kernels want them.
@@ -89,33 +78,28 @@ struct Arrays {
 
 using Batch = void (*)(const float*, std::size_t, const color::RgbConstants&, float* const[3]);
 
-Result<ColorMeasurement> measure_batch(std::string name, const char* code, Kelvin coolest, Kelvin hottest, Batch batch,
-                                       const ColorComparisonOptions& options) {
+ColorSubject batch_subject(std::string name, const char* code, Kelvin coolest, Kelvin hottest, Batch batch) {
     const RgbSpace& space = *find_rgb_space("rec709");
     const color::RgbConstants constants = color::rgb_constants(space);
-    const auto call = [&](Arrays& arrays) {
+    const auto call = [constants, batch](Arrays& arrays) {
         float* const rgb[3] = {arrays.rgb[0].data(), arrays.rgb[1].data(), arrays.rgb[2].data()};
         batch(arrays.kelvin.data(), arrays.kelvin.size(), constants, rgb);
     };
-    ColorMeasurement measured;
-    measured.name = std::move(name);
-    measured.code = code;
-    measured.coolest = coolest;
-    measured.hottest = hottest;
-    fill(
-        measured,
-        [&](const std::vector<Kelvin>& kelvin, std::vector<glm::dvec3>& colors) {
-            Arrays arrays(kelvin);
-            call(arrays);
-            for (std::size_t i = 0; i < kelvin.size(); ++i)
-                colors[i] = space.to_xyz * glm::dvec3(arrays.rgb[0][i], arrays.rgb[1][i], arrays.rgb[2][i]);
-        },
-        options.cases);
-    Arrays arrays(temperatures_between(coolest, hottest, 4096)); // stays in the second-level cache
-    Result<Timing> timing = time_work([&] { call(arrays); }, arrays.kelvin.size(), options.timing);
-    if (!timing) return pass_on(timing);
-    measured.timing = *timing;
-    return measured;
+    ColorSubject subject;
+    subject.name = std::move(name);
+    subject.code = code;
+    subject.coolest = coolest;
+    subject.hottest = hottest;
+    subject.xyz = [&space, call](const std::vector<Kelvin>& kelvin, std::vector<glm::dvec3>& colors) {
+        Arrays arrays(kelvin);
+        call(arrays);
+        for (std::size_t i = 0; i < kelvin.size(); ++i)
+            colors[i] = space.to_xyz * glm::dvec3(arrays.rgb[0][i], arrays.rgb[1][i], arrays.rgb[2][i]);
+    };
+    // They stay in the second-level cache.
+    const auto arrays = std::make_shared<Arrays>(temperatures_between(coolest, hottest, 4096));
+    subject.timed = {[call, arrays] { call(*arrays); }, arrays->kelvin.size()};
+    return subject;
 }
 
 double cct_by_sum(Uv at) {
@@ -159,51 +143,67 @@ std::vector<OffLocus> chromaticities_between(Kelvin coolest, Kelvin hottest, dou
     return found;
 }
 
-Result<std::vector<ColorMeasurement>> compare_color_methods(const ColorComparisonOptions& options) {
-    std::vector<ColorMeasurement> all;
-    const auto keep = [&](Result<ColorMeasurement> measured) -> Result<void> {
-        if (!measured) return pass_on(measured);
-        all.push_back(std::move(*measured));
-        return {};
-    };
-    Result<void> kept = keep(measure_function(
-        "sum of 1 nm", coolest_measured, hottest_measured, [](Kelvin T) { return planckian_xyz(T); }, options));
+std::vector<ColorSubject> color_subjects() {
+    std::vector<ColorSubject> subjects{
+        function_subject("sum-1nm", coolest_measured, hottest_measured, [](Kelvin T) { return planckian_xyz(T); })};
     for (const simd::InstructionSet set : simd::available_sets()) {
         const color::Kernels& kernels = color::kernels(set);
-        if (kept)
-            kept = keep(
-                measure_batch("fit", kernels.name, coolest_measured, hottest_measured, kernels.planckian_rgb, options));
-        if (kept)
-            kept =
-                keep(measure_batch("krystek", kernels.name, Kelvin(1000), Kelvin(15000), kernels.krystek_rgb, options));
+        subjects.push_back(
+            batch_subject("fit", kernels.name, coolest_measured, hottest_measured, kernels.planckian_rgb));
+        subjects.push_back(batch_subject("krystek", kernels.name, Kelvin(1000), Kelvin(15000), kernels.krystek_rgb));
     }
     for (const ColorMethod& method : color_methods())
-        if (kept && method.name != "fit-float") // the kernels above
-            kept =
-                keep(measure_function(std::string(method.name), method.coolest, method.hottest, method.xyz, options));
-    if (!kept) return pass_on(kept);
+        if (method.name != "fit-float") // the kernels above
+            subjects.push_back(function_subject(std::string(method.name), method.coolest, method.hottest, method.xyz));
+    return subjects;
+}
+
+std::vector<CctSubject> cct_subjects() {
+    std::vector<CctSubject> subjects{{"newton-on-sum", cct_by_sum}};
+    for (const CctMethod& method : cct_methods())
+        subjects.push_back({std::string(method.name), method.cct_k});
+    return subjects;
+}
+
+TimedWork timed_cct(double (*cct_k)(Uv), std::vector<OffLocus> cases) {
+    const std::size_t count = cases.size();
+    return {[cct_k, of = std::move(cases), sink = std::make_shared<double>()] {
+                double sum = 0.0;
+                for (const OffLocus& c : of)
+                    sum += cct_k(c.at);
+                *sink = sum;
+            },
+            count};
+}
+
+Result<std::vector<ColorMeasurement>> compare_color_methods(const ColorComparisonOptions& options) {
+    std::vector<ColorMeasurement> all;
+    for (const ColorSubject& subject : color_subjects()) {
+        ColorMeasurement measured;
+        measured.name = subject.name;
+        measured.code = subject.code;
+        measured.coolest = subject.coolest;
+        measured.hottest = subject.hottest;
+        fill(measured, subject, options.cases);
+        Result<Timing> timing = time_work(subject.timed.work, subject.timed.items, options.timing);
+        if (!timing) return pass_on(timing);
+        measured.timing = *timing;
+        all.push_back(std::move(measured));
+    }
     return all;
 }
 
 Result<std::vector<CctMeasurement>> compare_cct_methods(const ColorComparisonOptions& options) {
     const std::vector<OffLocus> wide = chromaticities_between(Kelvin(1500), Kelvin(40000), 0.05, options.cases);
     const std::vector<OffLocus> narrow = chromaticities_between(Kelvin(2000), Kelvin(10000), 0.005, options.cases);
-    std::vector<std::pair<std::string, double (*)(Uv)>> methods{{"Newton on the sum", cct_by_sum}};
-    for (const CctMethod& method : cct_methods())
-        methods.emplace_back(method.name, method.cct_k);
     std::vector<CctMeasurement> all;
-    for (const auto& [name, cct_k] : methods) {
-        CctMeasurement measured{name, worst(cct_k, wide), worst(cct_k, narrow), {}};
-        constexpr std::size_t timed = 256;
-        double sink = 0.0;
-        Result<Timing> timing = time_work(
-            [&, call = cct_k] {
-                for (std::size_t i = 0; i < timed; ++i)
-                    sink += call(narrow[i % narrow.size()].at);
-            },
-            timed, options.timing);
+    for (const CctSubject& subject : cct_subjects()) {
+        CctMeasurement measured{subject.name, worst(subject.cct_k, wide), worst(subject.cct_k, narrow), {}};
+        const TimedWork timed = timed_cct(
+            subject.cct_k,
+            {narrow.begin(), narrow.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(256, narrow.size()))});
+        Result<Timing> timing = time_work(timed.work, timed.items, options.timing);
         if (!timing) return pass_on(timing);
-        if (std::isnan(sink)) measured.worst_near_k = std::numeric_limits<double>::infinity();
         measured.timing = *timing;
         all.push_back(std::move(measured));
     }

@@ -7,11 +7,41 @@
 #include <gonio/color/chromaticity.hpp>
 #include <gonio/measure/timing.hpp>
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace gonio::measure {
+
+// One way to take the colour of a temperature, in one code.
+struct ColorSubject {
+    std::string name; // "sum-1nm", "fit", "krystek"
+    std::string code; // "double", or the instruction set of a batch kernel
+    Kelvin coolest;   // of its range, within 800–25000 K
+    Kelvin hottest;
+    std::function<void(const std::vector<Kelvin>&, std::vector<glm::dvec3>&)> xyz; // of each
+    TimedWork timed;                                                               // over its range
+};
+
+// The sum first, then the kernels of every instruction set and every color_methods().
+std::vector<ColorSubject> color_subjects();
+
+// One way to take the temperature of a colour, in double.
+struct CctSubject {
+    std::string name; // "newton-on-sum", "mccamy"
+    double (*cct_k)(Uv at);
+};
+
+// Newton on the sum first, then every cct_methods().
+std::vector<CctSubject> cct_subjects();
+
+struct OffLocus;
+
+// Calls `cct_k` for each case.
+TimedWork timed_cct(double (*cct_k)(Uv), std::vector<OffLocus> cases);
 
 // Forward: Δu'v' over temperatures that are even in mired, from the hottest of its range (25000 K at most) to its
 // coolest (800 K at least).

@@ -18,14 +18,19 @@ Spread spread_of(std::span<const double> errors) {
     return {rank(50), rank(95), sorted.back(), sorted.size()};
 }
 
+std::vector<double> relative_errors(std::span<const double> values, std::span<const double> truth,
+                                    double relative_floor) {
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < std::min(values.size(), truth.size()); ++i)
+        if (truth[i] > relative_floor) relative.push_back(std::fabs(values[i] - truth[i]) / truth[i]);
+    return relative;
+}
+
 ErrorStatistics compare(std::span<const double> values, std::span<const double> truth, double relative_floor) {
     std::vector<double> absolute;
-    std::vector<double> relative;
-    for (std::size_t i = 0; i < std::min(values.size(), truth.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(values.size(), truth.size()); ++i)
         absolute.push_back(std::fabs(values[i] - truth[i]));
-        if (truth[i] > relative_floor) relative.push_back(absolute.back() / truth[i]);
-    }
-    return {spread_of(absolute), spread_of(relative)};
+    return {spread_of(absolute), spread_of(relative_errors(values, truth, relative_floor))};
 }
 
 } // namespace gonio::measure

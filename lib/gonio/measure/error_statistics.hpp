@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace gonio::measure {
 
@@ -20,6 +21,10 @@ struct ErrorStatistics {
 
 // Order statistics of `errors`, by nearest rank. A NaN counts as infinite. Of nothing: zeros.
 Spread spread_of(std::span<const double> errors);
+
+// |value − truth|/truth of each value whose truth is above the floor. Both spans of one length.
+std::vector<double> relative_errors(std::span<const double> values, std::span<const double> truth,
+                                    double relative_floor);
 
 // |value − truth| and |value − truth|/truth, the latter where truth > `relative_floor`. Both spans of one length.
 ErrorStatistics compare(std::span<const double> values, std::span<const double> truth, double relative_floor);

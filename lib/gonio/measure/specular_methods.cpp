@@ -120,25 +120,4 @@ std::vector<double> specular_truth(const SpecularCases& cases, unsigned threads)
     return truth;
 }
 
-Result<std::vector<MethodMeasurement>> compare_specular_methods(Kind kind, const ComparisonOptions& options) {
-    const SpecularCases cases = specular_cases(kind, options.cases, options.seed);
-    const auto of_stratum = [&](Stratum stratum) {
-        return specular_cases_of(kind, stratum, options.cases_by_stratum, options.seed);
-    };
-    return compare_methods(specular_methods(kind), cases, specular_truth(cases), of_stratum, options);
-}
-
-std::vector<bool> pareto_front(const std::vector<MethodMeasurement>& rows) {
-    std::vector<bool> front(rows.size(), true);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (const MethodMeasurement& other : rows) {
-            const double error = rows[i].error.relative.median;
-            const double ns = rows[i].timing.lowest_ns;
-            const bool no_worse = other.error.relative.median <= error && other.timing.lowest_ns <= ns;
-            const bool better = other.error.relative.median < error || other.timing.lowest_ns < ns;
-            if (no_worse && better) front[i] = false;
-        }
-    return front;
-}
-
 } // namespace gonio::measure

@@ -1,7 +1,7 @@
 // Error against time of every way in which gonio can take the specular luminance of an area light.
 #pragma once
 
-#include <gonio/measure/comparison.hpp>
+#include <gonio/measure/method.hpp>
 #include <gonio/measure/specular_cases.hpp>
 
 #include <cstddef>
@@ -18,12 +18,5 @@ std::vector<SpecularMethodUnderTest> specular_methods(shading::LightConstants::K
 // Luminance with F = 1 per luminance of the light of each case, by quadrature (specular_truth.hpp) on `threads`
 // threads, 0 = all.
 std::vector<double> specular_truth(const SpecularCases& cases, unsigned threads = 0);
-
-// Measures each method of `kind` on the same cases. Fails as time_work does.
-Result<std::vector<MethodMeasurement>> compare_specular_methods(shading::LightConstants::Kind kind,
-                                                                const ComparisonOptions& options = {});
-
-// Which of `rows` no other one beats both in median error and in time: the Pareto front.
-std::vector<bool> pareto_front(const std::vector<MethodMeasurement>& rows);
 
 } // namespace gonio::measure

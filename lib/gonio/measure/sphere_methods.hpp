@@ -1,7 +1,8 @@
 // Error against time of every way in which gonio can take the irradiance of a sphere.
 #pragma once
 
-#include <gonio/measure/comparison.hpp>
+#include <gonio/measure/method.hpp>
+#include <gonio/measure/sphere_cases.hpp>
 
 #include <vector>
 
@@ -15,8 +16,5 @@ std::vector<SphereMethod> sphere_methods();
 
 // E/L of each case, by quadrature (sphere_truth.hpp) on `threads` threads, 0 = all.
 std::vector<double> sphere_truth(const SphereCases& cases, unsigned threads = 0);
-
-// Measures each method on the same cases. Fails as time_work does.
-Result<std::vector<MethodMeasurement>> compare_sphere_methods(const ComparisonOptions& options = {});
 
 } // namespace gonio::measure

@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace gonio::measure {
 
@@ -25,6 +28,9 @@ struct TimingOptions {
 // Seconds by a clock that never goes back. A test hands in its own.
 using Clock = std::function<double()>;
 Clock steady_clock();
+// The time that the calling thread has had a processor: what other programs take of the machine does not count. For
+// work that uses no other threads.
+Clock thread_clock();
 
 // The smallest step that `clock` was seen to make [s]; 0 where it stands still.
 double resolution(const Clock& clock);
@@ -33,6 +39,25 @@ double resolution(const Clock& clock);
 // where a sample of max_calls_per_sample calls is not at least 1000 times the clock's resolution, so that one step of
 // the clock is at most 0.1 % of what is reported.
 Result<Timing> time_work(const std::function<void()>& work, std::size_t items, const TimingOptions& options = {},
-                         const Clock& clock = steady_clock());
+                         const Clock& clock = thread_clock());
+
+struct TimedWork {
+    std::function<void()> work;
+    std::size_t items = 0; // that one call of it handles
+};
+
+struct RelativeTiming {
+    Timing timing;
+    double ratio = 0.0; // median over the rounds of this work's time over the baseline's in the same round
+};
+
+// Times several works in turn, a sample of each a round, so that whatever else slows the machine down slows all of them
+// alike and the ratios hold where the times do not. Nothing stands where the clock cannot resolve the work (as
+// time_work refuses it) or its baseline. `stop` is asked between samples; what has not been sampled by then fails
+// (usage). Fails as time_work does on options and on a clock that stands still.
+Result<std::vector<std::optional<RelativeTiming>>> time_in_turn(std::span<const TimedWork> works, std::size_t baseline,
+                                                                const TimingOptions& options = {},
+                                                                const Clock& clock = thread_clock(),
+                                                                const std::function<bool()>& stop = {});
 
 } // namespace gonio::measure

@@ -4,16 +4,15 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/contour.hpp>
 
-#include <string>
 #include <vector>
 
 namespace gonio::plot_detail {
 
 // Paints what lies at or above each level in its colour, from the lowest to the highest; below the first nothing.
-void draw_bands(Svg& svg, const Chart& chart, const Field& field, const std::vector<double>& levels,
-                const std::vector<std::string>& colors);
+void draw_bands(Drawing& drawing, const Chart& chart, const Field& field, const std::vector<double>& levels,
+                const std::vector<Ink>& colors);
 
 // A colour for each of `count` bands, from dark to light.
-std::vector<std::string> band_colors(std::size_t count);
+std::vector<Ink> band_colors(std::size_t count);
 
 } // namespace gonio::plot_detail

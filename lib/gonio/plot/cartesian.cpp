@@ -3,15 +3,14 @@
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/frame.hpp>
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <utility>
 
 namespace gonio {
 
 using namespace plot_detail;
 
-Result<std::string> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+Result<Drawing> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     Result<void> fine = check_request(webs, options, webs.size());
     if (!fine) return pass_on(fine);
     Result<std::vector<PlaneCurve>> curves = plane_curves(webs, options);
@@ -31,25 +30,24 @@ Result<std::string> cartesian_diagram(std::span<const PlottedWeb> webs, const Pl
     for (const PlaneCurve& curve : *curves)
         legend.push_back(curve.legend);
     Area area;
-    Svg svg = begin_page(webs, options, "luminous intensity against the angle from the nadir", legend, area);
+    Drawing page = begin_page(webs, options, "luminous intensity against the angle from the nadir", legend, area);
     const std::vector<double> intensities = ticks(0.0, *top, 6);
     const Chart chart(area, {"gamma [°], C + 180° to the left", angles},
                       {options.per_klm ? "intensity [cd/klm]" : "intensity [cd]", intensities});
-    chart.draw_lines(svg, R"(stroke="#ddd")");
-    chart.draw_numbers(svg);
-    svg.begin_clip({chart.inner().left, chart.inner().top - 2.0}, chart.inner().width(), chart.inner().height() + 4.0);
+    chart.draw_lines(page, ink(0xdddddd));
+    chart.draw_numbers(page);
+    page.begin_clip({chart.inner().left, chart.inner().top - 2.0}, chart.inner().width(), chart.inner().height() + 4.0);
     for (const PlaneCurve& curve : *curves) {
-        SvgPath path;
+        PagePath path;
         for (const CurvePoint& point : curve.points) {
             if (std::fabs(point.gamma_deg) > reach_deg) continue;
-            const SvgPoint at = chart.at(point.gamma_deg, point.intensity);
+            const PagePoint at = chart.at(point.gamma_deg, point.intensity);
             path.empty() ? path.move_to(at) : path.line_to(at);
         }
-        svg.path(path, fmt::format(R"(fill="none" stroke="{}" stroke-width="2" stroke-linejoin="round"{})",
-                                   curve.legend.color, curve.legend.dashed ? R"( stroke-dasharray="6 4")" : ""));
+        page.stroke(std::move(path), curve.legend.pen);
     }
-    svg.end_clip();
-    return svg.finish();
+    page.end_clip();
+    return page;
 }
 
 } // namespace gonio

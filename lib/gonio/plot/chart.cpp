@@ -1,9 +1,8 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/chart.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gonio::plot_detail {
@@ -13,8 +12,10 @@ namespace {
 constexpr double numbers_left_px = 56.0;
 constexpr double numbers_below_px = 40.0;
 constexpr double scale_width_px = 14.0;
+constexpr Ink numbers_ink = ink(0x555555);
 
 double share(const Axis& axis, double value) {
+    if (axis.logarithmic) return std::log(value / axis.at.front()) / std::log(axis.at.back() / axis.at.front());
     return (value - axis.at.front()) / (axis.at.back() - axis.at.front());
 }
 
@@ -33,41 +34,42 @@ Chart::Chart(const Area& area, Axis x, Axis y, bool y_down, bool square)
     inner_.bottom = inner_.top + px_per_unit * span_y;
 }
 
-SvgPoint Chart::at(double x, double y) const {
+PagePoint Chart::at(double x, double y) const {
     const double down = y_down_ ? share(y_, y) : 1.0 - share(y_, y);
     return {inner_.left + inner_.width() * share(x_, x), inner_.top + inner_.height() * down};
 }
 
-void Chart::draw_lines(Svg& svg, std::string_view style) const {
+void Chart::draw_lines(Drawing& drawing, Ink ink) const {
     for (const double x : x_.at)
-        svg.line(at(x, y_.at.front()), at(x, y_.at.back()), style);
+        drawing.line(at(x, y_.at.front()), at(x, y_.at.back()), {ink});
     for (const double y : y_.at)
-        svg.line(at(x_.at.front(), y), at(x_.at.back(), y), style);
+        drawing.line(at(x_.at.front(), y), at(x_.at.back(), y), {ink});
 }
 
-void Chart::draw_numbers(Svg& svg) const {
-    constexpr std::string_view gray = R"(fill="#555")";
+void Chart::draw_numbers(Drawing& drawing) const {
     for (const double x : x_.at)
-        svg.text({at(x, y_.at.front()).x, inner_.bottom + 16.0}, rounded(x, 4), TextAnchor::middle, 11.0, gray);
+        drawing.text({at(x, y_.at.front()).x, inner_.bottom + 16.0}, rounded(x, 4),
+                     {TextAnchor::middle, 11.0, numbers_ink});
     for (const double y : y_.at)
-        svg.text({inner_.left - 6.0, at(x_.at.front(), y).y + 4.0}, rounded(y, 4), TextAnchor::end, 11.0, gray);
-    svg.text({0.5 * (inner_.left + inner_.right), inner_.bottom + 34.0}, x_.name, TextAnchor::middle, 12.0);
-    svg.text({inner_.left - 6.0, inner_.top - 8.0}, y_.name, TextAnchor::start, 12.0);
+        drawing.text({inner_.left - 6.0, at(x_.at.front(), y).y + 4.0}, rounded(y, 4),
+                     {TextAnchor::end, 11.0, numbers_ink});
+    drawing.text({0.5 * (inner_.left + inner_.right), inner_.bottom + 34.0}, x_.name, {TextAnchor::middle});
+    drawing.text({inner_.left - 6.0, inner_.top - 8.0}, y_.name);
 }
 
-void draw_color_scale(Svg& svg, const Area& area, const std::vector<double>& levels,
-                      const std::vector<std::string>& colors, std::string_view unit) {
+void draw_color_scale(Drawing& drawing, const Area& area, const std::vector<double>& levels,
+                      const std::vector<Ink>& colors, std::string_view unit) {
     const double step = area.height() / static_cast<double>(levels.size());
     // Numbers need about 14 px; where the steps are finer only every so many carry one.
     const auto every = static_cast<std::size_t>(std::max(1.0, 14.0 / step + 0.999));
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const double bottom = area.bottom - step * static_cast<double>(i);
-        svg.rectangle({area.left, bottom - step}, scale_width_px, step, fmt::format(R"(fill="{}")", colors[i]));
+        drawing.rectangle({area.left, bottom - step}, scale_width_px, step, colors[i]);
         if (i % every == 0)
-            svg.text({area.left + scale_width_px + 6.0, bottom + 4.0}, rounded(levels[i]), TextAnchor::start, 11.0,
-                     R"(fill="#555")");
+            drawing.text({area.left + scale_width_px + 6.0, bottom + 4.0}, rounded(levels[i]),
+                         {TextAnchor::start, 11.0, numbers_ink});
     }
-    svg.text({area.left, area.top - 8.0}, unit, TextAnchor::start, 12.0);
+    drawing.text({area.left, area.top - 8.0}, unit);
 }
 
 } // namespace gonio::plot_detail

@@ -1,11 +1,10 @@
-// A chart with two linear axes: where values lie on the page, grid lines, numbers and names of the axes.
+// A chart with two axes, linear or logarithmic: where values lie on the page, grid lines, numbers and names of the axes.
 // Internal to the room.
 #pragma once
 
+#include <gonio/plot/drawing.hpp>
 #include <gonio/plot/frame.hpp>
-#include <gonio/plot/svg.hpp>
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +13,7 @@ namespace gonio::plot_detail {
 struct Axis {
     std::string_view name;  // "gamma [°]"
     std::vector<double> at; // where the lines stand: ascending, at least two; the first and last bound the axis
+    bool logarithmic = false; // all of them above 0
 };
 
 class Chart {
@@ -22,12 +22,12 @@ public:
     // in both directions.
     Chart(const Area& area, Axis x, Axis y, bool y_down = false, bool square = false);
 
-    SvgPoint at(double x, double y) const;
+    PagePoint at(double x, double y) const;
     const Area& inner() const { return inner_; }
 
-    // Grid lines in `style`, numbers and names; to be drawn before or after what is charted.
-    void draw_lines(Svg& svg, std::string_view style) const;
-    void draw_numbers(Svg& svg) const;
+    // Grid lines, numbers and names; to be drawn before or after what is charted.
+    void draw_lines(Drawing& drawing, Ink ink) const;
+    void draw_numbers(Drawing& drawing) const;
 
 private:
     Area inner_;
@@ -37,7 +37,7 @@ private:
 };
 
 // Values by colour: a strip beside a chart, `levels` ascending, each colour holding from its level to the next one.
-void draw_color_scale(Svg& svg, const Area& area, const std::vector<double>& levels,
-                      const std::vector<std::string>& colors, std::string_view unit);
+void draw_color_scale(Drawing& drawing, const Area& area, const std::vector<double>& levels,
+                      const std::vector<Ink>& colors, std::string_view unit);
 
 } // namespace gonio::plot_detail

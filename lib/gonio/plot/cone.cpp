@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace gonio {
 
@@ -65,7 +66,7 @@ std::string angle_text(const std::optional<Beam>& beam) {
 
 } // namespace
 
-Result<std::string> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     Result<void> fine = check_request(webs, options, 1);
     if (!fine) return pass_on(fine);
     Result<double> scale = intensity_scale(webs[0], options);
@@ -89,7 +90,7 @@ Result<std::string> cone_diagram(std::span<const PlottedWeb> webs, const PlotOpt
                     "draw it as polar or isolux", webs[0].label);
 
     Area area;
-    Svg svg = begin_page(webs, options, "beam cone", {}, area);
+    Drawing page = begin_page(webs, options, "beam cone", {}, area);
     const double height_m = options.mounting_height_m;
     // A cone on the left half, numbers on the right, one row for each distance.
     const double split = area.left + 0.46 * area.width();
@@ -102,41 +103,44 @@ Result<std::string> cone_diagram(std::span<const PlottedWeb> webs, const PlotOpt
         return axis + px_per_m * distance_m * tan_deg(gamma_deg);
     };
     const double foot = top + row_px * distances;
-    SvgPath cone;
+    PagePath cone;
     cone.move_to({axis, top}).line_to({x_at(beam->left_deg, height_m), foot});
     cone.line_to({x_at(beam->right_deg, height_m), foot}).close();
-    svg.path(cone, fmt::format(R"(fill="{0}" fill-opacity="0.18" stroke="{0}" stroke-width="1.5")", series_color(0)));
+    Ink light = series_color(0);
+    light.opacity = 0.18;
+    page.fill(cone, light);
+    page.stroke(std::move(cone), {series_color(0), 1.5});
 
     const std::array<double, 4> columns{split + 0.10 * area.width(), split + 0.25 * area.width(),
                                         split + 0.40 * area.width(), split + 0.53 * area.width()};
     const std::string lux = options.per_klm ? "[lx/klm]" : "[lx]";
     constexpr std::array<std::string_view, 4> names{"distance [m]", "width [m]", "E axis", "E edge"};
     for (std::size_t i = 0; i < columns.size(); ++i)
-        svg.text({columns[i], top - 14.0}, i < 2 ? std::string(names[i]) : fmt::format("{} {}", names[i], lux),
-                 TextAnchor::end, 12.0, R"(font-weight="bold")");
+        page.text({columns[i], top - 14.0}, i < 2 ? std::string(names[i]) : fmt::format("{} {}", names[i], lux),
+                  {TextAnchor::end, 12.0, {}, true});
     for (int i = 1; i <= distances; ++i) {
         const double distance_m = height_m * i / distances;
         const double y = top + row_px * i;
-        svg.line({area.left, y}, {columns.back(), y}, R"(stroke="#ccc" stroke-dasharray="2 3")");
-        svg.line({x_at(beam->left_deg, distance_m), y}, {x_at(beam->right_deg, distance_m), y},
-                 fmt::format(R"(stroke="{}" stroke-width="1.5")", series_color(0)));
+        page.line({area.left, y}, {columns.back(), y}, {ink(0xcccccc), 1.0, {2.0, 3.0}});
+        page.line({x_at(beam->left_deg, distance_m), y}, {x_at(beam->right_deg, distance_m), y},
+                  {series_color(0), 1.5});
         const double width_m = distance_m * (tan_deg(beam->right_deg) - tan_deg(beam->left_deg));
         const double edge_lx = std::fmax(illuminance_lx(web, *scale, beam->left_deg, c_deg, distance_m),
                                          illuminance_lx(web, *scale, beam->right_deg, c_deg, distance_m));
         const std::array<double, 4> values{distance_m, width_m, illuminance_lx(web, *scale, 0.0, c_deg, distance_m),
                                            edge_lx};
         for (std::size_t k = 0; k < columns.size(); ++k)
-            svg.text({columns[k], y - 5.0}, rounded(values[k], 4), TextAnchor::end, 12.0);
+            page.text({columns[k], y - 5.0}, rounded(values[k], 4), {TextAnchor::end});
     }
-    svg.circle({axis, top}, 3.5, R"(fill="#333")");
+    page.circle({axis, top}, 3.5, ink(0x333333));
     const auto plane_text = [](double c) {
         return fmt::format("C{}–C{}", rounded(std::fmod(c, 360.0)), rounded(std::fmod(c + 180.0, 360.0)));
     };
     const std::optional<Beam> across = beam_of(plane_curve(web, c_deg + 90.0, *scale), threshold);
-    svg.text({area.left, area.bottom - 6.0},
-             fmt::format("beam angle {} in {}, {} in {}", angle_text(beam), plane_text(c_deg), angle_text(across),
-                         plane_text(c_deg + 90.0)));
-    return svg.finish();
+    page.text({area.left, area.bottom - 6.0},
+              fmt::format("beam angle {} in {}, {} in {}", angle_text(beam), plane_text(c_deg), angle_text(across),
+                          plane_text(c_deg + 90.0)));
+    return page;
 }
 
 } // namespace gonio

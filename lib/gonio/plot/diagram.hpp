@@ -1,13 +1,14 @@
-// Diagrams of webs as SVG text: what a luminaire does with its light, in the forms that the field draws it.
+// Diagrams of webs: what a luminaire does with its light, in the forms that the field draws it.
 //
 // Intensities are candela, or candela per 1000 lm of the web's own flux. Gamma counts from the nadir, C from the C0
 // plane; the curves follow the web's interpolant (they are evaluated at least every half degree and at every γ of the
 // grid), so nothing is smoothed. Webs are drawn over each other where that can be read (polar, cartesian) and one by
-// one else. Equal input gives equal bytes. Fails (usage) on a picture too small to hold the diagram, on more webs than
-// the diagram takes, and on a web that is dark wherever the diagram looks.
+// one else. Equal input gives equal drawings. Fails (usage) on a picture too small to hold the diagram, on more webs
+// than the diagram takes, and on a web that is dark wherever the diagram looks.
 #pragma once
 
 #include <gonio/base/result.hpp>
+#include <gonio/plot/drawing.hpp>
 #include <gonio/web/web.hpp>
 
 #include <span>
@@ -35,7 +36,7 @@ struct PlotOptions {
 struct DiagramKind {
     std::string_view name; // "heat-map"
     std::string_view summary;
-    Result<std::string> (*draw)(std::span<const PlottedWeb> webs, const PlotOptions& options);
+    Result<Drawing> (*draw)(std::span<const PlottedWeb> webs, const PlotOptions& options);
 };
 
 // polar, cartesian, heat-map, isolux, cone.
@@ -45,19 +46,19 @@ std::span<const DiagramKind> diagram_kinds();
 Result<const DiagramKind*> find_diagram(std::string_view name);
 
 // Intensity against γ around the nadir (down), a curve for each plane.
-Result<std::string> polar_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
+Result<Drawing> polar_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 // Intensity against γ along an axis, C + 180° on the left.
-Result<std::string> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
+Result<Drawing> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 // Intensity by colour over C and γ.
-Result<std::string> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
+Result<Drawing> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 // Illuminance on a horizontal plane below the light, as coloured bands and lines of equal lux: E = I cos³γ / h², from
 // a point at the height h, aimed straight down.
-Result<std::string> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
+Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 // How wide the beam (half the peak intensity) is at five distances, and the illuminance on the axis and at its edge.
-Result<std::string> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
+Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 } // namespace gonio

@@ -69,17 +69,16 @@ Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& 
     return {};
 }
 
-Svg begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
-               std::span<const LegendEntry> legend, Area& area) {
+Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
+                   std::span<const LegendEntry> legend, Area& area) {
     std::string name = options.title;
     if (name.empty())
         for (const PlottedWeb& plotted : webs)
             name += (name.empty() ? "" : ", ") + plotted.label;
-    Svg svg(options.width_px, options.height_px, fmt::format("{}: {}", name, diagram));
+    Drawing page(options.width_px, options.height_px, fmt::format("{}: {}", name, diagram));
     area = {margin_px, margin_px, options.width_px - margin_px, options.height_px - margin_px};
     if (!options.title.empty()) {
-        svg.text({0.5 * options.width_px, margin_px + 12.0}, options.title, TextAnchor::middle, 16.0,
-                 R"(font-weight="bold")");
+        page.text({0.5 * options.width_px, margin_px + 12.0}, options.title, {TextAnchor::middle, 16.0, {}, true});
         area.top += 28.0;
     }
     const std::vector<LegendPlace> places = place_legend(legend, area.width());
@@ -87,12 +86,10 @@ Svg begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std
     for (std::size_t i = 0; i < legend.size(); ++i) {
         const double x = area.left + places[i].x;
         const double y = area.bottom + 16.0 + line_px * static_cast<double>(places[i].line);
-        svg.line({x, y - 4.0}, {x + swatch_px, y - 4.0},
-                 fmt::format(R"(stroke="{}" stroke-width="2"{})", legend[i].color,
-                             legend[i].dashed ? R"( stroke-dasharray="6 4")" : ""));
-        svg.text({x + swatch_px + 8.0, y}, legend[i].text);
+        page.line({x, y - 4.0}, {x + swatch_px, y - 4.0}, legend[i].pen);
+        page.text({x + swatch_px + 8.0, y}, legend[i].text);
     }
-    return svg;
+    return page;
 }
 
 Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options) {
@@ -129,8 +126,8 @@ Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, c
             curve.legend.text = axial ? webs[w].label
                                       : fmt::format("{} C{}–C{}", webs[w].label, rounded(c_deg),
                                                     rounded(std::fmod(c_deg + 180.0, 360.0)));
-            curve.legend.color = series_color(webs.size() == 1 ? p : w);
-            curve.legend.dashed = p > 0;
+            curve.legend.pen = {series_color(webs.size() == 1 ? p : w), 2.0};
+            if (p > 0) curve.legend.pen.dash_px = {6.0, 4.0};
             curve.points = plane_curve(web, c_deg, *scale);
             curves.push_back(std::move(curve));
         }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/svg.hpp>
+#include <gonio/plot/drawing.hpp>
 
 #include <cstddef>
 #include <string>
@@ -24,16 +24,15 @@ struct Area {
 
 struct LegendEntry {
     std::string text;
-    std::string color;
-    bool dashed = false;
+    Pen pen;
 };
 
 // Fails unless there is a web to draw, at most `most`, on a page of at least 160 and at most 16384 pixels a side.
 Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most);
 
 // A page with the title at its top and the legend at its foot; what is left of it goes to `area`.
-Svg begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
-               std::span<const LegendEntry> legend, Area& area);
+Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
+                   std::span<const LegendEntry> legend, Area& area);
 
 // 1, or what turns candela into candela per 1000 lm. Fails when the web has no flux to divide by.
 Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options);

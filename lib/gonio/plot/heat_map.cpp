@@ -29,7 +29,7 @@ Field field_of(const Web& web, double scale) {
 
 } // namespace
 
-Result<std::string> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+Result<Drawing> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     Result<void> fine = check_request(webs, options, 1);
     if (!fine) return pass_on(fine);
     Result<double> scale = intensity_scale(webs[0], options);
@@ -42,22 +42,21 @@ Result<std::string> heat_map_diagram(std::span<const PlottedWeb> webs, const Plo
     if (!bright) return pass_on(bright);
 
     Area area;
-    Svg svg = begin_page(webs, options, "luminous intensity over C and gamma", {}, area);
+    Drawing page = begin_page(webs, options, "luminous intensity over C and gamma", {}, area);
     const Area left{area.left, area.top, area.right - scale_room_px, area.bottom};
     const Chart chart(left, {"C [°]", {0, 45, 90, 135, 180, 225, 270, 315, 360}},
                       {"gamma [°]", {0, 30, 60, 90, 120, 150, 180}}, true);
     std::vector<double> levels = ticks(0.0, top, bands);
     while (levels.back() >= top)
         levels.pop_back();
-    const std::vector<std::string> colors = band_colors(levels.size());
-    svg.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
-                  "fill=\"" + colors[0] + "\"");
-    draw_bands(svg, chart, field, {levels.begin() + 1, levels.end()}, {colors.begin() + 1, colors.end()});
-    chart.draw_lines(svg, R"(stroke="#fff" stroke-opacity="0.25")");
-    chart.draw_numbers(svg);
-    draw_color_scale(svg, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
+    const std::vector<Ink> colors = band_colors(levels.size());
+    page.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(), colors[0]);
+    draw_bands(page, chart, field, {levels.begin() + 1, levels.end()}, {colors.begin() + 1, colors.end()});
+    chart.draw_lines(page, ink(0xffffff, 0.25));
+    chart.draw_numbers(page);
+    draw_color_scale(page, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
                      options.per_klm ? "cd/klm" : "cd");
-    return svg.finish();
+    return page;
 }
 
 } // namespace gonio

@@ -37,25 +37,25 @@ Field field_of(const Web& web, double height_m, double extent_m) {
 }
 
 // A line's lux stands where the line is farthest along +X, so that the numbers of nested lines stand in a row.
-void label_line(Svg& svg, const Chart& chart, const ContourLine& line, double level) {
+void label_line(Drawing& page, const Chart& chart, const ContourLine& line, double level) {
     double length = 0.0;
     const FieldPoint* rightmost = line.points.data();
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         if (line.points[i].x > rightmost->x) rightmost = &line.points[i];
         if (i == 0) continue;
-        const SvgPoint from = chart.at(line.points[i - 1].x, line.points[i - 1].y);
-        const SvgPoint to = chart.at(line.points[i].x, line.points[i].y);
+        const PagePoint from = chart.at(line.points[i - 1].x, line.points[i - 1].y);
+        const PagePoint to = chart.at(line.points[i].x, line.points[i].y);
         length += std::hypot(to.x - from.x, to.y - from.y);
     }
     if (length < 60.0) return; // the number would hide the line
-    SvgPoint at = chart.at(rightmost->x, rightmost->y);
+    PagePoint at = chart.at(rightmost->x, rightmost->y);
     at.x = std::min(at.x, chart.inner().right - 14.0);
-    svg.label({at.x, at.y + 4.0}, rounded(level), TextAnchor::middle, 11.0);
+    page.text({at.x, at.y + 4.0}, rounded(level), {TextAnchor::middle, 11.0, ink(0x333333), false, 1.5});
 }
 
 } // namespace
 
-Result<std::string> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     Result<void> fine = check_request(webs, options, 1);
     if (!fine) return pass_on(fine);
     Result<double> scale = intensity_scale(webs[0], options);
@@ -73,7 +73,7 @@ Result<std::string> isolux_diagram(std::span<const PlottedWeb> webs, const PlotO
     if (!bright) return pass_on(bright);
 
     Area area;
-    Svg svg = begin_page(webs, options, "illuminance on the plane below", {}, area);
+    Drawing page = begin_page(webs, options, "illuminance on the plane below", {}, area);
     const Area left{area.left, area.top, area.right - scale_room_px, area.bottom - 18.0};
     const std::vector<double> meters = ticks(-extent_m, extent_m, 8);
     const std::vector<double> inside = [&] { // the ticks within the square, and its edges
@@ -85,35 +85,33 @@ Result<std::string> isolux_diagram(std::span<const PlottedWeb> webs, const PlotO
     }();
     const Chart chart(left, {"C0 → [m]", inside}, {"C90 ↑ [m]", inside}, false, true);
     const std::vector<double> levels = levels_1_2_5(top * std::pow(10.0, -decades), top);
-    const std::vector<std::string> colors = band_colors(levels.size());
-    svg.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
-    svg.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
-                  R"(fill="#2a0033")");
-    draw_bands(svg, chart, field, levels, colors);
-    svg.end_clip();
-    chart.draw_lines(svg, R"(stroke="#fff" stroke-opacity="0.2")");
+    const std::vector<Ink> colors = band_colors(levels.size());
+    page.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
+    page.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),
+                   ink(0x2a0033));
+    draw_bands(page, chart, field, levels, colors);
+    page.end_clip();
+    chart.draw_lines(page, ink(0xffffff, 0.2));
     std::vector<std::pair<double, std::vector<ContourLine>>> lines;
     for (const double level : levels)
         lines.emplace_back(level, contour_lines(field, level));
     for (const auto& [level, contours] : lines)
         for (const ContourLine& line : contours) {
-            SvgPath path;
+            PagePath path;
             for (const FieldPoint& point : line.points)
                 path.empty() ? path.move_to(chart.at(point.x, point.y)) : path.line_to(chart.at(point.x, point.y));
             if (line.closed) path.close();
-            svg.path(path, R"(fill="none" stroke="#333" stroke-width="0.8")");
+            page.stroke(std::move(path), {ink(0x333333), 0.8});
         }
     for (const auto& [level, contours] : lines) // above all lines
         for (const ContourLine& line : contours)
-            label_line(svg, chart, line, level);
-    chart.draw_numbers(svg);
-    draw_color_scale(svg, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
+            label_line(page, chart, line, level);
+    chart.draw_numbers(page);
+    draw_color_scale(page, {left.right + 12.0, chart.inner().top, area.right, chart.inner().bottom}, levels, colors,
                      options.per_klm ? "lx/klm" : "lx");
-    svg.text({chart.inner().left, area.bottom},
-             fmt::format("height {} m, brightest {}", rounded(height_m),
-                         rounded(top, 4) + (options.per_klm ? " lx/klm" : " lx")),
-             TextAnchor::start, 12.0);
-    return svg.finish();
+    page.text({chart.inner().left, area.bottom}, fmt::format("height {} m, brightest {}", rounded(height_m),
+                                                             rounded(top, 4) + (options.per_klm ? " lx/klm" : " lx")));
+    return page;
 }
 
 } // namespace gonio

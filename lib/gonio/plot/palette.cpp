@@ -1,48 +1,75 @@
+#include <gonio/base/kind_text.hpp>
 #include <gonio/plot/palette.hpp>
 
-#include <fmt/format.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gonio {
 
 namespace {
 
-struct Rgb {
-    int r, g, b;
+constexpr std::array series{ink(0x0072b2), ink(0xd55e00), ink(0x009e73), ink(0xcc79a7),
+                            ink(0xe69f00), ink(0x56b4e9), ink(0x000000)};
+
+// viridis, magma, inferno, plasma: van der Walt and Smith, 2015, public domain; cividis: Nuñez, Anderton and Renslow,
+// PLOS ONE 13(7), 2018. Their colours at ninths.
+constexpr std::array viridis{ink(0x440154), ink(0x482878), ink(0x3e4a89), ink(0x31688e), ink(0x26828e),
+                             ink(0x1f9e89), ink(0x35b779), ink(0x6dcd59), ink(0xb4de2c), ink(0xfde725)};
+constexpr std::array inferno{ink(0x000004), ink(0x1b0c42), ink(0x4b0c6b), ink(0x781c6d), ink(0xa52c60),
+                             ink(0xcf4446), ink(0xed6925), ink(0xfb9a06), ink(0xf7d03c), ink(0xfcffa4)};
+constexpr std::array magma{ink(0x000004), ink(0x180f3e), ink(0x451077), ink(0x721f81), ink(0x9f2f7f),
+                           ink(0xcd4071), ink(0xf1605d), ink(0xfd9567), ink(0xfec98d), ink(0xfcfdbf)};
+constexpr std::array plasma{ink(0x0d0887), ink(0x47039f), ink(0x7301a8), ink(0x9c179e), ink(0xbd3786),
+                            ink(0xd8576b), ink(0xed7953), ink(0xfa9e3b), ink(0xfdc926), ink(0xf0f921)};
+constexpr std::array cividis{ink(0x00204d), ink(0x00336f), ink(0x39486b), ink(0x575c6d), ink(0x707173),
+                             ink(0x8a8779), ink(0xa69d75), ink(0xc4b56c), ink(0xe4cf5b), ink(0xffea46)};
+constexpr std::array gray{ink(0x000000), ink(0xffffff)};
+
+constexpr std::array known{
+    Palette{"viridis", "violet, green, yellow", viridis},
+    Palette{"inferno", "black, red, yellow", inferno},
+    Palette{"magma", "black, violet, cream", magma},
+    Palette{"plasma", "blue, red, yellow", plasma},
+    Palette{"cividis", "blue, grey, yellow: looks the same to the colour-blind", cividis},
+    Palette{"gray", "black to white", gray},
 };
-
-constexpr std::array series{Rgb{0x00, 0x72, 0xb2}, Rgb{0xd5, 0x5e, 0x00}, Rgb{0x00, 0x9e, 0x73}, Rgb{0xcc, 0x79, 0xa7},
-                            Rgb{0xe6, 0x9f, 0x00}, Rgb{0x56, 0xb4, 0xe9}, Rgb{0x00, 0x00, 0x00}};
-
-constexpr std::array ramp{Rgb{0x44, 0x01, 0x54}, Rgb{0x47, 0x2d, 0x7b}, Rgb{0x3b, 0x52, 0x8b},
-                          Rgb{0x2c, 0x72, 0x8e}, Rgb{0x21, 0x91, 0x8c}, Rgb{0x28, 0xae, 0x80},
-                          Rgb{0x5e, 0xc9, 0x62}, Rgb{0xad, 0xdc, 0x30}, Rgb{0xfd, 0xe7, 0x25}};
-
-std::string hex(int r, int g, int b) {
-    return fmt::format("#{:02x}{:02x}{:02x}", r, g, b);
-}
-
-int mix(int from, int to, double weight) {
-    return static_cast<int>(std::lround(from + weight * (to - from)));
-}
 
 } // namespace
 
-std::string series_color(std::size_t index) {
-    const Rgb& color = series[index % series.size()];
-    return hex(color.r, color.g, color.b);
+Ink series_color(std::size_t index) {
+    return series[index % series.size()];
 }
 
-std::string ramp_color(double value) {
+std::array<float, 3> Palette::at(double value) const {
     const double clamped = value > 0.0 ? std::fmin(value, 1.0) : 0.0;
-    const double at = clamped * static_cast<double>(ramp.size() - 1);
-    const std::size_t lower = std::min(static_cast<std::size_t>(at), ramp.size() - 2);
-    const double weight = at - static_cast<double>(lower);
-    const Rgb& from = ramp[lower];
-    const Rgb& to = ramp[lower + 1];
-    return hex(mix(from.r, to.r, weight), mix(from.g, to.g, weight), mix(from.b, to.b, weight));
+    const double place = clamped * static_cast<double>(knots.size() - 1);
+    const std::size_t lower = std::min(static_cast<std::size_t>(place), knots.size() - 2);
+    const double weight = place - static_cast<double>(lower);
+    const Ink from = knots[lower];
+    const Ink to = knots[lower + 1];
+    const auto mixed = [&](double a, double b) { return static_cast<float>((a + weight * (b - a)) / 255.0); };
+    return {mixed(from.r, to.r), mixed(from.g, to.g), mixed(from.b, to.b)};
+}
+
+Ink Palette::ink_at(double value) const {
+    const std::array<float, 3> rgb = at(value);
+    const auto byte = [](float channel) { return static_cast<std::uint8_t>(std::lround(255.0F * channel)); };
+    return {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+}
+
+std::span<const Palette> palettes() {
+    return known;
+}
+
+Result<const Palette*> find_palette(std::string_view name) {
+    if (name == "grey") name = "gray";
+    std::vector<std::string_view> names;
+    for (const Palette& palette : known) {
+        if (palette.name == name) return &palette;
+        names.push_back(palette.name);
+    }
+    return unknown_name("palette", name, names);
 }
 
 } // namespace gonio

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gonio {
 
@@ -16,6 +17,7 @@ using namespace plot_detail;
 namespace {
 
 constexpr double label_room_px = 26.0;
+constexpr TextStyle label_style{TextAnchor::middle, 11.0, ink(0x333333), false, 1.5};
 
 // Whether every curve is dark more than this share of the greatest intensity above (or below) the horizontal.
 bool is_dark(std::span<const PlaneCurve> curves, double top, bool above) {
@@ -27,12 +29,12 @@ bool is_dark(std::span<const PlaneCurve> curves, double top, bool above) {
 
 // The circle of the diagram, or the half of it that holds light.
 struct Dial {
-    SvgPoint center;
+    PagePoint center;
     double radius = 0.0;
     double least_deg = 0.0; // γ of the part that is drawn
     double most_deg = 180.0;
 
-    SvgPoint at(double gamma_deg, double share) const {
+    PagePoint at(double gamma_deg, double share) const {
         const double angle = gamma_deg * (std::numbers::pi / 180.0);
         return {center.x + radius * share * std::sin(angle), center.y + radius * share * std::cos(angle)};
     }
@@ -53,41 +55,41 @@ Dial place_dial(const Area& area, bool lower, bool upper) {
     return dial;
 }
 
-void draw_arc(Svg& svg, const Dial& dial, double share, std::string_view style) {
-    SvgPath path;
+void draw_arc(Drawing& page, const Dial& dial, double share, Ink ink) {
+    PagePath path;
     for (const double side : {-1.0, 1.0}) {
         bool first = true;
         for (const double gamma : even_steps(dial.least_deg, dial.most_deg, 2.0)) {
-            const SvgPoint point = dial.at(side * gamma, share);
+            const PagePoint point = dial.at(side * gamma, share);
             first ? path.move_to(point) : path.line_to(point);
             first = false;
         }
     }
-    svg.path(path, style);
+    page.stroke(std::move(path), {ink});
 }
 
-void draw_grid(Svg& svg, const Dial& dial, const std::vector<double>& rings, const PlotOptions& options) {
+void draw_grid(Drawing& page, const Dial& dial, const std::vector<double>& rings, const PlotOptions& options) {
     for (const double ring : rings)
-        if (ring > 0.0) draw_arc(svg, dial, ring / rings.back(), R"(fill="none" stroke="#ccc")");
+        if (ring > 0.0) draw_arc(page, dial, ring / rings.back(), ink(0xcccccc));
     for (const double gamma : even_steps(dial.least_deg, dial.most_deg, 30.0))
         for (const double side : {-1.0, 1.0}) {
             if (side < 0.0 && (gamma == 0.0 || gamma == 180.0)) continue;
-            svg.line(dial.center, dial.at(side * gamma, 1.0), R"(stroke="#ddd")");
-            const SvgPoint at = dial.at(side * gamma, 1.0 + 16.0 / dial.radius);
-            svg.text({at.x, at.y + 4.0}, fmt::format("{:.0f}°", gamma), TextAnchor::middle, 11.0, R"(fill="#555")");
+            page.line(dial.center, dial.at(side * gamma, 1.0), {ink(0xdddddd)});
+            const PagePoint at = dial.at(side * gamma, 1.0 + 16.0 / dial.radius);
+            page.text({at.x, at.y + 4.0}, fmt::format("{:.0f}°", gamma), {TextAnchor::middle, 11.0, ink(0x555555)});
         }
     const double along = dial.least_deg == 0.0 ? 15.0 : 165.0;
     for (const double ring : rings) {
         if (ring <= 0.0) continue;
-        const SvgPoint at = dial.at(along, ring / rings.back());
-        svg.label({at.x, at.y + 4.0}, ring == rings.back() ? intensity_text(ring, options) : rounded(ring, 4),
-                  TextAnchor::middle, 11.0);
+        const PagePoint at = dial.at(along, ring / rings.back());
+        page.text({at.x, at.y + 4.0}, ring == rings.back() ? intensity_text(ring, options) : rounded(ring, 4),
+                  label_style);
     }
 }
 
 } // namespace
 
-Result<std::string> polar_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+Result<Drawing> polar_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     Result<void> fine = check_request(webs, options, webs.size());
     if (!fine) return pass_on(fine);
     Result<std::vector<PlaneCurve>> curves = plane_curves(webs, options);
@@ -99,26 +101,25 @@ Result<std::string> polar_diagram(std::span<const PlottedWeb> webs, const PlotOp
     for (const PlaneCurve& curve : *curves)
         legend.push_back(curve.legend);
     Area area;
-    Svg svg = begin_page(webs, options, "polar diagram of the luminous intensity", legend, area);
+    Drawing page = begin_page(webs, options, "polar diagram of the luminous intensity", legend, area);
     const Dial dial = place_dial(area, !is_dark(*curves, *top, false), !is_dark(*curves, *top, true));
     const std::vector<double> rings = ticks(0.0, *top, 5);
-    draw_grid(svg, dial, rings, options);
+    draw_grid(page, dial, rings, options);
     for (const PlaneCurve& curve : *curves) {
-        SvgPath path;
+        PagePath path;
         bool down = false; // whether the pen is
         for (const CurvePoint& point : curve.points) {
             const double gamma = std::fabs(point.gamma_deg);
             const bool drawn = gamma >= dial.least_deg && gamma <= dial.most_deg;
             if (drawn) {
-                const SvgPoint at = dial.at(point.gamma_deg, point.intensity / rings.back());
+                const PagePoint at = dial.at(point.gamma_deg, point.intensity / rings.back());
                 down ? path.line_to(at) : path.move_to(at);
             }
             down = drawn;
         }
-        svg.path(path, fmt::format(R"(fill="none" stroke="{}" stroke-width="2" stroke-linejoin="round"{})",
-                                   curve.legend.color, curve.legend.dashed ? R"( stroke-dasharray="6 4")" : ""));
+        page.stroke(std::move(path), curve.legend.pen);
     }
-    return svg.finish();
+    return page;
 }
 
 } // namespace gonio

@@ -38,6 +38,114 @@ const char* to_text(TextAnchor anchor) {
     return anchor == TextAnchor::start ? "start" : anchor == TextAnchor::middle ? "middle" : "end";
 }
 
+// "#ccc", or "#d55e00" where three digits do not say it.
+std::string hex(Ink ink) {
+    const auto is_short = [](std::uint8_t channel) { return channel % 17 == 0; };
+    if (is_short(ink.r) && is_short(ink.g) && is_short(ink.b))
+        return fmt::format("#{:x}{:x}{:x}", ink.r / 17, ink.g / 17, ink.b / 17);
+    return fmt::format("#{:02x}{:02x}{:02x}", ink.r, ink.g, ink.b);
+}
+
+std::string paint(std::string_view attribute, Ink ink) {
+    std::string text = fmt::format(R"({}="{}")", attribute, hex(ink));
+    if (ink.opacity < 1.0) text += fmt::format(R"( {}-opacity="{}")", attribute, svg_number(ink.opacity));
+    return text;
+}
+
+std::string style_of(const Pen& pen) {
+    std::string text = paint("stroke", pen.ink);
+    if (pen.width_px != 1.0) text += fmt::format(R"( stroke-width="{}")", svg_number(pen.width_px));
+    if (pen.dash_px[0] > 0.0)
+        text += fmt::format(R"( stroke-dasharray="{} {}")", svg_number(pen.dash_px[0]), svg_number(pen.dash_px[1]));
+    return text;
+}
+
+class Writer {
+public:
+    explicit Writer(const Drawing& drawing) {
+        text_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
+                            R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
+                            "\n<title>{2}</title>\n",
+                            drawing.width_px(), drawing.height_px(), escaped(drawing.title()));
+        rectangle({0, 0}, drawing.width_px(), drawing.height_px(), R"( fill="#fff")");
+        for (const DrawingStep& step : drawing.steps())
+            std::visit(*this, step);
+        text_ += "</svg>\n";
+    }
+
+    std::string take() { return std::move(text_); }
+
+    void operator()(const FilledPath& step) { path(step.path, paint("fill", step.ink)); }
+
+    void operator()(const StrokedPath& step) {
+        const auto& parts = step.path.parts();
+        if (parts.size() == 1 && parts[0].points.size() == 2 && !parts[0].closed) {
+            const PagePoint from = parts[0].points[0];
+            const PagePoint to = parts[0].points[1];
+            append("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", svg_number(from.x), svg_number(from.y),
+                   svg_number(to.x), svg_number(to.y), style_of(step.pen));
+            return;
+        }
+        path(step.path, R"(fill="none" stroke-linejoin="round" )" + style_of(step.pen));
+    }
+
+    void operator()(const FilledRectangle& step) {
+        rectangle(step.corner, step.width, step.height, " " + paint("fill", step.ink));
+    }
+
+    void operator()(const FilledCircle& step) {
+        append("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", svg_number(step.center.x), svg_number(step.center.y),
+               svg_number(step.radius), paint("fill", step.ink));
+    }
+
+    void operator()(const WrittenText& step) {
+        const TextStyle& style = step.style;
+        std::string more;
+        if (hex(style.ink) != "#000" || style.ink.opacity < 1.0) more += " " + paint("fill", style.ink);
+        if (style.bold) more += R"( font-weight="bold")";
+        if (style.rim_px > 0.0)
+            more += fmt::format(R"( {} stroke-width="{}" paint-order="stroke")", paint("stroke", style.rim),
+                                svg_number(2.0 * style.rim_px));
+        append("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" font-size=\"{}\"{}>{}</text>\n", svg_number(step.at.x),
+               svg_number(step.at.y), to_text(style.anchor), svg_number(style.size_px), more, escaped(step.text));
+    }
+
+    void operator()(const ClipBegin& step) {
+        append("<clipPath id=\"clip{}\">", ++clips_);
+        rectangle(step.corner, step.width, step.height, "");
+        append("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
+    }
+
+    void operator()(const ClipEnd& /*step*/) { text_ += "</g>\n"; }
+
+private:
+    template<class... Values>
+    void append(fmt::format_string<Values...> format, Values&&... values) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    }
+
+    void rectangle(PagePoint corner, double width, double height, std::string_view style) {
+        append("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>\n", svg_number(corner.x), svg_number(corner.y),
+               svg_number(width), svg_number(height), style);
+    }
+
+    void path(const PagePath& path, std::string_view style) {
+        text_ += "<path d=\"";
+        for (const PagePath::Part& part : path.parts()) {
+            char command = 'M';
+            for (const PagePoint point : part.points) {
+                append("{}{} {}", command, svg_number(point.x), svg_number(point.y));
+                command = 'L';
+            }
+            if (part.closed) text_ += 'Z';
+        }
+        append("\" {}/>\n", style);
+    }
+
+    std::string text_;
+    int clips_ = 0;
+};
+
 } // namespace
 
 std::string svg_number(double value) {
@@ -48,73 +156,8 @@ std::string svg_number(double value) {
     return text == "-0" ? "0" : text;
 }
 
-SvgPath& SvgPath::move_to(SvgPoint point) {
-    data_ += "M" + svg_number(point.x) + " " + svg_number(point.y);
-    return *this;
-}
-
-SvgPath& SvgPath::line_to(SvgPoint point) {
-    data_ += "L" + svg_number(point.x) + " " + svg_number(point.y);
-    return *this;
-}
-
-SvgPath& SvgPath::close() {
-    data_ += "Z";
-    return *this;
-}
-
-Svg::Svg(int width, int height, std::string_view title) {
-    text_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
-                        R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
-                        "\n<title>{2}</title>\n",
-                        width, height, escaped(title));
-    rectangle({0, 0}, width, height, R"(fill="#fff")");
-}
-
-void Svg::line(SvgPoint from, SvgPoint to, std::string_view style) {
-    fmt::format_to(std::back_inserter(text_), "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n",
-                   svg_number(from.x), svg_number(from.y), svg_number(to.x), svg_number(to.y), style);
-}
-
-void Svg::circle(SvgPoint center, double radius, std::string_view style) {
-    fmt::format_to(std::back_inserter(text_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", svg_number(center.x),
-                   svg_number(center.y), svg_number(radius), style);
-}
-
-void Svg::rectangle(SvgPoint corner, double width, double height, std::string_view style) {
-    fmt::format_to(std::back_inserter(text_), "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}{}/>\n",
-                   svg_number(corner.x), svg_number(corner.y), svg_number(width), svg_number(height),
-                   style.empty() ? "" : " ", style);
-}
-
-void Svg::path(const SvgPath& path, std::string_view style) {
-    if (!path.empty()) fmt::format_to(std::back_inserter(text_), "<path d=\"{}\" {}/>\n", path.data(), style);
-}
-
-void Svg::text(SvgPoint at, std::string_view text, TextAnchor anchor, double size_px, std::string_view style) {
-    fmt::format_to(std::back_inserter(text_),
-                   "<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", svg_number(at.x),
-                   svg_number(at.y), to_text(anchor), svg_number(size_px), style.empty() ? "" : " ", style,
-                   escaped(text));
-}
-
-void Svg::label(SvgPoint at, std::string_view text, TextAnchor anchor, double size_px) {
-    this->text(at, text, anchor, size_px, R"(fill="#333" stroke="#fff" stroke-width="3" paint-order="stroke")");
-}
-
-void Svg::begin_clip(SvgPoint corner, double width, double height) {
-    ++clips_;
-    fmt::format_to(std::back_inserter(text_), "<clipPath id=\"clip{}\">", clips_);
-    rectangle(corner, width, height, "");
-    text_ += fmt::format("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
-}
-
-void Svg::end_clip() {
-    text_ += "</g>\n";
-}
-
-std::string Svg::finish() {
-    return std::move(text_) + "</svg>\n";
+std::string to_svg(const Drawing& drawing) {
+    return Writer(drawing).take();
 }
 
 } // namespace gonio

@@ -2,11 +2,13 @@
 //
 // Noise-free: every pixel is an exact evaluation of the lights at its surface point, pixels on outlines and hard shadow
 // edges are the mean of 4×4 such points. Tiles run on all threads; the picture does not depend on how many.
+// What cannot change the picture is not computed; README.md says what that is and what it saves.
 #pragma once
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/preview/render_stats.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -22,6 +24,7 @@ struct RenderOptions {
     int height = 512;
     bool shadows = true;
     bool illuminance = false; // asks for Rendering::illuminance_lx
+    bool skip = true;         // false: every light at every point, whether it can reach it or not
     unsigned threads = 0;     // 0 = as many as there are
     // Pictures of different sets agree to 1e-4 of the picture's greatest luminance.
     simd::InstructionSet instruction_set = simd::best_available();
@@ -33,10 +36,11 @@ struct Rendering {
     // One channel: what the surface that is seen receives from all lights; 0 where a light or nothing is seen. Empty
     // unless asked for.
     Image illuminance_lx;
+    RenderStats stats;
 };
 
-// Fails (usage) on a size outside [1, max_picture_size], (unsupported) on a sun and on a mask before a light with a
-// size.
+// A light with a size behind a mask takes the mask from its centre: scene/README.md gives the error.
+// Fails (usage) on a size outside [1, max_picture_size], (unsupported) on a sun.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options = {});
 

@@ -3,7 +3,6 @@
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/shade_area.hpp>
 #include <gonio/shading/specular_ltc.hpp>
 #include <gonio/shading/specular_named.hpp>
 

@@ -8,6 +8,7 @@
 // The formulas stand in shade.hpp, once for float, double and packs; the double ones are the truth these are tested by.
 #pragma once
 
+#include <gonio/shading/specular_method.hpp>
 #include <gonio/simd/dispatch.hpp>
 
 #include <cstddef>
@@ -24,17 +25,20 @@ struct Surfaces {
 };
 
 struct LightConstants {
-    enum class Kind : std::uint8_t { punctual, sphere, disk, rectangle, tube };
+    enum class Kind : std::uint8_t { punctual, sphere, disk, rectangle, tube, sun };
 
     Kind kind = Kind::punctual;
-    float position[3] = {}; // [m], of the centre
+    float position[3] = {}; // [m], of the centre; not read for a sun
     float radius = 0.0F;    // sphere, disk, tube [m], ≥ 0
     // Area lights: luminance of the three channels [nt]; punctual: weights of a colour whose luminance Y is 1. All ≥ 0.
     float color[3] = {1.0F, 1.0F, 1.0F};
     const float* intensity_cd = nullptr; // punctual: towards each surface point, ≥ 0, `count` of them; else not read
-    float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window
-    // The rest is read by disk, rectangle and tube only.
-    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where disk and rectangle emit to; along the tube
+    float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window; not read for a sun
+    // How `shade` takes the glossy part of a light with a size; of no meaning for a punctual one.
+    SpecularMethod specular_method = standard_specular_method;
+    float angular_radius = 0.0F; // sun [rad], half of its diameter; in [0, π/2]
+    // The rest is read by disk, rectangle, tube and (the axis alone) sun.
+    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where disk, rectangle and sun emit to; along the tube
     float width_direction[3] = {1.0F, 0.0F, 0.0F}; // rectangle: unit, perpendicular to the axis
     float width = 0.0F;                            // rectangle [m], along width_direction
     float height = 0.0F;                           // rectangle [m], across it
@@ -74,11 +78,11 @@ struct Kernels {
     void (*shade)(const Surfaces&, const LightConstants&, const MaterialConstants&, float* const rgb[3]);
 
     // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
-    // in sr, times the window) for an area light. Receivers are sorted by their horizon before they are packed, so `lx`
-    // must not overlap the input.
+    // in sr, times the window) for an area light or a sun. Receivers are sorted by their horizon before they are
+    // packed, so `lx` must not overlap the input.
     void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
 
-    // The same by an approximation, of one side; 0 for a punctual light. May exceed π.
+    // The same by an approximation, of one side; 0 for a punctual light, the point's for a sun. May exceed π.
     void (*approximate_irradiance)(const Surfaces&, const LightConstants&, Approximation, float* lx);
 };
 

@@ -9,8 +9,8 @@
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
-#include <gonio/shading/shade_area.hpp>
 #include <gonio/shading/sorted_batch.hpp>
+#include <gonio/shading/specular_tables.hpp>
 #include <gonio/simd/twin.hpp>
 
 #include <cstddef>
@@ -44,30 +44,12 @@ GONIO_FORCE_INLINE S approximate(const TubeLight<S>& light, vec3<S> center, vec3
     return irradiance_tube_point(center, light.axis, light.radius, light.length, n);
 }
 
-template<class S, class Light, class Material>
-void shade_batch(const Surfaces& surfaces, const LightConstants& light_constants,
-                 const MaterialConstants& material_constants, float* const rgb[3]) {
-    Light light;
-    Material material;
-    constants(light_constants, light);
-    constants(material_constants, material);
-    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
-        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
-                                    load_view(packet, surfaces, material)};
-        per_point(packet, light_constants, light);
-        const vec3<S> luminance = shade(point, light, material);
-        packet.store(luminance.x, rgb[0]);
-        packet.store(luminance.y, rgb[1]);
-        packet.store(luminance.z, rgb[2]);
-    });
-}
-
 template<class S>
 void irradiance_punctual(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
     PunctualLight<S> light;
     constants(light_constants, light);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
-        per_point(packet, light_constants, light);
+        light.intensity_cd = packet.load(light_constants.intensity_cd);
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal), {S(0), S(0), S(0)}};
         packet.store(illuminance(point, light), lx);
     });
@@ -109,42 +91,13 @@ void approximate_light(const Surfaces& surfaces, const LightConstants& light, Ap
     }
 }
 
-template<class S, class Light>
-void shade_material(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
-                    float* const rgb[3]) {
-    switch (material.kind) {
-    case MaterialConstants::Kind::lambert:
-        return shade_batch<S, Light, Lambert<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::frostbite:
-        return shade_batch<S, Light, Frostbite<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::ggx:
-        return shade_batch<S, Light, Ggx<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::ue4:
-        return shade_batch<S, Light, Ue4<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::remember_me:
-        return shade_batch<S, Light, RememberMe<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::eon:
-        return shade_batch<S, Light, Eon<S>>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::kulla_conty:
-        return shade_batch<S, Light, KullaConty<S>>(surfaces, light, material, rgb);
-    }
-}
-
 template<class S>
-void shade_any(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
-               float* const rgb[3]) {
-    switch (light.kind) {
-    case LightConstants::Kind::punctual:
-        return shade_material<S, PunctualLight<S>>(surfaces, light, material, rgb);
-    case LightConstants::Kind::sphere:
-        return shade_material<S, SphereLight<S>>(surfaces, light, material, rgb);
-    case LightConstants::Kind::disk:
-        return shade_material<S, DiskLight<S>>(surfaces, light, material, rgb);
-    case LightConstants::Kind::rectangle:
-        return shade_material<S, RectangleLight<S>>(surfaces, light, material, rgb);
-    case LightConstants::Kind::tube:
-        return shade_material<S, TubeLight<S>>(surfaces, light, material, rgb);
-    }
+void irradiance_sun(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    SunLight<S> light;
+    constants(light_constants, light);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        packet.store(finite(irradiance(light, light.toward, packet.load(surfaces.normal))), lx);
+    });
 }
 
 template<class S>
@@ -161,7 +114,127 @@ void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float
         return irradiance_area<Two, RectangleLight>(surfaces, light, lx);
     case LightConstants::Kind::tube:
         return irradiance_area<Two, TubeLight>(surfaces, light, lx);
+    case LightConstants::Kind::sun:
+        return irradiance_sun<S>(surfaces, light, lx);
     }
+}
+
+template<class S, class Material>
+void shade_punctual(const Surfaces& surfaces, const LightConstants& light_constants,
+                    const MaterialConstants& material_constants, float* const rgb[3]) {
+    PunctualLight<S> light;
+    Material material;
+    constants(light_constants, light);
+    constants(material_constants, material);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    load_view(packet, surfaces, material)};
+        light.intensity_cd = packet.load(light_constants.intensity_cd);
+        packet.store(shade(point, light, material), rgb);
+    });
+}
+
+// What a light with a size leaves at the points of a part: illuminance [lx] and luminances of the glossy part, both for
+// 1 nt.
+struct PartUnderLight {
+    static constexpr std::size_t most = 2048;
+    float lx[most];
+    float scale[most];
+    float grazing[most];
+
+    PartUnderLight() {} // NOLINT(*-member-init, *-use-equals-default): what is read is written first
+};
+
+// Lambert needs neither view nor direction.
+template<class S>
+void reflect_part(const Surfaces& surfaces, const LightConstants& light, const Lambert<S>& material,
+                  const PartUnderLight& under, float* const rgb[3]) {
+    const vec3<S> factor = material.albedo * broadcast<S>(light.color);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        packet.store(finite(factor * (packet.load(&under.lx[0]) * S(std::numbers::inv_pi))), rgb);
+    });
+}
+
+template<class S, class Light, class Material>
+void reflect_part(const Surfaces& surfaces, const Light& light, const Material& material, const PartUnderLight& under,
+                  float* const rgb[3]) {
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    packet.load(surfaces.view)};
+        const Reflected<S> parts = scattered(point, material, diffuse_toward(point, light));
+        vec3<S> luminance = (parts.diffuse + parts.specular) * packet.load(&under.lx[0]);
+        if constexpr (Glossy<Material>) {
+            const S window_left = faded(light, way_to(light, point.position));
+            const SpecularTerms<S> terms{packet.load(&under.scale[0]) * window_left, packet.load(&under.grazing[0])};
+            luminance = luminance + gloss(material)(terms);
+        }
+        packet.store(finite(light.luminance * luminance), rgb);
+    });
+}
+
+// The exact irradiance and the glossy luminance have kernels of their own; here they are put together, part by part.
+template<class S, class Material, const SpecularKernels& specular>
+void shade_area(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material_constants,
+                float* const rgb[3]) {
+    Material material;
+    constants(material_constants, material);
+    PartUnderLight under;
+    for (std::size_t first = 0; first < surfaces.count; first += PartUnderLight::most) {
+        const std::size_t rest = surfaces.count - first;
+        const Surfaces part = seen_part_of<S>(surfaces, first, rest < under.most ? rest : under.most);
+        float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
+        irradiance_any<S>(part, light, &under.lx[0]);
+        if constexpr (__is_same(Material, RememberMe<S>))
+            specular.specular_power(part, light, material_constants.power, light.specular_method, &under.scale[0],
+                                    &under.grazing[0]);
+        else if constexpr (Glossy<Material>)
+            specular.specular(part, light, material_constants.alpha, light.specular_method, &under.scale[0],
+                              &under.grazing[0]);
+        if constexpr (__is_same(Material, Lambert<S>))
+            reflect_part<S>(part, light, material, under, to);
+        else
+            with_light<S>(light, [&](const auto& spread) { reflect_part<S>(part, spread, material, under, to); });
+    }
+}
+
+template<class S, class Material, const SpecularKernels& specular>
+void shade_material(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
+                    float* const rgb[3]) {
+    if (light.kind == LightConstants::Kind::punctual)
+        return shade_punctual<S, Material>(surfaces, light, material, rgb);
+    shade_area<S, Material, specular>(surfaces, light, material, rgb);
+}
+
+template<class S, const SpecularKernels& specular>
+void shade_any(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
+               float* const rgb[3]) {
+    switch (material.kind) {
+    case MaterialConstants::Kind::lambert:
+        return shade_material<S, Lambert<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::frostbite:
+        return shade_material<S, Frostbite<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::ggx:
+        return shade_material<S, Ggx<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::ue4:
+        return shade_material<S, Ue4<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::remember_me:
+        return shade_material<S, RememberMe<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::eon:
+        return shade_material<S, Eon<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::kulla_conty:
+        return shade_material<S, KullaConty<S>, specular>(surfaces, light, material, rgb);
+    }
+}
+
+// All of them take it as one direction.
+template<class S>
+void approximate_sun(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
+    SunLight<S> light;
+    constants(light_constants, light);
+    const S strength = S(std::numbers::pi) * light.sine * light.sine;
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        packet.store(finite(strength * dot(packet.load(surfaces.normal), light.toward)), lx);
+    });
 }
 
 template<class S>
@@ -179,6 +252,8 @@ void approximate_any(const Surfaces& surfaces, const LightConstants& light, Appr
         return approximate_light<S, RectangleLight<S>>(surfaces, light, method, lx);
     case LightConstants::Kind::tube:
         return approximate_light<S, TubeLight<S>>(surfaces, light, method, lx);
+    case LightConstants::Kind::sun:
+        return approximate_sun<S>(surfaces, light, lx);
     }
 }
 

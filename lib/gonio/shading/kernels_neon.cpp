@@ -7,7 +7,8 @@ namespace {
 using S = simd::pack<float, simd::neon>;
 }
 
-constinit const Kernels kernels_neon{simd::InstructionSet::neon, "neon", S::lanes, shade_any<S>, irradiance_any<S>,
-                                     approximate_any<S>};
+constinit const Kernels kernels_neon{
+    simd::InstructionSet::neon, "neon", S::lanes, shade_any<S, specular_kernels_neon>, irradiance_any<S>,
+    approximate_any<S>};
 
 } // namespace gonio::shading::detail

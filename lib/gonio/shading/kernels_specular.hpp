@@ -22,6 +22,10 @@ struct SpecularKernels {
     // applied.
     void (*specular)(const Surfaces&, const LightConstants& light, float alpha, SpecularMethod, float* scale,
                      float* grazing);
+
+    // The same of a power of n·h, ≥ 2 (brdf_remember_me.hpp).
+    void (*specular_power)(const Surfaces&, const LightConstants& light, float power, SpecularMethod, float* scale,
+                           float* grazing);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

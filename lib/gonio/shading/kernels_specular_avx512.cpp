@@ -8,6 +8,6 @@ using S = simd::pack<float, simd::avx512>;
 }
 
 constinit const SpecularKernels specular_kernels_avx512{simd::InstructionSet::avx512, "avx512", S::lanes,
-                                                        specular_any<S>};
+                                                        specular_any<S>, specular_power_any<S>};
 
 } // namespace gonio::shading::detail

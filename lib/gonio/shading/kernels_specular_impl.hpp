@@ -5,47 +5,50 @@
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/specular_named.hpp>
+#include <gonio/shading/specular_tables.hpp>
 
 #include <cstddef>
 
 namespace gonio::shading::detail {
 
-template<class S, class Light, SpecularMethod method>
-void specular_batch(const Surfaces& surfaces, const LightConstants& light_constants, float alpha, float* scale,
+template<class S, class Light, class Lobe, SpecularMethod method>
+void specular_batch(const Surfaces& surfaces, const LightConstants& light_constants, const Lobe& lobe, float* scale,
                     float* grazing) {
     Light light;
     constants(light_constants, light);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
-        const vec3<S> center = light.center - packet.load(surfaces.position);
+        const vec3<S> center = way_to(light, packet.load(surfaces.position));
         const SpecularLuminance<S> found =
-            specular_by<method>(light, center, packet.load(surfaces.normal), packet.load(surfaces.view), S(alpha));
+            specular_by<method>(light, center, packet.load(surfaces.normal), packet.load(surfaces.view), lobe);
         packet.store(found.scale, scale);
         packet.store(found.grazing, grazing);
     });
 }
 
-template<class S, class Light>
-void specular_light(const Surfaces& surfaces, const LightConstants& light, float alpha, SpecularMethod method,
+template<class S, class Light, class Lobe>
+void specular_light(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                     float* scale, float* grazing) {
     switch (method) {
     case SpecularMethod::ltc:
-        return specular_batch<S, Light, SpecularMethod::ltc>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::ltc>(surfaces, light, lobe, scale, grazing);
     case SpecularMethod::representative_point:
-        return specular_batch<S, Light, SpecularMethod::representative_point>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::representative_point>(surfaces, light, lobe, scale,
+                                                                                    grazing);
     case SpecularMethod::dominant_direction:
-        return specular_batch<S, Light, SpecularMethod::dominant_direction>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::dominant_direction>(surfaces, light, lobe, scale,
+                                                                                  grazing);
     case SpecularMethod::specular_d:
-        return specular_batch<S, Light, SpecularMethod::specular_d>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::specular_d>(surfaces, light, lobe, scale, grazing);
     case SpecularMethod::spherical_hack:
-        return specular_batch<S, Light, SpecularMethod::spherical_hack>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::spherical_hack>(surfaces, light, lobe, scale, grazing);
     case SpecularMethod::sun_disk:
-        return specular_batch<S, Light, SpecularMethod::sun_disk>(surfaces, light, alpha, scale, grazing);
+        return specular_batch<S, Light, Lobe, SpecularMethod::sun_disk>(surfaces, light, lobe, scale, grazing);
     }
 }
 
-template<class S>
-void specular_any(const Surfaces& surfaces, const LightConstants& light, float alpha, SpecularMethod method,
-                  float* scale, float* grazing) {
+template<class S, class Lobe>
+void specular_lobe(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
+                   float* scale, float* grazing) {
     switch (light.kind) {
     case LightConstants::Kind::punctual:
         for (std::size_t i = 0; i < surfaces.count; ++i) {
@@ -54,21 +57,31 @@ void specular_any(const Surfaces& surfaces, const LightConstants& light, float a
         }
         return;
     case LightConstants::Kind::sphere:
-        return specular_light<S, SphereLight<S>>(surfaces, light, alpha, method, scale, grazing);
+        return specular_light<S, SphereLight<S>>(surfaces, light, lobe, method, scale, grazing);
     case LightConstants::Kind::disk:
-        return specular_light<S, DiskLight<S>>(surfaces, light, alpha, method, scale, grazing);
+        return specular_light<S, DiskLight<S>>(surfaces, light, lobe, method, scale, grazing);
     case LightConstants::Kind::rectangle:
-        return specular_light<S, RectangleLight<S>>(surfaces, light, alpha, method, scale, grazing);
+        return specular_light<S, RectangleLight<S>>(surfaces, light, lobe, method, scale, grazing);
     case LightConstants::Kind::tube:
-        return specular_light<S, TubeLight<S>>(surfaces, light, alpha, method, scale, grazing);
+        return specular_light<S, TubeLight<S>>(surfaces, light, lobe, method, scale, grazing);
+    case LightConstants::Kind::sun:
+        return specular_light<S, SunLight<S>>(surfaces, light, lobe, method, scale, grazing);
     }
 }
 
-// The tables, each in the file that is compiled for its set.
-extern const SpecularKernels specular_kernels_scalar;
-extern const SpecularKernels specular_kernels_sse2;
-extern const SpecularKernels specular_kernels_avx2;
-extern const SpecularKernels specular_kernels_avx512;
-extern const SpecularKernels specular_kernels_neon;
+template<class S>
+void specular_any(const Surfaces& surfaces, const LightConstants& light, float alpha, SpecularMethod method,
+                  float* scale, float* grazing) {
+    const GgxLobe<S> lobe{simd::min(simd::max(S(alpha), S(minimum_alpha)), S(1))};
+    specular_lobe<S>(surfaces, light, lobe, method, scale, grazing);
+}
+
+template<class S>
+void specular_power_any(const Surfaces& surfaces, const LightConstants& light, float power, SpecularMethod method,
+                        float* scale, float* grazing) {
+    RememberMe<S> material{};
+    material.power = S(power);
+    specular_lobe<S>(surfaces, light, gloss(material).lobe, method, scale, grazing);
+}
 
 } // namespace gonio::shading::detail

@@ -7,6 +7,7 @@ namespace {
 using S = simd::pack<float, simd::neon>;
 }
 
-constinit const SpecularKernels specular_kernels_neon{simd::InstructionSet::neon, "neon", S::lanes, specular_any<S>};
+constinit const SpecularKernels specular_kernels_neon{simd::InstructionSet::neon, "neon", S::lanes, specular_any<S>,
+                                                      specular_power_any<S>};
 
 } // namespace gonio::shading::detail

@@ -2,6 +2,7 @@
 
 namespace gonio::shading::detail {
 
-constinit const SpecularKernels specular_kernels_scalar{simd::InstructionSet::scalar, "scalar", 1, specular_any<float>};
+constinit const SpecularKernels specular_kernels_scalar{simd::InstructionSet::scalar, "scalar", 1, specular_any<float>,
+                                                        specular_power_any<float>};
 
 } // namespace gonio::shading::detail

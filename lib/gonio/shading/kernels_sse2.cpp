@@ -7,7 +7,8 @@ namespace {
 using S = simd::pack<float, simd::sse2>;
 }
 
-constinit const Kernels kernels_sse2{simd::InstructionSet::sse2, "sse2", S::lanes, shade_any<S>, irradiance_any<S>,
-                                     approximate_any<S>};
+constinit const Kernels kernels_sse2{
+    simd::InstructionSet::sse2, "sse2", S::lanes, shade_any<S, specular_kernels_sse2>, irradiance_any<S>,
+    approximate_any<S>};
 
 } // namespace gonio::shading::detail

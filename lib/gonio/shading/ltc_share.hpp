@@ -307,6 +307,15 @@ GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius
         {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, radius});
 }
 
+// A cap of directions about `toward` (unit), given sine and cosine of its angular radius, at most π/2.
+template<class S>
+GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S>& lobe, vec3<S> toward, S sine, S cosine) {
+    // A hemisphere's cone is all but flat, not flat: it would not know its axis.
+    const S narrow = simd::max(cosine, S(__is_same(S, double) ? 1e-9 : 1e-4));
+    const TangentFrame<S> frame(toward);
+    return detail::lobe_share(detail::ltc_circle(lobe, toward * narrow, frame.x * sine, frame.y * sine), lobe);
+}
+
 // A disk that emits towards +`axis` (unit), or to both sides. Behind its plane 0.
 template<class S>
 GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, bool two_sided = false) {

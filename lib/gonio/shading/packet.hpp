@@ -1,8 +1,10 @@
 // Packets of the kernels' arrays, and the kernels' constants spread over lanes.
 #pragma once
 
+#include <gonio/shading/brdf.hpp>
 #include <gonio/shading/kernels.hpp>
-#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/lights.hpp>
+#include <gonio/shading/reflect.hpp>
 #include <gonio/simd/packet.hpp>
 
 #include <cstddef>
@@ -12,8 +14,14 @@ namespace gonio::shading::detail {
 template<class S>
 struct Packet : simd::Packet<S> {
     using simd::Packet<S>::load;
+    using simd::Packet<S>::store;
     GONIO_FORCE_INLINE vec3<S> load(const float* const from[3]) const {
         return {load(from[0]), load(from[1]), load(from[2])};
+    }
+    GONIO_FORCE_INLINE void store(vec3<S> value, float* const to[3]) const {
+        store(value.x, to[0]);
+        store(value.y, to[1]);
+        store(value.z, to[2]);
     }
 };
 
@@ -54,6 +62,12 @@ GONIO_FORCE_INLINE void constants(const LightConstants& from, TubeLight<S>& to) 
         S(from.inverse_range)};
 }
 template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, SunLight<S>& to) {
+    const float radius = simd::min(simd::max(from.angular_radius, 0.0F), 1.57079637F);
+    to = {broadcast<S>(from.axis) * S(-1), broadcast<S>(from.color), S(simd::sin(radius)),
+          S(simd::max(simd::cos(radius), 0.0F))};
+}
+template<class S>
 GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
     to = {broadcast<S>(from.albedo)};
 }
@@ -88,12 +102,28 @@ GONIO_FORCE_INLINE void constants(const MaterialConstants& from, KullaConty<S>& 
         to.loss.c[i] = S(from.loss[i]);
 }
 
-template<class S>
-GONIO_FORCE_INLINE void per_point(const Packet<S>& packet, const LightConstants& from, PunctualLight<S>& light) {
-    light.intensity_cd = packet.load(from.intensity_cd);
+// work(light), of the light's own type; not for a punctual one.
+template<class S, class Work>
+GONIO_FORCE_INLINE void with_light(const LightConstants& from, const Work& work) {
+    const auto spread = [&]<class Light>(Light light) {
+        constants(from, light);
+        work(light);
+    };
+    switch (from.kind) {
+    case LightConstants::Kind::punctual:
+        return;
+    case LightConstants::Kind::sphere:
+        return spread(SphereLight<S>{});
+    case LightConstants::Kind::disk:
+        return spread(DiskLight<S>{});
+    case LightConstants::Kind::rectangle:
+        return spread(RectangleLight<S>{});
+    case LightConstants::Kind::tube:
+        return spread(TubeLight<S>{});
+    case LightConstants::Kind::sun:
+        return spread(SunLight<S>{});
+    }
 }
-template<class S, class AreaLight>
-GONIO_FORCE_INLINE void per_point(const Packet<S>& /*packet*/, const LightConstants& /*from*/, AreaLight& /*light*/) {}
 
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& packet, const Surfaces& surfaces, const Material<S>& /*reads*/) {
@@ -128,6 +158,15 @@ GONIO_FORCE_INLINE Surfaces part_of(const Surfaces& all, std::size_t first, std:
         part.normal[k] = all.normal[k] + first;
     }
     part.count = count;
+    return part;
+}
+
+// The same with the view, where there is one.
+template<class S>
+GONIO_FORCE_INLINE Surfaces seen_part_of(const Surfaces& all, std::size_t first, std::size_t count) {
+    Surfaces part = part_of<S>(all, first, count);
+    for (std::size_t k = 0; k < 3; ++k)
+        part.view[k] = all.view[k] == nullptr ? nullptr : all.view[k] + first;
     return part;
 }
 

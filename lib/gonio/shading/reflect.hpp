@@ -1,5 +1,4 @@
-// What a surface sends to the eye of light that comes from one direction, or from two that stand for a light with a
-// size.
+// What a surface sends to the eye of light that comes from one direction.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
@@ -15,15 +14,11 @@ struct SurfacePoint {
     vec3<S> view;     // unit, towards the eye; not read for Lambert
 };
 
-// What a BRDF is asked with: the light's direction and strength, split into the irradiance that the diffuse part
-// receives and the one that the specular part does.
+// What a BRDF is asked with.
 template<class S>
 struct Incidence {
-    S diffuse;               // [lx] per unit of the light's colour
-    S specular;              // the same, for the lobe that is widened as below
-    vec3<S> diffuse_toward;  // unit, n·l ≥ 0
-    vec3<S> specular_toward; // unit
-    S lobe_widening;         // what is added to α
+    S lx;           // per unit of the light's colour
+    vec3<S> toward; // unit
 };
 
 // Luminance of the three channels, of the two parts of a material.
@@ -41,30 +36,29 @@ GONIO_FORCE_INLINE vec3<S> above_horizon(vec3<S> n, vec3<S> l) {
     return normalized(l + n * simd::max(S(least) - dot(n, l), S(0)));
 }
 
+// What a material scatters [1/sr] in all directions of light from `l`: of its two parts what is no glossy lobe.
+template<class S, template<class> class Material>
+GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const Material<S>& material, vec3<S> l) {
+    return {diffuse_part(material, point.normal, l, point.view), {S(0), S(0), S(0)}};
+}
+// Light that is scattered more than once counts as specular.
+template<class S>
+GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const KullaConty<S>& material, vec3<S> l) {
+    return {{S(0), S(0), S(0)}, multiple_scattering(material, point.normal, l, point.view)};
+}
+
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> reflect_parts(const SurfacePoint<S>& point, const Material<S>& material,
                                               const Incidence<S>& light) {
     const vec3<S> n = point.normal;
-    return {diffuse_part(material, n, above_horizon(n, light.diffuse_toward), point.view) * light.diffuse,
-            specular_part(material, n, light.specular_toward, point.view, light.lobe_widening) * light.specular};
-}
-// Light that is scattered more than once takes the whole irradiance, as a diffuse part does.
-template<class S>
-GONIO_FORCE_INLINE Reflected<S> reflect_parts(const SurfacePoint<S>& point, const KullaConty<S>& material,
-                                              const Incidence<S>& light) {
-    const vec3<S> n = point.normal;
-    const Ggx<S> once{material.f0, material.loss.alpha};
-    const vec3<S> l = above_horizon(n, light.diffuse_toward);
-    return {{S(0), S(0), S(0)},
-            specular_part(once, n, light.specular_toward, point.view, light.lobe_widening) * light.specular +
-                multiple_scattering(material, n, l, point.view) * light.diffuse};
+    return {diffuse_part(material, n, light.toward, point.view) * light.lx,
+            specular_part(material, n, light.toward, point.view, S(0)) * light.lx};
 }
 
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE vec3<S> reflect(const SurfacePoint<S>& point, const Material<S>& material,
                                    const Incidence<S>& light) {
-    const Reflected<S> parts = reflect_parts(point, material, light);
-    return parts.diffuse + parts.specular;
+    return brdf(material, point.normal, light.toward, point.view) * light.lx;
 }
 // The same for the material that most surfaces have, in fewer steps.
 template<class S>
@@ -72,17 +66,16 @@ GONIO_FORCE_INLINE vec3<S> reflect(const SurfacePoint<S>& point, const Frostbite
                                    const Incidence<S>& light) {
     const vec3<S> n = point.normal;
     const vec3<S> v = point.view;
+    const vec3<S> l = light.toward;
     const S n_dot_v = dot(n, v);
     const auto seen = n_dot_v > S(0);
-    const vec3<S> l = light.diffuse_toward;
     const S l_dot_h = simd::min(simd::max(dot(l, normalized(l + v)), S(0)), S(1));
     const S diffuse = diffuse_frostbite(simd::max(dot(n, l), S(0)), n_dot_v, l_dot_h, material.linear_roughness);
-    const S of_diffuse = simd::select(seen, diffuse * light.diffuse, S(0));
+    const S of_diffuse = simd::select(seen, diffuse * light.lx, S(0));
 
     const S alpha = lobe_alpha(material);
-    const S widened = widened_alpha(alpha, light.lobe_widening);
-    const SpecularTerms<S> specular = specular_ggx(n, light.specular_toward, v, alpha, widened);
-    const S of_specular = specular.scale * light.specular;
+    const SpecularTerms<S> specular = specular_ggx(n, l, v, alpha, alpha);
+    const S of_specular = specular.scale * light.lx;
     const auto channel = [&](S albedo, S f0) {
         return simd::mul_add(albedo, of_diffuse, of_specular * simd::mul_add(material.f90 - f0, specular.grazing, f0));
     };

@@ -6,6 +6,7 @@
 // full. Which packet a receiver gets into depends on the arrays alone.
 #pragma once
 
+#include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/packet.hpp>
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 // One call gives both terms of the reflectance (specular_method.hpp). Positions are relative to the receiver.
 #pragma once
 
+#include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_tube.hpp>
-#include <gonio/shading/shade_area.hpp>
 #include <gonio/shading/specular_method.hpp>
 
 namespace gonio::shading {
@@ -32,11 +32,16 @@ GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame,
                                vec3<S> to_center) {
     return ltc_tube(lobe, frame(to_center), frame(light.axis), light.radius, light.length);
 }
+template<class S>
+GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame, const SunLight<S>& light,
+                               vec3<S> toward) {
+    return ltc_cap(lobe, frame(toward), light.sine, light.cosine);
+}
 
 } // namespace detail
 
 // GGX of α. `normal` and `view` are unit; `to_center` leads from the receiver to the light's centre. 0 where n·v is not
-// positive. Light is a SphereLight, DiskLight, RectangleLight or TubeLight; its window is not applied.
+// positive. Light is a SphereLight, DiskLight, RectangleLight, TubeLight or SunLight; its window is not applied.
 template<class S, class Light>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
                                                      vec3<S> view, S alpha) {

@@ -15,6 +15,9 @@ enum class SpecularMethod : std::uint8_t {
     sun_disk
 };
 
+// Where none is asked for.
+inline constexpr SpecularMethod standard_specular_method = SpecularMethod::representative_point;
+
 // Luminance towards the eye per luminance of the light is scale·(f0 + (f90 − f0)·grazing); scale is that of F = 1.
 template<class S>
 struct SpecularLuminance {

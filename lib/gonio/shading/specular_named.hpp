@@ -19,8 +19,8 @@
 // widened.
 #pragma once
 
-#include <gonio/shading/brdf_ggx.hpp>
-#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/gloss.hpp>
+#include <gonio/shading/lights.hpp>
 #include <gonio/shading/specular_ltc.hpp>
 #include <gonio/shading/specular_method.hpp>
 
@@ -43,6 +43,70 @@ GONIO_FORCE_INLINE vec3<S> sun_disk_direction(vec3<S> toward, S sine, vec3<S> ra
 
 namespace detail {
 
+// One point that stands for the whole light, everything divided by the distance of the centre (and again by that of the
+// largest size where this is larger, so that nothing overflows).
+template<class S>
+struct Representative {
+    vec3<S> at;       // from the receiver
+    S projected_area; // towards the receiver
+    S stretch;        // length of a line light, 0 for others
+};
+
+// Where the ray along `mirrored` meets the light's plane; where it does not, below or above its point at the centre's
+// distance. From the centre, in the plane.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> ray_in_plane(vec3<S> center, vec3<S> axis, vec3<S> mirrored) {
+    const S toward = dot(center, axis);
+    const S speed = dot(mirrored, axis);
+    const auto meets = simd::both(toward * speed > S(0), simd::abs(speed) > S(1e-3));
+    const S t = simd::select(meets, toward / simd::select(meets, speed, S(1)), length(center));
+    const vec3<S> offset = mirrored * t - center;
+    return offset - axis * dot(axis, offset);
+}
+
+template<class S>
+GONIO_FORCE_INLINE Representative<S> representative(const DiskLight<S>& light, vec3<S> center, S scale,
+                                                    vec3<S> mirrored) {
+    const S r = simd::abs(light.radius) * scale;
+    const vec3<S> offset = ray_in_plane(center, light.axis, mirrored);
+    const vec3<S> at = center + offset * simd::min(r * reciprocal_or_zero(length(offset)), S(1));
+    const S facing = -dot(facing_axis(light, center), normalized(at));
+    return {at, S(std::numbers::pi) * r * r * simd::max(facing, S(0)), S(0)};
+}
+
+template<class S>
+GONIO_FORCE_INLINE Representative<S> representative(const RectangleLight<S>& light, vec3<S> center, S scale,
+                                                    vec3<S> mirrored) {
+    const S x = S(0.5) * (simd::abs(light.width) * scale);
+    const S y = S(0.5) * (simd::abs(light.height) * scale);
+    const vec3<S> offset = ray_in_plane(center, light.axis, mirrored);
+    const vec3<S> across = cross(light.axis, light.width_direction);
+    const S along_x = simd::max(simd::min(dot(offset, light.width_direction), x), -x);
+    const S along_y = simd::max(simd::min(dot(offset, across), y), -y);
+    const vec3<S> at = center + light.width_direction * along_x + across * along_y;
+    const S facing = -dot(facing_axis(light, center), normalized(at));
+    return {at, S(4) * x * y * simd::max(facing, S(0)), S(0)};
+}
+
+template<class S>
+GONIO_FORCE_INLINE Representative<S> representative(const TubeLight<S>& light, vec3<S> center, S scale,
+                                                    vec3<S> mirrored) {
+    const S r = simd::abs(light.radius) * scale;
+    const S l = simd::abs(light.length) * scale;
+    // The axis' point nearest to the ray's line, then the point of the sphere about it nearest to the ray.
+    const S a_dot_m = dot(light.axis, mirrored);
+    const S sine2 = S(1) - a_dot_m * a_dot_m;
+    const auto crossing = sine2 > S(1e-4);
+    const S foot = (a_dot_m * dot(mirrored, center) - dot(light.axis, center)) / simd::select(crossing, sine2, S(1));
+    const S half = S(0.5) * l;
+    const S along = simd::max(simd::min(simd::select(crossing, foot, S(0)), half), -half);
+    const vec3<S> on_axis = center + light.axis * along;
+    const vec3<S> to_ray = mirrored * dot(on_axis, mirrored) - on_axis;
+    const vec3<S> at = on_axis + to_ray * simd::min(r * reciprocal_or_zero(length(to_ray)), S(1));
+    const S side = length(cross(light.axis, normalized(center)));
+    return {at, r * (S(2) * l * side + S(std::numbers::pi) * r), l};
+}
+
 // The sphere's point nearest to the ray, at the distance of its centre.
 template<class S>
 GONIO_FORCE_INLINE Representative<S> representative(const SphereLight<S>& light, vec3<S> center, S scale,
@@ -51,6 +115,11 @@ GONIO_FORCE_INLINE Representative<S> representative(const SphereLight<S>& light,
     const vec3<S> to_ray = mirrored * dot(center, mirrored) - center;
     const vec3<S> nearest = center + to_ray * simd::min(r * reciprocal_or_zero(length(to_ray)), S(1));
     return {normalized(nearest) * length(center), S(std::numbers::pi) * r * r, S(0)};
+}
+template<class S>
+GONIO_FORCE_INLINE Representative<S> representative(const SunLight<S>& light, vec3<S> toward, S scale,
+                                                    vec3<S> mirrored) {
+    return representative(SphereLight<S>{toward, light.luminance, light.sine, S(0)}, toward, scale, mirrored);
 }
 
 // One direction that stands for the light.
@@ -76,14 +145,14 @@ GONIO_FORCE_INLINE Approach<S> approach(const Light& light, vec3<S> to_center, v
 
 } // namespace detail
 
-// GGX of α under a light, by one of the methods. `normal` and `view` are unit; `to_center` leads from the receiver to
-// the light's centre. 0 where n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight or TubeLight; its
-// window is not applied. Finite and not negative for any finite input.
-template<SpecularMethod method, class S, class Light>
+// A lobe (gloss.hpp) under a light, by one of the methods. `normal` and `view` are unit; `to_center` leads from the
+// receiver to the light's centre. 0 where n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight,
+// TubeLight or SunLight; its window is not applied. Finite and not negative for any finite input.
+template<SpecularMethod method, class S, class Light, template<class> class Lobe>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
-                                                    S alpha) {
-    if constexpr (method == SpecularMethod::ltc) return specular_ltc(light, to_center, normal, view, alpha);
-    const S a = simd::min(simd::max(alpha, S(minimum_alpha)), S(1));
+                                                    const Lobe<S>& lobe) {
+    if constexpr (method == SpecularMethod::ltc) return specular_ltc(light, to_center, normal, view, lobe.alpha);
+    const S a = lobe.alpha;
     const vec3<S> mirrored = normal * (S(2) * dot(normal, view)) - view;
     const auto unit_center = [&] {
         return normalized(to_center * simd::reciprocal_power_of_two(largest_component(to_center)));
@@ -114,9 +183,17 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> 
         peak = (widened / a) * (widened / a);
     }
     if constexpr (method == SpecularMethod::sun_disk) toward = sun_disk_direction(toward, light_at.sine, mirrored);
-    const SpecularTerms<S> terms = specular_ggx(normal, toward, view, a, widened);
+    const SpecularTerms<S> terms = lobe(normal, toward, view, widened);
     const S scale = terms.scale * peak * light_at.solid_angle * simd::max(cosine, S(0));
     return {simd::min(simd::max(scale, S(0)), S(specular_ceiling)), simd::min(terms.grazing, S(1))};
+}
+
+// GGX of α, which counts as in [minimum_alpha, 1].
+template<SpecularMethod method, class S, class Light>
+GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
+                                                    S alpha) {
+    const GgxLobe<S> lobe{simd::min(simd::max(alpha, S(minimum_alpha)), S(1))};
+    return specular_by<method>(light, to_center, normal, view, lobe);
 }
 
 } // namespace gonio::shading

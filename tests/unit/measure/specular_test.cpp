@@ -1,4 +1,5 @@
 // The truth that specular methods are measured against, and what is measured.
+#include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
 
@@ -94,17 +95,6 @@ TEST(MeasureSpecular, LtcIsTheMostAccurateMethodOfEveryShape) {
         EXPECT_LT(of_ltc, 0.06) << static_cast<int>(kind);
         EXPECT_LT(of_ltc, 0.25 * best_of_others) << static_cast<int>(kind);
     }
-}
-
-TEST(MeasureSpecular, ParetoFrontHasNoRowThatAnotherBeats) {
-    const auto row = [](double error, double ns) {
-        measure::MethodMeasurement made;
-        made.error.relative.median = error;
-        made.timing.lowest_ns = ns;
-        return made;
-    };
-    const auto front = measure::pareto_front({row(0.1, 10.0), row(0.2, 5.0), row(0.2, 6.0), row(0.1, 10.0)});
-    EXPECT_EQ(front, (std::vector<bool>{true, true, false, true}));
 }
 
 } // namespace

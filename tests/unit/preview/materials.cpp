@@ -3,6 +3,7 @@
 #include <gonio/scene/core_material.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
+#include <gonio/shading/shade.hpp>
 
 #include "../shading/poses.hpp"
 

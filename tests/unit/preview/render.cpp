@@ -180,7 +180,7 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
 TEST(ThreadsPreview, LightsAddUp) {
     const Stage stage = make_stage("floor").value();
     const std::array lights{light_of("point", "800lm", {0.3, -0.2, 2.0}),
-                            light_of("rect:w=60cm,h=30cm", "500lm", {-0.4, 0.0, 2.4})};
+                            light_of("rect:w=60cm,h=30cm", "500lm", {-0.4, -3.0, 2.4})}; // above what the camera sees
     RenderOptions options;
     options.width = 48;
     options.height = 32;

@@ -1,7 +1,7 @@
 // The stored reference values of GGX speculars under area lights (specular.csv), as lights.
 #pragma once
 
-#include <gonio/shading/shade_area.hpp>
+#include <gonio/shading/shade.hpp>
 
 #include "../folders.hpp"
 #include "poses.hpp"

@@ -5,6 +5,7 @@
 //     gonio-locus-fit --errors                                        what each degree achieves, in double and float
 //
 // The truth is summed in long double; the equations are solved in 113 bits, since those of degree 11 lose 20 digits.
+#include <gonio/base/solve_linear.hpp>
 #include <gonio/color/detail/cie_tables.hpp>
 
 #include <array>
@@ -57,30 +58,6 @@ struct Samples {
         }
     }
 };
-
-std::vector<Real> solve(Rows a, std::vector<Real> b) {
-    const std::size_t n = b.size();
-    const auto magnitude = [](Real x) { return x < 0 ? -x : x; };
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < n; ++i)
-            if (magnitude(a[i][k]) > magnitude(a[pivot][k])) pivot = i;
-        std::swap(a[k], a[pivot]);
-        std::swap(b[k], b[pivot]);
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const Real factor = a[i][k] / a[k][k];
-            for (std::size_t j = k; j < n; ++j)
-                a[i][j] -= factor * a[k][j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (std::size_t k = n; k-- > 0;) {
-        for (std::size_t j = k + 1; j < n; ++j)
-            b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
-    }
-    return b;
-}
 
 // p[0] + p[1] t + …  over  1 + q[1] t + …
 struct Rational {
@@ -147,7 +124,7 @@ Rational exchange_from(const Samples& samples, std::size_t component, std::size_
                 rows.push_back(std::move(row));
                 right.push_back(value);
             }
-            const std::vector<Real> solution = solve(std::move(rows), std::move(right));
+            const std::vector<Real> solution = gonio::solve_linear(std::move(rows), std::move(right));
             p.assign(solution.begin(), solution.begin() + static_cast<std::ptrdiff_t>(degree) + 1);
             for (std::size_t k = 1; k <= degree; ++k)
                 q[k] = solution[degree + k];

@@ -1,9 +1,11 @@
 // Prints the coefficients of simd/math_float.hpp: minimax polynomials in the weighted sense, by Remez' exchange.
 //
-//     g++ -std=c++20 -O2 minimax.cpp -o minimax && ./minimax
+//     g++ -std=c++20 -O2 -I../../.. minimax.cpp -o minimax && ./minimax
 //
 // Each function is written as a known head plus a power times P(t); the weight makes the error of P an error relative
 // to the function. The last column is that error before rounding of the coefficients to float.
+#include <gonio/base/solve_linear.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -14,29 +16,6 @@ namespace {
 
 using Real = long double;
 using Function = std::function<Real(Real)>;
-
-std::vector<Real> solve(std::vector<std::vector<Real>> a, std::vector<Real> b) {
-    const std::size_t n = b.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < n; ++i)
-            if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-        std::swap(a[k], a[pivot]);
-        std::swap(b[k], b[pivot]);
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const Real factor = a[i][k] / a[k][k];
-            for (std::size_t j = k; j < n; ++j)
-                a[i][j] -= factor * a[k][j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (std::size_t k = n; k-- > 0;) {
-        for (std::size_t j = k + 1; j < n; ++j)
-            b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
-    }
-    return b;
-}
 
 // max |weight·(target − P)| over [low, high] is made least over the polynomials P of `terms` coefficients.
 void fit(const char* name, const Function& target, const Function& weight, Real low, Real high, std::size_t terms) {
@@ -57,7 +36,7 @@ void fit(const char* name, const Function& target, const Function& weight, Real 
             rows.push_back(row);
             right.push_back(target(nodes[i]));
         }
-        c = solve(rows, right);
+        c = gonio::solve_linear(rows, right);
         const auto error = [&](Real t) {
             Real p = 0;
             for (std::size_t k = terms; k-- > 0;)

@@ -1,0 +1,40 @@
+// What `gonio bench` says of contests, in words, Markdown, CSV, JSON and as a chart.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/measure/contest.hpp>
+#include <gonio/measure/machine.hpp>
+
+#include "../json_text.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace gonio::cli {
+
+struct BenchRun {
+    measure::Machine machine = measure::this_machine();
+    measure::Build build = measure::this_build();
+    std::uint64_t seed = 1;
+    bool quick = false;
+    bool complete = true; // not ended by Ctrl-C
+};
+
+// "gonio 0.1.0 (g++ 12.2.0, optimised), AMD EPYC, 2 threads, avx512; seed 1, quick".
+std::string run_text(const BenchRun& run);
+
+// One contest's rows.
+std::string standings_text(const measure::Standings& standings);
+std::string standings_markdown(const measure::Standings& standings);
+std::string standings_csv_header();
+std::string standings_csv(const measure::Standings& standings);
+Json standings_json(const measure::Standings& standings);
+
+// schema, tool, machine, seed: the members that stand before the contests.
+Json run_json(const BenchRun& run);
+
+// Error against time, a panel for each contest. Fails where no row has both.
+Result<std::string> standings_chart(std::span<const measure::Standings> all, const BenchRun& run);
+
+} // namespace gonio::cli

@@ -1,0 +1,343 @@
+#include "report.hpp"
+
+#include <gonio/base/unit_text.hpp>
+
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr std::size_t points_listed = 100; // as text; more are summed up
+constexpr std::size_t lights_listed = 32;
+
+double relative_error(double value, double truth) {
+    return value == truth ? 0.0 : (value - truth) / truth;
+}
+
+// What is compared: the luminance where one is asked for, else the illuminance.
+double compared(const ProbeResult& result, std::size_t i) {
+    return result.luminance.empty() ? result.illuminance_lx[i] : result.luminance[i].total().value;
+}
+
+Json luminance_json(const ProbeLuminance& nt, bool with_error) {
+    Json json{{"diffuse", nt.diffuse.value}, {"specular", nt.specular.value}, {"total", nt.total().value}};
+    if (with_error) json["error_estimate"] = nt.error_estimate.value;
+    return json;
+}
+
+Json vector_json(const glm::dvec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+// One of the methods compared at a point, beside the first of them.
+Json method_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t m, std::size_t i) {
+    const ProbeResult& truth = stretch.by_method.front();
+    const ProbeResult& result = stretch.by_method[m];
+    const double lx = result.illuminance_lx[i];
+    // The ratio to darkness is no number.
+    Json json{{"method", to_text(request.methods[m])},
+              {"illuminance_lx", lx},
+              {"error_lx", lx - truth.illuminance_lx[i]},
+              {"error_relative", number_or_null(relative_error(lx, truth.illuminance_lx[i]))}};
+    if (result.luminance.empty()) return json;
+    const double nt = compared(result, i);
+    const double true_nt = compared(truth, i);
+    json["luminance_nt"] = luminance_json(result.luminance[i], false);
+    json["error_nt"] = nt - true_nt;
+    json["error_nt_relative"] = number_or_null(relative_error(nt, true_nt));
+    return json;
+}
+
+Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t i) {
+    const Receiver& receiver = stretch.receivers[i];
+    const ProbeResult& result = stretch.by_method.front();
+    const bool estimated = !result.illuminance_error_lx.empty();
+    Json json{{"position", vector_json(receiver.position)},
+              {"normal", vector_json(unit_vector(receiver.normal).value_or(receiver.normal))},
+              {"illuminance_lx", result.illuminance_lx[i]}};
+    if (estimated) json["illuminance_error_lx"] = result.illuminance_error_lx[i];
+    if (!result.luminance.empty()) json["luminance_nt"] = luminance_json(result.luminance[i], estimated);
+    if (request.compare) {
+        Json methods = Json::array();
+        for (std::size_t m = 0; m < request.methods.size(); ++m)
+            methods.push_back(method_json(request, stretch, m, i));
+        json["methods"] = std::move(methods);
+    }
+    Json lights = Json::array();
+    for (std::size_t l = 0; l < request.lights.size(); ++l) {
+        const std::size_t part = i * request.lights.size() + l;
+        Json light{{"name", request.lights[l].name}, {"illuminance_lx", result.parts_lx[part]}};
+        if (!result.parts_nt.empty()) light["luminance_nt"] = luminance_json(result.parts_nt[part], estimated);
+        lights.push_back(std::move(light));
+    }
+    json["lights"] = std::move(lights);
+    return json;
+}
+
+std::string row_text(const glm::dvec3& p) {
+    return fmt::format("{},{},{}", shortest(p.x), shortest(p.y), shortest(p.z));
+}
+
+std::string position_text(const glm::dvec3& p) {
+    return fmt::format("{},{},{}", rounded(p.x), rounded(p.y), rounded(p.z));
+}
+
+std::string percent(double relative) {
+    if (!std::isfinite(relative)) return "not dark";
+    const std::string text = rounded(100.0 * relative, 3);
+    return fmt::format("{}{} %", relative > 0.0 ? "+" : "", text);
+}
+
+std::string luminance_text(const ProbeLuminance& nt) {
+    return fmt::format("{:>14} nt (diffuse {}, specular {})", rounded(nt.total().value), rounded(nt.diffuse.value),
+                       rounded(nt.specular.value));
+}
+
+// Heading and width of the column of a method in a comparison.
+std::string method_column(const ProbeRequest& request, std::size_t m) {
+    return fmt::format("{} {}", to_text(request.methods[m]), request.options.view ? "nt" : "lx");
+}
+std::size_t column_width(const ProbeRequest& request, std::size_t m) {
+    return std::max<std::size_t>(14, method_column(request, m).size() + 2);
+}
+
+} // namespace
+
+ProbeReport::ProbeReport(const ProbeRequest& request, Console& console) : request_(request), console_(console) {
+    for (std::size_t m = 0; m < request.methods.size(); ++m)
+        values_.emplace_back();
+}
+
+bool ProbeReport::wants_parts() const {
+    return request_.form == ProbeForm::json || request_.form == ProbeForm::json_line ||
+           (listed() && lights_listed_too());
+}
+
+void ProbeReport::begin() {
+    if (request_.form == ProbeForm::json || request_.form == ProbeForm::json_line) {
+        json_.emplace(console_, request_.form == ProbeForm::json);
+        json_->member("schema", "gonio.probe/1");
+        if (!request_.rig.empty()) json_->member("rig", request_.rig);
+        json_->member("method", to_text(request_.methods.front()));
+        json_->begin_array("points");
+    } else if (request_.form == ProbeForm::csv) {
+        console_.print("x,y,z,nx,ny,nz");
+        print_csv_heading();
+    } else if (request_.compare && listed()) {
+        console_.print(fmt::format("{:<24}", "point"));
+        for (std::size_t m = 0; m < request_.methods.size(); ++m)
+            console_.print(fmt::format("{:>{}}{}", method_column(request_, m), column_width(request_, m),
+                                       m == 0 ? "" : "       error"));
+        console_.print("\n");
+    }
+}
+
+void ProbeReport::add(const ProbeStretch& stretch) {
+    for (std::size_t i = 0; i < stretch.receivers.size(); ++i) {
+        if (json_)
+            json_->element(point_json(request_, stretch, i));
+        else if (request_.form == ProbeForm::csv)
+            csv_row(stretch, i);
+        else if (listed())
+            text_lines(stretch, i);
+    }
+    for (std::size_t m = 0; m < request_.methods.size(); ++m) {
+        const ProbeResult& result = stretch.by_method[m];
+        for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
+            values_[m].push_back(request_.compare ? compared(result, i) : result.illuminance_lx[i]);
+    }
+    note_error(stretch.by_method.front());
+    remarks_.add(stretch.by_method.front().remarks, stretch.first);
+}
+
+void ProbeReport::end(Diagnostics& diagnostics) {
+    const Diagnostics said = to_diagnostics(remarks_, request_.lights);
+    diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+    if (json_) {
+        json_->end_array();
+        if (request_.methods.front() == IrradianceMethod::reference) json_->member("error_estimate", largest_error_);
+        if (request_.points.grid) json_->member("grid", grid_json());
+        json_->member("diagnostics", diagnostics_json(diagnostics));
+        json_->end();
+    } else if (request_.form == ProbeForm::text && !listed()) {
+        summary_text();
+    }
+}
+
+bool ProbeReport::listed() const {
+    return request_.form == ProbeForm::text && !request_.points.grid &&
+           request_.points.receivers.size() <= points_listed;
+}
+
+bool ProbeReport::lights_listed_too() const {
+    return request_.lights.size() > 1 && request_.lights.size() <= lights_listed && !request_.compare;
+}
+
+void ProbeReport::note_error(const ProbeResult& result) {
+    const auto note = [&](double error, double value) {
+        if (value > 0.0) largest_error_ = std::max(largest_error_, error / value);
+    };
+    for (std::size_t i = 0; i < result.illuminance_error_lx.size(); ++i) {
+        note(result.illuminance_error_lx[i], result.illuminance_lx[i]);
+        if (!result.luminance.empty())
+            note(result.luminance[i].error_estimate.value, result.luminance[i].total().value);
+    }
+}
+
+bool ProbeReport::estimated() const {
+    return request_.methods.front() == IrradianceMethod::reference;
+}
+
+void ProbeReport::print_csv_heading() {
+    if (request_.compare) {
+        for (const IrradianceMethod method : request_.methods)
+            console_.print(fmt::format(",illuminance_{}_lx", to_text(method)));
+        for (const IrradianceMethod method : request_.methods)
+            if (request_.options.view) console_.print(fmt::format(",total_{}_nt", to_text(method)));
+        console_.print("\n");
+        return;
+    }
+    console_.print(estimated() ? ",illuminance_lx,illuminance_error_lx" : ",illuminance_lx");
+    if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
+    console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
+}
+
+void ProbeReport::csv_row(const ProbeStretch& stretch, std::size_t i) {
+    const Receiver& r = stretch.receivers[i];
+    const glm::dvec3 n = unit_vector(r.normal).value_or(r.normal);
+    std::string row = row_text(r.position) + ',' + row_text(n);
+    const ProbeResult& first = stretch.by_method.front();
+    for (const ProbeResult& result : stretch.by_method)
+        row += ',' + shortest(result.illuminance_lx[i]);
+    if (request_.compare) {
+        for (const ProbeResult& result : stretch.by_method)
+            if (!result.luminance.empty()) row += ',' + shortest(result.luminance[i].total().value);
+    } else {
+        if (estimated()) row += ',' + shortest(first.illuminance_error_lx[i]);
+        if (request_.options.view) {
+            const ProbeLuminance& nt = first.luminance[i];
+            row += fmt::format(",{},{},{}", shortest(nt.diffuse.value), shortest(nt.specular.value),
+                               shortest(nt.total().value));
+            if (estimated()) row += ',' + shortest(nt.error_estimate.value);
+        }
+    }
+    console_.print(row + '\n');
+}
+
+void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
+    const std::string position = position_text(stretch.receivers[i].position);
+    const ProbeResult& result = stretch.by_method.front();
+    const double lx = result.illuminance_lx[i];
+    if (request_.compare) {
+        const double truth = compared(result, i);
+        std::string line = fmt::format("{:<24}{:>{}}", position, rounded(truth), column_width(request_, 0));
+        for (std::size_t m = 1; m < request_.methods.size(); ++m) {
+            const double other = compared(stretch.by_method[m], i);
+            line += fmt::format("{:>{}}{:>12}", rounded(other), column_width(request_, m),
+                                percent(relative_error(other, truth)));
+        }
+        console_.print(line + '\n');
+        return;
+    }
+    console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
+    if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.illuminance_error_lx[i], 2)));
+    if (!result.luminance.empty()) {
+        console_.print(luminance_text(result.luminance[i]));
+        if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.luminance[i].error_estimate.value, 2)));
+    }
+    console_.print("\n");
+    if (!lights_listed_too()) return;
+    for (std::size_t l = 0; l < request_.lights.size(); ++l) {
+        const std::size_t part = i * request_.lights.size() + l;
+        console_.print(fmt::format("  {:<22}{:>14} lx", request_.lights[l].name, rounded(result.parts_lx[part])));
+        if (!result.parts_nt.empty()) console_.print(luminance_text(result.parts_nt[part]));
+        console_.print("\n");
+    }
+}
+
+std::string_view ProbeReport::compared_unit() const {
+    return request_.compare && request_.options.view ? "nt" : "lx";
+}
+
+Json ProbeReport::spread_json(const Spread& s) const {
+    const std::string_view unit = compared_unit();
+    return {{fmt::format("min_{}", unit), s.least},
+            {fmt::format("mean_{}", unit), s.mean},
+            {fmt::format("max_{}", unit), s.greatest},
+            {"uniformity_min_mean", s.uniformity()},
+            {"uniformity_min_max", s.diversity()}};
+}
+
+Json ProbeReport::grid_json() const {
+    Json json{{"columns", request_.points.grid->across}, {"rows", request_.points.grid->along}};
+    json.update(spread_json(spread(values_.front())));
+    if (!request_.compare) return json;
+    Json methods = Json::array();
+    for (std::size_t m = 0; m < request_.methods.size(); ++m) {
+        Json of_method{{"method", to_text(request_.methods[m])}};
+        of_method.update(spread_json(spread(values_[m])));
+        of_method[fmt::format("max_error_{}", compared_unit())] = worst(m).error;
+        methods.push_back(std::move(of_method));
+    }
+    json["methods"] = std::move(methods);
+    return json;
+}
+
+ProbeReport::Worst ProbeReport::worst(std::size_t m) const {
+    Worst found;
+    for (std::size_t i = 0; i < values_[m].size(); ++i) {
+        const double error = values_[m][i] - values_.front()[i];
+        if (std::abs(error) > std::abs(found.error)) found = {error, i};
+    }
+    return found;
+}
+
+void ProbeReport::summary_text() {
+    if (const auto& grid = request_.points.grid)
+        console_.print(fmt::format("{} x {} points\n", grid->across, grid->along));
+    else
+        console_.print(fmt::format("{} points\n", request_.points.receivers.size()));
+    struct Line {
+        const char* name;
+        double (*of)(const Spread&);
+    };
+    constexpr std::array lines{Line{"min", [](const Spread& s) { return s.least; }},
+                               Line{"mean", [](const Spread& s) { return s.mean; }},
+                               Line{"max", [](const Spread& s) { return s.greatest; }},
+                               Line{"min/mean", [](const Spread& s) { return s.uniformity(); }},
+                               Line{"min/max", [](const Spread& s) { return s.diversity(); }}};
+    std::vector<Spread> spreads;
+    for (const std::vector<double>& values : values_)
+        spreads.push_back(spread(values));
+    if (request_.compare) {
+        console_.print(fmt::format("{:<10}", ""));
+        for (std::size_t m = 0; m < request_.methods.size(); ++m)
+            console_.print(fmt::format("{:>{}}", method_column(request_, m), column_width(request_, m)));
+        console_.print("\n");
+    }
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        console_.print(fmt::format("{:<10}", lines[line].name));
+        for (std::size_t m = 0; m < spreads.size(); ++m)
+            console_.print(fmt::format("{:>{}}", rounded(lines[line].of(spreads[m])),
+                                       request_.compare ? column_width(request_, m) : 14));
+        console_.print(line < 3 && !request_.compare ? " lx\n" : "\n");
+    }
+    for (std::size_t m = 1; m < request_.methods.size(); ++m) {
+        const Worst w = worst(m);
+        console_.print(fmt::format("{} is off by up to {} {} ({}), at {}\n", to_text(request_.methods[m]),
+                                   rounded(w.error), compared_unit(),
+                                   percent(relative_error(values_[m][w.point], values_.front()[w.point])),
+                                   position_text(request_.points.receivers[w.point].position)));
+    }
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,118 @@
+#include "request.hpp"
+
+#include <gonio/base/unit_text.hpp>
+#include <gonio/scene/material_charts.hpp>
+
+#include "../options/rig_input.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
+    Result<LightsInput> input = lights_input(arguments, LightPlacement{glm::dvec3(0.0)}, request.diagnostics);
+    if (!input) return pass_on(input);
+    request.rig = input->rig_file;
+    Result<std::vector<Light>> lights = resolve_input(std::move(*input), request.diagnostics, request.options.threads);
+    if (!lights) return pass_on(lights);
+    request.lights = std::move(*lights);
+    return {};
+}
+
+Result<void> read_error(const Arguments& arguments, ProbeRequest& request) {
+    const auto given = arguments.value("--error");
+    if (!given) return {};
+    if (std::find(request.methods.begin(), request.methods.end(), IrradianceMethod::reference) == request.methods.end())
+        return fail(Failure::usage, "--error is given without the method reference", "add --method reference");
+    const std::optional<double> error = parse_number(*given);
+    if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
+        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
+                    "it is relative: 1e-4 is a hundredth of a percent");
+    request.options.goal.relative_error = *error;
+    return {};
+}
+
+Result<void> read_methods(const Arguments& arguments, ProbeRequest& request) {
+    const auto compare = arguments.value("--compare");
+    const auto method = arguments.value("--method");
+    if (compare && method)
+        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+    std::string_view rest = compare ? *compare : method ? *method : std::string_view("exact");
+    request.compare = compare.has_value();
+    // Of luminance the quadrature is the truth, of illuminance the closed forms are.
+    if (request.compare)
+        request.methods.push_back(arguments.has("--view") ? IrradianceMethod::reference : IrradianceMethod::exact);
+    for (bool more = true; more;) {
+        const std::size_t comma = request.compare ? rest.find(',') : std::string_view::npos;
+        Result<IrradianceMethod> parsed = parse_irradiance_method(rest.substr(0, comma));
+        if (!parsed) return pass_on(parsed);
+        if (std::find(request.methods.begin(), request.methods.end(), *parsed) == request.methods.end())
+            request.methods.push_back(*parsed);
+        more = comma != std::string_view::npos;
+        if (more) rest.remove_prefix(comma + 1);
+    }
+    return read_error(arguments, request);
+}
+
+Result<void> read_view(const Arguments& arguments, ProbeRequest& request) {
+    const auto view = arguments.value("--view");
+    const auto material = arguments.value("--material");
+    if (!view && !material) return {};
+    if (!view || !material)
+        return fail(Failure::usage, view ? "--view is given without --material" : "--material is given without --view",
+                    "luminance needs both");
+    constexpr std::string_view place = "at:";
+    const bool is_place = view->starts_with(place);
+    Result<glm::dvec3> vector = parse_vector(is_place ? view->substr(place.size()) : *view, "--view");
+    if (!vector) return pass_on(vector);
+    if (!is_place && !unit_vector(*vector))
+        return fail(Failure::usage, "--view is zero", "it points from the surface to the eye");
+    Result<Material> parsed = parse_material(*material);
+    if (!parsed) return pass_on(parsed);
+    const Diagnostics judged = check_charts(*parsed);
+    request.diagnostics.insert(request.diagnostics.end(), judged.begin(), judged.end());
+    request.options.view = ProbeView{*vector, *parsed};
+    if (is_place) request.options.view->eye = *vector;
+    return {};
+}
+
+Result<void> read_form(const Arguments& arguments, ProbeRequest& request) {
+    const std::array given{arguments.has("--json"), arguments.has("--jsonl"), arguments.has("--csv")};
+    if (std::count(given.begin(), given.end(), true) > 1)
+        return fail(Failure::usage, "more than one of --json, --jsonl and --csv is given");
+    request.form = given[0]   ? ProbeForm::json
+                   : given[1] ? ProbeForm::json_line
+                   : given[2] ? ProbeForm::csv
+                              : ProbeForm::text;
+    return {};
+}
+
+} // namespace
+
+Result<ProbeRequest> parse_probe(const Arguments& arguments) {
+    ProbeRequest request;
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    request.options.threads = *threads;
+    if (arguments.value("--rig") == "-" && arguments.value("--points") == "-")
+        return fail(Failure::usage, "standard input cannot be both the rig and the points");
+    Result<void> read = read_form(arguments, request);
+    if (read) read = read_methods(arguments, request);
+    if (read) read = read_view(arguments, request);
+    if (!read) return pass_on(read);
+    Result<Points> points = points_input(arguments);
+    if (!points) return pass_on(points);
+    request.points = std::move(*points);
+    if (Result<void> lights = read_lights(arguments, request); !lights) return pass_on(lights);
+    return request;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,49 @@
+// What `gonio probe` is asked: lights, points, methods, and how the answer is written.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/probe.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../options/points_input.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array probe_options{
+    Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
+    Option{"--compare", "M1,M2", "several methods beside each other, with their errors against the true one",
+           "methods"},
+    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{"--view", "X,Y,Z", "direction from the points to the eye, or at:X,Y,Z its place: asks for luminance"},
+    Option{"--material", "MATERIAL", "of the surface, for that luminance", "materials"},
+    Option{"-j,--jobs", "N", "threads (all processors)"},
+};
+inline constexpr std::array probe_report_options{
+    Option{"--json", "", "one JSON object, with the share of every light"},
+    Option{"--jsonl", "", "the same on one line"},
+    Option{"--csv", "", "a table of the points"},
+};
+
+enum class ProbeForm { text, json, json_line, csv };
+
+struct ProbeRequest {
+    std::string rig; // empty: one light by options
+    std::vector<Light> lights;
+    Diagnostics diagnostics;
+    Points points;
+    std::vector<IrradianceMethod> methods; // one, or those compared; then the true one first
+    bool compare = false;
+    ProbeOptions options;
+    ProbeForm form = ProbeForm::text;
+};
+
+// Everything but the files is checked first: a mistake is told before a large rig is read.
+Result<ProbeRequest> parse_probe(const Arguments& arguments);
+
+} // namespace gonio::cli

@@ -1,0 +1,23 @@
+// On what machine and by what build something was measured.
+#pragma once
+
+#include <string>
+
+namespace gonio::measure {
+
+struct Machine {
+    std::string processor; // "AMD EPYC 7B13"; "unknown" where the system does not tell
+    unsigned threads = 1;  // that this process may run on
+    std::string widest;    // instruction set: "avx512"
+};
+Machine this_machine();
+
+struct Build {
+    std::string version;    // of gonio
+    std::string compiler;   // "g++ 12.2.0"
+    bool optimized = false; // else times mean little
+    bool checked = false;   // by a sanitizer: the same
+};
+Build this_build();
+
+} // namespace gonio::measure

@@ -1,0 +1,35 @@
+// A way to take a number of each of a set of cases, in one code: the subject of every measurement.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gonio::measure {
+
+// One of the two functions is set: that of its precision; the span is as long as the cases.
+template<class Cases>
+struct Method {
+    std::string name;      // "exact", "frostbite", "point", "ue4"
+    std::string precision; // "double", "float", or the instruction set of a kernel: "avx2"
+    std::function<void(const Cases&, std::span<float>)> evaluate;
+    std::function<void(const Cases&, std::span<double>)> evaluate_double;
+};
+
+// Calls the method's function once; the results as doubles.
+template<class Cases>
+std::vector<double> evaluated(const Method<Cases>& method, const Cases& cases) {
+    std::vector<double> values(cases.size());
+    if (method.evaluate_double) {
+        method.evaluate_double(cases, values);
+        return values;
+    }
+    std::vector<float> single(cases.size());
+    method.evaluate(cases, single);
+    values.assign(single.begin(), single.end());
+    return values;
+}
+
+} // namespace gonio::measure

@@ -1,0 +1,186 @@
+// Reflectances: each material's codes against its formula in double, and how much light all of them give back.
+#include <gonio/measure/brdf_cases.hpp>
+#include <gonio/measure/furnace.hpp>
+#include <gonio/measure/suites/suites.hpp>
+#include <gonio/preview/shading_constants.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace gonio::measure::detail {
+
+namespace {
+
+using shading::vec3;
+
+// One material for each group, as the kernels take them.
+struct Cases {
+    static constexpr std::size_t group_size = 128;
+
+    std::vector<BrdfParameters> parameters;
+    std::array<std::vector<float>, 9> columns; // position (of a light at the origin: −l), normal, view
+    std::vector<float> candela;
+
+    [[nodiscard]] std::size_t size() const { return candela.size(); }
+    template<class S>
+    [[nodiscard]] vec3<S> at(std::size_t first, std::size_t i) const {
+        return {static_cast<S>(columns[first][i]), static_cast<S>(columns[first + 1][i]),
+                static_cast<S>(columns[first + 2][i])};
+    }
+};
+
+Cases make_cases(std::size_t count, std::uint64_t seed) {
+    Random random(seed);
+    Cases cases;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % Cases::group_size == 0) cases.parameters.emplace_back(random);
+        const BrdfPose pose = ordinary_brdf_pose(random);
+        const float values[9] = {-pose.l.x, -pose.l.y, -pose.l.z, pose.n.x, pose.n.y,
+                                 pose.n.z,  pose.v.x,  pose.v.y,  pose.v.z};
+        for (std::size_t k = 0; k < 9; ++k)
+            cases.columns[k].push_back(values[k]);
+        cases.candela.push_back(1.0F);
+    }
+    return cases;
+}
+
+// Luminance of the green channel under 1 cd at the distance |l|, about 1.
+template<template<class> class Material, class S>
+void one_by_one(const Cases& cases, std::span<S> luminance) {
+    Material<S> material{};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (i % Cases::group_size == 0) make(cases.parameters[i / Cases::group_size], material);
+        const vec3<S> to_light = cases.at<S>(0, i) * S(-1);
+        const vec3<S> n = cases.at<S>(3, i);
+        const S d2 = dot(to_light, to_light);
+        const S inverse = S(1) / std::sqrt(d2);
+        const vec3<S> l = to_light * inverse;
+        luminance[i] = brdf(material, n, l, cases.at<S>(6, i)).y * dot(n, l) / d2;
+    }
+}
+
+Method<Cases> kernel_method(const char* name, std::size_t kind, const shading::Kernels& kernels) {
+    const auto work = [&kernels, kind](const Cases& cases, std::span<float> luminance) {
+        std::array<float, Cases::group_size> red{};
+        std::array<float, Cases::group_size> blue{};
+        shading::LightConstants light;
+        for (std::size_t g = 0; g < cases.parameters.size(); ++g) {
+            const std::size_t first = g * Cases::group_size;
+            shading::Surfaces surfaces;
+            for (std::size_t k = 0; k < 3; ++k) {
+                surfaces.position[k] = cases.columns[k].data() + first;
+                surfaces.normal[k] = cases.columns[3 + k].data() + first;
+                surfaces.view[k] = cases.columns[6 + k].data() + first;
+            }
+            surfaces.count = std::min(Cases::group_size, cases.size() - first);
+            light.intensity_cd = cases.candela.data() + first;
+            float* const rgb[3] = {red.data(), luminance.data() + first, blue.data()};
+            kernels.shade(surfaces, light, material_constants(scene_material(kind, cases.parameters[g])), rgb);
+        }
+    };
+    return {name, kernels.name, work, {}};
+}
+
+// A material by its name, its place among the alternatives of a scene's Material, and its scalar codes.
+struct Subject {
+    const char* name;
+    std::size_t kind;
+    void (*in_double)(const Cases&, std::span<double>);
+    void (*in_float)(const Cases&, std::span<float>);
+    double (*white)(double roughness, double mu); // albedo of what should give back all light
+};
+
+// Of white surfaces and of mirrors, f0 = 1: what a material says of them that lose nothing.
+template<class Material>
+double albedo(const Material& material, double mu) {
+    return directional_albedo(material, mu, lobe_alpha(material), 300, 120).y;
+}
+
+constexpr vec3<double> white{1.0, 1.0, 1.0};
+
+constexpr std::array subjects{
+    Subject{"lambert", 0, one_by_one<shading::Lambert, double>, one_by_one<shading::Lambert, float>,
+            [](double, double mu) { return albedo(shading::Lambert<double>{white}, mu); }},
+    Subject{"eon", 6, one_by_one<shading::Eon, double>, one_by_one<shading::Eon, float>,
+            [](double r, double mu) {
+                return albedo(shading::Eon<double>{white, r}, mu);
+            }},
+    Subject{"frostbite", 1, one_by_one<shading::Frostbite, double>, one_by_one<shading::Frostbite, float>,
+            [](double r, double mu) { return albedo(shading::frostbite_material(white, 1.0 - r, 0.0, 0.5), mu); }},
+    Subject{"ue4", 4, one_by_one<shading::Ue4, double>, one_by_one<shading::Ue4, float>,
+            [](double r, double mu) { return albedo(shading::ue4_material(white, 0.0, r, 0.5, 1.0), mu); }},
+    Subject{"blinn", 5, one_by_one<shading::RememberMe, double>, one_by_one<shading::RememberMe, float>,
+            [](double r, double mu) {
+                return albedo(shading::remember_me_material(white, vec3<double>{0.04, 0.04, 0.04}, 1.0 - r, 0.0), mu);
+            }},
+    Subject{"ggx", 2, one_by_one<shading::Ggx, double>, one_by_one<shading::Ggx, float>,
+            [](double r, double mu) {
+                return albedo(shading::Ggx<double>{white, r * r}, mu);
+            }},
+    Subject{"kulla-conty", 3, one_by_one<shading::KullaConty, double>, one_by_one<shading::KullaConty, float>,
+            [](double r, double mu) { return albedo(shading::kulla_conty_material(white, r * r), mu); }},
+};
+
+std::vector<Method<Cases>> codes_of(const Subject& subject) {
+    std::vector<Method<Cases>> methods{{subject.name, "double", {}, subject.in_double},
+                                       {subject.name, "float", subject.in_float, {}}};
+    for (const simd::InstructionSet set : simd::available_sets())
+        if (set != simd::InstructionSet::scalar)
+            methods.push_back(kernel_method(subject.name, subject.kind, shading::kernels(set)));
+    return methods;
+}
+
+Result<Contest> of_material(const Subject& subject, const SuiteOptions& options) {
+    Cases cases = make_cases(options.quick ? 1024 : 4096, options.seed);
+    std::vector<double> truth(cases.size());
+    subject.in_double(cases, truth);
+    const auto methods = codes_of(subject);
+    return contest_of({"brdf", subject.name, "all", "relative to the luminance under a point light", "surface point",
+                       "the formula in double"},
+                      methods, place_of(methods, subject.name, "float"), std::move(cases), std::move(truth), 1e-6);
+}
+
+// How far the albedo of a white surface, or of a perfect mirror, is from 1.
+Result<Contest> of_white(const SuiteOptions& options) {
+    Contest contest{{"brdf", "white furnace", "all", "|albedo − 1| over 5 roughnesses and 5 views, of white or f0 = 1",
+                     "evaluation, one float at a time", "1: nothing is lost, nothing comes of nothing"},
+                    0,
+                    {}};
+    const Cases cases = make_cases(1024, options.seed);
+    for (const Subject& subject : subjects) {
+        const auto values = std::make_shared<std::vector<float>>(cases.size());
+        const auto errors = [&subject] {
+            std::vector<double> off;
+            for (const double roughness : {0.1, 0.3, 0.5, 0.7, 1.0})
+                for (const double mu : {0.02, 0.1, 0.3, 0.6, 1.0})
+                    off.push_back(std::fabs(subject.white(roughness, mu) - 1.0));
+            return off;
+        };
+        contest.contestants.push_back({subject.name,
+                                       "float",
+                                       {[&subject, values, cases] { subject.in_float(cases, *values); }, cases.size()},
+                                       errors});
+    }
+    return contest;
+}
+
+} // namespace
+
+std::vector<std::string> brdf_methods() {
+    std::vector<std::string> names;
+    for (const Subject& subject : subjects)
+        names.emplace_back(subject.name);
+    return names;
+}
+
+std::vector<ContestMaker> brdf_contests(const SuiteOptions& options) {
+    std::vector<ContestMaker> makers;
+    for (const Subject& subject : subjects)
+        makers.push_back({subject.name, "all", [&subject, options] { return of_material(subject, options); }});
+    makers.push_back({"white furnace", "all", [options] { return of_white(options); }});
+    return makers;
+}
+
+} // namespace gonio::measure::detail

@@ -1,0 +1,134 @@
+// Drawing: the lines, areas and words that a diagram is made of, before they become SVG text (svg.hpp) or pixels
+// (raster.hpp).
+//
+// Coordinates are pixels of a page, x to the right and y down. What is added later lies above. Nothing fails.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gonio {
+
+struct PagePoint {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// A colour as displays take it, sRGB-encoded.
+struct Ink {
+    std::uint8_t r = 0;
+    std::uint8_t g = 0;
+    std::uint8_t b = 0;
+    double opacity = 1.0;
+};
+
+// ink(0xd55e00)
+constexpr Ink ink(std::uint32_t rgb, double opacity = 1.0) {
+    return {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>(rgb >> 8U & 0xffU),
+            static_cast<std::uint8_t>(rgb & 0xffU), opacity};
+}
+
+struct Pen {
+    Ink ink = {};
+    double width_px = 1.0;
+    std::array<double, 2> dash_px{0.0, 0.0}; // drawn, left out; solid where the first is 0
+};
+
+// Polygons and broken lines.
+class PagePath {
+public:
+    struct Part {
+        std::vector<PagePoint> points;
+        bool closed = false;
+    };
+
+    PagePath& move_to(PagePoint point);
+    PagePath& line_to(PagePoint point);
+    PagePath& close();
+
+    bool empty() const { return parts_.empty(); }
+    const std::vector<Part>& parts() const { return parts_; }
+
+private:
+    std::vector<Part> parts_;
+};
+
+enum class TextAnchor { start, middle, end };
+
+struct TextStyle {
+    TextAnchor anchor = TextAnchor::start; // what of the baseline lies at the point
+    double size_px = 12.0;
+    Ink ink = {};
+    bool bold = false;
+    double rim_px = 0.0; // of a rim that keeps the text readable on lines
+    Ink rim = gonio::ink(0xffffff);
+};
+
+struct FilledPath {
+    PagePath path; // overlapping parts count once
+    Ink ink;
+};
+struct StrokedPath {
+    PagePath path;
+    Pen pen;
+};
+struct FilledRectangle {
+    PagePoint corner;
+    double width = 0.0;
+    double height = 0.0;
+    Ink ink;
+};
+struct FilledCircle {
+    PagePoint center;
+    double radius = 0.0;
+    Ink ink;
+};
+struct WrittenText {
+    PagePoint at;
+    std::string text; // UTF-8
+    TextStyle style;
+};
+struct ClipBegin { // clips do not nest
+    PagePoint corner;
+    double width = 0.0;
+    double height = 0.0;
+};
+struct ClipEnd {};
+
+using DrawingStep =
+    std::variant<FilledPath, StrokedPath, FilledRectangle, FilledCircle, WrittenText, ClipBegin, ClipEnd>;
+
+class Drawing {
+public:
+    Drawing() = default;
+    // A page of so many pixels; `title` is what assistive software reads, and is not drawn.
+    Drawing(int width_px, int height_px, std::string title)
+        : width_px_(width_px), height_px_(height_px), title_(std::move(title)) {}
+
+    void line(PagePoint from, PagePoint to, const Pen& pen);
+    void stroke(PagePath path, const Pen& pen);
+    void fill(PagePath path, Ink ink);
+    void rectangle(PagePoint corner, double width, double height, Ink ink);
+    void circle(PagePoint center, double radius, Ink ink);
+    void text(PagePoint at, std::string_view text, const TextStyle& style = {});
+    // Everything between is drawn inside the rectangle only.
+    void begin_clip(PagePoint corner, double width, double height);
+    void end_clip();
+
+    int width_px() const { return width_px_; }
+    int height_px() const { return height_px_; }
+    const std::string& title() const { return title_; }
+    const std::vector<DrawingStep>& steps() const { return steps_; }
+
+private:
+    int width_px_ = 0;
+    int height_px_ = 0;
+    std::string title_;
+    std::vector<DrawingStep> steps_;
+};
+
+} // namespace gonio

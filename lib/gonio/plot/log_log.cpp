@@ -1,0 +1,183 @@
+#include <gonio/plot/chart.hpp>
+#include <gonio/plot/log_log.hpp>
+#include <gonio/plot/palette.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gonio {
+
+using plot_detail::Area;
+using plot_detail::Chart;
+
+namespace {
+
+constexpr double margin_px = 16.0;
+constexpr double headline_px = 30.0;
+constexpr double legend_line_px = 16.0;
+constexpr double letter_px = 6.4; // about the width of one at 11 px
+
+bool drawn(const MarkedPoint& point) {
+    return point.x > 0.0 && std::isfinite(point.x) && point.y >= 0.0 && std::isfinite(point.y);
+}
+
+struct Bounds {
+    double low = HUGE_VAL;
+    double high = 0.0;
+
+    void take(double value) {
+        if (!(value > 0.0)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+// Powers of ten around [low, high], at least one decade; every so many where there would be more than eight lines.
+std::vector<double> decades(const Bounds& bounds) {
+    int first = static_cast<int>(std::floor(std::log10(bounds.low)));
+    int last = static_cast<int>(std::ceil(std::log10(bounds.high)));
+    if (first == last) ++last;
+    const int step = (last - first + 7) / 8;
+    last = first + (last - first + step - 1) / step * step;
+    std::vector<double> at;
+    for (int decade = first; decade <= last; decade += step)
+        at.push_back(std::pow(10.0, decade));
+    return at;
+}
+
+std::string style_of(const MarkedPoint& point, const std::string& color) {
+    return fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.5")", point.filled ? color : "#fff", color);
+}
+
+void draw_mark(Svg& svg, SvgPoint at, const MarkedPoint& point, const std::string& color) {
+    constexpr double r = 4.0;
+    const std::string style = style_of(point, color);
+    SvgPath path;
+    switch (point.mark) {
+    case Mark::circle:
+        svg.circle(at, r, style);
+        return;
+    case Mark::square:
+        svg.rectangle({at.x - r, at.y - r}, 2.0 * r, 2.0 * r, style);
+        return;
+    case Mark::triangle:
+        path.move_to({at.x, at.y - 1.2 * r}).line_to({at.x + 1.2 * r, at.y + r}).line_to({at.x - 1.2 * r, at.y + r});
+        break;
+    case Mark::diamond:
+        path.move_to({at.x, at.y - 1.4 * r})
+            .line_to({at.x + 1.4 * r, at.y})
+            .line_to({at.x, at.y + 1.4 * r})
+            .line_to({at.x - 1.4 * r, at.y});
+        break;
+    }
+    svg.path(path.close(), style);
+}
+
+// Names with their colours, side by side while they fit; returns the lines taken.
+std::size_t draw_legend(Svg* svg, const LogLogPanel& panel, const Area& area, double top) {
+    double x = area.left;
+    std::size_t line = 0;
+    for (std::size_t i = 0; i < panel.series.size(); ++i) {
+        const std::string& name = panel.series[i].name;
+        const double needed = 14.0 + letter_px * static_cast<double>(name.size()) + 10.0;
+        if (x > area.left && x + needed > area.right) {
+            x = area.left;
+            ++line;
+        }
+        if (svg != nullptr) {
+            const double y = top + legend_line_px * static_cast<double>(line);
+            svg->circle({x + 5.0, y - 4.0}, 4.0, fmt::format(R"(fill="{}")", series_color(i)));
+            svg->text({x + 14.0, y}, name, TextAnchor::start, 11.0);
+        }
+        x += needed;
+    }
+    return line + 1;
+}
+
+void draw_panel(Svg& svg, const LogLogPanel& panel, Area area) {
+    svg.text({area.left, area.top + 12.0}, panel.title, TextAnchor::start, 13.0, R"(font-weight="bold")");
+    area.top += 20.0;
+    const std::size_t lines = draw_legend(nullptr, panel, area, 0.0);
+    const double legend_top = area.bottom - legend_line_px * (static_cast<double>(lines) - 1.0) - 6.0;
+    (void)draw_legend(&svg, panel, area, legend_top);
+    area.bottom = legend_top - legend_line_px;
+
+    Bounds x;
+    Bounds y;
+    bool zero = false;
+    for (const MarkedSeries& series : panel.series)
+        for (const MarkedPoint& point : series.points)
+            if (drawn(point)) {
+                x.take(point.x);
+                y.take(point.y);
+                zero = zero || point.y == 0.0;
+            }
+    if (y.high == 0.0) y = {1e-17, 1e-16};
+    if (zero) y.low *= 0.1;
+    const Chart chart(area, {panel.x_name, decades(x), true}, {panel.y_name, decades(y), true});
+    chart.draw_lines(svg, R"(stroke="#ddd")");
+    chart.draw_numbers(svg);
+    const double lowest = decades(y).front();
+    const auto place = [&](const MarkedPoint& point) { return chart.at(point.x, std::max(point.y, lowest)); };
+
+    SvgPath steps;
+    for (std::size_t i = 0; i < panel.front.size(); ++i) {
+        const SvgPoint to = place(panel.front[i]);
+        if (i > 0) steps.line_to({to.x, place(panel.front[i - 1]).y});
+        i == 0 ? steps.move_to(to) : steps.line_to(to);
+    }
+    if (!steps.empty()) svg.path(steps, R"(fill="none" stroke="#999" stroke-dasharray="5 3")");
+    for (std::size_t i = 0; i < panel.series.size(); ++i) {
+        const std::string color = series_color(i);
+        SvgPath line;
+        for (const MarkedPoint& point : panel.series[i].points)
+            if (panel.series[i].joined && drawn(point))
+                line.empty() ? line.move_to(place(point)) : line.line_to(place(point));
+        if (!line.empty()) svg.path(line, fmt::format(R"(fill="none" stroke="{}" stroke-width="1.5")", color));
+        for (const MarkedPoint& point : panel.series[i].points)
+            if (drawn(point)) draw_mark(svg, place(point), point, color);
+    }
+    for (const MarkedSeries& series : panel.series)
+        for (const MarkedPoint& point : series.points)
+            if (drawn(point) && !point.label.empty()) {
+                const SvgPoint at = place(point);
+                const bool right = at.x > 0.5 * (chart.inner().left + chart.inner().right);
+                svg.label({at.x + (right ? -8.0 : 8.0), at.y - 5.0}, point.label,
+                          right ? TextAnchor::end : TextAnchor::start, 10.0);
+            }
+}
+
+bool has_points(const LogLogPanel& panel) {
+    return std::any_of(panel.series.begin(), panel.series.end(), [](const MarkedSeries& series) {
+        return std::any_of(series.points.begin(), series.points.end(), drawn);
+    });
+}
+
+} // namespace
+
+Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const LogLogOptions& options) {
+    std::vector<const LogLogPanel*> shown;
+    for (const LogLogPanel& panel : panels)
+        if (has_points(panel)) shown.push_back(&panel);
+    if (shown.empty()) return fail(Failure::usage, "there is nothing to draw");
+    const int columns = std::clamp(static_cast<int>(shown.size()), 1, std::max(options.columns, 1));
+    const int rows = (static_cast<int>(shown.size()) + columns - 1) / columns;
+    const int width = columns * options.panel_width_px;
+    const int height = rows * options.panel_height_px + static_cast<int>(2.0 * headline_px);
+    Svg svg(width, height, options.title);
+    svg.text({margin_px, headline_px - 8.0}, options.title, TextAnchor::start, 16.0, R"(font-weight="bold")");
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double left = static_cast<double>(static_cast<int>(i) % columns * options.panel_width_px);
+        const double top = headline_px + static_cast<double>(static_cast<int>(i) / columns * options.panel_height_px);
+        draw_panel(svg, *shown[i],
+                   {left + margin_px, top + margin_px, left + options.panel_width_px - margin_px,
+                    top + options.panel_height_px - 4.0});
+    }
+    svg.text({margin_px, height - 10.0}, options.note, TextAnchor::start, 11.0, R"(fill="#555")");
+    return svg.finish();
+}
+
+} // namespace gonio

@@ -1,0 +1,66 @@
+// A light's share of intensity by direction as the intensity kernels read it.
+#pragma once
+
+#include <gonio/light/light.hpp>
+#include <gonio/preview/kernels_intensity.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace gonio::detail {
+
+// A web of type C in float, at its own angles.
+class WebTable {
+public:
+    explicit WebTable(const Web& web);
+
+    preview::WebConstants constants(double scale) const;
+
+private:
+    struct Axis {
+        std::vector<float> angles_deg;
+        std::vector<float> inverse_width;
+        std::vector<std::uint32_t> first_cell;
+        float steps_per_deg = 0.0F;
+
+        explicit Axis(std::span<const double> angles);
+        preview::TableAxis constants() const;
+    };
+
+    preview::WebConstants::Fold fold_;
+    Axis planes_;
+    Axis gammas_;
+    std::vector<float> candela_;
+};
+
+// Tables of webs that lights share, each made once.
+using WebTables = std::map<const Web*, std::shared_ptr<const WebTable>>;
+
+// What a punctual light sends towards points; of a light with a size what its mask lets through from its centre.
+class IntensityPattern {
+public:
+    // The light must outlive the pattern.
+    IntensityPattern(const Light& light, WebTables& tables);
+
+    // Whether it is the same in every direction: `evaluate` fills with one number.
+    bool is_constant() const { return lobe_.kind == preview::LobeConstants::Kind::none && !table_ && !by_light_; }
+    bool has_axial_web() const;
+
+    // Candela, or the share of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
+    void evaluate(const preview::Points& points, const glm::dvec3& anchor, const preview::IntensityKernels& kernels,
+                  float* cd) const;
+
+private:
+    const Light& light_;
+    double along_axis_ = 0.0;
+    preview::LobeConstants lobe_;
+    std::shared_ptr<const WebTable> table_;
+    double web_scale_ = 1.0;
+    bool by_light_ = false; // webs of types A and B: in double, point by point
+    bool has_extent_ = false;
+};
+
+} // namespace gonio::detail

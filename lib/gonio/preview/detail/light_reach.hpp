@@ -1,0 +1,46 @@
+// Where a light gives nothing at all, by bounds: what a renderer may skip without changing its picture.
+//
+// Every test is conservative: it says that a light gives nothing only where each point gets exactly 0.
+#pragma once
+
+#include <gonio/light/light.hpp>
+#include <gonio/preview/detail/sample_bounds.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::detail {
+
+// Directions within an angle of an axis.
+struct DirectionCone {
+    glm::dvec3 axis{0.0, 0.0, -1.0}; // unit
+    double sine = 0.0;               // of the half angle, in [0, π]
+    double cosine = -1.0;
+};
+
+enum class Unlit : std::uint8_t { no, out_of_range, outside_cone, below_horizon };
+
+struct LightReach {
+    glm::dvec3 center{0.0};
+    double body_radius = 0.0;           // of the sphere about the centre that holds the luminous surface
+    double range = 0.0;                 // beyond it the window is 0; infinite without one
+    bool at_infinity = false;           // the sun: `toward` in the centre's stead
+    glm::dvec3 toward{0.0, 0.0, 1.0};   // unit, to the sun
+    double angular_radius_sin = 0.0;    // of the sun
+    std::array<DirectionCone, 3> cones; // from the centre; all light leaves inside each of them
+    std::size_t cone_count = 0;
+
+    // Why no point within the bounds gets light; `no` where one may.
+    Unlit unlit(const SampleBounds& bounds) const;
+};
+
+// `mask_from_center`: the mask of a light with a size is taken from its centre to the point.
+LightReach reach_of(const Light& light, bool mask_from_center);
+
+// Whether the light emits at all.
+bool is_dark(const Light& light);
+
+} // namespace gonio::detail

@@ -1,0 +1,46 @@
+// A stage and its lights as the tiles of a picture need them: made once, then read by all threads.
+#pragma once
+
+#include <gonio/preview/detail/intensity_pattern.hpp>
+#include <gonio/preview/detail/light_reach.hpp>
+#include <gonio/preview/detail/light_tree.hpp>
+#include <gonio/preview/render.hpp>
+#include <gonio/scene/stage.hpp>
+#include <gonio/shading/kernels.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+struct LitLight {
+    const Light& light;
+    bool is_dark = false;
+    shading::LightConstants constants; // the position is set for each group of points
+    IntensityPattern pattern;
+    bool has_pattern = false; // `pattern` is read: the light is punctual or masked
+    bool is_punctual = false;
+    LightReach reach;
+    double shadow_radius = 0.0;
+};
+
+struct LitScene {
+    LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options);
+
+    // Whether something may stand between the points within the bounds, of a surface, and the light.
+    bool may_be_shadowed(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const;
+
+    const Stage& stage;
+    std::span<const Light> all_lights;
+    const RenderOptions& options;
+    const shading::Kernels& kernels;
+    const preview::IntensityKernels& intensity;
+    std::vector<LitLight> lights; // one for each of all_lights
+    std::vector<shading::MaterialConstants> materials;
+    LightTree reaches; // by range, of the lights that are not dark
+    LightTree bodies;  // of the lights with a surface
+};
+
+} // namespace gonio::detail

@@ -1,0 +1,56 @@
+// One tile of a picture: its points under every light that may reach them.
+#pragma once
+
+#include <gonio/preview/detail/lit_scene.hpp>
+#include <gonio/preview/detail/tile_samples.hpp>
+#include <gonio/preview/render.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gonio::detail {
+
+// Adds to the tile's own pixels of the picture, in the order of the lights, and to its own `stats`.
+class LitTile {
+public:
+    LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats);
+
+    void light_up();
+
+private:
+    struct Group { // chunks of one surface that a light may reach
+        const SurfaceSamples* samples;
+        std::vector<std::uint32_t> chunks;
+    };
+
+    void show_emitters();
+    void count_samples();
+    std::vector<std::uint32_t> candidates() const;
+    bool find_groups(const LitLight& light);
+    void find_shadows(const LitLight& light);
+    void find_edges();
+    double visible(const LitLight& light, std::size_t surface, const glm::dvec3& position);
+    void shade(const LitLight& light, const Group& group);
+    void shade_edges(const LitLight& light);
+    // The samples [first, first + count), each times its `weight`.
+    void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
+               const float* weight);
+
+    const LitScene& scene_;
+    TileSamples tile_;
+    Rendering& picture_;
+    RenderStats& stats_;
+
+    // Of the light that is being added:
+    std::vector<Group> groups_;
+    bool is_shadowed_ = false;
+    std::vector<float> center_visible_;        // of each centre, 1 where no surface is seen
+    std::vector<std::uint8_t> on_shadow_edge_; // of each centre
+    std::vector<std::size_t> edges_;           // the centres that are
+    std::vector<float> weight_;
+    std::vector<float> intensity_;
+    std::array<std::vector<float>, 3> rgb_;
+};
+
+} // namespace gonio::detail

@@ -1,0 +1,125 @@
+// A tile of the picture as points on surfaces: cast once, then lit by every light.
+#pragma once
+
+#include <gonio/light/light.hpp>
+#include <gonio/preview/detail/light_tree.hpp>
+#include <gonio/preview/detail/sample_bounds.hpp>
+#include <gonio/scene/camera.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+inline constexpr int tile_size = 32;   // pixels
+inline constexpr int block_size = 8;   // pixels, whose points on one surface are a chunk
+inline constexpr int edge_samples = 4; // along each side of a pixel on an outline
+
+// What a camera ray ended on.
+struct Seen {
+    enum class What : std::uint8_t { nothing, emitter, surface };
+
+    What what = What::nothing;
+    std::uint32_t light = 0; // of the emitter
+    Hit hit;
+    glm::dvec3 view{0.0}; // unit, towards the eye
+};
+
+// Points on one surface, in the arrays that the kernels read.
+struct SurfaceSamples {
+    struct Chunk {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        SampleBounds bounds;
+    };
+
+    std::size_t surface = 0;
+    glm::dvec3 anchor{0.0}; // positions are relative to it, so that none is far from 0
+    std::array<std::vector<float>, 3> position;
+    std::array<std::vector<float>, 3> normal;
+    std::array<std::vector<float>, 3> view;
+    std::vector<float> share;         // of its pixel
+    std::vector<std::uint32_t> pixel; // of the picture
+    std::vector<std::int32_t> center; // index of the tile's centre that it is; −1 of other points of a pixel
+    std::vector<Chunk> chunks;
+    SampleBounds bounds; // of all, and of what the pixels around the tile see of the surface
+
+    std::size_t size() const { return pixel.size(); }
+    glm::dvec3 position_of(std::size_t i) const {
+        return anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);
+    }
+    void add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
+};
+
+// What every ray of a picture is asked about.
+struct RayScene {
+    const Stage& stage;
+    std::span<const Light> lights;
+    const CameraRays& rays;
+    const LightTree& bodies; // of the lights that have a surface
+    int width = 0;
+    int height = 0;
+};
+
+class TileSamples {
+public:
+    TileSamples(const RayScene& scene, int left, int top);
+
+    int left() const { return left_; }
+    int top() const { return top_; }
+    int right() const { return right_; }
+    int bottom() const { return bottom_; }
+
+    // By surface, only those that are seen.
+    const std::vector<SurfaceSamples>& surfaces() const { return surfaces_; }
+
+    // The share of a pixel that shows a light itself.
+    struct EmitterShare {
+        std::uint32_t pixel;
+        std::uint32_t light;
+        float share;
+        glm::dvec3 view; // unit, towards the eye
+    };
+    const std::vector<EmitterShare>& emitters() const { return emitters_; }
+
+    // Centres of the tile's pixels and of one pixel more on each side, in rows of `stride`.
+    const std::vector<Seen>& centers() const { return centers_; }
+    std::ptrdiff_t stride() const { return stride_; }
+
+    // Whether the pixel of this centre is the mean of several points because an outline crosses it.
+    bool on_outline(std::size_t center) const { return on_outline_[center] != 0; }
+
+    // Points of a pixel on an outline or a shadow's edge; cast when first asked for, valid until the next call.
+    using FineSamples = std::array<Seen, std::size_t{edge_samples} * edge_samples>;
+    const FineSamples& fine(std::size_t center);
+
+    std::uint32_t pixel_of(std::size_t center) const;
+
+private:
+    Seen look(double x, double y) const;
+    void find_outlines();
+    void collect();
+    void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
+    void finish_block(std::span<const std::size_t> begun);
+    void bound_surfaces();
+
+    const RayScene& scene_;
+    int left_, top_, right_, bottom_;
+    std::ptrdiff_t stride_;
+    std::vector<std::uint32_t> seen_lights_; // whose bodies the tile's rays may meet
+    std::vector<Seen> centers_;
+    std::vector<std::uint8_t> on_outline_;
+    std::vector<std::int32_t> fine_index_;
+    std::vector<FineSamples> fine_;
+    std::vector<SurfaceSamples> surfaces_;
+    std::vector<EmitterShare> emitters_;
+};
+
+} // namespace gonio::detail

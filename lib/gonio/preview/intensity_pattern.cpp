@@ -1,0 +1,156 @@
+#include <gonio/preview/detail/intensity_pattern.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace gonio::detail {
+
+namespace {
+
+using preview::LobeConstants;
+using preview::WebConstants;
+
+constexpr std::size_t most_steps = 4096;
+
+WebConstants::Fold fold_of(const Web& web) {
+    switch (web.stored_symmetry()) {
+    case Symmetry::axial:
+        return WebConstants::Fold::axial;
+    case Symmetry::quadrant:
+        return WebConstants::Fold::quadrant;
+    case Symmetry::bilateral_0_180:
+        return WebConstants::Fold::bilateral_0_180;
+    case Symmetry::bilateral_90_270:
+        return WebConstants::Fold::bilateral_90_270;
+    case Symmetry::none:
+        break;
+    }
+    return WebConstants::Fold::none;
+}
+
+LobeConstants::Kind kind_of_falloff(Falloff falloff) {
+    switch (falloff) {
+    case Falloff::frostbite:
+        return LobeConstants::Kind::frostbite;
+    case Falloff::hard:
+        return LobeConstants::Kind::hard;
+    case Falloff::linear_cos:
+        return LobeConstants::Kind::linear_cos;
+    case Falloff::smoothstep_cos:
+        return LobeConstants::Kind::smoothstep_cos;
+    case Falloff::linear_angle:
+        return LobeConstants::Kind::linear_angle;
+    case Falloff::smoothstep_angle:
+        break;
+    }
+    return LobeConstants::Kind::smoothstep_angle;
+}
+
+LobeConstants lobe_of(const Shape& shape) {
+    LobeConstants lobe;
+    if (const auto* spot = std::get_if<SpotShape>(&shape)) {
+        lobe.kind = kind_of_falloff(spot->falloff);
+        lobe.inner = static_cast<float>(spot->inner.value);
+        lobe.outer = static_cast<float>(spot->outer.value);
+    } else if (const auto* frustum = std::get_if<FrustumShape>(&shape)) {
+        lobe.kind = LobeConstants::Kind::frustum;
+        lobe.inner = static_cast<float>(0.5 * frustum->horizontal.value);
+        lobe.outer = static_cast<float>(0.5 * frustum->vertical.value);
+    }
+    return lobe;
+}
+
+void copy(const glm::dvec3& from, float (&to)[3]) {
+    for (int i = 0; i < 3; ++i)
+        to[i] = static_cast<float>(from[i]);
+}
+
+} // namespace
+
+WebTable::Axis::Axis(std::span<const double> angles) : angles_deg(angles.begin(), angles.end()) {
+    if (angles.size() < 2) return;
+    double narrowest = angles[1] - angles[0];
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        narrowest = std::min(narrowest, angles[i] - angles[i - 1]);
+        inverse_width.push_back(static_cast<float>(1.0 / (angles[i] - angles[i - 1])));
+    }
+    const double whole = angles.back() - angles.front();
+    const auto steps =
+        static_cast<std::size_t>(std::clamp(std::round(whole / narrowest), 1.0, static_cast<double>(most_steps)));
+    steps_per_deg = static_cast<float>(static_cast<double>(steps) / whole);
+    std::size_t cell = 0;
+    for (std::size_t step = 0; step < steps; ++step) {
+        // A little before the step begins: rounding may put an angle into the step after its own.
+        const double begin = angles.front() + whole * (static_cast<double>(step) - 1e-3) / static_cast<double>(steps);
+        while (cell + 2 < angles.size() && angles[cell + 1] <= begin)
+            ++cell;
+        first_cell.push_back(static_cast<std::uint32_t>(cell));
+    }
+}
+
+preview::TableAxis WebTable::Axis::constants() const {
+    return {angles_deg.data(), inverse_width.data(), first_cell.data(),
+            angles_deg.size(), first_cell.size(),    steps_per_deg};
+}
+
+WebTable::WebTable(const Web& web) : fold_(fold_of(web)), planes_(web.planes_deg()), gammas_(web.gammas_deg()) {
+    candela_.reserve(planes_.angles_deg.size() * gammas_.angles_deg.size());
+    for (std::size_t plane = 0; plane < planes_.angles_deg.size(); ++plane)
+        for (const double cd : web.column(plane))
+            candela_.push_back(static_cast<float>(cd));
+}
+
+WebConstants WebTable::constants(double scale) const {
+    return {fold_, planes_.constants(), gammas_.constants(), candela_.data(), static_cast<float>(scale)};
+}
+
+IntensityPattern::IntensityPattern(const Light& light, WebTables& tables)
+    : light_(light), has_extent_(has_extent(light.shape)) {
+    const auto* profile = std::get_if<ProfileShape>(&light.shape);
+    const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
+    along_axis_ = has_extent_ || profile != nullptr ? 1.0 : light.intensity.value;
+    if (!has_extent_) lobe_ = lobe_of(light.shape);
+    if (web == nullptr) return;
+    web_scale_ = light.web_scale;
+    by_light_ = web->photometry() != Photometry::c;
+    if (by_light_) return;
+    std::shared_ptr<const WebTable>& table = tables[web];
+    if (table == nullptr) table = std::make_shared<const WebTable>(*web);
+    table_ = table;
+}
+
+bool IntensityPattern::has_axial_web() const {
+    return table_ != nullptr && table_->constants(1.0).fold == WebConstants::Fold::axial;
+}
+
+void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3& anchor,
+                                const preview::IntensityKernels& kernels, float* cd) const {
+    if (by_light_) {
+        for (std::size_t i = 0; i < points.count; ++i) {
+            const glm::dvec3 at =
+                anchor + glm::dvec3(points.position[0][i], points.position[1][i], points.position[2][i]);
+            const double value =
+                has_extent_ ? mask_share(light_, at) : light_.intensity_towards(at - light_.frame.origin).value;
+            cd[i] = static_cast<float>(std::max(value, 0.0));
+        }
+        return;
+    }
+    std::fill(cd, cd + points.count, static_cast<float>(along_axis_));
+    if (is_constant()) return;
+    preview::LightFrame frame;
+    copy(light_.frame.origin - anchor, frame.origin);
+    copy(light_.frame.x, frame.x);
+    copy(light_.frame.y, frame.y);
+    copy(light_.frame.z, frame.z);
+    kernels.lobe(points, frame, lobe_, cd);
+    if (table_ == nullptr) return;
+    kernels.web(points, frame, table_->constants(web_scale_), cd);
+    // Webs of files may hold negative candela, which no light has.
+    for (std::size_t i = 0; i < points.count; ++i)
+        cd[i] = std::max(cd[i], 0.0F);
+}
+
+} // namespace gonio::detail

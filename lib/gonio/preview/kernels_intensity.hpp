@@ -1,0 +1,76 @@
+// How punctual lights share their intensity among directions, for many points at once, on the widest unit there is.
+//
+// Floats in structures of arrays, metres, one frame for all. The lobes are those of shading/falloff.hpp; a web is
+// looked up at its own angles. Each function multiplies: first fill the array with the intensity along the axis.
+// Results are finite for finite input, nothing fails or allocates. light.intensity_towards() is the truth these are
+// tested by.
+#pragma once
+
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio::preview {
+
+struct Points {
+    const float* position[3] = {}; // [m]
+    std::size_t count = 0;
+};
+
+// Where the light is and how it is turned: γ = 0 of a web, the axis of a lobe is −z; C0 is x and C90 is y.
+struct LightFrame {
+    float origin[3] = {}; // [m]
+    float x[3] = {1.0F, 0.0F, 0.0F};
+    float y[3] = {0.0F, 1.0F, 0.0F};
+    float z[3] = {0.0F, 0.0F, 1.0F};
+};
+
+struct LobeConstants {
+    enum class Kind : std::uint8_t {
+        none,
+        frostbite,
+        hard,
+        linear_cos,
+        smoothstep_cos,
+        linear_angle,
+        smoothstep_angle,
+        frustum
+    };
+
+    Kind kind = Kind::none;
+    float inner = 0.0F; // half angles of a spot [rad], inner ≤ outer; of a frustum those along x (inner) and y (outer)
+    float outer = 0.0F;
+};
+
+// One axis of a table: ascending angles, and from even steps of an angle the cell to begin the search in.
+struct TableAxis {
+    const float* angles_deg = nullptr;         // `count`
+    const float* inverse_width = nullptr;      // [1/deg] of each cell, `count` − 1
+    const std::uint32_t* first_cell = nullptr; // of the step floor((angle − angles[0])·steps_per_deg)
+    std::size_t count = 0;
+    std::size_t steps = 0;
+    float steps_per_deg = 0.0F;
+};
+
+struct WebConstants {
+    // How C is brought into the range of the stored planes; axial: not needed.
+    enum class Fold : std::uint8_t { axial, quadrant, bilateral_0_180, bilateral_90_270, none };
+
+    Fold fold = Fold::axial;
+    TableAxis planes;
+    TableAxis gammas;
+    const float* candela = nullptr; // [plane][gamma]
+    float scale = 1.0F;
+};
+
+struct IntensityKernels {
+    simd::InstructionSet set;
+    void (*lobe)(const Points&, const LightFrame&, const LobeConstants&, float* cd);
+    void (*web)(const Points&, const LightFrame&, const WebConstants&, float* cd);
+};
+
+// The kernels of `set`, or the scalar ones where simd::available(set) is false.
+const IntensityKernels& intensity_kernels(simd::InstructionSet set);
+
+} // namespace gonio::preview

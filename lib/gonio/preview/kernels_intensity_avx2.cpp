@@ -1,0 +1,13 @@
+#include <gonio/preview/kernels_intensity_impl.hpp>
+#include <gonio/simd/pack.hpp>
+
+namespace gonio::preview::detail {
+
+namespace {
+using S = simd::pack<float, simd::avx2>;
+}
+
+constinit const IntensityKernels kernels_intensity_avx2{simd::InstructionSet::avx2, multiply_any_lobe<S>,
+                                                        multiply_any_web<S>};
+
+} // namespace gonio::preview::detail

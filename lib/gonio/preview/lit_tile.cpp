@@ -1,0 +1,228 @@
+#include <gonio/preview/detail/lit_tile.hpp>
+#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/occlusion.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gonio::detail {
+
+LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats)
+    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats) {}
+
+void LitTile::light_up() {
+    show_emitters();
+    count_samples();
+    for (const std::uint32_t index : candidates()) {
+        const LitLight& light = scene_.lights[index];
+        if (!find_groups(light)) continue;
+        find_shadows(light);
+        for (const Group& group : groups_)
+            shade(light, group);
+        shade_edges(light);
+    }
+}
+
+void LitTile::show_emitters() {
+    for (const TileSamples::EmitterShare& seen : tile_.emitters()) {
+        const Light& light = scene_.lights[seen.light].light;
+        // Towards the eye, as towards every point, the mask is taken from the centre.
+        const double mask = mask_share(light, light.frame.origin + seen.view);
+        for (int channel = 0; channel < 3; ++channel)
+            picture_.luminance_nt.pixels[std::size_t{seen.pixel} * 3 + static_cast<std::size_t>(channel)] +=
+                static_cast<float>(seen.share * mask * light.luminance.value * light.color[channel]);
+    }
+}
+
+void LitTile::count_samples() {
+    for (const SurfaceSamples& samples : tile_.surfaces()) {
+        stats_.samples += samples.size();
+        if (scene_.materials[samples.surface].kind == shading::MaterialConstants::Kind::lambert)
+            stats_.samples_without_specular += samples.size();
+        stats_.pairs += scene_.lights.size();
+        stats_.evaluations += scene_.lights.size() * samples.size();
+    }
+}
+
+// The lights that may reach the tile by their range, in their order.
+std::vector<std::uint32_t> LitTile::candidates() const {
+    std::vector<std::uint32_t> found;
+    if (tile_.surfaces().empty()) return found;
+    if (!scene_.options.skip) {
+        for (std::uint32_t i = 0; i < scene_.lights.size(); ++i)
+            found.push_back(i);
+        return found;
+    }
+    for (const SurfaceSamples& samples : tile_.surfaces())
+        scene_.reaches.meeting_box(samples.bounds.low, samples.bounds.high, found);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+bool LitTile::find_groups(const LitLight& light) {
+    groups_.clear();
+    const auto count = [&](Unlit why, std::size_t evaluations) {
+        if (why == Unlit::outside_cone) stats_.outside_cone += evaluations;
+        if (why == Unlit::below_horizon) stats_.below_horizon += evaluations;
+    };
+    for (const SurfaceSamples& samples : tile_.surfaces()) {
+        const Unlit all = scene_.options.skip ? light.reach.unlit(samples.bounds) : Unlit::no;
+        if (all != Unlit::no) {
+            count(all, samples.size());
+            continue;
+        }
+        Group group{&samples, {}};
+        for (std::uint32_t i = 0; i < samples.chunks.size(); ++i) {
+            const SurfaceSamples::Chunk& chunk = samples.chunks[i];
+            const Unlit why = scene_.options.skip ? light.reach.unlit(chunk.bounds) : Unlit::no;
+            count(why, chunk.count);
+            if (why == Unlit::no) group.chunks.push_back(i);
+        }
+        if (group.chunks.empty()) continue;
+        ++stats_.pairs_lit;
+        groups_.push_back(std::move(group));
+    }
+    return !groups_.empty();
+}
+
+double LitTile::visible(const LitLight& light, std::size_t surface, const glm::dvec3& position) {
+    ++stats_.shadow_tested;
+    if (light.reach.at_infinity)
+        return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward,
+                                    std::asin(light.reach.angular_radius_sin));
+    return visible_share(scene_.stage, surface, position, light.light.frame.origin, light.shadow_radius);
+}
+
+void LitTile::find_shadows(const LitLight& light) {
+    edges_.clear();
+    is_shadowed_ = false;
+    if (!scene_.options.shadows) return;
+    for (const Group& group : groups_)
+        is_shadowed_ = is_shadowed_ || !scene_.options.skip ||
+                       scene_.may_be_shadowed(group.samples->surface, group.samples->bounds, light);
+    if (!is_shadowed_) return;
+    const std::vector<Seen>& centers = tile_.centers();
+    center_visible_.assign(centers.size(), 1.0F);
+    for (std::size_t i = 0; i < centers.size(); ++i)
+        if (centers[i].what == Seen::What::surface)
+            center_visible_[i] = static_cast<float>(visible(light, centers[i].hit.surface, centers[i].hit.position));
+    find_edges();
+}
+
+// Soft shadows are smooth; only a jump from lit to dark between neighbours needs more points.
+void LitTile::find_edges() {
+    const std::vector<Seen>& centers = tile_.centers();
+    const std::ptrdiff_t stride = tile_.stride();
+    on_shadow_edge_.assign(centers.size(), 0);
+    for (std::ptrdiff_t y = 1; y <= tile_.bottom() - tile_.top(); ++y)
+        for (std::ptrdiff_t x = 1; x <= tile_.right() - tile_.left(); ++x) {
+            const std::ptrdiff_t at = y * stride + x;
+            const auto center = static_cast<std::size_t>(at);
+            if (centers[center].what != Seen::What::surface || tile_.on_outline(center)) continue;
+            const float here = center_visible_[center];
+            const std::array neighbours{at - 1, at + 1, at - stride, at + stride};
+            const bool jumps = std::any_of(neighbours.begin(), neighbours.end(), [&](std::ptrdiff_t n) {
+                return std::abs(here - center_visible_[static_cast<std::size_t>(n)]) > 0.5F;
+            });
+            if (!jumps) continue;
+            on_shadow_edge_[center] = 1;
+            edges_.push_back(center);
+        }
+}
+
+void LitTile::shade(const LitLight& light, const Group& group) {
+    const SurfaceSamples& samples = *group.samples;
+    for (const std::uint32_t index : group.chunks) {
+        const SurfaceSamples::Chunk& chunk = samples.chunks[index];
+        stats_.shadow_tests += chunk.count;
+        const float* weight = samples.share.data() + chunk.first;
+        if (is_shadowed_) {
+            weight_.assign(weight, weight + chunk.count);
+            for (std::size_t i = 0; i < chunk.count; ++i) {
+                const std::int32_t center = samples.center[chunk.first + i];
+                if (center < 0)
+                    weight_[i] *=
+                        static_cast<float>(visible(light, samples.surface, samples.position_of(chunk.first + i)));
+                else if (on_shadow_edge_[static_cast<std::size_t>(center)] != 0)
+                    weight_[i] = 0.0F;
+                else
+                    weight_[i] *= center_visible_[static_cast<std::size_t>(center)];
+            }
+            weight = weight_.data();
+            if (scene_.options.skip && std::all_of(weight_.begin(), weight_.end(), [](float w) { return w == 0.0F; })) {
+                stats_.in_shadow += chunk.count;
+                continue;
+            }
+        }
+        stats_.evaluated += chunk.count;
+        shade(light, samples, chunk.first, chunk.count, weight);
+    }
+}
+
+void LitTile::shade_edges(const LitLight& light) {
+    if (!is_shadowed_ || edges_.empty()) return;
+    std::vector<SurfaceSamples> by_surface;
+    for (const std::size_t center : edges_)
+        for (const Seen& seen : tile_.fine(center)) {
+            if (seen.what != Seen::What::surface) continue;
+            const double share = visible(light, seen.hit.surface, seen.hit.position) / (edge_samples * edge_samples);
+            if (!(share > 0.0)) continue;
+            auto found = std::find_if(by_surface.begin(), by_surface.end(),
+                                      [&](const SurfaceSamples& s) { return s.surface == seen.hit.surface; });
+            if (found == by_surface.end()) {
+                by_surface.emplace_back().surface = seen.hit.surface;
+                found = by_surface.end() - 1;
+            }
+            found->add(seen, tile_.pixel_of(center), share, -1);
+        }
+    for (const SurfaceSamples& samples : by_surface)
+        stats_.at_shadow_edges += samples.size();
+    for (const SurfaceSamples& samples : by_surface)
+        shade(light, samples, 0, samples.size(), samples.share.data());
+}
+
+void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
+                    const float* weight) {
+    shading::Surfaces surfaces;
+    std::array<float*, 3> rgb{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        surfaces.position[axis] = samples.position[axis].data() + first;
+        surfaces.normal[axis] = samples.normal[axis].data() + first;
+        surfaces.view[axis] = samples.view[axis].data() + first;
+        rgb_[axis].resize(count);
+        rgb[axis] = rgb_[axis].data();
+    }
+    surfaces.count = count;
+    shading::LightConstants constants = light.constants;
+    for (int axis = 0; axis < 3; ++axis)
+        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
+    if (light.has_pattern) {
+        intensity_.resize(count);
+        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                               samples.anchor, scene_.intensity, intensity_.data());
+        constants.intensity_cd = intensity_.data();
+    }
+    if (light.has_pattern && !light.is_punctual) {
+        for (std::size_t i = 0; i < count; ++i)
+            intensity_[i] *= weight[i];
+        weight = intensity_.data();
+    }
+    scene_.kernels.shade(surfaces, constants, scene_.materials[samples.surface], rgb.data());
+    std::vector<float>& luminance = picture_.luminance_nt.pixels;
+    for (std::size_t i = 0; i < count; ++i) {
+        float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            pixel[channel] += weight[i] * rgb[channel][i];
+    }
+    if (!scene_.options.illuminance) return;
+    scene_.kernels.irradiance(surfaces, constants, rgb[0]);
+    const float luminance_nt = light.is_punctual ? 1.0F : static_cast<float>(light.light.luminance.value);
+    for (std::size_t i = 0; i < count; ++i)
+        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * luminance_nt * rgb[0][i];
+}
+
+} // namespace gonio::detail

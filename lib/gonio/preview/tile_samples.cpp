@@ -1,0 +1,198 @@
+#include <gonio/preview/detail/tile_samples.hpp>
+#include <gonio/scene/emitter.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gonio::detail {
+
+namespace {
+
+// The rays through the pixels of a tile and of one more on each side.
+RayCone cone_of(const CameraRays& rays, double left, double top, double right, double bottom) {
+    RayCone cone;
+    const Ray middle = rays.ray(0.5 * (left + right), 0.5 * (top + bottom));
+    cone.apex = middle.origin;
+    cone.axis = middle.direction;
+    for (const double x : {left, right})
+        for (const double y : {top, bottom})
+            cone.cosine = std::min(cone.cosine, glm::dot(cone.axis, rays.ray(x, y).direction));
+    cone.cosine = std::max(cone.cosine - 1e-9, 0.0);
+    cone.sine = std::sqrt((1.0 - cone.cosine) * (1.0 + cone.cosine));
+    return cone;
+}
+
+bool differ(const Seen& a, const Seen& b) {
+    if (a.what != b.what) return true;
+    if (a.what == Seen::What::emitter) return a.light != b.light;
+    return a.what == Seen::What::surface && (a.hit.surface != b.hit.surface || a.hit.face != b.hit.face);
+}
+
+} // namespace
+
+void SurfaceSamples::add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center) {
+    if (pixel.empty()) anchor = seen.hit.position;
+    const glm::dvec3 at = seen.hit.position - anchor;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        position[a].push_back(static_cast<float>(at[axis]));
+        normal[a].push_back(static_cast<float>(seen.hit.normal[axis]));
+        view[a].push_back(static_cast<float>(seen.view[axis]));
+    }
+    share.push_back(static_cast<float>(share_of_pixel));
+    pixel.push_back(of_pixel);
+    center.push_back(of_center);
+}
+
+TileSamples::TileSamples(const RayScene& scene, int left, int top)
+    : scene_(scene),
+      left_(left),
+      top_(top),
+      right_(std::min(left + tile_size, scene.width)),
+      bottom_(std::min(top + tile_size, scene.height)),
+      stride_(right_ - left_ + 2) {
+    const RayCone cone = cone_of(scene.rays, left_ - 1.0, top_ - 1.0, right_ + 1.0, bottom_ + 1.0);
+    scene.bodies.meeting_cone(cone, seen_lights_);
+    std::sort(seen_lights_.begin(), seen_lights_.end());
+    const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(bottom_ - top_ + 2);
+    centers_.reserve(count);
+    for (int y = top_ - 1; y <= bottom_; ++y)
+        for (int x = left_ - 1; x <= right_; ++x)
+            centers_.push_back(look(x + 0.5, y + 0.5));
+    on_outline_.resize(count);
+    fine_index_.resize(count, -1);
+    find_outlines();
+    collect();
+    bound_surfaces();
+}
+
+Seen TileSamples::look(double x, double y) const {
+    const Ray ray = scene_.rays.ray(x, y);
+    Seen seen;
+    seen.view = -ray.direction;
+    const std::optional<Hit> hit = first_hit(scene_.stage, ray);
+    if (hit) {
+        seen.what = Seen::What::surface;
+        seen.hit = *hit;
+    }
+    for (const std::uint32_t light : seen_lights_) {
+        const std::optional<double> distance = distance_to(scene_.lights[light], ray);
+        if (!distance || (seen.what != Seen::What::nothing && *distance >= seen.hit.distance)) continue;
+        seen.what = Seen::What::emitter;
+        seen.light = light;
+        seen.hit.distance = *distance;
+    }
+    return seen;
+}
+
+void TileSamples::find_outlines() {
+    for (std::ptrdiff_t y = 1; y <= bottom_ - top_; ++y)
+        for (std::ptrdiff_t x = 1; x <= right_ - left_; ++x) {
+            const Seen* const center = &centers_[static_cast<std::size_t>(y * stride_ + x)];
+            const bool outline = differ(center[0], center[-1]) || differ(center[0], center[1]) ||
+                                 differ(center[0], center[-stride_]) || differ(center[0], center[stride_]);
+            on_outline_[static_cast<std::size_t>(y * stride_ + x)] = outline ? 1 : 0;
+        }
+}
+
+std::uint32_t TileSamples::pixel_of(std::size_t center) const {
+    const auto at = static_cast<std::ptrdiff_t>(center);
+    const auto x = static_cast<std::uint32_t>(left_ - 1 + at % stride_);
+    const auto y = static_cast<std::uint32_t>(top_ - 1 + at / stride_);
+    return y * static_cast<std::uint32_t>(scene_.width) + x;
+}
+
+const TileSamples::FineSamples& TileSamples::fine(std::size_t center) {
+    std::int32_t& index = fine_index_[center];
+    if (index < 0) {
+        index = static_cast<std::int32_t>(fine_.size());
+        auto& samples = fine_.emplace_back();
+        const auto at = static_cast<std::ptrdiff_t>(center);
+        const auto x = static_cast<double>(left_ - 1 + at % stride_);
+        const std::ptrdiff_t row = at / stride_;
+        const auto y = static_cast<double>(top_ - 1 + row);
+        std::size_t next = 0;
+        for (int j = 0; j < edge_samples; ++j)
+            for (int i = 0; i < edge_samples; ++i)
+                samples[next++] = look(x + (i + 0.5) / edge_samples, y + (j + 0.5) / edge_samples);
+    }
+    return fine_[static_cast<std::size_t>(index)];
+}
+
+void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center) {
+    if (seen.what == Seen::What::nothing) return;
+    if (seen.what == Seen::What::emitter) {
+        emitters_.push_back({pixel, seen.light, static_cast<float>(share), seen.view});
+        return;
+    }
+    auto of_surface = std::find_if(surfaces_.begin(), surfaces_.end(),
+                                   [&](const SurfaceSamples& s) { return s.surface == seen.hit.surface; });
+    if (of_surface == surfaces_.end()) {
+        surfaces_.emplace_back().surface = seen.hit.surface;
+        of_surface = surfaces_.end() - 1;
+    }
+    of_surface->add(seen, pixel, share, center);
+}
+
+void TileSamples::collect() {
+    std::vector<std::size_t> begun;
+    for (int block_y = top_; block_y < bottom_; block_y += block_size)
+        for (int block_x = left_; block_x < right_; block_x += block_size) {
+            begun.clear();
+            for (const SurfaceSamples& samples : surfaces_)
+                begun.push_back(samples.size());
+            for (int y = block_y; y < std::min(block_y + block_size, bottom_); ++y)
+                for (int x = block_x; x < std::min(block_x + block_size, right_); ++x) {
+                    const auto center = static_cast<std::size_t>((y - top_ + 1) * stride_ + (x - left_ + 1));
+                    const std::uint32_t pixel = pixel_of(center);
+                    if (!on_outline(center)) {
+                        add(centers_[center], pixel, 1.0, static_cast<std::int32_t>(center));
+                        continue;
+                    }
+                    for (const Seen& seen : fine(center))
+                        add(seen, pixel, 1.0 / (edge_samples * edge_samples), -1);
+                }
+            finish_block(begun);
+        }
+}
+
+// The points that each surface has got since it had those of `begun`.
+void TileSamples::finish_block(std::span<const std::size_t> begun) {
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        SurfaceSamples& samples = surfaces_[s];
+        const std::size_t first = s < begun.size() ? begun[s] : 0;
+        if (first == samples.size()) continue;
+        points.clear();
+        normals.clear();
+        for (std::size_t i = first; i < samples.size(); ++i) {
+            points.push_back(samples.position_of(i));
+            normals.emplace_back(samples.normal[0][i], samples.normal[1][i], samples.normal[2][i]);
+        }
+        samples.chunks.push_back({first, samples.size() - first, bounds_of(points, normals)});
+    }
+}
+
+void TileSamples::bound_surfaces() {
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
+    for (SurfaceSamples& samples : surfaces_) {
+        points.clear();
+        normals.clear();
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            points.push_back(samples.position_of(i));
+            normals.emplace_back(samples.normal[0][i], samples.normal[1][i], samples.normal[2][i]);
+        }
+        for (const Seen& seen : centers_)
+            if (seen.what == Seen::What::surface && seen.hit.surface == samples.surface) {
+                points.push_back(seen.hit.position);
+                normals.emplace_back(glm::vec3(seen.hit.normal));
+            }
+        samples.bounds = bounds_of(points, normals);
+    }
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,211 @@
+// Lights with a size on every material by every method of specular: the kernels of each instruction set against
+// shade.hpp in double.
+#include <gonio/measure/specular_cases.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/packet.hpp>
+#include <gonio/shading/shade.hpp>
+
+#include "poses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace gonio::shading;
+using gonio::measure::Random;
+using gonio::measure::SpecularCases;
+using Kind = LightConstants::Kind;
+using MaterialKind = MaterialConstants::Kind;
+
+constexpr SpecularMethod methods[] = {SpecularMethod::ltc,        SpecularMethod::representative_point,
+                                      SpecularMethod::specular_d, SpecularMethod::dominant_direction,
+                                      SpecularMethod::sun_disk,   SpecularMethod::spherical_hack};
+
+// Lights about the origin; a sun takes the place of each sphere's cone.
+struct Cases {
+    SpecularCases all;
+    std::vector<LightConstants> lights;
+
+    Cases(Kind kind, std::size_t count)
+        : all(gonio::measure::specular_cases(kind == Kind::sun ? Kind::sphere : kind, count, 51)) {
+        Random random(52);
+        lights = all.area.lights;
+        for (LightConstants& light : lights) {
+            light.color[0] = 1.25F;
+            light.color[1] = 0.5F;
+            light.color[2] = 2.0F;
+            if (kind == Kind::sun) light.angular_radius = static_cast<float>(std::exp(random.uniform(-6.0, 0.45)));
+            light.kind = kind;
+        }
+    }
+};
+
+MaterialConstants material_of(MaterialKind kind, float alpha) {
+    MaterialConstants material;
+    material.kind = kind;
+    const vec3<float> f0{0.04F, 0.3F, 0.9F};
+    const float albedo[3] = {0.8F, 0.5F, 0.2F};
+    std::copy(std::begin(albedo), std::end(albedo), std::begin(material.albedo));
+    material.f0[0] = f0.x;
+    material.f0[1] = f0.y;
+    material.f0[2] = f0.z;
+    material.alpha = alpha;
+    material.linear_roughness = std::sqrt(alpha);
+    material.roughness = material.linear_roughness;
+    material.power = 2.0F / (alpha * alpha) + 1.0F;
+    if (kind == MaterialKind::kulla_conty) {
+        const KullaConty<float> made = kulla_conty_material(f0, alpha);
+        const vec3<float> multiple = made.multiple;
+        material.multiple[0] = multiple.x;
+        material.multiple[1] = multiple.y;
+        material.multiple[2] = multiple.z;
+        std::copy(std::begin(made.loss.c), std::end(made.loss.c), std::begin(material.loss));
+    }
+    return material;
+}
+
+template<SpecularMethod method>
+Reflected<double> parts(const SurfacePoint<double>& point, const LightConstants& light,
+                        const MaterialConstants& material) {
+    Reflected<double> result{};
+    detail::with_light<double>(light, [&](const auto& typed) {
+        const auto by = [&]<class Material>(Material made) {
+            detail::constants(material, made);
+            result = shade_parts<method>(point, typed, made);
+        };
+        switch (material.kind) {
+        case MaterialKind::lambert:
+            return by(Lambert<double>{});
+        case MaterialKind::frostbite:
+            return by(Frostbite<double>{});
+        case MaterialKind::ggx:
+            return by(Ggx<double>{});
+        case MaterialKind::ue4:
+            return by(Ue4<double>{});
+        case MaterialKind::remember_me:
+            return by(RememberMe<double>{});
+        case MaterialKind::eon:
+            return by(Eon<double>{});
+        case MaterialKind::kulla_conty:
+            return by(KullaConty<double>{});
+        }
+    });
+    return result;
+}
+
+Reflected<double> parts_by(const SurfacePoint<double>& point, const LightConstants& light,
+                           const MaterialConstants& material) {
+    switch (light.specular_method) {
+    case SpecularMethod::ltc:
+        return parts<SpecularMethod::ltc>(point, light, material);
+    case SpecularMethod::representative_point:
+        return parts<SpecularMethod::representative_point>(point, light, material);
+    case SpecularMethod::dominant_direction:
+        return parts<SpecularMethod::dominant_direction>(point, light, material);
+    case SpecularMethod::specular_d:
+        return parts<SpecularMethod::specular_d>(point, light, material);
+    case SpecularMethod::spherical_hack:
+        return parts<SpecularMethod::spherical_hack>(point, light, material);
+    case SpecularMethod::sun_disk:
+        return parts<SpecularMethod::sun_disk>(point, light, material);
+    }
+    return {};
+}
+
+SurfacePoint<double> point_of(const Surfaces& surfaces, std::size_t i) {
+    const auto at = [i](const float* const(&v)[3]) {
+        return vec3<double>{static_cast<double>(v[0][i]), static_cast<double>(v[1][i]), static_cast<double>(v[2][i])};
+    };
+    return {at(surfaces.position), at(surfaces.normal), at(surfaces.view)};
+}
+
+std::string name_of(Kind kind) {
+    constexpr const char* names[] = {"punctual", "sphere", "disk", "rectangle", "tube", "sun"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+class ShadeKernels : public testing::TestWithParam<std::tuple<Kind, gonio::simd::InstructionSet>> {
+protected:
+    Kind kind = std::get<0>(GetParam());
+    const Kernels& kernels = gonio::shading::kernels(std::get<1>(GetParam()));
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Sets, ShadeKernels,
+    testing::Combine(testing::Values(Kind::sphere, Kind::disk, Kind::rectangle, Kind::tube, Kind::sun),
+                     testing::ValuesIn(gonio::simd::available_sets().begin(), gonio::simd::available_sets().end())),
+    [](const auto& each) {
+        return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
+    });
+
+// In 99.5 of 100 points: a representative point jumps where the mirrored ray is along the light's plane, and a sun's
+// disk multiplies the rounding of a direction by the width of the lobe.
+TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
+    const Cases cases(kind, 2048);
+    for (const SpecularMethod method : methods)
+        for (int m = 0; m <= static_cast<int>(MaterialKind::kulla_conty); ++m) {
+            std::size_t off = 0;
+            for (std::size_t g = 0; g < cases.lights.size(); ++g) {
+                LightConstants light = cases.lights[g];
+                light.specular_method = method;
+                const MaterialConstants material =
+                    material_of(static_cast<MaterialKind>(m), std::max(cases.all.alpha[g], 0.03F));
+                const Surfaces surfaces = cases.all.surfaces(g);
+                std::vector<float> rgb(3 * surfaces.count);
+                float* const out[3] = {rgb.data(), rgb.data() + surfaces.count, rgb.data() + 2 * surfaces.count};
+                kernels.shade(surfaces, light, material, out);
+                for (std::size_t i = 0; i < surfaces.count; ++i) {
+                    const Reflected<double> truth = parts_by(point_of(surfaces, i), light, material);
+                    const vec3<double> sum = truth.diffuse + truth.specular;
+                    const double channels[3] = {sum.x, sum.y, sum.z};
+                    bool near = true;
+                    for (std::size_t k = 0; k < 3; ++k)
+                        near = near &&
+                               std::fabs(static_cast<double>(out[k][i]) - channels[k]) <= 2e-3 * channels[k] + 2e-5;
+                    off += near ? 0U : 1U;
+                }
+            }
+            EXPECT_LE(off, cases.all.size() / 50) << "method " << static_cast<int>(method) << " material " << m;
+        }
+}
+
+// What a sun gives is what a sphere of its angle gives that is as far away as can be.
+TEST(Sun, IsASphereFarAway) {
+    Random random(53);
+    for (int i = 0; i < 400; ++i) {
+        const poses::Vec toward = poses::random_direction(random);
+        const poses::Vec n = poses::random_direction(random);
+        const SurfacePoint<double> point{{0, 0, 0}, n, poses::tilted(n, random.uniform(0.1, 1.0), random)};
+        const double angle = random.uniform(1e-3, 1.5);
+        constexpr double far = 1e6;
+        const SunLight<double> sun{toward, {2, 2, 2}, std::sin(angle), std::cos(angle)};
+        const SphereLight<double> sphere{toward * far, {2, 2, 2}, std::sin(angle) * far, 0.0};
+        EXPECT_NEAR(illuminance(point, sun), illuminance(point, sphere), 1e-9);
+        const Frostbite<double> material = frostbite_material<double>({0.5, 0.5, 0.5}, 0.6, 0.5, 0.5);
+        const auto compare = [&](const Reflected<double>& a, const Reflected<double>& b) {
+            EXPECT_NEAR(a.diffuse.x, b.diffuse.x, 1e-7 * b.diffuse.x + 1e-9);
+            EXPECT_NEAR(a.specular.x, b.specular.x, 1e-7 * b.specular.x + 1e-9);
+        };
+        compare(shade_parts<SpecularMethod::ltc>(point, sun, material),
+                shade_parts<SpecularMethod::ltc>(point, sphere, material));
+        compare(shade_parts<SpecularMethod::representative_point>(point, sun, material),
+                shade_parts<SpecularMethod::representative_point>(point, sphere, material));
+        compare(shade_parts<SpecularMethod::sun_disk>(point, sun, material),
+                shade_parts<SpecularMethod::sun_disk>(point, sphere, material));
+    }
+    // Half of the sky, overhead: π.
+    const SurfacePoint<double> up{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
+    EXPECT_NEAR(illuminance(up, SunLight<double>{{0, 0, 1}, {1, 1, 1}, 1.0, 0.0}), std::numbers::pi, 1e-15);
+    EXPECT_NEAR(illuminance(up, SunLight<double>{{1, 0, 0}, {1, 1, 1}, 1.0, 0.0}), 0.5 * std::numbers::pi, 1e-15);
+    EXPECT_EQ(illuminance(up, SunLight<double>{{0, 0, -1}, {1, 1, 1}, 0.5, std::sqrt(0.75)}), 0.0);
+}
+
+} // namespace
