@@ -16,6 +16,8 @@
 #include <gonio/measure/suite.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/diagram.hpp>
+#include <gonio/plot/look.hpp>
+#include <gonio/preview/tone_map.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
@@ -185,6 +187,27 @@ Entries diagrams() {
     return entries;
 }
 
+Entries looks() {
+    Entries entries;
+    for (const LookName& look : gonio::looks())
+        entries.push_back({std::string(look.name), std::string(look.summary)});
+    return entries;
+}
+
+Entries palettes() {
+    Entries entries;
+    for (const Palette& palette : gonio::palettes())
+        entries.push_back({std::string(palette.name), std::string(palette.summary)});
+    return entries;
+}
+
+Entries tone_maps() {
+    Entries entries;
+    for (const ToneMapName& map : gonio::tone_maps())
+        entries.push_back({std::string(map.name), std::string(map.summary)});
+    return entries;
+}
+
 Entries suites() {
     Entries entries;
     for (const measure::Suite& suite : measure::suites())
@@ -210,9 +233,11 @@ constexpr std::array lists{
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"loci", "curves of colour over temperature", loci},
+    NamedList{"looks", "what preview shows of the light", looks},
     NamedList{"materials", "materials of preview and probe", materials},
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
+    NamedList{"palettes", "colours of false-colour pictures", palettes},
     NamedList{"policies", "whose meaning of photometric numbers", policies},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"shapes", "shapes of lights", shapes},
@@ -222,6 +247,7 @@ constexpr std::array lists{
     NamedList{"suites", "what bench measures", suites},
     NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
+    NamedList{"tone-maps", "curves in the stead of a display's view", tone_maps},
     NamedList{"units", "units of values", units},
 };
 

@@ -3,6 +3,7 @@
 
 #include "../arguments.hpp"
 #include "../batch.hpp"
+#include "../bench/modes.hpp"
 #include "../bench/standings.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
@@ -31,6 +32,10 @@ constexpr std::array suite_options{
     Option{"--quick", "", "fewer cases and samples: all suites within a minute"},
     Option{"--seed", "N", "of the cases (1)"},
 };
+constexpr std::array stress_options{
+    Option{"--stress", "", "adversarial and random input for every numeric function, held to its documented bar"},
+    Option{"--count", "N", "evaluations of all functions together, about (1e7)"},
+};
 constexpr std::array report_options{
     Option{"--json", "", "one JSON object"},
     Option{"--jsonl", "", "one JSON object a line, for each table"},
@@ -38,11 +43,12 @@ constexpr std::array report_options{
     Option{"--markdown", "", "tables in Markdown"},
     Option{"-o,--output", "FILE", "a file besides, .svg: error against time; .csv, .md, .json too; again for more"},
 };
-constexpr std::array groups{OptionGroup{"suites", suite_options}, OptionGroup{"report", report_options}, threads_group,
-                            common_group};
+constexpr std::array groups{OptionGroup{"suites", suite_options}, OptionGroup{"stress", stress_options},
+                            OptionGroup{"report", report_options}, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio bench --quick", "every method of every kind, error and time, on this machine"},
     Example{"gonio bench --suite irradiance -o irradiance.svg", "one suite, with a chart of error against time"},
+    Example{"gonio bench --stress --count 1e8", "whether any function breaks its promise, and on which input"},
     Example{"gonio bench --suite specular --method ltc,specular-d --csv > specular.csv", "two methods, for a program"},
 };
 
@@ -206,6 +212,9 @@ Result<std::vector<Standings>> measure_all(const Request& request, BenchRun& run
 }
 
 Result<int> bench(const Arguments& arguments, Console& console) {
+    constexpr std::array<std::string_view, 1> others{"--count"};
+    Result<void> fine = refuse_beside("a table", others, arguments);
+    if (!fine) return pass_on(fine);
     Result<Request> request = parse(arguments);
     if (!request) return pass_on(request);
     BenchRun run;
@@ -239,23 +248,26 @@ Result<int> bench(const Arguments& arguments, Console& console) {
 }
 
 int run(const Arguments& arguments, Console& console) {
-    const Result<int> status = bench(arguments, console);
+    const Result<int> status = arguments.has("--stress") ? bench_stress(arguments, console) : bench(arguments, console);
     return status ? *status : console.fail(status.error());
 }
 
 } // namespace
 
 extern const Command bench_command;
-const Command bench_command{"bench",
-                            "run time against error of every method on this machine",
-                            "[--suite NAME] [--quick]",
-                            "Each table holds the methods of one kind on the same seeded cases: their error against "
-                            "the truth, the time of one\n"
-                            "evaluation (the least of all samples) and the median ratio to a named baseline, taken in "
-                            "turn in the same rounds.\n"
-                            "A star marks what no other row beats in both median error and time: the Pareto front.",
-                            groups,
-                            examples,
-                            run};
+const Command bench_command{
+    "bench",
+    "run time against error of every method on this machine",
+    "[--suite NAME] [--quick] | --stress [--count N]",
+    "Each table holds the methods of one kind on the same seeded cases: their error against "
+    "the truth, the time of one\n"
+    "evaluation (the least of all samples) and the median ratio to a named baseline, taken in "
+    "turn in the same rounds.\n"
+    "A star marks what no other row beats in both median error and time: the Pareto front.\n"
+    "--stress looks for input that breaks a function instead: it prints the worst share of each bar, every broken one\n"
+    "with its input in hexadecimal floats, and exits 1 where there is any.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

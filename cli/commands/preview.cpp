@@ -1,3 +1,4 @@
+#include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
 
 #include "../command.hpp"
@@ -24,6 +25,8 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
                             OptionGroup{"stage", preview_stage_options},
                             OptionGroup{"picture", preview_picture_options},
+                            OptionGroup{"look", preview_look_options},
+                            OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             json_group,
                             light_common_group};
@@ -33,13 +36,40 @@ constexpr std::array examples{
     Example{"gonio preview --rig room.json -o room.png", "all lights of a scene"},
     Example{"gonio preview lamp.ies --material 'kulla-conty:f0=rgb(1,0.77,0.34),alpha=0.2' -o gold.png",
             "what it makes of gold"},
+    Example{"gonio preview lamp.ies --look falsecolour --scale 1lx:1000lx -o lux.png", "lux by colour"},
+    Example{"gonio preview --rig street.json --look isolux --levels 1lx,5lx,10lx -o lines.png", "lines of equal lux"},
+    Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
+    Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
-Json preview_json(const PreviewRequest& request, const std::vector<Light>& lights, Ev100 exposure,
+// What a look other than beauty shows, in lux or cd/m².
+Json values_json(const LookRequest& look, const EncodedPicture& picture) {
+    Json values{{"quantity", to_text(look.quantity)},
+                {"unit", look.quantity == PictureQuantity::illuminance ? "lx" : "cd/m2"},
+                {"legend_unit", look.unit->symbol},
+                {"greatest", picture.use.greatest}};
+    if (picture.scale)
+        values["scale"] = {{"kind", picture.scale->logarithmic ? "log" : "linear"},
+                           {"low", picture.scale->low},
+                           {"high", picture.scale->high},
+                           {"below_share", picture.use.below_share},
+                           {"above_share", picture.use.above_share}};
+    if (look.look == Look::isolux) values["levels"] = picture.levels;
+    return values;
+}
+
+Json preview_json(const PreviewRequest& request, const std::vector<Light>& lights, const EncodedPicture& picture,
                   const Diagnostics& diagnostics) {
-    Json report{{"schema", "gonio.preview/1"},     {"output", request.output},    {"width", request.render.width},
-                {"height", request.render.height}, {"stage", request.stage.name}, {"exposure_ev100", exposure.value}};
+    Json report{{"schema", "gonio.preview/1"},       {"output", request.output},    {"width", request.render.width},
+                {"height", request.render.height},   {"file_width", picture.width}, {"stage", request.stage.name},
+                {"look", to_text(request.look.look)}};
+    if (request.look.look != Look::beauty) report["values"] = values_json(request.look, picture);
+    report["exposure_ev100"] = picture.exposure.value;
+    report["exposure"] = {{"mode", to_text(request.exposure.mode)},
+                          {"white_nt", white_luminance(picture.exposure).value},
+                          {"card_lx", card_illuminance(picture.exposure).value}};
+    report["tone_map"] = to_text(request.exposure.tone_map);
     if (request.lights.rig_file.empty())
         report["intensity_cd"] = lights.front().intensity.value;
     else
@@ -67,14 +97,13 @@ Result<int> preview(const Arguments& arguments, Console& console) {
                                request->render.height, rendering.milliseconds(),
                                simd::to_text(request->render.instruction_set)));
     const Stopwatch encoding;
-    Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, console);
+    Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     const Result<void> written = write_output(request->output, picture->bytes);
     if (!written) return Unexpected(written.error());
     if (arguments.has("--json") || arguments.has("--jsonl"))
-        console.print(
-            dump(preview_json(*request, *lights, picture->exposure, diagnostics), arguments.has("--jsonl") ? -1 : 2));
+        console.print(dump(preview_json(*request, *lights, *picture, diagnostics), arguments.has("--jsonl") ? -1 : 2));
     return 0;
 }
 

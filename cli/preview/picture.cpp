@@ -1,36 +1,200 @@
 #include "picture.hpp"
 
+#include <gonio/plot/legend.hpp>
+#include <gonio/plot/picture_contours.hpp>
+#include <gonio/plot/raster.hpp>
 #include <gonio/preview/exposure.hpp>
 
 #include "../options/output.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace gonio::cli {
 
-Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, const Console& console) {
-    Image& image = rendering.luminance_nt;
-    const Ev100 exposure = request.exposure ? *request.exposure : auto_exposure(image);
-    console.remark(fmt::format("exposure EV100 {:.2f}", exposure.value));
-    media::ImageWriteOptions write;
-    if (!has_pixel(*request.format, media::Pixel::float32)) {
-        expose(image, exposure);
-        Result<media::DisplayUsed> used = media::apply_display(image, request.display);
-        if (!used) return pass_on(used);
-        console.say(used->diagnostics);
-        write.color_space = "sRGB";
-    } else {
+namespace {
+
+constexpr int ramp_colors = 256;
+
+// From cd/m² to display-encoded values.
+Result<void> develop(Image& image, Ev100 exposure, const PreviewRequest& request, const Console& console) {
+    expose(image, exposure);
+    if (request.exposure.tone_map == ToneMap::ue3) {
+        apply_ue3(image);
+        return {};
+    }
+    Result<media::DisplayUsed> used = media::apply_display(image, request.display);
+    if (!used) return pass_on(used);
+    console.say(used->diagnostics);
+    return {};
+}
+
+Image gray_picture(const Image& values) {
+    Image gray(values.width, values.height, 3);
+    for (std::size_t i = 0; i < values.pixels.size(); ++i)
+        std::fill_n(gray.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, values.pixels[i]);
+    return gray;
+}
+
+LegendUnit legend_unit(const LookRequest& look) {
+    const std::string symbol(look.unit->symbol == "nt"      ? "cd/m²"
+                             : look.unit->symbol == "cd/m2" ? "cd/m²"
+                                                            : look.unit->symbol);
+    return {symbol, look.unit->base_per_unit};
+}
+
+std::vector<std::array<float, 3>> colors_of(const Image& row) {
+    std::vector<std::array<float, 3>> colors;
+    for (int x = 0; x < row.width; ++x)
+        colors.push_back({row.at(x, 0)[0], row.at(x, 0)[1], row.at(x, 0)[2]});
+    return colors;
+}
+
+// A row of pixels with the values of a scale from its low end to its high one.
+Image scale_row(const ValueScale& scale) {
+    Image row(ramp_colors, 1, 1);
+    for (int x = 0; x < ramp_colors; ++x)
+        *row.at(x, 0) = static_cast<float>(scale.value(static_cast<double>(x) / (ramp_colors - 1)));
+    return row;
+}
+
+class PictureMaker {
+public:
+    PictureMaker(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
+                 const Console& console)
+        : rendering_(std::move(rendering)), request_(request), lights_(lights), console_(console) {
+        picture_.exposure = request.exposure.of(rendering_.luminance_nt);
+        if (request.look.look == Look::beauty) return;
+        values_ = quantity_image(rendering_, request.look.quantity);
+        if (request.look.look == Look::false_color)
+            picture_.scale = request.look.scale
+                                 ? *request.look.scale
+                                 : round_scale(values_, request.look.logarithmic, request.look.unit->base_per_unit);
+        if (request.look.look == Look::luminance)
+            picture_.scale = ValueScale{false, 0.0, white_luminance(picture_.exposure).value};
+        picture_.use = use_of(values_, picture_.scale.value_or(ValueScale{false, 0.0, 1.0}));
+        if (request.look.look != Look::isolux) return;
+        picture_.levels = request.look.levels.empty()
+                              ? contour_levels(picture_.use.greatest, request.look.unit->base_per_unit)
+                              : request.look.levels;
+    }
+
+    Result<EncodedPicture> make() {
+        const bool floats = has_pixel(*request_.format, media::Pixel::float32);
+        Result<std::string> bytes = floats ? numbers() : display();
+        if (!bytes) return pass_on(bytes);
+        picture_.bytes = std::move(*bytes);
+        return std::move(picture_);
+    }
+
+private:
+    Result<std::string> numbers() {
+        media::ImageWriteOptions write;
         write.pixel = media::Pixel::float32;
         write.color_space = "Linear";
+        if (request_.look.look != Look::beauty) {
+            const char* const unit = request_.look.quantity == PictureQuantity::illuminance ? "lx" : "cd/m2";
+            write.channel_names = {"Y"};
+            write.attributes = {{"ImageDescription", fmt::format("{} in {}", to_text(request_.look.quantity), unit)},
+                                {"gonio:quantity", std::string(to_text(request_.look.quantity))},
+                                {"gonio:unit", std::string(unit)}};
+            picture_.width = values_.width;
+            return media::encode_image(values_, *request_.format, write);
+        }
+        Image& image = rendering_.luminance_nt;
+        picture_.width = image.width;
         write.attributes = {{"gonio:unit", std::string("cd/m2")},
-                            {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(exposure.value)}}};
+                            {"gonio:exposure_ev100", std::vector<float>{static_cast<float>(picture_.exposure.value)}}};
+        if (request_.exposure.tone_map == ToneMap::ue3_inverse) {
+            expose(image, picture_.exposure);
+            apply_ue3_inverse(image);
+            write.attributes[0] = {"gonio:tone_map", std::string(to_text(ToneMap::ue3_inverse))};
+        }
+        return media::encode_image(image, *request_.format, write);
     }
-    Result<std::string> bytes = media::encode_image(image, *request.format, write);
-    if (!bytes) return pass_on(bytes);
-    return EncodedPicture{std::move(*bytes), exposure};
+
+    Result<std::string> display() {
+        Result<Image> image = Image();
+        switch (request_.look.look) {
+        case Look::beauty:
+            image = beauty();
+            break;
+        case Look::false_color:
+            image = colored();
+            break;
+        case Look::isolux:
+            image = contoured();
+            break;
+        case Look::luminance:
+            image = gray();
+            break;
+        }
+        if (!image) return pass_on(image);
+        picture_.width = image->width;
+        media::ImageWriteOptions write;
+        write.color_space = "sRGB";
+        return media::encode_image(*image, *request_.format, write);
+    }
+
+    Result<Image> beauty() {
+        Image image = std::move(rendering_.luminance_nt);
+        const Result<void> developed = develop(image, picture_.exposure, request_, console_);
+        if (!developed) return Unexpected(developed.error());
+        return image;
+    }
+
+    Result<Image> colored() const {
+        const LookRequest& look = request_.look;
+        Image image = false_color(values_, *picture_.scale, *look.palette);
+        if (!look.legend) return image;
+        return with_legend(image, {*picture_.scale, legend_unit(look),
+                                   colors_of(false_color(scale_row(*picture_.scale), *picture_.scale, *look.palette)),
+                                   picture_.use});
+    }
+
+    Result<Image> contoured() {
+        const LookRequest& look = request_.look;
+        Result<Image> image = beauty();
+        if (!image) return image;
+        dim(*image);
+        const std::vector<Ink> inks = contour_inks(picture_.levels.size(), *look.palette);
+        const std::vector<std::int32_t> surfaces = seen_surfaces(
+            request_.stage, lights_, request_.stage.camera, values_.width, values_.height, request_.render.threads);
+        draw(contour_drawing(values_, surfaces, picture_.levels, inks, look.unit->base_per_unit), *image);
+        if (!look.legend) return image;
+        return with_legend(*image, {picture_.levels, inks, legend_unit(look), picture_.use.greatest});
+    }
+
+    Result<Image> gray() const {
+        Image image = gray_picture(values_);
+        Image ramp = gray_picture(scale_row(*picture_.scale));
+        Result<void> developed = develop(image, picture_.exposure, request_, console_);
+        if (developed) developed = develop(ramp, picture_.exposure, request_, console_);
+        if (!developed) return pass_on(developed);
+        if (!request_.look.legend) return image;
+        return with_legend(image, {*picture_.scale, legend_unit(request_.look), colors_of(ramp), picture_.use});
+    }
+
+    Rendering rendering_;
+    const PreviewRequest& request_;
+    std::span<const Light> lights_;
+    const Console& console_;
+    Image values_; // of other looks than beauty
+    EncodedPicture picture_;
+};
+
+} // namespace
+
+Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
+                                      const Console& console) {
+    PictureMaker maker(std::move(rendering), request, lights, console);
+    Result<EncodedPicture> picture = maker.make();
+    if (!picture) return picture;
+    console.remark(fmt::format("exposure EV100 {:.2f}", picture->exposure.value));
+    return picture;
 }
 
 } // namespace gonio::cli

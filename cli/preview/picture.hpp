@@ -7,16 +7,26 @@
 #include "../console.hpp"
 #include "request.hpp"
 
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
 struct EncodedPicture {
     std::string bytes;
-    Ev100 exposure; // which it was exposed by; of a linear picture the one that would be
+    int width = 0;  // of the file, with its legend
+    Ev100 exposure; // which it was exposed by; of a picture of numbers the one that would be
+    // Of other looks than beauty.
+    ScaleUse use;
+    std::optional<ValueScale> scale; // falsecolour, luminance
+    std::vector<double> levels;      // isolux, in base units
 };
 
-// Integer formats: exposed and through the display transform; float formats: linear Rec.709 in cd/m².
-Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, const Console& console);
+// Integer formats: exposed, through the display transform, as the look that is asked for. Float formats: linear Rec.709
+// in cd/m², or one channel Y of the look's quantity in lux or cd/m².
+Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
+                                      const Console& console);
 
 } // namespace gonio::cli

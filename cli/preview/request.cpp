@@ -20,12 +20,6 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
         request.render.width = size->width;
         request.render.height = size->height;
     }
-    const std::string exposure = arguments.value("--exposure").value_or("auto");
-    if (exposure != "auto") {
-        Result<double> ev = parse_amount(exposure, Dimension::luminance_ev, "--exposure");
-        if (!ev) return pass_on(ev);
-        request.exposure = Ev100(*ev);
-    }
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     Result<simd::InstructionSet> set = instruction_set(arguments);
@@ -50,6 +44,14 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), *output);
     if (!format) return pass_on(format);
     request.format = *format;
+    Result<LookRequest> look = read_look(arguments, **format);
+    if (!look) return pass_on(look);
+    request.look = std::move(*look);
+    request.render.illuminance =
+        request.look.look != Look::beauty && request.look.quantity == PictureQuantity::illuminance;
+    Result<ExposureRequest> exposure = read_exposure(arguments, **format);
+    if (!exposure) return pass_on(exposure);
+    request.exposure = *exposure;
     return {};
 }
 

@@ -11,17 +11,16 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../options/rig_input.hpp"
+#include "look_options.hpp"
 #include "stage_input.hpp"
 
 #include <array>
-#include <optional>
 #include <string>
 
 namespace gonio::cli {
 
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
-    Option{"--exposure", "EV", "exposure value: 8ev (automatic)"},
     Option{"--no-shadows", "", "let the light through what stands on the stage"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
@@ -33,7 +32,7 @@ inline constexpr std::array preview_picture_options{
 inline constexpr std::array preview_output_options{
     Option{"-o,--output", "FILE",
            "the picture: .png and other integer formats through the display transform, .exr as "
-           "linear Rec.709 in cd/m2; '-' is standard output (with --to)"},
+           "linear Rec.709 in cd/m2, or of another look as its numbers; '-' is standard output (with --to)"},
     Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
     Option{"-n,--dry-run", "", "check everything, render nothing"},
 };
@@ -42,7 +41,8 @@ struct PreviewRequest {
     LightsInput lights;
     Stage stage;
     RenderOptions render;
-    std::optional<Ev100> exposure; // nothing: automatic
+    LookRequest look;
+    ExposureRequest exposure;
     media::DisplayOptions display;
     std::string output;
     const media::ImageFormat* format = nullptr;

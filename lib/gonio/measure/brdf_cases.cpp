@@ -75,7 +75,7 @@ BrdfPose hostile_brdf_pose(Random& random) {
     return {as_float(n), as_float(l), as_float(v), as_float({u[0], u[1], u[2]})};
 }
 
-BrdfParameters::BrdfParameters(Random& random, bool hostile) : p{} {
+BrdfParameters::BrdfParameters(Random& random, bool hostile) {
     static constexpr double corners[] = {0.0, 1e-4, 1.0, 1.0};
     for (double& value : p)
         value = hostile && random.uniform() < 0.5 ? corners[random.bits() % 4] : random.uniform();

@@ -25,7 +25,7 @@ BrdfPose hostile_brdf_pose(Random& random);
 
 // Eight numbers in [0, 1] that each material takes its parameters from.
 struct BrdfParameters {
-    std::array<double, 8> p;
+    std::array<double, 8> p{};
 
     // Even; or `hostile`: 0, 1e-4 or 1 as often as not.
     explicit BrdfParameters(Random& random, bool hostile = false);

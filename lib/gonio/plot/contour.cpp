@@ -1,7 +1,6 @@
 #include <gonio/plot/contour.hpp>
 
 #include <array>
-#include <cstdint>
 #include <unordered_map>
 
 namespace gonio {
@@ -90,13 +89,22 @@ struct Segment {
     bool used = false;
 };
 
-std::vector<Segment> segments_of(const Field& field, double level) {
+// Whether a cell's corners are all of one group, and no group below 0.
+bool of_one_group(std::span<const std::int32_t> groups, std::size_t corner, std::size_t columns) {
+    const std::int32_t group = groups[corner];
+    return group >= 0 && group == groups[corner + 1] && group == groups[corner + columns] &&
+           group == groups[corner + columns + 1];
+}
+
+std::vector<Segment> segments_of(const Field& field, double level, std::span<const std::int32_t> groups) {
     std::vector<Segment> segments;
     for (std::size_t row = 0; row + 1 < field.ys.size(); ++row)
         for (std::size_t column = 0; column + 1 < field.xs.size(); ++column) {
             const Cell cell(field, column, row);
             const unsigned mask = cell.mask(level);
             if (mask == 0 || mask == all_inside) continue;
+            const std::size_t corner = row * field.xs.size() + column;
+            if (!groups.empty() && !of_one_group(groups, corner, field.xs.size())) continue;
             const auto add = [&](std::size_t from, std::size_t to) {
                 segments.push_back({{side_id(field, column, row, from), side_id(field, column, row, to)},
                                     {cell.crossing(from, level), cell.crossing(to, level)}});
@@ -147,8 +155,8 @@ std::vector<std::vector<FieldPoint>> region_at_least(const Field& field, double 
     return region;
 }
 
-std::vector<ContourLine> contour_lines(const Field& field, double level) {
-    std::vector<Segment> segments = segments_of(field, level);
+std::vector<ContourLine> contour_lines(const Field& field, double level, std::span<const std::int32_t> groups) {
+    std::vector<Segment> segments = segments_of(field, level, groups);
     std::unordered_map<std::uint64_t, std::array<std::size_t, 2>> at_side; // no line's side has more than two segments
     constexpr std::size_t nobody = ~std::size_t{0};
     for (std::size_t i = 0; i < segments.size(); ++i)

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gonio {
@@ -32,7 +34,8 @@ struct ContourLine {
     bool closed = false; // the last point is joined to the first
 };
 
-// The lines of value = level. NaN counts as below. The order is that of the cells.
-std::vector<ContourLine> contour_lines(const Field& field, double level);
+// The lines of value = level. NaN counts as below. The order is that of the cells. Where there are `groups` (one for
+// each value), cells whose corners are of several, or of one below 0, carry no line.
+std::vector<ContourLine> contour_lines(const Field& field, double level, std::span<const std::int32_t> groups = {});
 
 } // namespace gonio

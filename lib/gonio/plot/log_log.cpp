@@ -1,8 +1,7 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/log_log.hpp>
 #include <gonio/plot/palette.hpp>
-
-#include <fmt/format.h>
+#include <gonio/plot/svg.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,36 +47,35 @@ std::vector<double> decades(const Bounds& bounds) {
     return at;
 }
 
-std::string style_of(const MarkedPoint& point, const std::string& color) {
-    return fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.5")", point.filled ? color : "#fff", color);
-}
-
-void draw_mark(Svg& svg, SvgPoint at, const MarkedPoint& point, const std::string& color) {
+// Filled, or as a rim around white.
+void draw_mark(Drawing& page, PagePoint at, const MarkedPoint& point, Ink color) {
     constexpr double r = 4.0;
-    const std::string style = style_of(point, color);
-    SvgPath path;
-    switch (point.mark) {
-    case Mark::circle:
-        svg.circle(at, r, style);
+    constexpr Ink paper = ink(0xffffff);
+    if (point.mark == Mark::circle) {
+        page.circle(at, r + 0.75, color);
+        if (!point.filled) page.circle(at, r - 0.75, paper);
         return;
-    case Mark::square:
-        svg.rectangle({at.x - r, at.y - r}, 2.0 * r, 2.0 * r, style);
-        return;
-    case Mark::triangle:
+    }
+    PagePath path;
+    if (point.mark == Mark::square)
+        path.move_to({at.x - r, at.y - r})
+            .line_to({at.x + r, at.y - r})
+            .line_to({at.x + r, at.y + r})
+            .line_to({at.x - r, at.y + r});
+    else if (point.mark == Mark::triangle)
         path.move_to({at.x, at.y - 1.2 * r}).line_to({at.x + 1.2 * r, at.y + r}).line_to({at.x - 1.2 * r, at.y + r});
-        break;
-    case Mark::diamond:
+    else
         path.move_to({at.x, at.y - 1.4 * r})
             .line_to({at.x + 1.4 * r, at.y})
             .line_to({at.x, at.y + 1.4 * r})
             .line_to({at.x - 1.4 * r, at.y});
-        break;
-    }
-    svg.path(path.close(), style);
+    path.close();
+    page.fill(path, point.filled ? color : paper);
+    page.stroke(std::move(path), {color, 1.5});
 }
 
 // Names with their colours, side by side while they fit; returns the lines taken.
-std::size_t draw_legend(Svg* svg, const LogLogPanel& panel, const Area& area, double top) {
+std::size_t draw_legend(Drawing* page, const LogLogPanel& panel, const Area& area, double top) {
     double x = area.left;
     std::size_t line = 0;
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -87,22 +85,22 @@ std::size_t draw_legend(Svg* svg, const LogLogPanel& panel, const Area& area, do
             x = area.left;
             ++line;
         }
-        if (svg != nullptr) {
+        if (page != nullptr) {
             const double y = top + legend_line_px * static_cast<double>(line);
-            svg->circle({x + 5.0, y - 4.0}, 4.0, fmt::format(R"(fill="{}")", series_color(i)));
-            svg->text({x + 14.0, y}, name, TextAnchor::start, 11.0);
+            page->circle({x + 5.0, y - 4.0}, 4.0, series_color(i));
+            page->text({x + 14.0, y}, name, {TextAnchor::start, 11.0});
         }
         x += needed;
     }
     return line + 1;
 }
 
-void draw_panel(Svg& svg, const LogLogPanel& panel, Area area) {
-    svg.text({area.left, area.top + 12.0}, panel.title, TextAnchor::start, 13.0, R"(font-weight="bold")");
+void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
+    page.text({area.left, area.top + 12.0}, panel.title, {TextAnchor::start, 13.0, {}, true});
     area.top += 20.0;
     const std::size_t lines = draw_legend(nullptr, panel, area, 0.0);
     const double legend_top = area.bottom - legend_line_px * (static_cast<double>(lines) - 1.0) - 6.0;
-    (void)draw_legend(&svg, panel, area, legend_top);
+    (void)draw_legend(&page, panel, area, legend_top);
     area.bottom = legend_top - legend_line_px;
 
     Bounds x;
@@ -118,35 +116,35 @@ void draw_panel(Svg& svg, const LogLogPanel& panel, Area area) {
     if (y.high == 0.0) y = {1e-17, 1e-16};
     if (zero) y.low *= 0.1;
     const Chart chart(area, {panel.x_name, decades(x), true}, {panel.y_name, decades(y), true});
-    chart.draw_lines(svg, R"(stroke="#ddd")");
-    chart.draw_numbers(svg);
+    chart.draw_lines(page, ink(0xdddddd));
+    chart.draw_numbers(page);
     const double lowest = decades(y).front();
     const auto place = [&](const MarkedPoint& point) { return chart.at(point.x, std::max(point.y, lowest)); };
 
-    SvgPath steps;
+    PagePath steps;
     for (std::size_t i = 0; i < panel.front.size(); ++i) {
-        const SvgPoint to = place(panel.front[i]);
+        const PagePoint to = place(panel.front[i]);
         if (i > 0) steps.line_to({to.x, place(panel.front[i - 1]).y});
         i == 0 ? steps.move_to(to) : steps.line_to(to);
     }
-    if (!steps.empty()) svg.path(steps, R"(fill="none" stroke="#999" stroke-dasharray="5 3")");
+    page.stroke(std::move(steps), {ink(0x999999), 1.0, {5.0, 3.0}});
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
-        const std::string color = series_color(i);
-        SvgPath line;
+        const Ink color = series_color(i);
+        PagePath line;
         for (const MarkedPoint& point : panel.series[i].points)
             if (panel.series[i].joined && drawn(point))
                 line.empty() ? line.move_to(place(point)) : line.line_to(place(point));
-        if (!line.empty()) svg.path(line, fmt::format(R"(fill="none" stroke="{}" stroke-width="1.5")", color));
+        page.stroke(std::move(line), {color, 1.5});
         for (const MarkedPoint& point : panel.series[i].points)
-            if (drawn(point)) draw_mark(svg, place(point), point, color);
+            if (drawn(point)) draw_mark(page, place(point), point, color);
     }
     for (const MarkedSeries& series : panel.series)
         for (const MarkedPoint& point : series.points)
             if (drawn(point) && !point.label.empty()) {
-                const SvgPoint at = place(point);
+                const PagePoint at = place(point);
                 const bool right = at.x > 0.5 * (chart.inner().left + chart.inner().right);
-                svg.label({at.x + (right ? -8.0 : 8.0), at.y - 5.0}, point.label,
-                          right ? TextAnchor::end : TextAnchor::start, 10.0);
+                page.text({at.x + (right ? -8.0 : 8.0), at.y - 5.0}, point.label,
+                          {right ? TextAnchor::end : TextAnchor::start, 10.0, ink(0x333333), false, 1.5});
             }
 }
 
@@ -167,17 +165,17 @@ Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const Lo
     const int rows = (static_cast<int>(shown.size()) + columns - 1) / columns;
     const int width = columns * options.panel_width_px;
     const int height = rows * options.panel_height_px + static_cast<int>(2.0 * headline_px);
-    Svg svg(width, height, options.title);
-    svg.text({margin_px, headline_px - 8.0}, options.title, TextAnchor::start, 16.0, R"(font-weight="bold")");
+    Drawing page(width, height, options.title);
+    page.text({margin_px, headline_px - 8.0}, options.title, {TextAnchor::start, 16.0, {}, true});
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const double left = static_cast<double>(static_cast<int>(i) % columns * options.panel_width_px);
         const double top = headline_px + static_cast<double>(static_cast<int>(i) / columns * options.panel_height_px);
-        draw_panel(svg, *shown[i],
+        draw_panel(page, *shown[i],
                    {left + margin_px, top + margin_px, left + options.panel_width_px - margin_px,
                     top + options.panel_height_px - 4.0});
     }
-    svg.text({margin_px, height - 10.0}, options.note, TextAnchor::start, 11.0, R"(fill="#555")");
-    return svg.finish();
+    page.text({margin_px, height - 10.0}, options.note, {TextAnchor::start, 11.0, ink(0x555555)});
+    return to_svg(page);
 }
 
 } // namespace gonio

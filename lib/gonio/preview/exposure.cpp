@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace gonio {
@@ -26,6 +27,14 @@ Ev100 auto_exposure(const Image& rgb_nits) {
     const std::size_t rank = (luminances.size() - 1) * 995 / 1000;
     std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
     return Ev100(std::log2(luminances[rank] / 1.2));
+}
+
+Ev100 exposure_of_card(Lux on_card) {
+    return Ev100(std::log2(on_card.value / (1.2 * std::numbers::pi)));
+}
+
+Lux card_illuminance(Ev100 ev) {
+    return Lux(std::numbers::pi * white_luminance(ev).value);
 }
 
 void expose(Image& image, Ev100 ev) {

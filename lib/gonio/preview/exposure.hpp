@@ -14,6 +14,14 @@ Nits white_luminance(Ev100 ev);
 // itself or a highlight does not darken the rest. 0 for a picture without light.
 Ev100 auto_exposure(const Image& rgb_nits);
 
+// The exposure at which a matte 18 % card that receives so many lux is middle grey, 0.18 of the display's white: a
+// white card, of luminance E/π, is white. Not what an incident-light meter says for it: by ISO 2720, EV = log2(E/2.5)
+// (C = 250), and the card shows at 0.12 then, log2(1.2 π/2.5) = 0.59 stops darker. Needs E > 0.
+Ev100 exposure_of_card(Lux on_card);
+
+// The illuminance of the card for an exposure: the inverse.
+Lux card_illuminance(Ev100 ev);
+
 // Divides every channel by white_luminance(ev).
 void expose(Image& image, Ev100 ev);
 

@@ -5,10 +5,7 @@
 // the receiver parallel to the axis, in which it is two circles and what lies between.
 #pragma once
 
-#include <gonio/shading/irradiance_disk.hpp>
-#include <gonio/shading/irradiance_rectangle.hpp>
-#include <gonio/shading/irradiance_sphere.hpp>
-#include <gonio/shading/irradiance_tube.hpp>
+#include <gonio/measure/hostile_poses.hpp>
 
 #include "poses.hpp"
 
@@ -22,53 +19,11 @@ namespace area {
 using poses::Random;
 using poses::Vec;
 
-enum class Shape { disk, rectangle, tube, sphere };
-
-struct Pose {
-    Shape shape = Shape::disk;
-    Vec center, axis, across; // `across`: width direction
-    double p = 1.0;           // radius, or width
-    double q = 1.0;           // height, or length
-    Vec normal;
-};
-
-template<class S>
-S exact(const Pose& pose) {
-    using gonio::shading::vec3;
-    const auto of = [](Vec v) { return vec3<S>{static_cast<S>(v.x), static_cast<S>(v.y), static_cast<S>(v.z)}; };
-    const auto p = static_cast<S>(pose.p);
-    const auto q = static_cast<S>(pose.q);
-    switch (pose.shape) {
-    case Shape::disk:
-        return gonio::shading::irradiance_disk(of(pose.center), of(pose.axis), p, of(pose.normal));
-    case Shape::rectangle:
-        return gonio::shading::irradiance_rectangle(of(pose.center), of(pose.axis), of(pose.across), p, q,
-                                                    of(pose.normal));
-    case Shape::tube:
-        return gonio::shading::irradiance_tube(of(pose.center), of(pose.axis), p, q, of(pose.normal));
-    case Shape::sphere:
-        return gonio::shading::irradiance_sphere(of(pose.center), p, of(pose.normal));
-    }
-    return S(0);
-}
-
-inline double bounding_radius(const Pose& pose) {
-    switch (pose.shape) {
-    case Shape::disk:
-    case Shape::sphere:
-        return pose.p;
-    case Shape::rectangle:
-        return 0.5 * std::hypot(pose.p, pose.q);
-    case Shape::tube:
-        return pose.p + 0.5 * pose.q;
-    }
-    return 0.0;
-}
-
-inline double subtended(const Pose& pose) {
-    const double d = std::sqrt(gonio::shading::dot(pose.center, pose.center));
-    return 2.0 * std::asin(std::min(1.0, bounding_radius(pose) / d));
-}
+using gonio::measure::hostile::bounding_radius;
+using gonio::measure::hostile::exact;
+using gonio::measure::hostile::Pose;
+using gonio::measure::hostile::Shape;
+using gonio::measure::hostile::subtended;
 
 // The largest change of the result when one input moves to a neighbouring double: what no code can do better than.
 inline double conditioning(const Pose& pose) {

@@ -1,12 +1,12 @@
 // A sphere before a receiver, in doubles, for the tests of closed forms; the room measure/ makes the float ones.
 #pragma once
 
+#include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/random.hpp>
 #include <gonio/shading/vec3.hpp>
 
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <numbers>
 
 namespace poses {
@@ -72,12 +72,7 @@ inline Pose random_pose(unsigned index, Random& random) {
 
 // Numbers that break formulas in float, among ordinary ones.
 inline double hostile(gonio::measure::Random& random) {
-    static constexpr double special[] = {0.0,   -0.0, 1.0,  -1.0,      1e-45,     -1e-45, 1.2e-38, 1e-30,
-                                         1e-20, 1e-7, 0.3,  1.0000001, 0.9999999, 1e3,    1e10,    1e19,
-                                         -1e19, 2e19, 1e30, -1e30,     3.4e38,    -3.4e38};
-    const std::uint64_t choice = random.bits() % 32;
-    if (choice < std::size(special)) return special[choice];
-    return random.uniform(-2.0, 2.0);
+    return gonio::measure::hostile::number(random);
 }
 
 } // namespace poses

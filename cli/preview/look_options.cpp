@@ -1,0 +1,217 @@
+#include "look_options.hpp"
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/preview/exposure.hpp>
+
+#include "../options/output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+Dimension dimension_of(PictureQuantity quantity) {
+    return quantity == PictureQuantity::illuminance ? Dimension::illuminance : Dimension::luminance;
+}
+
+Result<PictureQuantity> parse_quantity(const std::string& text) {
+    constexpr std::array<std::string_view, 2> names{"illuminance", "luminance"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (text == names[i]) return static_cast<PictureQuantity>(i);
+    return unknown_name("quantity", text, names);
+}
+
+// The unit decides the quantity where none is named.
+Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
+    if (request.look == Look::luminance) request.quantity = PictureQuantity::luminance;
+    const auto named = arguments.value("--quantity");
+    if (named) {
+        Result<PictureQuantity> quantity = parse_quantity(*named);
+        if (!quantity) return pass_on(quantity);
+        if (request.look == Look::luminance && *quantity != PictureQuantity::luminance)
+            return fail(Failure::usage, "the look luminance shows luminance", "use --look falsecolour for lux");
+        request.quantity = *quantity;
+    }
+    const auto text = arguments.value("--unit");
+    if (!text) {
+        request.unit = find_unit(request.quantity == PictureQuantity::illuminance ? "lx" : "nt");
+        return {};
+    }
+    const Unit* const unit = find_unit(*text);
+    const bool of_lux = unit != nullptr && unit->dimension == Dimension::illuminance;
+    const bool of_nits = unit != nullptr && unit->dimension == Dimension::luminance;
+    if (!of_lux && !of_nits)
+        return fail(Failure::usage, fmt::format("'{}' is no unit of illuminance or luminance", *text),
+                    "use lx or fc for illuminance, nt, cd/m2 or fL for luminance");
+    if (!named && request.look != Look::luminance)
+        request.quantity = of_lux ? PictureQuantity::illuminance : PictureQuantity::luminance;
+    if (unit->dimension != dimension_of(request.quantity))
+        return fail(Failure::usage, fmt::format("{} is not counted in {}", to_text(request.quantity), *text),
+                    of_lux ? "use nt, cd/m2 or fL" : "use lx or fc");
+    request.unit = unit;
+    return {};
+}
+
+// "log", "linear", "LOW:HIGH", "log:LOW:HIGH", "linear:LOW:HIGH".
+Result<void> read_scale(std::string_view text, LookRequest& request) {
+    const auto wrong = [&](std::string message) {
+        return fail(Failure::usage, std::move(message),
+                    request.quantity == PictureQuantity::illuminance
+                        ? "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1lx:1000lx"
+                        : "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1nt:1000nt");
+    };
+    const std::string_view whole = text;
+    for (const auto& [name, logarithmic] : {std::pair{"log", true}, std::pair{"linear", false}}) {
+        const std::string_view word = name;
+        if (!text.starts_with(word) || (text.size() > word.size() && text[word.size()] != ':')) continue;
+        request.logarithmic = logarithmic;
+        if (text.size() == word.size()) return {};
+        text.remove_prefix(word.size() + 1);
+        break;
+    }
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos || text.find(':', colon + 1) != std::string_view::npos)
+        return wrong(fmt::format("'{}' is no scale", whole));
+    ValueScale scale;
+    for (auto [end, part] :
+         {std::pair{&scale.low, text.substr(0, colon)}, std::pair{&scale.high, text.substr(colon + 1)}}) {
+        Result<double> value = parse_amount(part, dimension_of(request.quantity), "each end of --scale");
+        if (!value) return pass_on(value);
+        *end = *value;
+    }
+    if (!(scale.low < scale.high) || scale.low < 0.0)
+        return wrong(fmt::format("the scale '{}' does not rise from 0 or more", whole));
+    scale.logarithmic = request.logarithmic;
+    if (scale.logarithmic && !(scale.low > 0.0))
+        return wrong(fmt::format("the scale '{}' begins at 0, where a logarithmic one has no place", whole));
+    request.scale = scale;
+    return {};
+}
+
+Result<void> read_levels(std::string_view text, LookRequest& request) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        begin = end + 1;
+        Result<double> level = parse_amount(part, dimension_of(request.quantity), "each of --levels");
+        if (!level) return pass_on(level);
+        if (!(*level > 0.0) || (!request.levels.empty() && *level <= request.levels.back()))
+            return fail(Failure::usage, fmt::format("the levels '{}' do not rise from above 0", text),
+                        "write them in their order, for example --levels 1lx,5lx,10lx");
+        request.levels.push_back(*level);
+    }
+    return {};
+}
+
+// An option that the look would not heed is a misunderstanding.
+Result<void> only_useful(const Arguments& arguments, Look look) {
+    struct Use {
+        std::string_view option;
+        std::array<bool, 4> by_look; // beauty, falsecolour, isolux, luminance
+    };
+    constexpr std::array uses{
+        Use{"--quantity", {false, true, true, true}}, Use{"--unit", {false, true, true, true}},
+        Use{"--scale", {false, true, false, false}},  Use{"--palette", {false, true, true, false}},
+        Use{"--levels", {false, false, true, false}}, Use{"--no-legend", {false, true, true, true}},
+        Use{"--exposure", {true, false, true, true}}, Use{"--tone-map", {true, false, true, true}}};
+    for (const Use& use : uses) {
+        if (!arguments.has(use.option) || use.by_look[static_cast<std::size_t>(look)]) continue;
+        std::string names;
+        for (const LookName& known : looks())
+            if (use.by_look[static_cast<std::size_t>(known.look)])
+                names += fmt::format("{}{}", names.empty() ? "" : " or ", known.name);
+        return fail(Failure::usage, fmt::format("the look {} has no use for {}", to_text(look), use.option),
+                    fmt::format("add --look {}", names));
+    }
+    return {};
+}
+
+Result<void> fits_format(const LookRequest& request, const media::ImageFormat& format) {
+    if (request.look == Look::beauty || !has_pixel(format, media::Pixel::float32)) return {};
+    if (request.look == Look::isolux)
+        return fail(Failure::usage, fmt::format("{} holds numbers, not lines", format.title),
+                    "write .png, or the numbers themselves with --look falsecolour");
+    if (!format.channels.empty() &&
+        std::find(format.channels.begin(), format.channels.end(), 1) == format.channels.end())
+        return fail(Failure::usage,
+                    fmt::format("{} cannot hold the one channel of {}", format.title, to_text(request.quantity)),
+                    "write .exr for the numbers, .png for the picture");
+    return {};
+}
+
+} // namespace
+
+Result<LookRequest> read_look(const Arguments& arguments, const media::ImageFormat& format) {
+    LookRequest request;
+    Result<Look> look = parse_look(arguments.value("--look").value_or("beauty"));
+    if (!look) return pass_on(look);
+    request.look = *look;
+    Result<void> fine = only_useful(arguments, *look);
+    if (fine) fine = fits_format(request, format);
+    if (fine) fine = read_quantity(arguments, request);
+    const auto scale = arguments.value("--scale");
+    if (fine && scale) fine = read_scale(*scale, request);
+    const auto levels = arguments.value("--levels");
+    if (fine && levels) fine = read_levels(*levels, request);
+    if (!fine) return pass_on(fine);
+    Result<const Palette*> palette = find_palette(arguments.value("--palette").value_or("viridis"));
+    if (!palette) return pass_on(palette);
+    request.palette = *palette;
+    request.legend = !arguments.has("--no-legend");
+    return request;
+}
+
+Ev100 ExposureRequest::of(const Image& rgb_nits) const {
+    return mode == ExposureMode::automatic ? auto_exposure(rgb_nits) : ev;
+}
+
+Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {
+    ExposureRequest request;
+    const std::string text = arguments.value("--exposure").value_or("auto");
+    constexpr std::string_view card = "lux:";
+    if (text.starts_with(card)) {
+        Result<double> lux = parse_amount(std::string_view(text).substr(card.size()), Dimension::illuminance,
+                                          "what follows lux: in --exposure");
+        if (!lux) return pass_on(lux);
+        if (!(*lux > 0.0)) return fail(Failure::usage, fmt::format("--exposure {} needs an illuminance above 0", text));
+        request.mode = ExposureMode::card;
+        request.ev = exposure_of_card(Lux(*lux));
+    } else if (text != "auto") {
+        if (const Result<Amount> amount = parse_amount(text);
+            amount && amount->unit->dimension == Dimension::illuminance)
+            return fail(Failure::usage, fmt::format("--exposure is anchored in lux as lux:{}", text),
+                        "a matte 18 % card under so many lux is middle grey then");
+        Result<double> ev = parse_amount(text, Dimension::luminance_ev, "--exposure");
+        if (!ev) return pass_on(ev);
+        request.mode = ExposureMode::ev;
+        request.ev = Ev100(*ev);
+    }
+    Result<ToneMap> map = parse_tone_map(arguments.value("--tone-map").value_or("none"));
+    if (!map) return pass_on(map);
+    request.tone_map = *map;
+    const bool floats = has_pixel(format, media::Pixel::float32);
+    if (*map == ToneMap::ue3_inverse && arguments.value("--look").value_or("beauty") != "beauty")
+        return fail(Failure::usage, "ue3-inverse is of the look beauty");
+    if (*map == ToneMap::ue3 && floats)
+        return fail(Failure::usage, fmt::format("{} holds linear light, which ue3 takes for a display", format.title),
+                    "write .png, or use ue3-inverse");
+    if (*map == ToneMap::ue3_inverse && !floats)
+        return fail(Failure::usage,
+                    fmt::format("{} cannot hold the light up to 8 that ue3-inverse gives", format.title), "write .exr");
+    for (const std::string_view option : {"--view", "--display", "--ocio"})
+        if (*map != ToneMap::none && arguments.has(option))
+            return fail(Failure::usage, fmt::format("--tone-map {} stands in the stead of {}", to_text(*map), option),
+                        "leave one of them out");
+    return request;
+}
+
+std::string_view to_text(ExposureMode mode) {
+    constexpr std::array<std::string_view, 3> names{"auto", "ev", "lux"};
+    return names[static_cast<std::size_t>(mode)];
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,67 @@
+// How `gonio preview` shows what was rendered: the look with its scale, and the exposure.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/media/image_file.hpp>
+#include <gonio/plot/look.hpp>
+#include <gonio/preview/tone_map.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array preview_look_options{
+    Option{"--look", "LOOK", "beauty, falsecolour, isolux, luminance (beauty)", "looks"},
+    Option{"--quantity", "NAME", "falsecolour, isolux: illuminance or luminance (illuminance)"},
+    Option{"--unit", "UNIT", "of the legend: lx or fc, nt or fL (lx; of luminance nt)"},
+    Option{"--scale", "SCALE",
+           "falsecolour: log or linear, LOW:HIGH, or both: 0.1lx:1000lx, linear:0lx:500lx (log with round ends)"},
+    Option{"--palette", "NAME", "of falsecolour and isolux (viridis)", "palettes"},
+    Option{"--levels", "LIST", "isolux: 1lx,5lx,10lx (1, 2 and 5 times the powers of ten)"},
+    Option{"--no-legend", "", "the picture alone; a legend adds 84 pixels to its width"},
+};
+
+inline constexpr std::array preview_exposure_options{
+    Option{"--exposure", "EV",
+           "auto, an exposure value: 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
+    Option{"--tone-map", "NAME", "none, ue3 or ue3-inverse, in the view's stead (none)", "tone-maps"},
+};
+
+struct LookRequest {
+    Look look = Look::beauty;
+    PictureQuantity quantity = PictureQuantity::illuminance;
+    const Unit* unit = nullptr; // of the legend
+    bool logarithmic = true;
+    std::optional<ValueScale> scale; // round where nothing is given
+    const Palette* palette = nullptr;
+    std::vector<double> levels; // in base units; empty: round ones
+    bool legend = true;
+};
+
+// Fails (usage) on what the options cannot mean, on options that the look has no use for, and on a format that cannot
+// hold what was asked.
+Result<LookRequest> read_look(const Arguments& arguments, const media::ImageFormat& format);
+
+enum class ExposureMode { automatic, ev, card };
+
+struct ExposureRequest {
+    ExposureMode mode = ExposureMode::automatic;
+    Ev100 ev; // where not automatic
+    ToneMap tone_map = ToneMap::none;
+
+    Ev100 of(const Image& rgb_nits) const;
+};
+
+Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format);
+
+std::string_view to_text(ExposureMode mode); // "auto", "ev", "lux"
+
+} // namespace gonio::cli

@@ -1,0 +1,176 @@
+// Reflectances in float, in packs and by the kernels of every instruction set: values, samples and densities.
+#include <gonio/measure/brdf_cases.hpp>
+#include <gonio/measure/stress/subjects.hpp>
+#include <gonio/preview/shading_constants.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace gonio::measure::detail {
+
+namespace {
+
+using shading::vec3;
+
+#if defined(__x86_64__)
+using Pack = simd::pack<float, simd::sse2>;
+#elif defined(__aarch64__)
+using Pack = simd::pack<float, simd::neon>;
+#else
+using Pack = float;
+#endif
+
+template<class S>
+constexpr std::size_t lanes = sizeof(S) / sizeof(float);
+
+bool good(float x) {
+    return x >= 0.0F && x <= std::numeric_limits<float>::max();
+}
+
+// What a pose gives: f, a sampled l, its density, the density of l, f at the sampled l (one channel).
+using Values = std::array<float, 9>;
+
+bool good(const Values& values) {
+    const float length2 = values[3] * values[3] + values[4] * values[4] + values[5] * values[5];
+    return good(values[0]) && good(values[1]) && good(values[2]) && std::fabs(length2 - 1.0F) < 1e-5F &&
+           good(values[6]) && good(values[7]) && good(values[8]);
+}
+
+template<class S, class Material>
+std::array<S, 9> evaluate(const Material& material, const vec3<S>& n, const vec3<S>& l, const vec3<S>& v,
+                          const vec3<S>& u) {
+    const vec3<S> f = brdf(material, n, l, v);
+    const shading::BrdfSample<S> sample = sample_brdf(material, n, v, u);
+    return {f.x,
+            f.y,
+            f.z,
+            sample.l.x,
+            sample.l.y,
+            sample.l.z,
+            sample.pdf,
+            pdf_brdf(material, n, v, l),
+            brdf(material, n, sample.l, v).y};
+}
+
+std::string text(const BrdfParameters& parameters, const BrdfPose& pose) {
+    std::string out = "n l v u";
+    for (const vec3<float>& v : {pose.n, pose.l, pose.v, pose.u})
+        out += fmt::format(" {:a} {:a} {:a}", v.x, v.y, v.z);
+    out += "; parameters";
+    for (const double p : parameters.p)
+        out += fmt::format(" {:a}", p);
+    return out;
+}
+
+// Each pose as one float and as a lane of a pack.
+template<template<class> class Material>
+void reflectance(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    constexpr std::size_t of_one_material = 16;
+    constexpr std::size_t width = lanes<Pack>;
+    for (std::uint64_t done = 0; done < evaluations; done += 2 * of_one_material) {
+        const BrdfParameters parameters(random, true);
+        Material<float> one;
+        Material<Pack> many;
+        make(parameters, one);
+        make(parameters, many);
+        for (std::size_t first = 0; first < of_one_material; first += width) {
+            std::array<BrdfPose, width> poses;
+            float columns[12][width];
+            for (std::size_t k = 0; k < width; ++k) {
+                poses[k] = hostile_brdf_pose(random);
+                const BrdfPose& p = poses[k];
+                const float values[12] = {p.n.x, p.n.y, p.n.z, p.l.x, p.l.y, p.l.z,
+                                          p.v.x, p.v.y, p.v.z, p.u.x, p.u.y, p.u.z};
+                for (std::size_t j = 0; j < 12; ++j)
+                    columns[j][k] = values[j];
+                tally.require(good(evaluate<float>(one, p.n, p.l, p.v, p.u)),
+                              [&] { return "float: " + text(parameters, p); });
+            }
+            Pack in[12];
+            for (std::size_t j = 0; j < 12; ++j)
+                simd::load(&columns[j][0], in[j]);
+            const std::array<Pack, 9> out = evaluate<Pack>(many, {in[0], in[1], in[2]}, {in[3], in[4], in[5]},
+                                                           {in[6], in[7], in[8]}, {in[9], in[10], in[11]});
+            std::array<Values, width> answers;
+            for (std::size_t j = 0; j < 9; ++j) {
+                float lane[width];
+                simd::store(out[j], &lane[0]);
+                for (std::size_t k = 0; k < width; ++k)
+                    answers[k][j] = lane[k];
+            }
+            for (std::size_t k = 0; k < width; ++k)
+                tally.require(good(answers[k]), [&] { return "pack: " + text(parameters, poses[k]); });
+            tally.looked_at(2 * width);
+        }
+    }
+}
+
+// One material for a batch, lit from 1 m by 1 cd.
+void by_kernels(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    constexpr std::size_t batch = 251; // leaves a packet partly filled
+    constexpr std::size_t kinds = std::variant_size_v<Material>;
+    std::array<std::vector<float>, 9> columns;
+    for (auto& column : columns)
+        column.resize(batch);
+    std::array<std::vector<float>, 3> out;
+    for (auto& channel : out)
+        channel.resize(batch);
+    const std::vector<float> candela(batch, 1.0F);
+    shading::LightConstants light;
+    light.intensity_cd = candela.data();
+    shading::Surfaces surfaces;
+    for (std::size_t k = 0; k < 3; ++k) {
+        surfaces.position[k] = columns[k].data();
+        surfaces.normal[k] = columns[3 + k].data();
+        surfaces.view[k] = columns[6 + k].data();
+    }
+    surfaces.count = batch;
+    std::vector<BrdfPose> poses(batch);
+    for (std::uint64_t done = 0; done < evaluations; done += batch * simd::available_sets().size()) {
+        for (std::size_t i = 0; i < batch; ++i) {
+            const BrdfPose& p = poses[i] = hostile_brdf_pose(random);
+            const float values[9] = {-p.l.x, -p.l.y, -p.l.z, p.n.x, p.n.y, p.n.z, p.v.x, p.v.y, p.v.z};
+            for (std::size_t k = 0; k < 9; ++k)
+                columns[k][i] = values[k];
+        }
+        const BrdfParameters parameters(random, true);
+        const std::size_t kind = random.bits() % kinds;
+        const auto constants = material_constants(scene_material(kind, parameters));
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            float* const channels[3] = {out[0].data(), out[1].data(), out[2].data()};
+            shading::kernels(set).shade(surfaces, light, constants, channels);
+            tally.looked_at(batch);
+            for (std::size_t i = 0; i < batch; ++i)
+                tally.require(good(out[0][i]) && good(out[1][i]) && good(out[2][i]), [&] {
+                    return fmt::format("{}, material {}: {}", shading::kernels(set).name, kind,
+                                       text(parameters, poses[i]));
+                });
+        }
+    }
+}
+
+constexpr const char* bar = "values and densities finite and not negative, samples unit within 1e-5";
+
+} // namespace
+
+std::span<const StressSubject> brdf_stress() {
+    static constexpr std::array subjects{
+        StressSubject{"lambert", bar, 0.3, reflectance<shading::Lambert>},
+        StressSubject{"eon", bar, 0.3, reflectance<shading::Eon>},
+        StressSubject{"frostbite", bar, 0.3, reflectance<shading::Frostbite>},
+        StressSubject{"ue4", bar, 0.3, reflectance<shading::Ue4>},
+        StressSubject{"blinn", bar, 0.3, reflectance<shading::RememberMe>},
+        StressSubject{"ggx", bar, 0.3, reflectance<shading::Ggx>},
+        StressSubject{"kulla-conty", bar, 0.3, reflectance<shading::KullaConty>},
+        StressSubject{"materials by the kernels", "finite and not negative", 1.0, by_kernels},
+    };
+    return subjects;
+}
+
+} // namespace gonio::measure::detail

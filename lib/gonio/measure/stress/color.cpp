@@ -1,0 +1,109 @@
+// Colours of temperatures and temperatures of colours: within what the headers state, and NaN outside their ranges.
+#include <gonio/color/cct.hpp>
+#include <gonio/color/kernels.hpp>
+#include <gonio/color/named_methods.hpp>
+#include <gonio/color/planckian.hpp>
+#include <gonio/measure/hostile_poses.hpp>
+#include <gonio/measure/stress/subjects.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <limits>
+#include <vector>
+
+namespace gonio::measure::detail {
+
+namespace {
+
+double temperature(Random& random, double coolest, double hottest) {
+    return 1e6 / random.uniform(1e6 / hottest, 1e6 / coolest); // even in mired
+}
+
+// u'v' of black bodies by the kernels of every set, within 4e-7 of the fit in double, itself 1.2e-12 from the sum.
+void kernels_of_temperature(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    constexpr std::size_t count = 251;
+    std::vector<float> kelvin(count);
+    std::array<std::vector<float>, 2> uv;
+    for (std::vector<float>& each : uv)
+        each.resize(count);
+    float* const out[2] = {uv[0].data(), uv[1].data()};
+    for (std::uint64_t done = 0; done < evaluations; done += count * simd::available_sets().size()) {
+        for (float& T : kelvin)
+            T = random.bits() % 8 == 0 ? std::bit_cast<float>(static_cast<std::uint32_t>(random.bits() >> 32U))
+                                       : static_cast<float>(temperature(random, 800.0, 1e6));
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            const color::Kernels& kernels = color::kernels(set);
+            kernels.planckian_uv_prime(kelvin.data(), count, out);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto T = static_cast<double>(kelvin[i]);
+                const auto input = [&] {
+                    return fmt::format("{}: {} {} at {:a} K", kernels.name, uv[0][i], uv[1][i], T);
+                };
+                if (!(T >= 800.0 && T <= 1e6)) {
+                    tally.looked_at(1);
+                    tally.require(std::isnan(uv[0][i]) && std::isnan(uv[1][i]), input);
+                    continue;
+                }
+                const Uv truth = fast_uv({Kelvin(T), 0.0});
+                const Uv found{static_cast<double>(uv[0][i]), static_cast<double>(uv[1][i]) / 1.5};
+                tally.hold(delta_uv_prime(found, truth) / 4e-7, input);
+            }
+        }
+    }
+}
+
+// There and back: a temperature and its Duv, their chromaticity, and the nearest black body of that.
+void round_trip(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    for (std::uint64_t done = 0; done < evaluations; ++done) {
+        const Cct cct{Kelvin(temperature(random, 1500.0, 40000.0)), random.uniform(-0.05, 0.05)};
+        const Cct back = fast_cct(fast_uv(cct));
+        // 1e-5 K is stated to 40000 K, where a step of 1e-16 in u moves the temperature by 1e-8 K.
+        const double off = std::max(std::fabs(back.temperature.value - cct.temperature.value) / 1e-5,
+                                    std::fabs(back.duv - cct.duv) / 1e-10);
+        tally.hold(off, [&] {
+            return fmt::format("{:a} K {:a}: back {:a} K {:a}", cct.temperature.value, cct.duv, back.temperature.value,
+                               back.duv);
+        });
+    }
+}
+
+// Any numbers: an answer within its range or none, and every named method a number where it is made for.
+void any_numbers(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    const auto coordinate = [&] {
+        return random.bits() % 4 == 0 ? hostile::number(random) : random.uniform(-0.1, 0.8);
+    };
+    for (std::uint64_t done = 0; done < evaluations; done += 2) {
+        const Uv at{random.bits() % 32 == 0 ? std::numeric_limits<double>::quiet_NaN() : coordinate(), coordinate()};
+        const Cct found = fast_cct(at);
+        const bool none = std::isnan(found.temperature.value) && std::isnan(found.duv);
+        const bool some = found.temperature.value >= 799.0 && found.temperature.value <= 1.001e6 &&
+                          std::fabs(found.duv) <= greatest_duv * 1.0001;
+        tally.looked_at(2);
+        tally.require(none || some, [&] {
+            return fmt::format("fast_cct of u {:a} v {:a}: {} K {}", at.u, at.v, found.temperature.value, found.duv);
+        });
+        const ColorMethod& method = color_methods()[random.bits() % color_methods().size()];
+        const double T = temperature(random, method.coolest.value, std::min(method.hottest.value, 1e6));
+        const glm::dvec3 xyz = method.xyz(Kelvin(T));
+        tally.require(is_amount(xyz.x) && is_amount(xyz.y) && is_amount(xyz.z),
+                      [&] { return fmt::format("{} at {:a} K: {} {} {}", method.name, T, xyz.x, xyz.y, xyz.z); });
+    }
+}
+
+} // namespace
+
+std::span<const StressSubject> color_stress() {
+    static constexpr std::array subjects{
+        StressSubject{"colours of temperatures", "4e-7 in u'v' from 800 K to 1e6 K, NaN outside", 0.5,
+                      kernels_of_temperature},
+        StressSubject{"temperature to colour and back", "1e-5 K and 1e-10 in Duv, 1500-40000 K", 0.05, round_trip},
+        StressSubject{"temperatures of any numbers", "an answer in its range or none; named methods finite", 0.02,
+                      any_numbers},
+    };
+    return subjects;
+}
+
+} // namespace gonio::measure::detail

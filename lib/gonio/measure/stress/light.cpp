@@ -1,0 +1,136 @@
+// Photometric units of random shapes, there and back; and the illuminance of random lights at random points.
+#include <gonio/base/unit_text.hpp>
+#include <gonio/light/photometry.hpp>
+#include <gonio/measure/hostile_poses.hpp>
+#include <gonio/measure/stress/subjects.hpp>
+#include <gonio/scene/probe.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+#include <string>
+
+namespace gonio::measure::detail {
+
+namespace {
+
+double log_uniform(Random& random, double low, double high) {
+    return std::exp(random.uniform(std::log(low), std::log(high)));
+}
+
+// From a micrometre to a thousand kilometres.
+Shape random_shape(Random& random) {
+    const auto size = [&] { return Meters(log_uniform(random, 1e-6, 1e6)); };
+    switch (random.bits() % 8) {
+    case 0:
+        return PointShape{};
+    case 1: {
+        const double outer = log_uniform(random, 1e-6, std::numbers::pi / 2.0);
+        const double inner = random.bits() % 4 == 0 ? outer : outer * random.uniform();
+        return SpotShape{Radians(outer), Radians(inner), static_cast<Falloff>(random.bits() % 6), {}, {}};
+    }
+    case 2:
+        return FrustumShape{Radians(log_uniform(random, 1e-6, 3.1)), Radians(log_uniform(random, 1e-6, 3.1)), {}, {}};
+    case 3:
+        return SphereShape{size()};
+    case 4:
+        return DiskShape{size(), random.bits() % 2 == 0};
+    case 5:
+        return RectShape{size(), size(), random.bits() % 2 == 0};
+    case 6:
+        return TubeShape{size(), size()};
+    default:
+        return SunShape{Radians(log_uniform(random, 1e-6, std::numbers::pi))};
+    }
+}
+
+// What a value is in another unit, and that in the first again: 1e-12, or a refusal.
+void units(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    static const std::array<PhotometricUnit, 6> known = [] {
+        std::array<PhotometricUnit, 6> made;
+        constexpr std::array names{"lm", "cd", "nt", "lx@2m", "lx", "W@90lm/W"};
+        for (std::size_t i = 0; i < made.size(); ++i)
+            made[i] = parse_photometric_unit(names[i]).value();
+        return made;
+    }();
+    for (std::uint64_t done = 0; done < evaluations; ++done) {
+        const Shape shape = random_shape(random);
+        PhotometricUnit from = known[random.bits() % known.size()];
+        PhotometricUnit to = known[random.bits() % known.size()];
+        if (from.distance) from.distance = Meters(log_uniform(random, 1e-3, 1e6));
+        const double number =
+            random.bits() % 8 == 0 ? std::fabs(hostile::number(random)) : log_uniform(random, 1e-9, 1e9);
+        const Result<Emission> emission = emission_of(shape, {number, from});
+        tally.looked_at(1);
+        if (!emission) continue; // refused, with a reason
+        const Result<double> other = express(shape, *emission, to);
+        if (!other || *other == 0.0) continue;
+        const auto input = [&] {
+            return fmt::format("{:a} {} to {} of shape {}: {}", number, from.unit->symbol, to.unit->symbol,
+                               shape.index(), *other);
+        };
+        tally.require(is_amount(*other), input);
+        const Result<Emission> again = emission_of(shape, {*other, to});
+        if (!again) continue;
+        const Result<double> back = express(shape, *again, from);
+        if (!back) continue;
+        // Below the normal numbers nothing is held.
+        if (number > 1e-290 && *other > 1e-290) tally.hold(std::fabs(*back - number) / (1e-12 * number), input);
+    }
+}
+
+// Probe: any lights and points give numbers, or a refusal.
+void probes(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    const auto place = [&] {
+        return glm::dvec3(hostile::number(random), hostile::number(random), hostile::number(random));
+    };
+    constexpr std::size_t points = 16;
+    for (std::uint64_t done = 0; done < evaluations; done += points) {
+        LightDescription description;
+        description.shape = random_shape(random);
+        const bool sun = std::holds_alternative<SunShape>(description.shape);
+        description.intensity = {log_uniform(random, 1e-6, 1e9), parse_photometric_unit(sun ? "lx" : "cd").value()};
+        description.position = place();
+        const hostile::Vec d = hostile::random_direction(random);
+        description.direction = {d.x, d.y, d.z};
+        Diagnostics ignored;
+        const Result<Light> light = resolve_light(description, ignored);
+        tally.looked_at(points);
+        if (!light) continue;
+        std::vector<Receiver> receivers;
+        for (std::size_t i = 0; i < points; ++i) {
+            const hostile::Vec n = hostile::random_direction(random);
+            receivers.push_back({i % 4 == 0 ? description.position : place(), {n.x, n.y, n.z}});
+        }
+        ProbeOptions options;
+        constexpr std::array methods{IrradianceMethod::exact, IrradianceMethod::frostbite, IrradianceMethod::ue4,
+                                     IrradianceMethod::point};
+        options.method = methods[random.bits() % methods.size()];
+        options.threads = 1;
+        const Result<ProbeResult> result = probe({&*light, 1}, receivers, options);
+        if (!result) continue;
+        for (std::size_t i = 0; i < points; ++i)
+            tally.require(is_amount(result->illuminance_lx[i]), [&] {
+                const glm::dvec3& at = receivers[i].position;
+                const glm::dvec3& n = receivers[i].normal;
+                const glm::dvec3& p = description.position;
+                return fmt::format("{}: {} lx of shape {} at {:a} {:a} {:a} along {:a} {:a} {:a}, point {:a} {:a} {:a} "
+                                   "normal {:a} {:a} {:a}",
+                                   to_text(options.method), result->illuminance_lx[i], description.shape.index(), p.x,
+                                   p.y, p.z, d.x, d.y, d.z, at.x, at.y, at.z, n.x, n.y, n.z);
+            });
+    }
+}
+
+} // namespace
+
+std::span<const StressSubject> light_stress() {
+    static constexpr std::array subjects{
+        StressSubject{"photometric units there and back", "1e-12 of the value, or a refusal", 0.05, units},
+        StressSubject{"probe of any lights", "finite and not negative, or a refusal", 0.05, probes},
+    };
+    return subjects;
+}
+
+} // namespace gonio::measure::detail

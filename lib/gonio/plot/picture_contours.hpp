@@ -1,0 +1,29 @@
+// Lines of equal light over a picture, with their numbers.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/plot/drawing.hpp>
+#include <gonio/plot/palette.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gonio {
+
+// 1, 2 and 5 times the powers of ten between the greatest value and a thousandth of it, in multiples of `unit`.
+std::vector<double> contour_levels(double greatest, double unit);
+
+// A colour for each of `count` levels: the brighter part of the palette, which stands out from a dimmed picture.
+std::vector<Ink> contour_inks(std::size_t count, const Palette& palette);
+
+// Towards black, for lines to stand out from.
+void dim(Image& picture);
+
+// The lines of `values` (one channel) at `levels` (ascending, in the values' unit), each in its ink, with the level in
+// multiples of `unit` written on them where there is room. `surfaces` is that of seen_surfaces: no line crosses from
+// one to another.
+Drawing contour_drawing(const Image& values, std::span<const std::int32_t> surfaces, std::span<const double> levels,
+                        std::span<const Ink> inks, double unit);
+
+} // namespace gonio

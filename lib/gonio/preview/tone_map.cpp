@@ -1,0 +1,49 @@
+#include <gonio/base/kind_text.hpp>
+#include <gonio/color/rgb_space.hpp>
+#include <gonio/preview/tone_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace gonio {
+
+namespace {
+
+constexpr std::array known{
+    ToneMapName{ToneMap::none, "none", "the display transform's view alone"},
+    ToneMapName{ToneMap::ue3, "ue3", "Unreal Engine 3: y = 1.0275 x/(x+0.22), display-encoded, in the view's stead"},
+    ToneMapName{ToneMap::ue3_inverse, "ue3-inverse", "linear light that UE3's curve shows as the plain sRGB picture"},
+};
+
+} // namespace
+
+std::span<const ToneMapName> tone_maps() {
+    return known;
+}
+
+Result<ToneMap> parse_tone_map(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const ToneMapName& map : known) {
+        if (map.name == name) return map.map;
+        names.push_back(map.name);
+    }
+    return unknown_name("tone map", name, names);
+}
+
+std::string_view to_text(ToneMap map) {
+    return known[static_cast<std::size_t>(map)].name;
+}
+
+void apply_ue3(Image& exposed) {
+    for (float& value : exposed.pixels)
+        value = static_cast<float>(ue3_encoded(std::max(static_cast<double>(value), 0.0)));
+}
+
+void apply_ue3_inverse(Image& exposed) {
+    for (float& value : exposed.pixels)
+        value = static_cast<float>(ue3_linear(encode_srgb(std::clamp(static_cast<double>(value), 0.0, 1.0))));
+}
+
+} // namespace gonio
