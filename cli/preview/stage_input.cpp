@@ -2,6 +2,7 @@
 
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/scene/figure.hpp>
 #include <gonio/scene/material_charts.hpp>
 
 #include "../options/values.hpp"
@@ -77,6 +78,7 @@ Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage name
         if (applied) applied = give_material(stage, material);
     for (const std::string& text : arguments.values("--material"))
         if (applied) applied = apply_material(text, stage, diagnostics);
+    if (arguments.has("--figure")) add_figure(stage);
     if (applied) applied = apply_camera(arguments, stage.camera);
     if (applied) applied = check_camera(stage, stage.camera);
     if (!applied) return pass_on(applied);
