@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace gonio::cli {
@@ -106,18 +107,6 @@ Result<void> parse_storage(const Arguments& arguments, BakeRequest& request) {
     return {};
 }
 
-Result<Shard> parse_shard(const std::string& text) {
-    const std::size_t slash = text.find('/');
-    const std::optional<double> index = parse_number(text.substr(0, slash));
-    const std::optional<double> count =
-        slash == std::string::npos ? std::nullopt : parse_number(text.substr(slash + 1));
-    const bool whole = index && count && *index == std::floor(*index) && *count == std::floor(*count);
-    if (!whole || *index < 1.0 || *index > *count || *count > 1e6)
-        return fail(Failure::usage, fmt::format("--shard takes K/N with K from 1 to N, not '{}'", text),
-                    "for example --shard 1/4");
-    return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
-}
-
 } // namespace
 
 Result<BakeRequest> parse_bake(const Arguments& arguments) {
@@ -140,11 +129,9 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     if (Result<void> plane = parse_plane(arguments, request.bake); !plane) return pass_on(plane);
     if (Result<void> extent = parse_extent(arguments, request); !extent) return pass_on(extent);
     if (Result<void> storage = parse_storage(arguments, request); !storage) return pass_on(storage);
-    if (const auto text = arguments.value("--shard")) {
-        Result<Shard> shard = parse_shard(*text);
-        if (!shard) return pass_on(shard);
-        request.shard = *shard;
-    }
+    Result<Catalogue> catalogue = catalogue_of(arguments);
+    if (!catalogue) return pass_on(catalogue);
+    request.catalogue = std::move(*catalogue);
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     request.bake.threads = *threads;
@@ -156,7 +143,6 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     request.stats = arguments.has("--stats");
     request.update = arguments.has("--update");
     request.bake.skip = !arguments.has("--no-skip");
-    request.manifest = arguments.value("--manifest");
     return request;
 }
 

@@ -1,13 +1,13 @@
 // What `gonio bake` is asked: a layout or an engine, a size or an error, how texels are stored, and what goes where.
 #pragma once
 
-#include <gonio/asset/manifest.hpp>
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
+#include "../catalogue.hpp"
 #include "../command.hpp"
 #include "../options/profile_input.hpp"
 
@@ -29,9 +29,6 @@ inline constexpr std::array bake_options{
     Option{"--pixel", "KIND", "float, half, uint16, uint8: what a texel is stored as (float where the format has it)"},
     Option{"--sidecar", "FILE", "where the JSON that describes the texture goes (OUTPUT.json)"},
     Option{"--no-sidecar", "", "write no such file"},
-    Option{"--shard", "K/N", "of all inputs only the K-th, K+N-th, …: the same ones whoever runs it"},
-    Option{"--manifest", "FILE", "write a list of what was made, with the hash of every file"},
-    Option{"--merge", "", "the inputs are the manifests of all shards; -o writes that of the whole"},
     Option{"--stats", "", "say how many texels were evaluated and how long it took"},
     Option{"--no-skip", "", "evaluate every texel, mirror images and darkness too; the texels are the same"},
 };
@@ -52,8 +49,7 @@ struct BakeRequest {
     bool no_sidecar = false;
     bool stats = false;
     bool update = false;
-    std::optional<Shard> shard;
-    std::optional<std::string> manifest;
+    Catalogue catalogue;
 };
 
 Result<BakeRequest> parse_bake(const Arguments& arguments);

@@ -9,7 +9,7 @@
 
 #include "../json_text.hpp"
 #include "../stopwatch.hpp"
-#include "texture_picture.hpp"
+#include "../texel_pixel.hpp"
 
 #include <fmt/format.h>
 
@@ -76,12 +76,7 @@ std::string recipe_of(const BakeRequest& request, const media::ImageFormat& form
         text += fmt::format(" cone={}deg border={}", to_degrees(bake.chart.cone), bake.chart.border);
     text += fmt::format(" normalize={} pixel={} format={}", to_text(bake.normalization), media::to_text(pixel),
                         format.name);
-    const ResolveOptions& resolve = request.input.resolve;
-    if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
-    if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
-    if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
-    if (resolve.azimuth == AzimuthConvention::eulumdat) text += " azimuth=eulumdat";
-    return text;
+    return text + cli::recipe_of(request.input.resolve);
 }
 
 media::ImageWriteOptions write_options(const std::string& sidecar, media::Pixel pixel, int channels) {
@@ -102,12 +97,6 @@ Result<Texture> baked(const Web& web, const BakeOptions& options, const std::opt
     if (!limit) return bake_texture(web, options);
     const double cd = limit->of_peak ? limit->value * peak(web).intensity.value : limit->value;
     return bake_smallest(web, options, Candelas(cd));
-}
-
-Result<ManifestFile> hashed(const std::string& file) {
-    Result<std::string> bytes = read_file(file);
-    if (!bytes) return pass_on(bytes);
-    return ManifestFile{file, sha256(*bytes)};
 }
 
 std::string stats_line(const std::string& input, const Texture& texture, double read_ms, double bake_ms) {
@@ -134,8 +123,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
     std::optional<std::string> named = arguments.value("--to");
     if (!named && request.engine != nullptr && arguments.value("--output-dir")) named = request.engine->format;
     Result<std::vector<Job>> outputs =
-        plan_outputs(arguments, inputs, named.value_or("exr"),
-                     request.shard ? Share{request.shard->index - 1, request.shard->count} : Share{});
+        plan_outputs(arguments, inputs, named.value_or("exr"), share_of(request.catalogue));
     if (!outputs) return pass_on(outputs);
     if (!request.max_error) {
         const Result<std::vector<PlacedChart>> charts =
@@ -175,8 +163,8 @@ bool is_up_to_date(const TextureJob& job) {
     return input && sha256(*input) == record->source_sha256;
 }
 
-Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
-    MadeTexture made;
+Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+    Made made;
     const Stopwatch reading;
     Result<LoadedProfile> loaded = load(job.files.input, request.input);
     if (!loaded) return pass_on(loaded);
@@ -201,14 +189,14 @@ Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& reque
     const media::ImageWriteOptions writing = write_options(sidecar, job.pixel, channels_of(request));
     for (std::size_t i = 0; i < job.pictures.size(); ++i) {
         Result<std::string> bytes = media::encode_image(
-            texture_picture(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
+            picture_of(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
         if (!bytes) return pass_on(bytes);
         files.push_back({job.pictures[i], std::move(*bytes)});
     }
     if (job.sidecar) files.push_back({*job.sidecar, sidecar});
     if (Result<void> written = write_outputs(files); !written) return pass_on(written);
 
-    if (request.manifest) {
+    if (request.catalogue.manifest) {
         made.asset.input = source;
         for (const OutputFile& file : files)
             made.asset.files.push_back({file.name, sha256(file.bytes)});
@@ -228,11 +216,11 @@ Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& reque
     return made;
 }
 
-Result<MadeTexture> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
-    MadeTexture found;
+Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+    Made found;
     found.outcome.unchanged = true;
     found.outcome.remarks.push_back(fmt::format("{}: up to date", job.files.output));
-    if (request.manifest) {
+    if (request.catalogue.manifest) {
         Result<ManifestFile> input = hashed(job.files.input);
         if (!input) return pass_on(input);
         found.asset.input = std::move(*input);

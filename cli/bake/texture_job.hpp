@@ -1,11 +1,11 @@
 // One texture to make: from where, to which files, whether it is there already, and the making.
 #pragma once
 
-#include <gonio/asset/manifest.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include "../batch.hpp"
+#include "../catalogue.hpp"
 #include "../options/output.hpp"
 #include "request.hpp"
 
@@ -32,16 +32,10 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
 // Whether the files are there and were made of the same bytes by the same recipe: what -u asks.
 bool is_up_to_date(const TextureJob& job);
 
-// NOLINTNEXTLINE(bugprone-exception-escape): moving a Json is noexcept, and throws nothing
-struct MadeTexture {
-    Outcome outcome;
-    ManifestAsset asset; // filled when a manifest is wanted
-};
-
 // Bakes and writes; where one of the files cannot be written, none is left.
-Result<MadeTexture> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
+Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
 
 // What is there already, for a report and a manifest.
-Result<MadeTexture> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
+Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
 
 } // namespace gonio::cli

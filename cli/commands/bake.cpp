@@ -1,10 +1,8 @@
-#include <gonio/asset/manifest.hpp>
-#include <gonio/base/atomic_file.hpp>
-
 #include "../arguments.hpp"
 #include "../bake/request.hpp"
 #include "../bake/texture_job.hpp"
 #include "../batch.hpp"
+#include "../catalogue.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
@@ -14,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <utility>
 
 namespace gonio::cli {
 
@@ -25,6 +22,7 @@ constexpr std::array groups{OptionGroup{"texture", bake_options},
                             picture_format_group,
                             profile_input_group,
                             json_group,
+                            catalogue_group,
                             threads_group,
                             common_group};
 constexpr std::array examples{
@@ -44,42 +42,6 @@ constexpr std::array examples{
     Example{"gonio bake library --shard 2/8 -O textures --manifest 2.json", "one of eight jobs"},
     Example{"gonio bake --merge 1.json 2.json -o all.json", "what all jobs have made"},
 };
-
-Result<int> merge_manifests(const Arguments& arguments, Console& console) {
-    const std::optional<std::string> output = arguments.value("--output");
-    if (!output) return fail(Failure::usage, "no output is given", "use -o FILE");
-    Result<std::vector<std::string>> names = input_files(arguments);
-    if (!names) return pass_on(names);
-    std::vector<Manifest> manifests;
-    for (const std::string& name : *names) {
-        Result<std::string> text = name == "-" ? read_standard_input() : read_file(name);
-        if (!text) return pass_on(text);
-        Result<Manifest> manifest = read_manifest(*text, name);
-        if (!manifest) return pass_on(manifest);
-        manifests.push_back(std::move(*manifest));
-    }
-    const Result<Manifest> whole = merged(manifests);
-    if (!whole) return Unexpected(whole.error());
-    if (Result<void> written = write_output(*output, manifest_json(*whole)); !written) return pass_on(written);
-    console.note(fmt::format("{} manifests merged: {} inputs, {} failed", manifests.size(), whole->inputs,
-                             whole->failed.size()));
-    return 0;
-}
-
-// Lists what is whole and what failed, in the order of the inputs.
-Result<void> write_manifest(const BakeRequest& request, const std::vector<TextureJob>& jobs,
-                            std::vector<ManifestAsset> assets) {
-    Manifest manifest;
-    manifest.shard = request.shard;
-    manifest.inputs = jobs.size();
-    if (!jobs.empty()) manifest.recipe = jobs.front().recipe;
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-        if (assets[i].files.empty())
-            manifest.failed.push_back(jobs[i].files.input);
-        else
-            manifest.assets.push_back(std::move(assets[i]));
-    return write_output(*request.manifest, manifest_json(manifest));
-}
 
 Result<int> bake_all(const Arguments& arguments, Console& console) {
     if (arguments.has("--merge")) return merge_manifests(arguments, console);
@@ -108,23 +70,11 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     const unsigned threads = request->bake.threads;
     // Threads work on different profiles, or together on the only one.
     if (names.size() > 1) request->bake.threads = 1;
-    std::vector<ManifestAsset> assets(names.size());
-    int status = run_batch({names, "gonio.bake/1", "baked", threads}, kind, console, [&](std::size_t index) {
-        const TextureJob& job = (*jobs)[index];
-        Result<MadeTexture> made = stays(job) ? found_texture(job, *request, kind) : make_texture(job, *request, kind);
-        Outcome outcome;
-        if (made) {
-            outcome = std::move(made->outcome);
-            assets[index] = std::move(made->asset);
-        } else {
-            outcome.error = std::move(made.error());
-        }
-        return outcome;
-    });
-    if (request->manifest)
-        if (const Result<void> written = write_manifest(*request, *jobs, std::move(assets)); !written)
-            status = worse(status, console.fail(written.error()));
-    return status;
+    return run_catalogue({names, "gonio.bake/1", "baked", threads}, request->catalogue,
+                         jobs->empty() ? std::string() : jobs->front().recipe, kind, console, [&](std::size_t index) {
+                             const TextureJob& job = (*jobs)[index];
+                             return stays(job) ? found_texture(job, *request, kind) : make_texture(job, *request, kind);
+                         });
 }
 
 int run(const Arguments& arguments, Console& console) {

@@ -12,6 +12,7 @@
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
+#include "../plot/falloff.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array diagram_options{
-    Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone (polar)", "diagrams"},
+    Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone, falloff (polar)", "diagrams"},
     Option{"-s,--size", "WxH", "pixels across and down (720x720)"},
     Option{"--plane", "DEG", "polar, cartesian, cone: a plane to draw, with its opposite; again for more (0deg 90deg)"},
     Option{"--per-klm", "", "intensities for 1000 lm of flux, to compare shapes"},
@@ -32,12 +33,18 @@ constexpr std::array diagram_options{
     Option{"--title", "TEXT", "a headline"},
     Option{"--to", "FORMAT", "svg or a picture format of 8 bits, where the file name does not tell (svg)", "images"},
 };
-constexpr std::array groups{OptionGroup{"diagram", diagram_options}, output_group, profile_input_group, threads_group,
+constexpr std::array groups{OptionGroup{"diagram", diagram_options},
+                            OptionGroup{"falloff", falloff_options},
+                            output_group,
+                            profile_input_group,
+                            threads_group,
                             common_group};
 constexpr std::array examples{
     Example{"gonio plot lamp.ies -o lamp.svg", "a polar diagram of the planes C0 and C90"},
     Example{"gonio plot old.ies new.ldt --diagram cartesian --per-klm -o both.svg", "two profiles over each other"},
     Example{"gonio plot street.ldt --diagram isolux --height 8m -o street.svg", "lux on the ground"},
+    Example{"gonio plot --diagram falloff --shape sphere:r=10cm --shape disk:r=30cm --intensity 800lm -o falloff.png",
+            "where lights with a size leave the inverse square"},
     Example{"gonio plot catalogue -O diagrams", "one diagram for each profile below a folder"},
 };
 
@@ -104,13 +111,16 @@ std::string label_of(const std::string& file) {
     return file.substr(file.rfind('/') + 1);
 }
 
-Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, const std::string& output) {
-    Result<Drawing> page = request.diagram->draw(webs, request.plot);
-    if (!page) return pass_on(page);
+Result<void> write_page(const Result<Drawing>& page, const Request& request, const std::string& output) {
+    if (!page) return Unexpected(page.error());
     if (request.format == nullptr) return write_output(output, to_svg(*page));
     Result<std::string> bytes = encode_for_display(to_image(*page), *request.format);
     if (!bytes) return pass_on(bytes);
     return write_output(output, *bytes);
+}
+
+Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, const std::string& output) {
+    return write_page(request.diagram->draw(webs, request.plot), request, output);
 }
 
 // SVG, or a picture format that --to or the output's name tells.
@@ -174,11 +184,38 @@ int draw_each(const std::vector<Job>& jobs, const Request& request, unsigned thr
     });
 }
 
+Result<int> draw_falloff(const Arguments& arguments, Request& request, Console& console) {
+    const std::optional<std::string> output = arguments.value("--output");
+    if (!output || arguments.has("--output-dir"))
+        return fail(Failure::usage, "falloff shows all lights in one diagram", "use -o FILE");
+    const Result<void> format = read_format(arguments, request);
+    if (!format) return Unexpected(format.error());
+    Result<FalloffOptions> options = read_falloff(arguments);
+    if (!options) return pass_on(options);
+    options->width_px = request.plot.width_px;
+    options->height_px = request.plot.height_px;
+    options->title = request.plot.title;
+    Diagnostics diagnostics;
+    Result<std::vector<PlottedLight>> lights = falloff_lights(arguments, diagnostics);
+    console.say(diagnostics);
+    if (!lights) return pass_on(lights);
+    if (arguments.has("--dry-run")) {
+        console.print(*output + "\n");
+        return 0;
+    }
+    const Result<void> written = write_page(falloff_diagram(*lights, *options), request, *output);
+    if (!written) return Unexpected(written.error());
+    return 0;
+}
+
 Result<int> plot(const Arguments& arguments, Console& console) {
-    Result<std::vector<std::string>> files = input_files(arguments);
-    if (!files) return pass_on(files);
     Result<Request> request = parse(arguments);
     if (!request) return pass_on(request);
+    if (request->diagram->draw == nullptr) return draw_falloff(arguments, *request, console);
+    const Result<void> only = no_falloff_options(arguments);
+    if (!only) return Unexpected(only.error());
+    Result<std::vector<std::string>> files = input_files(arguments);
+    if (!files) return pass_on(files);
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     const std::optional<std::string> together = arguments.value("--output");
@@ -209,7 +246,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command plot_command;
 const Command plot_command{
     "plot",
-    "diagrams of profiles, as SVG or pictures: polar, cartesian, heat map, isolux, cone",
+    "diagrams of profiles, as SVG or pictures: polar, cartesian, heat map, isolux, cone, falloff",
     "FILE… -o OUT.svg | FILE… -o OUT.png | FILE… -O DIR",
     "FILE is a profile, a folder of them, '-' for standard input, or @LIST for a list of files.\n"
     "With -o all profiles share one diagram, with -O each has its own.",

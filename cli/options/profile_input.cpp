@@ -98,6 +98,15 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     return options;
 }
 
+std::string recipe_of(const ResolveOptions& resolve) {
+    std::string text;
+    if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
+    if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
+    if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
+    if (resolve.azimuth == AzimuthConvention::eulumdat) text += " azimuth=eulumdat";
+    return text;
+}
+
 Result<std::vector<std::string>> input_files(const Arguments& arguments) {
     std::vector<std::string> files;
     for (const std::string& word : arguments.positional()) {

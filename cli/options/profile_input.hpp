@@ -31,6 +31,9 @@ struct ProfileInputOptions {
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
 
+// What of it is not the default, for a recipe: " lamp-set=2 tilt=30deg"; else empty.
+std::string recipe_of(const ResolveOptions& resolve);
+
 // The positional words with every @LIST replaced by the file names it holds, one a line, and every folder by the
 // profiles below it, sorted by name; XML that is no TM-33 is left out there. Fails (io) when a list or a folder cannot
 // be read and (usage) when there is no word at all, or no profile in a folder.

@@ -16,8 +16,8 @@ NullEngine.prototype.createRawTexture = function (data, ...rest) {
     return create.call(this, data, ...rest);
 };
 const scene = new Scene(new NullEngine());
-const { makeLight } = await import(pathToFileURL(path.resolve(process.argv[2])));
-const light = makeLight(scene);
+const { makeLights } = await import(pathToFileURL(path.resolve(process.argv[2])));
+const [light] = makeLights(scene);
 if (!(light.iesProfileTexture instanceof RawTexture)) throw new Error('the light has no profile');
 
 let worst = 0;

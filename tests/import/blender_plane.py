@@ -1,6 +1,6 @@
-"""Renders the plane z = -1 under a light that an imported script made, and prints the illuminance of its pixels.
+"""Renders the plane z = -1 under the lights that an imported script made, and prints the illuminance of its pixels.
 
-blender --background --factory-startup --python blender_plane.py -- LAMP.py OUT.csv
+blender --background --factory-startup --python blender_plane.py -- LAMP.py OUT.csv [SAMPLES]
 
 x, y in metres and lux, which are Blender's W/m2 times 177.83, the lumens that it counts for a watt of an IES profile.
 """
@@ -12,7 +12,7 @@ import tempfile
 
 import bpy
 
-lamp, out = sys.argv[sys.argv.index("--") + 1 :]
+lamp, out, *samples = sys.argv[sys.argv.index("--") + 1 :]
 pixels = 32
 width = 4.0  # of the square that is looked at [m]
 
@@ -48,7 +48,7 @@ scene.world = bpy.data.worlds.new("dark")
 scene.world.color = (0.0, 0.0, 0.0)
 scene.render.engine = "CYCLES"
 scene.cycles.device = "CPU"
-scene.cycles.samples = 256
+scene.cycles.samples = int(samples[0]) if samples else 256
 scene.cycles.use_denoising = False
 scene.cycles.max_bounces = 0
 scene.cycles.pixel_filter_type = "BOX"

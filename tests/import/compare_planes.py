@@ -1,7 +1,7 @@
-"""Blender's plane against gonio probe's: compare_planes.py BLENDER.csv PROBE.csv
+"""Blender's plane against gonio probe's: compare_planes.py BLENDER.csv PROBE.csv [MEAN WORST]
 
-Exits with 1 unless the mean agrees to 0.1 % and every pixel to 1 % of the brightest, which leaves room for the cubic
-interpolation of Cycles between the table's lines.
+Exits with 1 unless the mean agrees to 0.1 % and every pixel to 1 % of the brightest (or as said), which leaves room for
+the cubic interpolation of Cycles between the table's lines.
 """
 
 import csv
@@ -26,4 +26,5 @@ brightest = max(probe.values())
 worst = max(abs(blender[at] - probe[at]) for at in probe) / brightest
 ratio = sum(blender.values()) / sum(probe.values())
 print(f"{sys.argv[1]}: {len(probe)} pixels, mean {ratio:.5f} of gonio's, worst {worst:.4f} of the brightest")
-sys.exit(0 if abs(ratio - 1.0) < 1e-3 and worst < 0.01 else 1)
+most_mean, most_worst = map(float, sys.argv[3:5]) if len(sys.argv) > 3 else (1e-3, 0.01)
+sys.exit(0 if abs(ratio - 1.0) < most_mean and worst < most_worst else 1)

@@ -5,8 +5,8 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { DataUtils } from 'three/webgpu';
 
-const { makeLight } = await import(pathToFileURL(path.resolve(process.argv[2])));
-const light = makeLight();
+const { makeLights } = await import(pathToFileURL(path.resolve(process.argv[2])));
+const [light] = makeLights();
 const { data, width, height } = light.iesMap.image;
 
 // Linear filtering: clamped across, wrapped down.
@@ -24,7 +24,8 @@ let worst = 0;
 let count = 0;
 for (const line of fs.readFileSync(0, 'utf8').trim().split('\n')) {
     const [c, gamma, cd] = line.split(',').map(Number);
-    const twist = ((c + 180) % 360) / 360 + 0.5 / height;
+    // The azimuth is that of a perspective projection: what lies behind the light is turned by half a circle.
+    const twist = ((c + (gamma > 90 ? 360 : 180)) % 360) / 360 + 0.5 / height;
     const tilt = 0.5 / width + (gamma / 180) * (1 - 1 / width);
     worst = Math.max(worst, Math.abs(texture(tilt, twist) * light.intensity - cd) / light.intensity);
     ++count;

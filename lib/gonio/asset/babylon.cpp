@@ -1,6 +1,9 @@
-// Babylon.js: a module that makes a SpotLight with a profile texture, looked up at u = γ/180° alone. Babylon's own
-// loader of .ies takes the first plane, and loses the candela; ours gives the mean over C, and the peak as intensity.
-#include <gonio/asset/detail/target_files.hpp>
+// Babylon.js: a module that makes the lights, left-handed and Y up, for PBR materials.
+//
+// A profile is a SpotLight with a texture, looked up at u = γ/180° alone. Babylon's own loader of .ies takes the first
+// plane, and loses the candela; ours gives the mean over C, and the peak as intensity. Falloff is glTF's: the inverse
+// square with the window of a range, spots as the square of the linear in the cosine.
+#include <gonio/asset/detail/scene_light.hpp>
 
 #include <fmt/format.h>
 
@@ -19,55 +22,89 @@ std::string number_lines(std::span<const float> numbers) {
     return lines;
 }
 
-constexpr const char* module_text = R"js(// {description}
-// The mean over C: {loss:.3g} cd of {peak:.6g} cd off at worst.
-import {{ Color3 }} from '@babylonjs/core/Maths/math.color.js';
-import {{ Vector3 }} from '@babylonjs/core/Maths/math.vector.js';
-import {{ Constants }} from '@babylonjs/core/Engines/constants.js';
-import {{ Light }} from '@babylonjs/core/Lights/light.js';
-import {{ SpotLight }} from '@babylonjs/core/Lights/spotLight.js';
-import {{ RawTexture }} from '@babylonjs/core/Materials/Textures/rawTexture.js';
-
-export const fluxLumens = {flux};
-export const peakCandela = {peak};
-// Texel i: the mean over C and from i to i + 1 degrees, over the peak.
-const profile = [
-{texels}];
-
-// A light for PBR materials, with inverse-square falloff, at the origin and shining along -Y until it is moved.
-export function makeLight(scene) {{
-    const light = new SpotLight({name}, Vector3.Zero(), Vector3.Down(), Math.PI, 0, scene);
-    light.iesProfileTexture = new RawTexture(
-        Float32Array.from(profile), profile.length, 1, Constants.TEXTUREFORMAT_R, scene, false, false,
-        Constants.TEXTURE_BILINEAR_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT);
-    light.intensityMode = Light.INTENSITYMODE_LUMINOUSINTENSITY;
-    light.falloffType = Light.FALLOFF_PHYSICAL;
-    light.intensity = peakCandela;
-    light.diffuse = light.specular = new Color3({red}, {green}, {blue});
-    return light;
-}}
+constexpr const char* imports = R"js(
+import { Color3 } from '@babylonjs/core/Maths/math.color.js';
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js';
+import { Constants } from '@babylonjs/core/Engines/constants.js';
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js';
+import { Light } from '@babylonjs/core/Lights/light.js';
+import { PointLight } from '@babylonjs/core/Lights/pointLight.js';
+import { SpotLight } from '@babylonjs/core/Lights/spotLight.js';
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js';
 )js";
+
+constexpr const char* helpers = R"js(
+function finish(light, mode, intensity, color, range) {
+    light.intensityMode = mode;
+    light.falloffType = Light.FALLOFF_GLTF;
+    light.intensity = intensity;
+    light.diffuse = light.specular = new Color3(...color);
+    if (range > 0) light.range = range;
+    return light;
+}
+
+function profileLight(scene, name, position, aim, profile) {
+    const light = new SpotLight(name, new Vector3(...position), new Vector3(...aim), Math.PI, 0, scene);
+    light.iesProfileTexture = new RawTexture(
+        Float32Array.from(profiles[profile]), profiles[profile].length, 1, Constants.TEXTUREFORMAT_R, scene, false,
+        false, Constants.TEXTURE_BILINEAR_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT);
+    return light;
+}
+
+function spotLight(scene, name, position, aim, inner, outer) {
+    const light = new SpotLight(name, new Vector3(...position), new Vector3(...aim), 2 * outer, 0, scene);
+    light.innerAngle = 2 * inner;
+    return light;
+}
+)js";
+
+std::string vector(const glm::dvec3& v) {
+    return "[" + triple(v) + "]";
+}
+
+std::string entry(const SceneLight& light) {
+    const std::string name = quoted(light.name);
+    const std::string position = vector(left_handed_y_up(light.frame.origin));
+    const std::string aim = vector(left_handed_y_up(-light.frame.z));
+    const double range = light.range.value_or(0.0);
+    const auto finish = [&](const std::string& made, std::string_view mode, double intensity) {
+        return fmt::format("        finish({}, Light.INTENSITYMODE_{}, {}, {}, {}),\n", made, mode, intensity,
+                           vector(light.color), range);
+    };
+    if (light.kind == LightKind::sun)
+        return finish(fmt::format("new DirectionalLight({}, new Vector3(...{}), scene)", name, aim), "ILLUMINANCE",
+                      light.lux);
+    std::string made = fmt::format("new PointLight({}, new Vector3(...{}), scene)", name, position);
+    if (light.kind == LightKind::spot)
+        made = fmt::format("spotLight(scene, {}, {}, {}, {}, {})", name, position, aim, light.inner, light.outer);
+    if (light.kind == LightKind::profile)
+        made = fmt::format("profileLight(scene, {}, {}, {}, {})", name, position, aim, light.profile);
+    return finish(made, "LUMINOUSINTENSITY", light.intensity);
+}
 
 } // namespace
 
-std::vector<AssetFile> babylon_files(const MeasuredLight& light) {
-    using namespace fmt::literals;
-    // Of a layout and a size that every web has: it does not fail.
+std::vector<AssetFile> babylon_files(const SceneContent& scene) {
+    // Of a layout and a size that every web has.
     BakeOptions rings;
     rings.layout = Layout::v180;
     rings.width = 180;
     rings.height = 1;
     rings.normalization = Normalization::peak;
-    rings.threads = 1;
-    const Result<Texture> baked = bake_texture(light.web, rings);
-    if (!baked) return {};
-    const Texture& ring_means = *baked;
-    std::string text =
-        fmt::format(module_text, "description"_a = describe(light), "loss"_a = ring_means.max_error.value,
-                    "flux"_a = light.flux.value, "peak"_a = light.peak.value, "name"_a = quoted(light.name),
-                    "texels"_a = number_lines(ring_means.image.pixels), "red"_a = light.color.x,
-                    "green"_a = light.color.y, "blue"_a = light.color.z);
-    return {{light.name + ".js", std::move(text), {}}};
+    std::string profiles;
+    for (const MeasuredLight& profile : scene.profiles)
+        profiles += fmt::format("    // {}\n    [\n{}    ],\n", describe(profile),
+                                number_lines(baked_picture(profile.web, rings).image.pixels));
+    std::string lights;
+    for (const SceneLight& light : scene.lights)
+        lights += entry(light);
+    std::string text = fmt::format("// {}{}\n"
+                                   "// Texel i: the mean over C and from i to i + 1 degrees, over the peak.\n"
+                                   "const profiles = [\n{}];\n{}\n"
+                                   "// New lights in the scene, Y up and left-handed. Units in a metre: {}.\n"
+                                   "export function makeLights(scene) {{\n    return [\n{}    ];\n}}\n",
+                                   scene.description, imports, profiles, helpers, scene.units_per_meter, lights);
+    return {{scene.name + ".js", std::move(text), {}}};
 }
 
 } // namespace gonio::asset_detail

@@ -1,16 +1,23 @@
-// Blender: a Python script that makes a point light of 1 W whose emission strength is the IES node's.
+// Blender: a Python script that makes the lights for Cycles, Z up.
 //
-// Cycles' node multiplies candela by 4π/177.83 (Blender's lumens for a watt), so that a point light of 1 W shines with
-// the file's candela, each 1/177.83 W/sr. It looks up H = atan2(x, y) + π and V = acos(−z): turning that vector gives
-// azimuths as LM-63 counts them, from +X towards +Y. Between the table's lines Cycles interpolates by cubics, which
-// overshoot where the light bends; on a table of four times as many lines a quarter of that is left. The profile is
-// held by the .blend file.
-#include <gonio/asset/detail/target_files.hpp>
+// Watts are lumens over 177.83, Blender's own figure: a point of P W shines with P/4π W/sr, an area with P/4A per m²
+// and sr (so it emits π/4 of its power), a sun with P W/m², emission of a material with its strength. A profile is a
+// point light of 1 W whose emission strength is the IES node's: Cycles' node multiplies candela by 4π/177.83, so that
+// each is 1/177.83 W/sr. It looks up H = atan2(x, y) + π and V = acos(−z): turning that vector gives azimuths as LM-63
+// counts them, from +X towards +Y. Between the table's lines Cycles interpolates by cubics, which overshoot where the
+// light bends; on a table of four times as many lines a quarter of that is left. The profile is held by the .blend
+// file.
+//
+// Spots are profiles too: Cycles 3.4 multiplies its own by the cosine to the axis, other releases do not.
+#include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/to_profile.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -18,22 +25,40 @@ namespace gonio::asset_detail {
 
 namespace {
 
-constexpr const char* script = R"python(# {description}
-# Makes the light {name} with its measured profile inside: a point light for Cycles, beam along -Z, C0 along +X.
-# Lux are Blender's W/m2 times 177.83. Scale the light by its Power: 1 W is the profile as it is.
+using std::numbers::pi;
+
+constexpr double lumens_per_watt = 177.83;
+
+constexpr const char* start = R"python(# {description}
+# Makes the lights for Cycles. Lux are Blender's W/m2 times 177.83.
 import bpy
+from mathutils import Matrix
+)python";
 
-PROFILE = (
-{lines})
-COLOR = ({red}, {green}, {blue})  # linear Rec.709 of luminance 1
+constexpr const char* place = R"python(
+
+def place(name, data, position, x, y, z):
+    light = bpy.data.objects.new(name, data)
+    light.matrix_world = Matrix(
+        [(x[i], y[i], z[i], position[i]) for i in range(3)] + [(0.0, 0.0, 0.0, 1.0)]
+    )
+    bpy.context.scene.collection.objects.link(light)
+    return light
 
 
-def make_light(name):
-    text = bpy.data.texts.new(name + ".ies")
-    text.write(PROFILE)
-    light = bpy.data.lights.new(name, "POINT")
-    light.energy = 1.0
-    light.shadow_soft_size = 0.0
+def new_light(name, kind, color, watts):
+    light = bpy.data.lights.new(name, kind)
+    light.color = color
+    light.energy = watts
+    if kind == "POINT":
+        light.shadow_soft_size = 0.0
+    return light
+)python";
+
+constexpr const char* profile_helper = R"python(
+
+def profile_light(name, text, color, watts):
+    light = new_light(name, "POINT", (1.0, 1.0, 1.0), watts)
     light.use_nodes = True
     nodes = light.node_tree.nodes
     links = light.node_tree.links
@@ -56,16 +81,35 @@ def make_light(name):
     profile.inputs["Strength"].default_value = 1.0
     links.new(turned.outputs[0], profile.inputs["Vector"])
     emission = nodes.new("ShaderNodeEmission")
-    emission.inputs["Color"].default_value = COLOR + (1.0,)
+    emission.inputs["Color"].default_value = color + (1.0,)  # linear Rec.709 of luminance 1
     links.new(profile.outputs["Fac"], emission.inputs["Strength"])
     output = nodes.new("ShaderNodeOutputLight")
     links.new(emission.outputs[0], output.inputs["Surface"])
-    luminaire = bpy.data.objects.new(name, light)
-    bpy.context.scene.collection.objects.link(luminaire)
-    return luminaire
+    return light
 
 
-make_light({quoted_name})
+def profile_text(name, lines):
+    text = bpy.data.texts.new(name)
+    text.write(lines)
+    return text
+)python";
+
+constexpr const char* tube_helper = R"python(
+
+def glowing_mesh(name, points, faces, color, radiance):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(points, [], faces)
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    nodes = material.node_tree.nodes
+    nodes.clear()
+    emission = nodes.new("ShaderNodeEmission")
+    emission.inputs["Color"].default_value = color + (1.0,)
+    emission.inputs["Strength"].default_value = radiance
+    output = nodes.new("ShaderNodeOutputMaterial")
+    material.node_tree.links.new(emission.outputs[0], output.inputs["Surface"])
+    mesh.materials.append(material)
+    return mesh
 )python";
 
 // The angles and as many between each two of them as make `parts`.
@@ -107,15 +151,76 @@ std::string literals(std::string_view text) {
     return lines;
 }
 
+std::string tuple(const glm::dvec3& v) {
+    return "(" + triple(v) + ")";
+}
+
+std::string mesh_lists(const Mesh& mesh) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        text += fmt::format("{}({:.9g}, {:.9g}, {:.9g}),", i % 4 == 0 ? "\n        " : " ", mesh.points[i].x,
+                            mesh.points[i].y, mesh.points[i].z);
+    text += "\n    ], [";
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        text += fmt::format("{}({}, {}, {}),", i % 8 == 0 ? "\n        " : " ", mesh.faces[i].x, mesh.faces[i].y,
+                            mesh.faces[i].z);
+    return text + "\n    ]";
+}
+
+// The statement that makes the light's data, and further ones that set it.
+std::string data_of(const SceneLight& light, const SceneContent& scene) {
+    const ScaledColor color = scaled(light.color);
+    const auto lamp = [&](std::string_view kind, double lumens) {
+        return fmt::format("light = new_light({}, \"{}\", {}, {})\n", quoted(light.name), kind, tuple(color.rgb),
+                           color.factor * lumens / lumens_per_watt);
+    };
+    const auto& l = light;
+    switch (l.kind) {
+    case LightKind::profile:
+        return fmt::format("light = profile_light({}, texts[{}], {}, {})\n", quoted(l.name), l.profile, tuple(l.color),
+                           l.intensity / scene.profiles[l.profile].peak.value);
+    case LightKind::sphere:
+        return lamp("POINT", 4.0 * pi * pi * l.radius * l.radius * l.nits) +
+               fmt::format("light.shadow_soft_size = {}\n", l.radius);
+    case LightKind::disk:
+        return lamp("AREA", 4.0 * pi * l.radius * l.radius * l.nits) +
+               fmt::format("light.shape = \"DISK\"\nlight.size = {}\n", 2.0 * l.radius);
+    case LightKind::rect:
+        return lamp("AREA", 4.0 * l.width * l.height * l.nits) +
+               fmt::format("light.shape = \"RECTANGLE\"\nlight.size = {}\nlight.size_y = {}\n", l.width, l.height);
+    case LightKind::tube:
+        return fmt::format("light = glowing_mesh({}, {}, {}, {})\n", quoted(l.name),
+                           mesh_lists(capsule_mesh(l.radius, l.width)), tuple(l.color), l.nits / lumens_per_watt);
+    case LightKind::sun:
+        return lamp("SUN", l.lux) + fmt::format("light.angle = {}\n", l.diameter);
+    default:
+        return lamp("POINT", 4.0 * pi * l.intensity);
+    }
+}
+
 } // namespace
 
-std::vector<AssetFile> blender_files(const MeasuredLight& light) {
+std::vector<AssetFile> blender_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::string text =
-        fmt::format(script, "description"_a = describe(light), "name"_a = light.name,
-                    "lines"_a = literals(finer_profile(light)), "red"_a = light.color.x, "green"_a = light.color.y,
-                    "blue"_a = light.color.z, "quoted_name"_a = quoted(light.name));
-    return {{light.name + ".py", std::move(text), {}}};
+    std::string text = fmt::format(start, "description"_a = scene.description);
+    text += place;
+    if (!scene.profiles.empty()) text += profile_helper;
+    const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                   [](const SceneLight& light) { return light.kind == LightKind::tube; });
+    if (tubes) text += tube_helper;
+    text += "\n\n";
+    if (!scene.profiles.empty()) {
+        text += "texts = [\n";
+        for (const MeasuredLight& profile : scene.profiles)
+            text += fmt::format("    profile_text({}, (\n{}    )),\n", quoted(profile.name + ".ies"),
+                                literals(finer_profile(profile)));
+        text += "]\n";
+    }
+    for (const SceneLight& light : scene.lights)
+        text += data_of(light, scene) + fmt::format("place({}, light, {}, {}, {}, {})\n", quoted(light.name),
+                                                    tuple(light.frame.origin), tuple(light.frame.x),
+                                                    tuple(light.frame.y), tuple(light.frame.z));
+    return {{scene.name + ".py", std::move(text), {}}};
 }
 
 } // namespace gonio::asset_detail

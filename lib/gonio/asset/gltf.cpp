@@ -1,13 +1,16 @@
-// glTF 2.0: EXT_lights_ies with the portable profile (beside the .gltf, inside the .glb), and for readers without it
-// KHR_lights_punctual on the same node.
+// glTF 2.0: a node for each light, in metres and Y up. Points, spots and suns are KHR_lights_punctual; a profile is
+// EXT_lights_ies with the portable profile (beside the .gltf, inside the .glb), and for readers without it a punctual
+// light of the same flux on the same node.
 //
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
 // colour is scaled to a greatest channel of 1 and the multiplier gives back what that takes.
-#include <gonio/asset/detail/target_files.hpp>
+#include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/web/zones.hpp>
 
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -24,15 +27,8 @@ using std::numbers::pi;
 
 constexpr const char* mime_type = "application/x-ies-lm-63";
 
-// The greatest channel, and the colour with that as 1.
-struct ScaledColor {
-    double factor;
-    Json rgb;
-};
-
-ScaledColor scaled(const glm::dvec3& color) {
-    const double most = std::max({color.x, color.y, color.z});
-    return {most, {color.x / most, color.y / most, color.z / most}};
+Json numbers(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
 }
 
 // Whether a thousandth of the peak is reached above the horizon.
@@ -76,9 +72,13 @@ Cone cone_of(double mean_cosine) {
     return {std::acos(low), 0.5 * pi};
 }
 
+Json spot_cone(double inner, double outer) {
+    return {{"innerConeAngle", inner}, {"outerConeAngle", outer}};
+}
+
 // A light of the same flux: what shines up too is a point, the rest a spot about as narrow.
-Json punctual(const MeasuredLight& light, const ScaledColor& color) {
-    Json json{{"name", light.name}, {"color", color.rgb}};
+Json fallback(const MeasuredLight& light, const std::string& name, const ScaledColor& color) {
+    Json json{{"name", name}, {"color", numbers(color.rgb)}};
     if (shines_up(light.web, light.peak)) {
         json["type"] = "point";
         json["intensity"] = color.factor * light.flux.value / (4.0 * pi);
@@ -89,31 +89,65 @@ Json punctual(const MeasuredLight& light, const ScaledColor& color) {
     json["type"] = "spot";
     json["intensity"] =
         color.factor * light.flux.value / closed_form::spot_solid_angle(Falloff::frostbite, widest_inner, outer);
-    json["spot"] = {{"innerConeAngle", widest_inner}, {"outerConeAngle", outer}};
+    json["spot"] = spot_cone(widest_inner, outer);
     return json;
 }
 
-// The document but for where the profile is.
-Json document(const MeasuredLight& light, Json profile) {
+// What KHR_lights_punctual makes of a light.
+Json punctual(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
-    profile["name"] = light.name;
-    // A world of +Y up: the node's −Z goes down, its +X stays.
-    const double half_turn = std::sqrt(0.5);
-    Json node{{"name", light.name}, {"rotation", {-half_turn, 0.0, 0.0, half_turn}}};
-    node["extensions"] = {
-        {"EXT_lights_ies", {{"light", 0}, {"multiplier", color.factor}, {"color", color.rgb}}},
-        {"KHR_lights_punctual", {{"light", 0}}},
-    };
-    node["extras"] = {{"flux_lm", light.flux.value}, {"peak_cd", light.peak.value}};
+    if (light.kind == LightKind::profile) return fallback(scene.profiles[light.profile], light.name, color);
+    Json json{{"name", light.name}, {"color", numbers(color.rgb)}};
+    json["type"] = light.kind == LightKind::sun ? "directional" : light.kind == LightKind::spot ? "spot" : "point";
+    json["intensity"] = color.factor * (light.kind == LightKind::sun ? light.lux : light.intensity);
+    if (light.kind == LightKind::spot) json["spot"] = spot_cone(light.inner, light.outer);
+    return json;
+}
+
+// The light's −Z, +X and +Y as a node's: of unit length to the last digit.
+Json rotation(const Frame& frame) {
+    const glm::dquat turn = glm::normalize(glm::quat_cast(glm::dmat3(y_up(frame.x), y_up(frame.y), y_up(frame.z))));
+    return {turn.x, turn.y, turn.z, turn.w};
+}
+
+// The document but for where the profiles are.
+Json document(const SceneContent& scene, Json profiles) {
+    Json lights = Json::array();
+    Json nodes = Json::array();
+    Json roots = Json::array();
+    for (const SceneLight& light : scene.lights) {
+        Json node{{"name", light.name}, {"rotation", rotation(light.frame)}};
+        if (light.frame.origin != glm::dvec3(0.0)) node["translation"] = numbers(y_up(light.frame.origin));
+        node["extensions"] = Json::object();
+        if (light.kind == LightKind::profile) {
+            const ScaledColor color = scaled(light.color);
+            node["extensions"]["EXT_lights_ies"] = {
+                {"light", light.profile}, {"multiplier", color.factor}, {"color", numbers(color.rgb)}};
+            node["extras"] = {{"flux_lm", scene.profiles[light.profile].flux.value},
+                              {"peak_cd", scene.profiles[light.profile].peak.value}};
+        }
+        node["extensions"]["KHR_lights_punctual"] = {{"light", lights.size()}};
+        roots.push_back(nodes.size());
+        nodes.push_back(std::move(node));
+        lights.push_back(punctual(light, scene));
+    }
+    Json used = Json::array();
+    Json extensions = Json::object();
+    if (!scene.profiles.empty()) {
+        used.push_back("EXT_lights_ies");
+        for (std::size_t i = 0; i < scene.profiles.size(); ++i)
+            profiles[i]["name"] = scene.profiles[i].name;
+        extensions["EXT_lights_ies"] = {{"lights", std::move(profiles)}};
+    }
+    used.push_back("KHR_lights_punctual");
+    extensions["KHR_lights_punctual"] = {{"lights", std::move(lights)}};
     return {
         {"asset", {{"version", "2.0"}, {"generator", std::string("gonio ") + version}}},
-        {"extensionsUsed", {"EXT_lights_ies", "KHR_lights_punctual"}},
-        {"extensions",
-         {{"EXT_lights_ies", {{"lights", Json::array({std::move(profile)})}}},
-          {"KHR_lights_punctual", {{"lights", Json::array({punctual(light, color)})}}}}},
+        {"extensionsUsed", std::move(used)},
+        {"extensions", std::move(extensions)},
         {"scene", 0},
-        {"scenes", Json::array({{{"nodes", {0}}}})},
-        {"nodes", Json::array({std::move(node)})},
+        {"scenes", Json::array({{{"nodes", std::move(roots)}}})},
+        {"nodes", std::move(nodes)},
     };
 }
 
@@ -130,13 +164,24 @@ void append_chunk(std::string& bytes, std::string_view type, std::string data, c
     bytes += data;
 }
 
-std::string binary(const MeasuredLight& light) {
-    Json json = document(light, {{"bufferView", 0}, {"mimeType", mime_type}});
-    json["buffers"] = Json::array({{{"byteLength", light.portable_ies.size()}}});
-    json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", light.portable_ies.size()}}});
+std::string binary(const SceneContent& scene) {
+    Json profiles = Json::array();
+    Json views = Json::array();
+    std::string data;
+    for (const MeasuredLight& profile : scene.profiles) {
+        profiles.push_back({{"bufferView", views.size()}, {"mimeType", mime_type}});
+        views.push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", profile.portable_ies.size()}});
+        data += profile.portable_ies;
+        data.resize((data.size() + 3) / 4 * 4, '\0');
+    }
+    Json json = document(scene, std::move(profiles));
+    if (!data.empty()) {
+        json["buffers"] = Json::array({{{"byteLength", data.size()}}});
+        json["bufferViews"] = std::move(views);
+    }
     std::string chunks;
     append_chunk(chunks, "JSON", json.dump(), ' ');
-    append_chunk(chunks, std::string_view("BIN\0", 4), light.portable_ies, '\0');
+    if (!data.empty()) append_chunk(chunks, std::string_view("BIN\0", 4), data, '\0');
     std::string bytes = "glTF";
     append_u32(bytes, 2);
     append_u32(bytes, 12 + chunks.size());
@@ -145,11 +190,15 @@ std::string binary(const MeasuredLight& light) {
 
 } // namespace
 
-std::vector<AssetFile> gltf_files(const MeasuredLight& light) {
-    const std::string ies = light.name + ".ies";
-    return {{light.name + ".gltf", document(light, {{"uri", ies}}).dump(2) + "\n", {}},
-            {ies, light.portable_ies, {}},
-            {light.name + ".glb", binary(light), {}}};
+std::vector<AssetFile> gltf_files(const SceneContent& scene) {
+    Json profiles = Json::array();
+    for (const MeasuredLight& profile : scene.profiles)
+        profiles.push_back({{"uri", profile.name + ".ies"}});
+    std::vector<AssetFile> files{{scene.name + ".gltf", document(scene, std::move(profiles)).dump(2) + "\n", {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    files.push_back({scene.name + ".glb", binary(scene), {}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

@@ -74,6 +74,7 @@ std::string manifest_json(const Manifest& manifest) {
         for (const ManifestFile& file : asset.files)
             files.push_back(to_json(file));
         json["assets"].push_back({{"input", to_json(asset.input)}, {"files", std::move(files)}});
+        if (!asset.remarks.empty()) json["assets"].back()["remarks"] = asset.remarks;
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -95,6 +96,9 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
         read.input = reader.file(reader.member(asset, "input", Json::value_t::object));
         for (const Json& file : reader.member(asset, "files", Json::value_t::array))
             read.files.push_back(reader.file(file));
+        if (asset.contains("remarks"))
+            for (const Json& remark : reader.member(asset, "remarks", Json::value_t::array))
+                if (remark.is_string()) read.remarks.push_back(remark.get<std::string>());
         manifest.assets.push_back(std::move(read));
     }
     for (const Json& input : reader.member(json, "failed", Json::value_t::array))

@@ -32,6 +32,7 @@ struct ManifestFile {
 struct ManifestAsset {
     ManifestFile input;
     std::vector<ManifestFile> files;
+    std::vector<std::string> remarks = {}; // what the files do not hold, and what they do instead
 
     bool operator==(const ManifestAsset&) const = default;
 };

@@ -31,6 +31,19 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
                          Diagnostics& diagnostics) {
     Colored colored;
     colored.text = options.color;
+    if (colored.text.empty() && !source.spectra.empty()) {
+        Result<glm::dvec3> rgb = light_color_of(source.spectra.front(), &diagnostics);
+        if (!rgb) return pass_on(rgb);
+        if (source.spectra.size() > 1) {
+            Diagnostic warning;
+            warning.severity = Severity::warning;
+            warning.location.file = source.file;
+            warning.message = fmt::format("of {} spectra the light has the colour of the first", source.spectra.size());
+            warning.hint = "name one colour for all, for example --color 3000K";
+            diagnostics.push_back(std::move(warning));
+        }
+        return Colored{*rgb, "spectrum"};
+    }
     if (colored.text.empty()) {
         const std::string_view said = keyword_text(source.header, "_CCT");
         if (said.empty()) return colored;

@@ -8,12 +8,14 @@
 
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/web.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,7 +28,7 @@ struct MeasuredLight {
     Lumens flux;               // its integral
     Candelas peak;             // its greatest intensity
     glm::dvec3 color{1.0};     // linear Rec.709 of luminance 1
-    std::string color_text;    // what that was made of: "2700K"; empty where nothing is known
+    std::string color_text;    // what that was made of: "2700K", "spectrum"; empty where nothing is known
     std::string source_file;   // as the user named it
     std::string source_sha256; // of its bytes
     ProfileHeader header;      // of the source
@@ -39,12 +41,14 @@ struct MeasuredLightSource {
     std::string_view bytes; // of the file
     const Web& web;
     const ProfileHeader& header;
+    std::span<const Spectrum> spectra = {}; // of the file
 };
 
 struct MeasuredLightOptions {
     std::optional<Lumens> flux; // scaled to it; else as measured
     Radians rotation;           // about the axis, C0 towards C90
-    std::string color;          // as parse_light_color takes it; empty: the profile's colour temperature, else white
+    std::string color;          // as parse_light_color takes it; empty: that of the file's spectrum, else of its
+                                // colour temperature, else white
 };
 
 // Fails as rotated(), scaled_to() and parse_light_color() do, and (unsupported) on a web without light, which no engine

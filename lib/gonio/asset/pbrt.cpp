@@ -1,33 +1,95 @@
-// pbrt-v4: a goniometric light with an equal-area image (P. Clarberg, "Fast Equal-Area Mapping of the (Hemi)Sphere
-// using SIMD", 2008, turned for octahedral maps).
+// pbrt-v4: lights whose numbers are photometric (`scale` in candela and nits, `illuminance` in lux, `power` in lumens).
 //
-// pbrt looks a square image of one channel Y up at EqualAreaSphereToSquare of the light's direction with y and z
-// swapped: the image's middle is +Y, its right edge +X, its lower edge +Z. Baked with the nadir in the middle, C0 to
-// the right and C90 below, it is turned by −90° about X. pbrt scales it to `power`, which it counts in lumens; texels
-// of equal solid angle make that exact.
-#include <gonio/asset/detail/target_files.hpp>
+// A profile is a goniometric light with an equal-area image (P. Clarberg, "Fast Equal-Area Mapping of the (Hemi)Sphere
+// using SIMD", 2008, turned for octahedral maps): pbrt looks a square image of one channel Y up at
+// EqualAreaSphereToSquare of the light's direction with y and z swapped: the image's middle is +Y, its right edge +X,
+// its lower edge +Z. Baked with the nadir in the middle, C0 to the right and C90 below, it is turned by −90° about X.
+// pbrt scales it to `power`; texels of equal solid angle make that exact. Spots fall as smoothstep over the cosine.
+#include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/bake/engine.hpp>
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace gonio::asset_detail {
 
-std::vector<AssetFile> pbrt_files(const MeasuredLight& light) {
-    AssetTexture texture{(*find_engine("pbrt-v4"))->bake};
-    texture.bake.threads = 1;
-    const std::string image = light.name + ".exr";
-    std::string text =
-        fmt::format("# {}\n"
-                    "# The beam goes along -Z, C0 along +X, C90 along +Y.\n"
-                    "AttributeBegin\n"
-                    "  Rotate -90 1 0 0\n"
-                    "  LightSource \"goniometric\"\n"
-                    "    \"string filename\" \"{}\"\n"
-                    "    \"rgb I\" [ {} {} {} ]\n"
-                    "    \"float power\" [ {} ]\n"
-                    "AttributeEnd\n",
-                    describe(light), image, light.color.x, light.color.y, light.color.z, light.flux.value);
-    return {{light.name + ".pbrt", std::move(text), {}}, {image, {}, texture}};
+namespace {
+
+std::string area(const SceneLight& light, std::string_view shapes) {
+    return fmt::format("  AreaLightSource \"diffuse\" \"rgb L\" [ {} ] \"float scale\" [ {} ]\n{}",
+                       triple(light.color, " "), light.nits, shapes);
+}
+
+std::string ball(double x, double radius) {
+    return fmt::format("  AttributeBegin\n    Translate {} 0 0\n    Shape \"sphere\" \"float radius\" {}\n"
+                       "  AttributeEnd\n",
+                       x, radius);
+}
+
+std::string body(const SceneLight& light, const SceneContent& scene) {
+    const std::string color = fmt::format("\"rgb I\" [ {} ]", triple(light.color, " "));
+    constexpr double degree = 180.0 / std::numbers::pi;
+    switch (light.kind) {
+    case LightKind::point:
+        return fmt::format("  LightSource \"point\" {} \"float scale\" [ {} ]\n", color, light.intensity);
+    case LightKind::spot:
+        return fmt::format("  LightSource \"spot\" {} \"float scale\" [ {} ]\n"
+                           "    \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 0 0 -1 ]\n"
+                           "    \"float coneangle\" [ {} ] \"float conedeltaangle\" [ {} ]\n",
+                           color, light.intensity, light.outer * degree, (light.outer - light.inner) * degree);
+    case LightKind::profile: {
+        const MeasuredLight& profile = scene.profiles[light.profile];
+        return fmt::format("  Rotate -90 1 0 0\n"
+                           "  LightSource \"goniometric\"\n"
+                           "    \"string filename\" \"{}.exr\"\n"
+                           "    {}\n"
+                           "    \"float power\" [ {} ]\n",
+                           profile.name, color, profile.flux.value * (light.intensity / profile.peak.value));
+    }
+    case LightKind::sphere:
+        return area(light, ball(0.0, light.radius));
+    case LightKind::disk: // its normal is +Z
+        return area(light, fmt::format("  Rotate 180 1 0 0\n  Shape \"disk\" \"float radius\" {}\n", light.radius));
+    case LightKind::rect: {
+        // Its normal is that of the first edge times the second: +Y × +X.
+        const double x = 0.5 * light.width;
+        const double y = 0.5 * light.height;
+        return area(light, fmt::format("  Shape \"bilinearmesh\" \"point3 P\" [ {} {} 0  {} {} 0  {} {} 0  {} {} 0 ]\n",
+                                       -x, -y, -x, y, x, -y, x, y));
+    }
+    case LightKind::tube:
+        // Whole spheres: the halves inside the cylinder light nothing but its inside.
+        return area(light,
+                    ball(-0.5 * light.width, light.radius) + ball(0.5 * light.width, light.radius) +
+                        fmt::format("  Rotate 90 0 1 0\n"
+                                    "  Shape \"cylinder\" \"float radius\" {} \"float zmin\" {} \"float zmax\" {}\n",
+                                    light.radius, -0.5 * light.width, 0.5 * light.width));
+    case LightKind::sun:
+        return fmt::format("  LightSource \"distant\" \"rgb L\" [ {} ] \"float illuminance\" [ {} ]\n"
+                           "    \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 0 0 -1 ]\n",
+                           triple(light.color, " "), light.lux);
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<AssetFile> pbrt_files(const SceneContent& scene) {
+    std::string text = fmt::format("# {}\n", scene.description);
+    if (scene.single) text += "# The beam goes along -Z, C0 along +X, C90 along +Y.\n";
+    for (const SceneLight& light : scene.lights) {
+        text += "AttributeBegin\n";
+        if (!scene.single)
+            text += fmt::format("  # {}\n  ConcatTransform [ {} 0  {} 0  {} 0  {} 1 ]\n", light.name,
+                                triple(light.frame.x, " "), triple(light.frame.y, " "), triple(light.frame.z, " "),
+                                triple(light.frame.origin, " "));
+        text += body(light, scene) + "AttributeEnd\n";
+    }
+    std::vector<AssetFile> files{{scene.name + ".pbrt", std::move(text), {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".exr", {}, engine_picture("pbrt-v4", profile.web)});
+    return files;
 }
 
 } // namespace gonio::asset_detail

@@ -1,9 +1,8 @@
-#include <gonio/asset/detail/target_files.hpp>
+#include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/base/kind_text.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 
@@ -11,73 +10,122 @@ namespace gonio {
 
 namespace {
 
+// What each has besides profiles.
+constexpr std::array point_sun{LightKind::point, LightKind::sun};
+constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
+constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
+constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk,
+                               LightKind::rect,  LightKind::tube,   LightKind::sun};
+
+constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter};
+constexpr TargetHolds babylon_holds{point_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any};
+constexpr TargetHolds threejs_holds{point_rect_sun, Falloff::smoothstep_cos, true, true, 90.0, TargetLength::any};
+constexpr TargetHolds blender_holds{all_kinds, std::nullopt, false, false, 90.0, TargetLength::any};
+constexpr TargetHolds pbrt_holds{all_kinds, Falloff::smoothstep_cos, true, false, 90.0, TargetLength::any};
+constexpr TargetHolds mitsuba_holds{all_kinds, Falloff::linear_angle, true, false, 90.0, TargetLength::any};
+constexpr TargetHolds luxcore_holds{all_kinds, std::nullopt, false, false, 90.0, TargetLength::any};
+constexpr TargetHolds usd_holds{all_kinds, Falloff::smoothstep_angle, true, false, 90.0, TargetLength::any};
+constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter};
+constexpr TargetHolds unity_holds{point_rect_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter};
+constexpr TargetHolds unreal_holds{point_sphere_rect_sun,   Falloff::frostbite, true, true, 80.0,
+                                   TargetLength::centimeter};
+constexpr TargetHolds raw_holds{{}, std::nullopt, false, false, 90.0, TargetLength::none};
+
 constexpr std::array all{
     Target{
-        "babylon", "Babylon.js: a module that makes a spot light with a profile texture",
-        "import { makeLight } from './NAME.js' and call makeLight(scene); it shines down -Y from the origin until "
-        "moved.",
-        "Babylon.js 9.34 in Node.js makes the light, and its texture, sampled as the shader does, has the profile's "
-        "means "
-        "over C.",
+        "babylon", "Babylon.js: a module that makes the lights, with profile textures",
+        "import { makeLights } from './NAME.js' and call makeLights(scene), which returns them; a luminaire alone "
+        "shines down "
+        "-Y from the origin until moved.",
+        "Babylon.js 9.34 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
+        "shader does, have the profile's means over C.",
         "No picture was rendered. Babylon looks the profile up by the angle to the axis alone: azimuths are averaged.",
-        asset_detail::babylon_files},
+        babylon_holds, asset_detail::babylon_files},
     Target{
-        "blender", "Blender: a script that makes a point light with the profile inside",
-        "Run NAME.py in Blender's text editor, or blender --background --python NAME.py; the light is the new object "
-        "NAME, its beam along -Z, C0 along +X.",
+        "blender", "Blender: a script that makes the lights for Cycles, with the profiles inside",
+        "Run NAME.py in Blender's text editor, or blender --background --python NAME.py; the new objects are named as "
+        "the "
+        "lights, a luminaire alone NAME, its beam along -Z, C0 along +X.",
         "Cycles of Blender 3.4: the illuminance of a plane is that of the profile, to 0.01 % in the mean and 0.8 % of "
-        "the greatest anywhere, counting 177.83 lm for a watt as Blender's IES node does.",
+        "the greatest anywhere, and that of a rig's lights of every kind to 0.1 % in the mean; 177.83 lm are a watt, "
+        "as "
+        "Blender's IES node counts.",
         "EEVEE ignores IES nodes. Between the table's lines Cycles interpolates by cubics, which differs a little "
-        "from every other reader.",
-        asset_detail::blender_files},
-    Target{"gltf", "glTF 2.0, .gltf and .glb: EXT_lights_ies with a KHR_lights_punctual fallback",
-           "Load NAME.gltf (with NAME.ies beside it) or NAME.glb (all in one file): its node NAME shines down -Y, C0 "
-           "along +X.",
+        "from every other reader; near a sphere light, older Cycles samples a disk in its place.",
+        blender_holds, asset_detail::blender_files},
+    Target{"gltf", "glTF 2.0, .gltf and .glb: KHR_lights_punctual, and EXT_lights_ies for profiles",
+           "Load NAME.gltf (with the .ies beside it) or NAME.glb (all in one file): a node for each light; that of a "
+           "luminaire alone shines down -Y, C0 along +X.",
            "The Khronos validator finds no error. It does not know EXT_lights_ies, whose schema and indices are tested "
            "here.",
            "Readers of EXT_lights_ies are few, and treat azimuths in their own way. Others see the fallback: a spot or "
            "point light of the same flux, without the profile.",
-           asset_detail::gltf_files},
-    Target{
-        "pbrt", "pbrt-v4: an equal-area image and a scene snippet of a goniometric light",
-        "Include \"NAME.pbrt\" in the world block of a scene, after the transformation to the luminaire's place: the "
-        "beam goes along -Z, C0 along +X.",
-        "The image's equal-area mapping was evaluated again by an independent program: intensities and flux agree.",
-        "pbrt itself was not run. It looks the image up without filtering, and `power` gives it the flux in lumens.",
-        asset_detail::pbrt_files},
-    Target{"raw", "the portable IES file alone, for every other program",
+           gltf_holds, asset_detail::gltf_files},
+    Target{"godot", "Godot 4: a scene of lights in physical units, with projector textures",
+           "Copy the files into a project, turn Rendering > Lights and Shadows > Use Physical Light Units on, and "
+           "instance NAME.tscn; a luminaire alone shines down -Y, C0 along +X. Not for the Compatibility renderer.",
+           "By the formulas of Godot's shaders, projectors among them, the text lights points as the rig's lights do.",
+           "Nothing was run in Godot. Projectors have 8 bits, and the engine packs them into an atlas of its own size.",
+           godot_holds, asset_detail::godot_files},
+    Target{"luxcore", "LuxCore: scene properties (.scn) with the portable profiles",
+           "Add NAME.scn to the scene's properties and run where the .ies lie; a luminaire alone shines along -Z, C0 "
+           "along +X.",
+           "By the formulas of LuxCore's lights the text lights points as the rig's do.",
+           "LuxCore was not run. It reads the profile into a map of 1024 x 512, whose shape alone counts: the flux is "
+           "the light's power.",
+           luxcore_holds, asset_detail::luxcore_files},
+    Target{"mitsuba", "Mitsuba 3: emitters as XML, a profile as a box of projectors",
+           "<include filename=\"NAME.xml\"/> in a scene, with the images beside it; a luminaire alone shines along -Z, "
+           "C0 along +X. Numbers are photometric: use an rgb variant.",
+           "By the formulas of Mitsuba's emitters, projectors' images among them, the text lights points as the rig's "
+           "lights do.",
+           "Mitsuba was not run. It has no goniometric emitter: up to six projectors of 90 degrees stand in for one, "
+           "and a sun has no disk.",
+           mitsuba_holds, asset_detail::mitsuba_files},
+    Target{"pbrt", "pbrt-v4: a scene snippet of the lights, with equal-area images of the profiles",
+           "Include \"NAME.pbrt\" in the world block of a scene; for a luminaire alone after the transformation to its "
+           "place: "
+           "the beam goes along -Z, C0 along +X.",
+           "The image's equal-area mapping was evaluated again by an independent program: intensities and flux agree.",
+           "pbrt itself was not run. It looks the image up without filtering, and `power` gives it the flux in lumens.",
+           pbrt_holds, asset_detail::pbrt_files},
+    Target{"raw", "the portable IES files alone, for every other program; of a rig, a table of its lights too",
            "Give NAME.ies to the program's own importer: factors, TILT, flux and turn are numbers of its table.",
            "The file is read again by gonio, and the light that comes out is the one that was asked for.",
-           "What a program makes of azimuths, and whether it takes candela as absolute, is its own.",
+           "What a program makes of azimuths, and whether it takes candela as absolute, is its own.", raw_holds,
            asset_detail::raw_files},
-    Target{"threejs", "three.js: a module that makes an IESSpotLight for WebGPURenderer",
-           "import { makeLight } from './NAME.js', add the light and its target to the scene, and use WebGPURenderer.",
-           "three.js r187 in Node.js makes the light, and its texture, sampled as the shader does, has the profile's "
-           "intensities in every direction.",
+    Target{"threejs", "three.js: a module that makes the lights, IESSpotLights for WebGPURenderer among them",
+           "import { makeLights } from './NAME.js', add what makeLights() returns to the scene, targets too, and use "
+           "WebGPURenderer; a luminaire alone shines down -Y from the origin.",
+           "three.js r187 in Node.js makes the lights, which light points as the rig's do; textures, sampled as the "
+           "shader does, have the profile's intensities in every direction.",
            "No picture was rendered. Releases before r187 take C = 180 for every azimuth, and WebGLRenderer ignores "
            "profiles.",
-           asset_detail::threejs_files},
+           threejs_holds, asset_detail::threejs_files},
+    Target{"unity", "Unity: portable profiles, spot and point cookies, and a script that makes the lights",
+           "Copy the files under Assets, NAME.cs into a folder named Editor there; GameObject > Light > NAME makes the "
+           "lights "
+           "with the point cookies. HDRP imports the .ies by itself; the spot cookies' cones stand in NAME.cs.",
+           "Nothing was run in Unity: layout, border and frame are those of HDRP's own importer.",
+           "The pipelines count intensities differently, and a spot's cookie is cut at its cone: directions outside it "
+           "are lost.",
+           unity_holds, asset_detail::unity_files},
     Target{
-        "unity", "Unity: the portable profile, spot and point cookies, and the importer's settings",
-        "Copy the files under Assets, NAME.cs into a folder named Editor there; HDRP imports NAME.ies by itself, the "
-        "cookies are for every pipeline, the light's candela stand in NAME.cs.",
-        "Nothing was run in Unity: layout, border and frame are those of HDRP's own importer.",
-        "The pipelines count intensities differently, and a spot's cookie is cut at its cone: directions outside it "
-        "are lost.",
-        asset_detail::unity_files},
-    Target{
-        "unreal", "Unreal Engine: the portable profile and an editor script that imports and places it",
-        "In the editor, Tools > Execute Python Script > NAME.py; the point light NAME shines down with the profile's "
-        "candela, C0 along +X.",
+        "unreal", "Unreal Engine: portable profiles and an editor script that imports them and places the lights",
+        "In the editor, Tools > Execute Python Script > NAME.py; the new lights are named as they are here, a "
+        "luminaire "
+        "alone shines down with the profile's candela, C0 along +X.",
         "Nothing was run: frame and properties follow the engine's documentation.",
         "How the engine fits the profile into its texture, and the sense of azimuths: check a lamp that is asymmetric.",
-        asset_detail::unreal_files},
-    Target{"usd", "OpenUSD, .usda: a sphere light treated as a point, shaped by the profile",
-           "Reference NAME.usda (with NAME.ies beside it): the light NAME shines along -Z, in metres, Z up.",
-           "Nothing was run: the text follows UsdLux 24.08.",
-           "UsdLux does not state where azimuth 0 lies, and renderers disagree whether candela are absolute: check one "
-           "lamp, and scale inputs:intensity once for your renderer.",
-           asset_detail::usd_files},
+        unreal_holds, asset_detail::unreal_files},
+    Target{
+        "usd", "OpenUSD, .usda: UsdLux lights, shaped by the profiles",
+        "Reference NAME.usda (with the .ies beside it), Z up: its prim NAME holds the lights; a luminaire alone shines "
+        "along -Z.",
+        "Nothing was run: the text follows UsdLux 24.08.",
+        "UsdLux does not state where azimuth 0 lies, and renderers disagree whether candela are absolute: check one "
+        "lamp, and scale inputs:intensity once for your renderer.",
+        usd_holds, asset_detail::usd_files},
 };
 
 } // namespace
@@ -99,20 +147,5 @@ std::string target_readme(const Target& target) {
     return fmt::format("How to use it: {}\nVerified: {}\nNot verified: {}\n", target.use, target.verified,
                        target.unverified);
 }
-
-namespace asset_detail {
-
-std::string describe(const MeasuredLight& light) {
-    std::string file;
-    for (const char c : light.source_file)
-        file += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e ? '?' : c;
-    return fmt::format("{:.6g} lm, peak {:.6g} cd, of {}", light.flux.value, light.peak.value, file);
-}
-
-std::string quoted(std::string_view text) {
-    return nlohmann::json(std::string(text)).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
-
-} // namespace asset_detail
 
 } // namespace gonio

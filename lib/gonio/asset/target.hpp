@@ -1,8 +1,12 @@
-// Targets: the programs that a measured light is delivered to, each with its own files, units and conventions.
+// Targets: the programs that lights are delivered to, each with its own files, units and conventions.
+//
+// gonio/asset/light_scene.hpp writes them.
 #pragma once
 
-#include <gonio/asset/measured_light.hpp>
-#include <gonio/bake/bake.hpp>
+#include <gonio/bake/texture.hpp>
+#include <gonio/base/image.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/light/shape.hpp>
 
 #include <optional>
 #include <span>
@@ -12,17 +16,36 @@
 
 namespace gonio {
 
-// A texture that a target reads beside its text: baked from the light's web, and stored by who writes the files.
-struct AssetTexture {
-    BakeOptions bake;
-    int channels = 1; // the same value in each
+namespace asset_detail {
+struct SceneContent;
+}
+
+// A picture that a target reads beside its text, stored by who writes the files.
+struct AssetPicture {
+    Image image; // as the file holds it
+    TexelType texel_type = TexelType::float32;
 };
 
 // One file of an asset.
 struct AssetFile {
     std::string name;  // in the target's folder
-    std::string bytes; // where there is no texture
-    std::optional<AssetTexture> texture;
+    std::string bytes; // where there is no picture
+    std::optional<AssetPicture> picture;
+};
+
+enum class LightKind { point, spot, profile, sphere, disk, rect, tube, sun };
+
+// A target's unit of length.
+enum class TargetLength { any, meter, centimeter, none };
+
+// What kinds of light a target has; every one has profiles.
+struct TargetHolds {
+    std::span<const LightKind> kinds;    // besides profiles and spots
+    std::optional<Falloff> spot_falloff; // of its spots; nothing: it has none
+    bool spot_has_inner = true;          // false: they fall from the axis on, and have no hard edge
+    bool range = false;                  // a window ⟨1 − (d/r)⁴⟩² over distance
+    double widest_spot_deg = 90.0;       // outer half angle
+    TargetLength length = TargetLength::any;
 };
 
 struct Target {
@@ -30,7 +53,8 @@ struct Target {
     std::string_view summary; // for lists
     // How to use what is written, what was checked in the program itself and what could not be: a line each.
     std::string_view use, verified, unverified;
-    std::vector<AssetFile> (*files)(const MeasuredLight& light);
+    TargetHolds holds;
+    std::vector<AssetFile> (*files)(const asset_detail::SceneContent& scene);
 };
 
 // By name.

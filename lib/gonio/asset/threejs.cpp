@@ -1,22 +1,28 @@
-// three.js: a module that makes an IESSpotLight, which WebGPURenderer draws.
+// three.js: a module that makes the lights, Y up. Those of a profile are IESSpotLights, which WebGPURenderer draws.
 //
-// Since r187 its texture is looked up at γ from the middle of the first column to that of the last, and at the azimuth
-// from −180° at the middle of the first row on, wrapping; seen along the light, azimuth 0 is to the right and 90° up,
-// as in the frame of a profile. So texel (i, j) holds the intensity at γ = i°, C = j° − 180°, over the peak. Before
-// r187 the renderer took the first row for every azimuth.
-#include <gonio/asset/detail/target_files.hpp>
+// Since r187 an IESSpotLight's texture is looked up at γ from the middle of the first column to that of the last, and
+// at the azimuth from −180° at the middle of the first row on, wrapping; seen along the light, azimuth 0 is to the
+// right and 90° to where the camera of its shadow has its up, which is therefore C90. So texel (i, j) holds the
+// intensity at γ = i°, C = j° − 180°, over the peak. The azimuth is taken from a perspective projection, which turns
+// what lies behind the light by 180°: above the horizon C = j°. That projection's angle is the cone's times `focus`,
+// which keeps it away from 180°, where it would collapse. Before r187 the renderer took the first row for every
+// azimuth.
+//
+// Points and spots count candela (with a decay of 2), areas nits, suns lux; a distance windows as ours does; a spot
+// falls as smoothstep over the cosine.
+#include <gonio/asset/detail/scene_light.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace gonio::asset_detail {
 
 namespace {
 
 constexpr int columns = 181;
-constexpr int rows = 360; // 1 of an axial light
 
 // Texels from 0 to 1 as unsigned 16-bit numbers in base64, the lower byte first.
 std::string base64(const std::vector<double>& texels) {
@@ -38,22 +44,24 @@ std::string base64(const std::vector<double>& texels) {
     return text;
 }
 
-constexpr const char* module_text = R"js(// {description}
-import {{
-    Color, DataTexture, DataUtils, HalfFloatType, IESSpotLight, LinearFilter, RedFormat, RepeatWrapping
-}} from 'three/webgpu';
+// { "height": rows, "texels": … } of a profile; one row of an axial light.
+std::string texture_of(const Web& web, Candelas peak) {
+    const int rows = web.stored_symmetry() == Symmetry::axial ? 1 : 360;
+    std::vector<double> texels;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            texels.push_back(web.candela(i > 90 ? j : j - 180.0, i) / peak.value);
+    return fmt::format("    {{ height: {}, texels:\n        '{}' }},\n", rows, base64(texels));
+}
 
-export const fluxLumens = {flux};
-export const peakCandela = {peak};
-
-// Column i: gamma = i degrees. Row j: C = j - 180 degrees. 65535 is the peak.
+constexpr const char* profile_text = R"js(
+// Column i: gamma = i degrees. Row j: C = j - 180 degrees, above the horizon j degrees. 65535 is the peak.
 const width = {columns};
-const height = {rows};
-const profile =
-    '{texels}';
+const profiles = [
+{profiles}];
 
-function makeTexture() {{
-    const bytes = Uint8Array.from(atob(profile), (c) => c.charCodeAt(0));
+function makeTexture({{ height, texels: base64 }}) {{
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const texels = new Uint16Array(width * height);
     for (let i = 0; i < texels.length; i++)
         texels[i] = DataUtils.toHalfFloat((bytes[2 * i] + 256 * bytes[2 * i + 1]) / 65535);
@@ -64,30 +72,101 @@ function makeTexture() {{
     return texture;
 }}
 
-// A light for WebGPURenderer, which shines from light.position to light.target.position. Pointed straight down, C0 is
-// +X and C90 is -Z.
-export function makeLight() {{
-    const light = new IESSpotLight(new Color({red}, {green}, {blue}), peakCandela);
+// For WebGPURenderer. c90: where C90 points, across the aim.
+function profileLight(color, candela, range, profile, c90) {{
+    const light = new IESSpotLight(color, candela, range);
     light.angle = Math.PI / 2;
-    light.iesMap = makeTexture();
+    light.shadow.focus = 0.5; // a projection of 90 degrees for the azimuths
+    light.iesMap = makeTexture(profiles[profile]);
+    light.shadow.camera.up.set(...c90);
     return light;
 }}
 )js";
 
+constexpr const char* place_text = R"js(
+function place(light, name, position, aim) {
+    light.name = name;
+    light.position.set(...position);
+    light.target.position.set(...position).add(new Vector3(...aim));
+    return light;
+}
+)js";
+
+std::string vector(const glm::dvec3& v) {
+    return "[" + triple(v) + "]";
+}
+
+// One light of the list; what it needs of three.js is added to `imports`.
+std::string entry(const SceneLight& light, std::set<std::string>& imports) {
+    const std::string color = fmt::format("new Color({})", triple(light.color));
+    const std::string where =
+        fmt::format("{}, {}, {}", quoted(light.name), vector(y_up(light.frame.origin)), vector(y_up(-light.frame.z)));
+    const std::string range = light.range ? fmt::format("{}", *light.range) : "0";
+    switch (light.kind) {
+    case LightKind::spot:
+        imports.insert("SpotLight");
+        return fmt::format("place(new SpotLight({}, {}, {}, {}, {}, 2), {})", color, light.intensity, range,
+                           light.outer, 1.0 - light.inner / light.outer, where);
+    case LightKind::profile:
+        return fmt::format("place(profileLight({}, {}, {}, {}, {}), {})", color, light.intensity, range, light.profile,
+                           vector(y_up(light.frame.y)), where);
+    case LightKind::rect:
+        imports.insert({"RectAreaLight", "Matrix4"});
+        return fmt::format("area(new RectAreaLight({}, {}, {}, {}), {}, {}, {}, {}, {})", color, light.nits,
+                           light.width, light.height, quoted(light.name), vector(y_up(light.frame.origin)),
+                           vector(y_up(light.frame.x)), vector(y_up(light.frame.y)), vector(y_up(light.frame.z)));
+    case LightKind::sun:
+        imports.insert("DirectionalLight");
+        return fmt::format("place(new DirectionalLight({}, {}), {})", color, light.lux, where);
+    default:
+        imports.insert("PointLight");
+        return fmt::format("point(new PointLight({}, {}, {}, 2), {}, {})", color, light.intensity, range,
+                           quoted(light.name), vector(y_up(light.frame.origin)));
+    }
+}
+
 } // namespace
 
-std::vector<AssetFile> threejs_files(const MeasuredLight& light) {
+std::vector<AssetFile> threejs_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    const int height = light.web.stored_symmetry() == Symmetry::axial ? 1 : rows;
-    std::vector<double> texels;
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < columns; ++i)
-            texels.push_back(light.web.candela(j - 180.0, i) / light.peak.value);
+    std::set<std::string> imports{"Color", "Vector3"};
+    std::string list;
+    bool points = false;
+    bool areas = false;
+    for (const SceneLight& light : scene.lights) {
+        list += "        " + entry(light, imports) + ",\n";
+        points |= light.kind == LightKind::point;
+        areas |= light.kind == LightKind::rect;
+    }
+    std::string helpers;
+    if (!scene.profiles.empty()) {
+        imports.insert({"DataTexture", "DataUtils", "HalfFloatType", "IESSpotLight", "LinearFilter", "RedFormat",
+                        "RepeatWrapping"});
+        std::string profiles;
+        for (const MeasuredLight& profile : scene.profiles)
+            profiles += texture_of(profile.web, profile.peak);
+        helpers += fmt::format(profile_text, "columns"_a = columns, "profiles"_a = profiles);
+    }
+    helpers += place_text;
+    if (points)
+        helpers += "\nfunction point(light, name, position) {\n    light.name = name;\n"
+                   "    light.position.set(...position);\n    return light;\n}\n";
+    if (areas)
+        helpers += "\n// Renderers need RectAreaLightTexturesLib (WebGPU) or RectAreaLightUniformsLib for it."
+                   "\nfunction area(light, name, position, x, y, z) {\n    light.name = name;\n"
+                   "    light.position.set(...position);\n"
+                   "    const [right, up, back] = [x, y, z].map((axis) => new Vector3(...axis));\n"
+                   "    light.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(right, up, back));\n"
+                   "    return light;\n}\n";
+    std::string names;
+    for (const std::string& name : imports)
+        names += (names.empty() ? "" : ", ") + name;
     std::string text =
-        fmt::format(module_text, "description"_a = describe(light), "flux"_a = light.flux.value,
-                    "peak"_a = light.peak.value, "columns"_a = columns, "rows"_a = height, "texels"_a = base64(texels),
-                    "red"_a = light.color.x, "green"_a = light.color.y, "blue"_a = light.color.z);
-    return {{light.name + ".js", std::move(text), {}}};
+        fmt::format("// {}\nimport {{ {} }} from 'three/webgpu';\n{}\n"
+                    "// New lights: add each to the scene, and its target where it has one. Units in a metre: {}.\n"
+                    "export function makeLights() {{\n    return [\n{}    ];\n}}\n",
+                    scene.description, names, helpers, scene.units_per_meter, list);
+    return {{scene.name + ".js", std::move(text), {}}};
 }
 
 } // namespace gonio::asset_detail

@@ -1,6 +1,10 @@
-// Unity: the portable profile for HDRP's own importer, and cookies for spot and point lights with the importer's
-// settings as a C# script. A light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak.
-#include <gonio/asset/detail/target_files.hpp>
+// Unity: the portable profiles for HDRP's own importer, cookies for spot and point lights, and a C# script with the
+// importer's settings and a menu item that makes the lights.
+//
+// Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
+// count candela, areas nits and suns lux, as HDRP of Unity 6 does; spots fall as the square of the linear in the
+// cosine.
+#include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
 
@@ -8,24 +12,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gonio::asset_detail {
 
 namespace {
 
-constexpr const char* script = R"cs(// {description}
-// Keep in a folder named Editor under Assets: {name}.spot.png and {name}.point.exr are then imported as cookies.
-// Give the light {peak} cd; {name}.spot.png is for a spot light of {cone} degrees. Turned by Euler angles (90, 90, 0)
-// it shines down, C0 along +X.
-using UnityEditor;
-using UnityEngine;
-
+constexpr const char* cookies = R"cs(
+// The spot cookie of a profile is for a spot light of its cone and of the intensity that stands beside it.
 class Cookies_{identifier} : AssetPostprocessor
 {{
+    static readonly string[] Profiles = {{
+{profiles}    }};
+
     void OnPreprocessTexture()
     {{
-        bool point = assetPath.EndsWith("/{name}.point.exr");
-        if (!point && !assetPath.EndsWith("/{name}.spot.png")) return;
+        bool spot = false, point = false;
+        foreach (string profile in Profiles)
+        {{
+            spot |= assetPath.EndsWith("/" + profile + ".spot.png");
+            point |= assetPath.EndsWith("/" + profile + ".point.exr");
+        }}
+        if (!point && !spot) return;
         var importer = (TextureImporter)assetImporter;
         importer.textureType = TextureImporterType.Cookie;
         importer.textureShape = point ? TextureImporterShape.TextureCube : TextureImporterShape.Texture2D;
@@ -39,6 +47,41 @@ class Cookies_{identifier} : AssetPostprocessor
 }}
 )cs";
 
+constexpr const char* maker = R"cs(
+static class Lights_{identifier}
+{{
+    // aim: the light's +Z; up: its +Y. The colour is linear.
+    static Light Add(GameObject root, string name, LightType type, Vector3 position, Vector3 aim, Vector3 up,
+                     Color color, float intensity, LightUnit unit)
+    {{
+        var made = new GameObject(name);
+        made.transform.SetParent(root.transform, false);
+        made.transform.localPosition = position;
+        made.transform.localRotation = Quaternion.LookRotation(aim, up);
+        var light = made.AddComponent<Light>();
+        light.type = type;
+        light.color = color.gamma;
+        light.lightUnit = unit;
+        light.intensity = intensity;
+        return light;
+    }}
+
+    static Texture Cookie(string profile)
+    {{
+        foreach (string guid in AssetDatabase.FindAssets(profile + ".point"))
+            return AssetDatabase.LoadAssetAtPath<Texture>(AssetDatabase.GUIDToAssetPath(guid));
+        return null;
+    }}
+
+    [MenuItem("GameObject/Light/{name}")]
+    static void Make()
+    {{
+        var root = new GameObject("{name}");
+        Light light;
+{lights}    }}
+}}
+)cs";
+
 // A whole number of degrees that holds what is above a hundredth of the peak, as far as a spot light opens.
 double cone_deg(const Web& web) {
     double widest = 1.0;
@@ -47,24 +90,69 @@ double cone_deg(const Web& web) {
     return std::min(std::ceil(widest), 170.0);
 }
 
+std::string vector(std::string_view type, const glm::dvec3& v) {
+    return fmt::format("new {}({}f)", type, triple(v, "f, "));
+}
+
+std::string statement(const SceneLight& light, const SceneContent& scene) {
+    const ScaledColor color = scaled(light.color);
+    const auto add = [&](std::string_view type, double intensity, std::string_view unit, const glm::dvec3& up) {
+        return fmt::format("        light = Add(root, {}, LightType.{}, {},\n            {}, {},\n            {}, {}f, "
+                           "LightUnit.{});\n",
+                           quoted(light.name), type, vector("Vector3", left_handed_y_up(light.frame.origin)),
+                           vector("Vector3", left_handed_y_up(-light.frame.z)), vector("Vector3", left_handed_y_up(up)),
+                           vector("Color", color.rgb), color.factor * intensity, unit);
+    };
+    constexpr double degree = 180.0 / std::numbers::pi;
+    const std::string range = light.range ? fmt::format("        light.range = {}f;\n", *light.range) : "";
+    switch (light.kind) {
+    case LightKind::spot:
+        return add("Spot", light.intensity, "Candela", light.frame.y) +
+               fmt::format("        light.spotAngle = {}f;\n        light.innerSpotAngle = {}f;\n",
+                           2.0 * light.outer * degree, 2.0 * light.inner * degree) +
+               range;
+    case LightKind::rect:
+        return add("Rectangle", light.nits, "Nits", light.frame.y) +
+               fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, light.height);
+    case LightKind::sun:
+        return add("Directional", light.lux, "Lux", light.frame.y);
+    case LightKind::profile:
+        return add("Point", light.intensity, "Candela", light.frame.x) +
+               fmt::format("        light.cookie = Cookie({});\n", quoted(scene.profiles[light.profile].name)) + range;
+    default:
+        return add("Point", light.intensity, "Candela", light.frame.y) + range;
+    }
+}
+
 } // namespace
 
-std::vector<AssetFile> unity_files(const MeasuredLight& light) {
+std::vector<AssetFile> unity_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    const double cone = cone_deg(light.web);
-    AssetTexture spot{(*find_engine("unity-spot"))->bake};
-    spot.bake.chart.cone = degrees(cone);
-    spot.bake.threads = 1;
-    AssetTexture point{(*find_engine("unity-point"))->bake};
-    point.bake.threads = 1;
-    std::string identifier = light.name;
-    std::replace(identifier.begin(), identifier.end(), '-', '_');
-    std::string text = fmt::format(script, "description"_a = describe(light), "name"_a = light.name,
-                                   "identifier"_a = identifier, "peak"_a = light.peak.value, "cone"_a = cone);
-    return {{light.name + ".ies", light.portable_ies, {}},
-            {light.name + ".spot.png", {}, spot},
-            {light.name + ".point.exr", {}, point},
-            {light.name + ".cs", std::move(text), {}}};
+    std::vector<AssetFile> files;
+    std::string profiles;
+    for (const MeasuredLight& profile : scene.profiles) {
+        const double cone = cone_deg(profile.web);
+        BakeOptions spot = (*find_engine("unity-spot"))->bake;
+        spot.chart.cone = degrees(cone);
+        files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+        files.push_back({profile.name + ".spot.png", {}, baked_picture(profile.web, spot)});
+        files.push_back({profile.name + ".point.exr", {}, engine_picture("unity-point", profile.web)});
+        profiles +=
+            fmt::format("        {}, // {} cd, a cone of {} degrees\n", quoted(profile.name), profile.peak.value, cone);
+    }
+    std::string lights;
+    for (const SceneLight& light : scene.lights)
+        lights += statement(light, scene);
+    const std::string name = identifier(scene.name);
+    std::string text =
+        fmt::format("// {}\n// Keep in a folder named Editor under Assets. GameObject > Light > {} makes "
+                    "the lights, in metres.\nusing UnityEditor;\nusing UnityEngine;\nusing "
+                    "UnityEngine.Rendering;\n",
+                    scene.description, scene.name);
+    if (!scene.profiles.empty()) text += fmt::format(cookies, "identifier"_a = name, "profiles"_a = profiles);
+    text += fmt::format(maker, "identifier"_a = name, "name"_a = scene.name, "lights"_a = lights);
+    files.push_back({scene.name + ".cs", std::move(text), {}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

@@ -1,60 +1,116 @@
-// Unreal Engine: the portable profile and a Python script for the editor, which imports it and places a point light.
+// Unreal Engine: the portable profiles and a Python script for the editor, which imports them and places the lights.
 //
-// The engine takes candela from the profile (bUseIESBrightness) times IESBrightnessScale. A light's +X is γ = 0, its −Y
-// is C0 and its −Z is C90 in a left-handed frame: pitch −90° points it down, roll 90° takes C0 to the world's +X, and
-// C90 to −Y, which is +Y of a right-handed world seen in this one.
-#include <gonio/asset/detail/target_files.hpp>
+// Left-handed, Z up, centimetres; the engine takes candela as they are and scales them itself. A light's +X is the aim.
+// Of a profile, −Y is C0 and −Z is C90; its candela count (bUseIESBrightness) times IESBrightnessScale. Spots fall as
+// the square of the linear in the cosine. Every light has an attenuation radius, whose window takes away at most 0.01
+// lx where the light asks for none.
+#include <gonio/asset/detail/scene_light.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <numbers>
 
 namespace gonio::asset_detail {
 
 namespace {
 
-constexpr const char* script = R"python(# {description}
-# Run in the editor: Tools > Execute Python Script. Imports {name}.ies from beside this file and places the light.
+constexpr const char* head = R"python(# {description}
+# Run in the editor: Tools > Execute Python Script. Places the lights; profiles are imported from beside this file.
 import os
 
 import unreal
 
-NAME = {quoted_name}
 FOLDER = "/Game/Lights"
 
-task = unreal.AssetImportTask()
-task.filename = os.path.join(os.path.dirname(os.path.abspath(__file__)), NAME + ".ies")
-task.destination_path = FOLDER
-task.automated = True
-task.replace_existing = True
-task.save = True
-unreal.AssetToolsHelpers.get_asset_tools().import_asset_tasks([task])
 
-# Down, C0 along +X.
-actor = unreal.EditorLevelLibrary.spawn_actor_from_class(
-    unreal.PointLight, unreal.Vector(0.0, 0.0, 250.0), unreal.Rotator(roll=90.0, pitch=-90.0, yaw=0.0)
-)
-actor.set_actor_label(NAME)
-light = actor.point_light_component
-light.set_editor_property("intensity_units", unreal.LightUnits.CANDELAS)
-light.set_editor_property("ies_texture", unreal.load_asset(FOLDER + "/" + NAME))
-light.set_editor_property("use_ies_brightness", True)
-# The colour below has 1 as its greatest channel: this gives back the luminance that it takes.
-light.set_editor_property("ies_brightness_scale", {scale})
-light.set_light_color(unreal.LinearColor({red}, {green}, {blue}, 1.0))
-light.set_editor_property("source_radius", 0.0)
+def place(name, kind, position, x, y):
+    rotation = unreal.MathLibrary.make_rot_from_xy(unreal.Vector(*x), unreal.Vector(*y))
+    actor = unreal.EditorLevelLibrary.spawn_actor_from_class(kind, unreal.Vector(*position), rotation)
+    actor.set_actor_label(name)
+    return actor.light_component
+
+
+# The colour is linear, its greatest channel 1.
+def setup(light, color, intensity, units, **properties):
+    if units is not None:
+        light.set_editor_property("intensity_units", units)
+    light.set_editor_property("intensity", intensity)
+    light.set_light_color(unreal.LinearColor(*color, 1.0))
+    for name, value in properties.items():
+        light.set_editor_property(name, value)
 )python";
+
+constexpr const char* importer = R"python(
+
+def profile(name):
+    task = unreal.AssetImportTask()
+    task.filename = os.path.join(os.path.dirname(os.path.abspath(__file__)), name + ".ies")
+    task.destination_path = FOLDER
+    task.destination_name = name.replace(".", "_")
+    task.automated = True
+    task.replace_existing = True
+    task.save = True
+    unreal.AssetToolsHelpers.get_asset_tools().import_asset_tasks([task])
+    return unreal.load_asset(FOLDER + "/" + task.destination_name)
+)python";
+
+std::string vector(const glm::dvec3& v) {
+    return "(" + triple(v) + ")";
+}
+
+std::string statement(const SceneLight& light, const SceneContent& scene) {
+    const ScaledColor color = scaled(light.color);
+    const auto place = [&](std::string_view kind, const glm::dvec3& y) {
+        return fmt::format("light = place({}, unreal.{}, {}, {}, {})\n", quoted(light.name), kind,
+                           vector(left_handed_z_up(light.frame.origin)), vector(left_handed_z_up(-light.frame.z)),
+                           vector(left_handed_z_up(y)));
+    };
+    const auto setup = [&](double intensity, const std::string& more, bool candela = true) {
+        return fmt::format("setup(light, {}, {}, {}{})\n", vector(color.rgb), intensity,
+                           candela ? "unreal.LightUnits.CANDELAS" : "None", more);
+    };
+    const std::string reach = fmt::format(
+        ", attenuation_radius={}", light.range.value_or(generous_range(light.intensity) * scene.units_per_meter));
+    constexpr double degree = 180.0 / std::numbers::pi;
+    switch (light.kind) {
+    case LightKind::spot:
+        return place("SpotLight", light.frame.x) +
+               setup(color.factor * light.intensity,
+                     fmt::format("{}, source_radius=0.0, inner_cone_angle={}, outer_cone_angle={}", reach,
+                                 light.inner * degree, light.outer * degree));
+    case LightKind::rect:
+        return place("RectLight", light.frame.x) +
+               setup(color.factor * light.intensity,
+                     fmt::format("{}, source_width={}, source_height={}, barn_door_length=0.0", reach, light.width,
+                                 light.height));
+    case LightKind::sun:
+        return place("DirectionalLight", light.frame.x) +
+               setup(color.factor * light.lux, fmt::format(", light_source_angle={}", light.diameter * degree), false);
+    case LightKind::profile:
+        return place("PointLight", -light.frame.x) +
+               setup(light.intensity,
+                     fmt::format("{}, source_radius=0.0, ies_texture=profile({}), use_ies_brightness=True, "
+                                 "ies_brightness_scale={}",
+                                 reach, quoted(scene.profiles[light.profile].name), color.factor));
+    default:
+        return place("PointLight", light.frame.x) +
+               setup(color.factor * light.intensity, fmt::format("{}, source_radius={}", reach, light.radius));
+    }
+}
 
 } // namespace
 
-std::vector<AssetFile> unreal_files(const MeasuredLight& light) {
+std::vector<AssetFile> unreal_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    const glm::dvec3& color = light.color;
-    const double most = std::max({color.x, color.y, color.z});
-    std::string text = fmt::format(script, "description"_a = describe(light), "name"_a = light.name,
-                                   "quoted_name"_a = quoted(light.name), "scale"_a = most, "red"_a = color.x / most,
-                                   "green"_a = color.y / most, "blue"_a = color.z / most);
-    return {{light.name + ".py", std::move(text), {}}, {light.name + ".ies", light.portable_ies, {}}};
+    std::string text = fmt::format(head, "description"_a = scene.description);
+    if (!scene.profiles.empty()) text += importer;
+    text += "\n\n";
+    for (const SceneLight& light : scene.lights)
+        text += statement(light, scene);
+    std::vector<AssetFile> files{{scene.name + ".py", std::move(text), {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

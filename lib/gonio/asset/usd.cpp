@@ -1,6 +1,9 @@
-// OpenUSD: UsdLux of 24.08. A sphere of 1 m² of projected area treated as a point, so that an intensity of 1 nt shines
-// with 1 cd, which the profile scales. angleScale is never authored: its formulas differ between renderers.
-#include <gonio/asset/detail/target_files.hpp>
+// OpenUSD: UsdLux of 24.08, luminances in nits, none of them normalised.
+//
+// What emits from a point is a sphere of 1 m² of projected area treated as one, so that an intensity of 1 nt shines
+// with 1 cd, which a profile scales and a cone cuts; its softness is the share of the cone in which it falls, smoothly
+// over the angle. angleScale is never authored: its formulas differ between renderers.
+#include <gonio/asset/detail/scene_light.hpp>
 
 #include <fmt/format.h>
 
@@ -11,50 +14,119 @@ namespace gonio::asset_detail {
 
 namespace {
 
-// A prim's name: letters, digits and '_', no digit first.
-std::string identifier(std::string_view name) {
-    std::string prim;
-    for (const char c : name)
-        prim += c == '-' ? '_' : c;
-    return prim[0] >= '0' && prim[0] <= '9' ? "_" + prim : prim;
+using std::numbers::pi;
+
+struct Prim {
+    std::string type = "SphereLight";
+    double nits = 0.0;
+    std::string inputs; // further lines
+    bool shaped = false;
+};
+
+Prim as_point(const SceneLight& light, double units_per_meter) {
+    Prim prim;
+    prim.nits = light.intensity / (units_per_meter * units_per_meter);
+    prim.inputs = fmt::format("        float inputs:radius = {}\n        bool treatAsPoint = 1\n",
+                              std::sqrt(std::numbers::inv_pi) * units_per_meter);
+    return prim;
+}
+
+Prim prim_of(const SceneLight& light, const SceneContent& scene) {
+    Prim prim;
+    prim.nits = light.nits;
+    switch (light.kind) {
+    case LightKind::point:
+        return as_point(light, scene.units_per_meter);
+    case LightKind::spot:
+        prim = as_point(light, scene.units_per_meter);
+        prim.shaped = true;
+        prim.inputs += fmt::format("        float inputs:shaping:cone:angle = {}\n"
+                                   "        float inputs:shaping:cone:softness = {}\n",
+                                   light.outer * 180.0 / pi,
+                                   light.inner >= hard_edge * light.outer ? 0.0 : 1.0 - light.inner / light.outer);
+        return prim;
+    case LightKind::profile:
+        prim = as_point(light, scene.units_per_meter);
+        prim.nits = 1.0; // the profile's candela do the rest
+        prim.shaped = true;
+        prim.inputs += fmt::format("        asset inputs:shaping:ies:file = @./{}.ies@\n"
+                                   "        bool inputs:shaping:ies:normalize = 0\n",
+                                   scene.profiles[light.profile].name);
+        return prim;
+    case LightKind::sphere:
+        prim.inputs = fmt::format("        float inputs:radius = {}\n", light.radius);
+        return prim;
+    case LightKind::disk:
+        prim.type = "DiskLight";
+        prim.inputs = fmt::format("        float inputs:radius = {}\n", light.radius);
+        return prim;
+    case LightKind::rect:
+        prim.type = "RectLight";
+        prim.inputs = fmt::format("        float inputs:width = {}\n        float inputs:height = {}\n", light.width,
+                                  light.height);
+        return prim;
+    case LightKind::tube:
+        // UsdLux has no caps: the cylinder emits what the capsule does.
+        prim.type = "CylinderLight";
+        prim.nits = light.nits * (1.0 + 2.0 * light.radius / light.width);
+        prim.inputs = fmt::format("        float inputs:radius = {}\n        float inputs:length = {}\n", light.radius,
+                                  light.width);
+        return prim;
+    case LightKind::sun:
+        prim.type = "DistantLight";
+        prim.inputs = fmt::format("        float inputs:angle = {}\n", light.diameter * 180.0 / pi);
+        return prim;
+    }
+    return prim;
+}
+
+std::string row(const glm::dvec3& v, int w) {
+    return fmt::format("({}, {})", triple(v), w);
+}
+
+std::string text_of(const SceneLight& light, const SceneContent& scene) {
+    const Prim prim = prim_of(light, scene);
+    std::string text = fmt::format("    def {} \"{}\" (\n", prim.type, identifier(light.name));
+    if (prim.shaped) text += "        prepend apiSchemas = [\"ShapingAPI\"]\n";
+    if (light.kind == LightKind::profile)
+        text +=
+            fmt::format("        customData = {{\n            double flux_lm = {}\n            double peak_cd = {}\n"
+                        "        }}\n",
+                        scene.profiles[light.profile].flux.value, scene.profiles[light.profile].peak.value);
+    return text + fmt::format("    )\n"
+                              "    {{\n"
+                              "        color3f inputs:color = ({})\n"
+                              "        float inputs:intensity = {}\n"
+                              "        bool inputs:normalize = 0\n"
+                              "{}"
+                              "        matrix4d xformOp:transform = ( {}, {}, {}, {} )\n"
+                              "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n"
+                              "    }}\n",
+                              triple(light.color), prim.nits, prim.inputs, row(light.frame.x, 0), row(light.frame.y, 0),
+                              row(light.frame.z, 0), row(light.frame.origin, 1));
 }
 
 } // namespace
 
-std::vector<AssetFile> usd_files(const MeasuredLight& light) {
-    const std::string ies = light.name + ".ies";
-    const std::string prim = identifier(light.name);
+std::vector<AssetFile> usd_files(const SceneContent& scene) {
     std::string text = fmt::format("#usda 1.0\n"
                                    "(\n"
                                    "    defaultPrim = \"{0}\"\n"
                                    "    doc = {1}\n"
-                                   "    metersPerUnit = 1\n"
+                                   "    metersPerUnit = {2}\n"
                                    "    upAxis = \"Z\"\n"
                                    ")\n"
                                    "\n"
-                                   "def SphereLight \"{0}\" (\n"
-                                   "    prepend apiSchemas = [\"ShapingAPI\"]\n"
-                                   "    customData = {{\n"
-                                   "        double flux_lm = {2}\n"
-                                   "        double peak_cd = {3}\n"
-                                   "    }}\n"
-                                   ")\n"
-                                   "{{\n"
-                                   "    color3f inputs:color = ({4}, {5}, {6})\n"
-                                   "    float inputs:intensity = 1\n"
-                                   "    bool inputs:normalize = 0\n"
-                                   "    float inputs:radius = {7}\n"
-                                   "    asset inputs:shaping:ies:file = @./{8}@\n"
-                                   "    bool inputs:shaping:ies:normalize = 0\n"
-                                   "    bool treatAsPoint = 1\n"
-                                   "}}\n",
-                                   prim, quoted(describe(light)), light.flux.value, light.peak.value, light.color.x,
-                                   light.color.y, light.color.z, std::sqrt(std::numbers::inv_pi), ies);
-    return {{light.name + ".usda", std::move(text), {}}, {ies, light.portable_ies, {}}};
-}
-
-std::vector<AssetFile> raw_files(const MeasuredLight& light) {
-    return {{light.name + ".ies", light.portable_ies, {}}};
+                                   "def Xform \"{0}\"\n"
+                                   "{{\n",
+                                   identifier(scene.name), quoted(scene.description), 1.0 / scene.units_per_meter);
+    for (const SceneLight& light : scene.lights)
+        text += text_of(light, scene);
+    text += "}\n";
+    std::vector<AssetFile> files{{scene.name + ".usda", std::move(text), {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

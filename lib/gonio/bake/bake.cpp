@@ -29,10 +29,11 @@ using std::numbers::pi;
 
 // A chart read with bilinear filtering where its texels stand, clamped at its edges unless it wraps.
 double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place, Sampling sampling) {
-    const bool wraps = placed.chart->wraps() && sampling != Sampling::corners;
     const bool corners = sampling == Sampling::corners;
+    const bool on_edges = corners || sampling == Sampling::edge_columns;
+    const bool wraps = placed.chart->wraps() && !on_edges;
     const double x =
-        corners ? place.x * (placed.width - 1) : place.x * placed.width - (sampling == Sampling::mean ? 0.5 : 0.0);
+        on_edges ? place.x * (placed.width - 1) : place.x * placed.width - (sampling == Sampling::mean ? 0.5 : 0.0);
     const double y =
         std::clamp(corners ? place.y * (placed.height - 1) : place.y * placed.height - 0.5, 0.0, placed.height - 1.0);
     const double column = wraps ? std::floor(x) : std::floor(std::clamp(x, 0.0, placed.width - 1.0));

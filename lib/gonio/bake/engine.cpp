@@ -1,6 +1,8 @@
 #include <gonio/bake/engine.hpp>
 #include <gonio/base/kind_text.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace gonio {
@@ -43,27 +45,35 @@ std::vector<Engine> make_engines() {
     unity_point.chart.turned = c0_up;
     BakeOptions godot_omni = panorama(512, 256, TexelType::uint8);
     godot_omni.transfer = Transfer::srgb;
+    godot_omni.chart.turned = glm::dmat3(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0); // half a turn about +X
+    BakeOptions godot_spot = cookie(256, 0, Sampling::mean);
+    godot_spot.transfer = Transfer::srgb;
+    // The middle of the first row is C = −180°: half a row's turn more than the layout's own.
+    BakeOptions three = options(Layout::v180, 181, 360, TexelType::half, Normalization::peak);
+    three.sampling = Sampling::edge_columns;
+    const double first_row = -180.5 * std::numbers::pi / 180.0;
+    three.chart.turned = glm::dmat3(std::cos(first_row), std::sin(first_row), 0.0, -std::sin(first_row),
+                                    std::cos(first_row), 0.0, 0.0, 0.0, 1.0);
     // pbrt's image runs down where Clarberg's runs up.
     BakeOptions pbrt = options(Layout::octahedral_equal_area, 512, 512, TexelType::float32, Normalization::none);
     pbrt.chart.turned = glm::dmat3(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
     BakeOptions nabla = options(Layout::octahedral, 257, 257, TexelType::uint16, Normalization::peak);
     nabla.sampling = Sampling::corners;
     return {
-        {"babylon", "Babylon.js: 180x1 float, samples at left edges, mean over C",
-         "u = gamma/180 deg, sample i at i*180/width deg; the light's intensity is the peak in candela",
-         row(180, TexelType::float32, Sampling::left_edge), 1, "exr", "-Z", "+X", "right"},
+        {"babylon", "Babylon.js 9: 180x1 float over gamma, texel centres, mean over C",
+         "u = gamma/180 deg, linear; the light's intensity is the peak in candela",
+         row(180, TexelType::float32, Sampling::mean), 1, "exr", "-Z", "+X", "right"},
         {"falcor", "Falcor: 256x1 half over gamma, texel centres", "u = acos(dot(-posToLight, lightDir))/pi",
          row(256, TexelType::half, Sampling::mean), 1, "exr", "-Z", "+X", "right"},
         {"filament", "Filament and shaders alike: 256x1 half over gamma, texel centres",
          "u = acos(dot(-posToLight, lightDir))/pi", row(256, TexelType::half, Sampling::mean), 1, "exr", "-Z", "+X",
          "right"},
-        {"godot-omni", "Godot 4: panorama for an omni light's projector, 8 bits, sRGB",
-         "longitude and latitude about the light's +Y, aim -Z in the middle; the orientation has not been tried in the "
-         "engine",
+        {"godot-omni", "Godot 4: panorama for an omni light's projector, 8 bits, sRGB, on its head",
+         "longitude and latitude about the light's -Y, which is the first row, +Z in the middle, +X right of it: the "
+         "engine's omni projectors stand on their head; the orientation follows its shaders and has not been tried",
          godot_omni, 1, "png", "-Z", "+X", "right"},
-        {"godot-spot", "Godot 4: a spot light's projector over its cone, 8 bits",
-         "a plane across the aim; tan(cone/2) lies on the edge", cookie(256, 0, Sampling::mean), 1, "png", "-Z", "+Y",
-         "right"},
+        {"godot-spot", "Godot 4: a spot light's projector over its cone, 8 bits, sRGB",
+         "a plane across the aim; tan(cone/2) lies on the edge", godot_spot, 1, "png", "-Z", "+Y", "right"},
         {"luxcore", "LuxCore: latlong 512x256, texel centres",
          "x = phi/2pi, y = theta/pi; LuxCore divides by the mean, so only the shape counts",
          options(Layout::latlong, 512, 256, TexelType::float32, Normalization::none), 1, "exr", "+Z", "+X", "right"},
@@ -74,7 +84,12 @@ std::vector<Engine> make_engines() {
          "right"},
         {"quake2rtx", "Q2RTX: 256x1 over gamma, 16-bit PNG", "the angle from the aim on x, 0 to 180 deg",
          row(256, TexelType::uint16, Sampling::mean), 1, "png", "-Z", "+X", "right"},
-        {"three", "three.js: 180x1 half, samples at left edges, mean over C",
+        {"three", "three.js since r187: 181x360 half, gamma across and C down, for an IESSpotLight",
+         "column i at gamma = i deg, row j at C = j - 180 deg, wrapping; behind the light the shader looks up C + 180 "
+         "deg; "
+         "light.intensity is the peak in candela",
+         three, 1, "exr", "-Z", "+X", "right"},
+        {"three-r186", "three.js before r187: 180x1 half, samples at left edges, mean over C",
          "u = acos(c)/pi, sample i at i*180/width deg; light.intensity is the peak in candela",
          row(180, TexelType::half, Sampling::left_edge), 1, "exr", "-Z", "+X", "right"},
         {"unity-point", "Unity HDRP: source of a point light's cube cookie, mapping Cylindrical",

@@ -79,6 +79,7 @@ StoredTotals fill_points(Image& image, const Web& web, std::span<const PlacedCha
             continue;
         }
         const bool corners = sampling == Sampling::corners;
+        const bool on_edges = corners || sampling == Sampling::edge_columns;
         const TexelFlux flux(meridians, chart, placed.width, placed.height);
         std::vector<StoredTotals> totals(static_cast<std::size_t>(placed.height));
         parallel_for(totals.size(), threads, [&](std::size_t index) {
@@ -88,8 +89,8 @@ StoredTotals fill_points(Image& image, const Web& web, std::span<const PlacedCha
             flux.rows(row, 1, {}, false, lumens, steradians);
             StoredTotals& total = totals[index];
             for (int column = 0; column < placed.width; ++column) {
-                const double s = corners ? static_cast<double>(column) / std::max(1, placed.width - 1)
-                                         : static_cast<double>(column) / placed.width;
+                const double s = on_edges ? static_cast<double>(column) / std::max(1, placed.width - 1)
+                                          : static_cast<double>(column) / placed.width;
                 const double t =
                     corners ? static_cast<double>(row) / std::max(1, placed.height - 1) : (row + 0.5) / placed.height;
                 const double value = web.candela(chart.at(s, t).direction);

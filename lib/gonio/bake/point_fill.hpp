@@ -11,7 +11,7 @@
 
 namespace gonio {
 
-// `sampling` is left_edge or corners. The totals' flux takes every value for the mean over its texel. A v180 texture of
+// `sampling` is not mean. The totals' flux takes every value for the mean over its texel. A v180 texture of
 // one row holds means over C at its left edges.
 StoredTotals fill_points(Image& image, const Web& web, std::span<const PlacedChart> charts, const Storage& storage,
                          Sampling sampling, unsigned threads);

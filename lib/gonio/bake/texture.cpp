@@ -57,6 +57,8 @@ const char* to_text(Sampling sampling) {
         return "mean";
     case Sampling::left_edge:
         return "left-edge";
+    case Sampling::edge_columns:
+        return "edge-columns";
     case Sampling::corners:
         return "corners";
     }
@@ -75,6 +77,19 @@ double encoded(Transfer transfer, double value) {
 double decoded(Transfer transfer, double value) {
     if (transfer == Transfer::linear) return value;
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+Image picture_of(const Texture& texture, int x, int width, int channels) {
+    Image image(width, texture.image.height, channels);
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const float value = *texture.image.at(x + column, row);
+            const float stored = texture.transfer == Transfer::linear
+                                     ? value
+                                     : static_cast<float>(encoded(texture.transfer, static_cast<double>(value)));
+            std::fill_n(image.at(column, row), channels, stored);
+        }
+    return image;
 }
 
 } // namespace gonio

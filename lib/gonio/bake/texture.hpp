@@ -36,9 +36,10 @@ double as_stored(TexelType type, double value);
 
 // What a texel holds of the directions around it.
 enum class Sampling {
-    mean,      // the exact mean over its solid angle
-    left_edge, // the value at its left edge, in the middle of its row; one row: the mean over C there
-    corners    // the value at i/(width − 1), j/(height − 1): the outermost texels lie on the edges
+    mean,         // the exact mean over its solid angle
+    left_edge,    // the value at its left edge, in the middle of its row; one row: the mean over C there
+    edge_columns, // the value at i/(width − 1), in the middle of its row: the outermost columns lie on the edges
+    corners       // the value at i/(width − 1), j/(height − 1): the outermost texels lie on the edges
 };
 
 const char* to_text(Sampling sampling); // "left-edge"
@@ -71,5 +72,8 @@ struct Texture {
     std::size_t texels = 0;    // of the layout: borders and empty corners left out
     std::size_t evaluated = 0; // texels whose mean was computed; the others are mirror images, or dark
 };
+
+// What a file holds: `width` columns from `x` on, each texel repeated in `channels`, encoded as its transfer says.
+Image picture_of(const Texture& texture, int x, int width, int channels);
 
 } // namespace gonio

@@ -86,6 +86,12 @@ Result<glm::dvec3> parse_rgb(std::string_view text) {
     return rgb;
 }
 
+Result<glm::dvec3> light_color_of(const Spectrum& spectrum, Diagnostics* diagnostics) {
+    Result<Uv> at = color_of_spectrum(spectrum);
+    if (!at) return pass_on(at);
+    return in_working_space(spectrum.name, *at, diagnostics);
+}
+
 Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics, std::string_view folder) {
     if (text == "d65" || text == "D65") return glm::dvec3(1.0);
     glm::dvec3 rgb(0.0);

@@ -10,6 +10,8 @@
 
 namespace gonio {
 
+struct Spectrum;
+
 // Y of linear Rec.709 RGB: the middle row of the RGB to XYZ matrix that follows from the primaries and white of
 // ITU-R BT.709.
 inline constexpr glm::dvec3 rec709_luminance{0.21263900587151027, 0.71516867876775592, 0.072192315360733714};
@@ -21,6 +23,9 @@ inline constexpr glm::dvec3 rec709_luminance{0.21263900587151027, 0.715168678767
 // else and on black, and as uv_of and read_spectrum do.
 Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics = nullptr,
                                      std::string_view folder = {});
+
+// Of a spectrum, clipped as above. Fails as color_of() does.
+Result<glm::dvec3> light_color_of(const Spectrum& spectrum, Diagnostics* diagnostics = nullptr);
 
 // "rgb(r,g,b)", or one number for all three. No normalisation. Fails (usage) on numbers that are not finite or
 // negative.

@@ -13,6 +13,7 @@ constexpr std::array kinds{
     DiagramKind{"heat-map", "intensity by colour over C and gamma", heat_map_diagram},
     DiagramKind{"isolux", "illuminance on the plane below, in lines of equal lux", isolux_diagram},
     DiagramKind{"cone", "width of the beam and illuminance at five distances", cone_diagram},
+    DiagramKind{"falloff", "lux against distance on the axis, beside the inverse square", nullptr},
 };
 
 } // namespace

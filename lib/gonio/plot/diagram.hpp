@@ -36,10 +36,11 @@ struct PlotOptions {
 struct DiagramKind {
     std::string_view name; // "heat-map"
     std::string_view summary;
+    // nullptr: of lights and not of webs, see falloff.hpp
     Result<Drawing> (*draw)(std::span<const PlottedWeb> webs, const PlotOptions& options);
 };
 
-// polar, cartesian, heat-map, isolux, cone.
+// polar, cartesian, heat-map, isolux, cone, falloff.
 std::span<const DiagramKind> diagram_kinds();
 
 // Fails (usage) on an unknown name, naming the nearest.

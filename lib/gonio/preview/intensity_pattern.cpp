@@ -1,5 +1,5 @@
 #include <gonio/preview/detail/intensity_pattern.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/reference.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +15,22 @@ using preview::WebConstants;
 
 constexpr std::size_t most_steps = 4096;
 
-WebConstants::Fold fold_of(const Web& web) {
+WebConstants::Angles angles_of(const Web& web) {
+    if (web.photometry() == Photometry::a) return WebConstants::Angles::type_a;
+    if (web.photometry() == Photometry::b) return WebConstants::Angles::type_b;
     switch (web.stored_symmetry()) {
     case Symmetry::axial:
-        return WebConstants::Fold::axial;
+        return WebConstants::Angles::axial;
     case Symmetry::quadrant:
-        return WebConstants::Fold::quadrant;
+        return WebConstants::Angles::quadrant;
     case Symmetry::bilateral_0_180:
-        return WebConstants::Fold::bilateral_0_180;
+        return WebConstants::Angles::bilateral_0_180;
     case Symmetry::bilateral_90_270:
-        return WebConstants::Fold::bilateral_90_270;
+        return WebConstants::Angles::bilateral_90_270;
     case Symmetry::none:
         break;
     }
-    return WebConstants::Fold::none;
+    return WebConstants::Angles::full;
 }
 
 LobeConstants::Kind kind_of_falloff(Falloff falloff) {
@@ -96,48 +98,47 @@ preview::TableAxis WebTable::Axis::constants() const {
             angles_deg.size(), first_cell.size(),    steps_per_deg};
 }
 
-WebTable::WebTable(const Web& web) : fold_(fold_of(web)), planes_(web.planes_deg()), gammas_(web.gammas_deg()) {
-    candela_.reserve(planes_.angles_deg.size() * gammas_.angles_deg.size());
-    for (std::size_t plane = 0; plane < planes_.angles_deg.size(); ++plane)
-        for (const double cd : web.column(plane))
+WebTable::WebTable(const Web& web)
+    : angles_(angles_of(web)),
+      symmetry_(web.stored_symmetry()),
+      horizontal_(web.horizontal_deg()),
+      vertical_(web.vertical_deg()) {
+    candela_.reserve(horizontal_.angles_deg.size() * vertical_.angles_deg.size());
+    for (std::size_t column = 0; column < horizontal_.angles_deg.size(); ++column)
+        for (const double cd : web.column(column))
             candela_.push_back(static_cast<float>(cd));
 }
 
 WebConstants WebTable::constants(double scale) const {
-    return {fold_, planes_.constants(), gammas_.constants(), candela_.data(), static_cast<float>(scale)};
+    const bool both = symmetry_ == Symmetry::quadrant;
+    return {angles_,
+            both || symmetry_ == Symmetry::bilateral_90_270,
+            both || symmetry_ == Symmetry::bilateral_0_180,
+            horizontal_.constants(),
+            vertical_.constants(),
+            candela_.data(),
+            static_cast<float>(scale)};
 }
 
-IntensityPattern::IntensityPattern(const Light& light, WebTables& tables)
-    : light_(light), has_extent_(has_extent(light.shape)) {
+IntensityPattern::IntensityPattern(const Light& light, WebTables& tables) : light_(light) {
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
-    along_axis_ = has_extent_ || profile != nullptr ? 1.0 : light.intensity.value;
-    if (!has_extent_) lobe_ = lobe_of(light.shape);
+    const bool is_share = has_extent(light.shape);
+    along_axis_ = is_share || profile != nullptr ? 1.0 : light.intensity.value;
+    if (!is_share) lobe_ = lobe_of(light.shape);
     if (web == nullptr) return;
     web_scale_ = light.web_scale;
-    by_light_ = web->photometry() != Photometry::c;
-    if (by_light_) return;
     std::shared_ptr<const WebTable>& table = tables[web];
     if (table == nullptr) table = std::make_shared<const WebTable>(*web);
     table_ = table;
 }
 
 bool IntensityPattern::has_axial_web() const {
-    return table_ != nullptr && table_->constants(1.0).fold == WebConstants::Fold::axial;
+    return table_ != nullptr && table_->is_axial();
 }
 
 void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3& anchor,
                                 const preview::IntensityKernels& kernels, float* cd) const {
-    if (by_light_) {
-        for (std::size_t i = 0; i < points.count; ++i) {
-            const glm::dvec3 at =
-                anchor + glm::dvec3(points.position[0][i], points.position[1][i], points.position[2][i]);
-            const double value =
-                has_extent_ ? mask_share(light_, at) : light_.intensity_towards(at - light_.frame.origin).value;
-            cd[i] = static_cast<float>(std::max(value, 0.0));
-        }
-        return;
-    }
     std::fill(cd, cd + points.count, static_cast<float>(along_axis_));
     if (is_constant()) return;
     preview::LightFrame frame;
@@ -146,11 +147,7 @@ void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3&
     copy(light_.frame.y, frame.y);
     copy(light_.frame.z, frame.z);
     kernels.lobe(points, frame, lobe_, cd);
-    if (table_ == nullptr) return;
-    kernels.web(points, frame, table_->constants(web_scale_), cd);
-    // Webs of files may hold negative candela, which no light has.
-    for (std::size_t i = 0; i < points.count; ++i)
-        cd[i] = std::max(cd[i], 0.0F);
+    if (table_ != nullptr) kernels.web(points, frame, table_->constants(web_scale_), cd);
 }
 
 } // namespace gonio::detail

@@ -54,13 +54,16 @@ struct TableAxis {
 };
 
 struct WebConstants {
-    // How C is brought into the range of the stored planes; axial: not needed.
-    enum class Fold : std::uint8_t { axial, quadrant, bilateral_0_180, bilateral_90_270, none };
+    // How a direction becomes the angles of the table. Types A and B: `mirrors` say what is stored on the positive side
+    // only. Type C: by how C is brought into the range of the stored planes; axial has but one.
+    enum class Angles : std::uint8_t { axial, quadrant, bilateral_0_180, bilateral_90_270, full, type_a, type_b };
 
-    Fold fold = Fold::axial;
-    TableAxis planes;
-    TableAxis gammas;
-    const float* candela = nullptr; // [plane][gamma]
+    Angles angles = Angles::axial;
+    bool mirrors_x = false;
+    bool mirrors_y = false;
+    TableAxis horizontal;           // C, or H
+    TableAxis vertical;             // γ, or V
+    const float* candela = nullptr; // [horizontal][vertical]
     float scale = 1.0F;
 };
 

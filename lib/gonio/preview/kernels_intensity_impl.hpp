@@ -83,21 +83,43 @@ void multiply_any_lobe(const Points& points, const LightFrame& frame, const Lobe
     }
 }
 
-// C in [0°, 360°), folded where the web is mirrored into what is stored.
-template<class S, WebConstants::Fold fold>
+template<class S>
+struct TableAngles {
+    S horizontal_deg, vertical_deg;
+};
+
+// C in [0°, 360°), folded where the web is mirrored into what is stored; full: in the turn that begins at `first`.
+template<class S, WebConstants::Angles kind>
 GONIO_FORCE_INLINE S plane_deg(S x, S y, S first) {
-    using Fold = WebConstants::Fold;
+    using Angles = WebConstants::Angles;
     constexpr double deg = 57.295779513082320877;
-    if constexpr (fold == Fold::quadrant) return simd::atan2_above(simd::abs(y), simd::abs(x)) * S(deg);
-    if constexpr (fold == Fold::bilateral_0_180) return simd::atan2_above(simd::abs(y), x) * S(deg);
-    if constexpr (fold == Fold::bilateral_90_270) {
-        // Mirrored to x ≤ 0, counted from 180° on.
-        return S(180) - simd::atan2(y, simd::abs(x)) * S(deg);
-    }
+    if constexpr (kind == Angles::quadrant) return simd::atan2_above(simd::abs(y), simd::abs(x)) * S(deg);
+    if constexpr (kind == Angles::bilateral_0_180) return simd::atan2_above(simd::abs(y), x) * S(deg);
+    // Mirrored to x ≤ 0, counted from 180° on.
+    if constexpr (kind == Angles::bilateral_90_270) return S(180) - simd::atan2(y, simd::abs(x)) * S(deg);
     const S c = simd::atan2(y, x) * S(deg);
     const S turned = simd::select(c < first, c + S(360), c);
     return simd::select(turned < first, turned + S(360),
                         simd::select(turned < first + S(360), turned, turned - S(360)));
+}
+
+// web/goniometer.hpp says what the angles are.
+template<class S, WebConstants::Angles kind>
+GONIO_FORCE_INLINE TableAngles<S> table_angles(vec3<S> d, const WebConstants& web, S first) {
+    using Angles = WebConstants::Angles;
+    constexpr double deg = 57.295779513082320877;
+    const auto length_of = [](S a, S b) { return simd::sqrt(simd::mul_add(a, a, b * b)); };
+    if constexpr (kind == Angles::type_a || kind == Angles::type_b) {
+        const S x = web.mirrors_x ? simd::abs(d.x) : d.x;
+        const S y = web.mirrors_y ? simd::abs(d.y) : d.y;
+        if constexpr (kind == Angles::type_a)
+            return {simd::atan2(x, -d.z) * S(deg), simd::atan2(y, length_of(x, d.z)) * S(deg)};
+        return {simd::atan2(x, length_of(y, d.z)) * S(deg), simd::atan2(y, -d.z) * S(deg)};
+    } else {
+        const S gamma = simd::atan2_above(length_of(d.x, d.y), -d.z) * S(deg);
+        if constexpr (kind == Angles::axial) return {S(0), gamma};
+        return {plane_deg<S, kind>(d.x, d.y, first), gamma};
+    }
 }
 
 struct Cell {
@@ -128,64 +150,66 @@ GONIO_FORCE_INLINE bool locate(const TableAxis& axis, float angle_deg, Cell& cel
 }
 
 template<class S>
-GONIO_FORCE_INLINE float along_plane(const WebConstants& web, std::size_t plane, const Cell& row) {
-    const float* const values = web.candela + plane * web.gammas.count + row.index;
-    return web.gammas.count == 1 ? values[0] : values[0] + row.weight * (values[1] - values[0]);
+GONIO_FORCE_INLINE float along_vertical(const WebConstants& web, std::size_t column, const Cell& row) {
+    const float* const values = web.candela + column * web.vertical.count + row.index;
+    return web.vertical.count == 1 ? values[0] : values[0] + row.weight * (values[1] - values[0]);
 }
 
-template<class S, WebConstants::Fold fold>
-GONIO_FORCE_INLINE float look_up(const WebConstants& web, float c_deg, float gamma_deg) {
+template<class S, WebConstants::Angles kind>
+GONIO_FORCE_INLINE float look_up(const WebConstants& web, float horizontal_deg, float vertical_deg) {
     Cell row;
-    if (!locate<S>(web.gammas, gamma_deg, row)) return 0.0F;
-    if constexpr (fold == WebConstants::Fold::axial) {
-        return along_plane<S>(web, 0, row);
+    if (!locate<S>(web.vertical, vertical_deg, row)) return 0.0F;
+    if constexpr (kind == WebConstants::Angles::axial) {
+        return along_vertical<S>(web, 0, row);
     } else {
-        Cell plane;
-        if (!locate<S>(web.planes, c_deg, plane)) return 0.0F;
-        const float low = along_plane<S>(web, plane.index, row);
-        if (plane.weight == 0.0F) return low;
-        return low + plane.weight * (along_plane<S>(web, plane.index + 1, row) - low);
+        Cell column;
+        if (!locate<S>(web.horizontal, horizontal_deg, column)) return 0.0F;
+        const float low = along_vertical<S>(web, column.index, row);
+        if (column.weight == 0.0F) return low;
+        return low + column.weight * (along_vertical<S>(web, column.index + 1, row) - low);
     }
 }
 
-// Angles by packets, cells and candela lane by lane: no set has gathers that are faster.
-template<class S, WebConstants::Fold fold>
+// Angles by packets, cells and candela lane by lane: a table's cell is too little work for gathers.
+template<class S, WebConstants::Angles kind>
 void multiply_web(const Points& points, const LightFrame& frame, const WebConstants& web, float* cd) {
-    constexpr double deg = 57.295779513082320877;
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
     const LocalDirections<S> directions(frame);
-    const S first(web.planes.angles_deg[0]);
+    const S first(web.horizontal.angles_deg[0]);
     simd::for_each_packet<simd::Packet<S>>(points.count, [&](const simd::Packet<S>& packet) {
-        const vec3<S> local = directions(packet, points);
-        const S across = simd::sqrt(simd::mul_add(local.x, local.x, local.y * local.y));
-        float gamma[lanes];
-        float c[lanes];
-        simd::store(simd::atan2_above(across, -local.z) * S(deg), &gamma[0]);
-        if constexpr (fold != WebConstants::Fold::axial)
-            simd::store(plane_deg<S, fold>(local.x, local.y, first), &c[0]);
+        const TableAngles<S> angles = table_angles<S, kind>(directions(packet, points), web, first);
+        float horizontal[lanes];
+        float vertical[lanes];
         float found[lanes];
+        simd::store(angles.horizontal_deg, &horizontal[0]);
+        simd::store(angles.vertical_deg, &vertical[0]);
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            found[lane] = look_up<S, fold>(web, fold == WebConstants::Fold::axial ? 0.0F : c[lane], gamma[lane]);
+            found[lane] = look_up<S, kind>(web, horizontal[lane], vertical[lane]);
         S value;
         simd::load(&found[0], value);
-        packet.store(packet.load(cd) * (value * S(web.scale)), cd);
+        // Files may hold negative candela, which no light has.
+        packet.store(packet.load(cd) * simd::max(value * S(web.scale), S(0)), cd);
     });
 }
 
 template<class S>
 void multiply_any_web(const Points& points, const LightFrame& frame, const WebConstants& web, float* cd) {
-    using Fold = WebConstants::Fold;
-    switch (web.fold) {
-    case Fold::axial:
-        return multiply_web<S, Fold::axial>(points, frame, web, cd);
-    case Fold::quadrant:
-        return multiply_web<S, Fold::quadrant>(points, frame, web, cd);
-    case Fold::bilateral_0_180:
-        return multiply_web<S, Fold::bilateral_0_180>(points, frame, web, cd);
-    case Fold::bilateral_90_270:
-        return multiply_web<S, Fold::bilateral_90_270>(points, frame, web, cd);
-    case Fold::none:
-        return multiply_web<S, Fold::none>(points, frame, web, cd);
+    using Angles = WebConstants::Angles;
+    switch (web.angles) {
+    case Angles::axial:
+        return multiply_web<S, Angles::axial>(points, frame, web, cd);
+    case Angles::quadrant:
+        return multiply_web<S, Angles::quadrant>(points, frame, web, cd);
+    case Angles::bilateral_0_180:
+        return multiply_web<S, Angles::bilateral_0_180>(points, frame, web, cd);
+    case Angles::bilateral_90_270:
+        return multiply_web<S, Angles::bilateral_90_270>(points, frame, web, cd);
+    case Angles::full:
+        return multiply_web<S, Angles::full>(points, frame, web, cd);
+    case Angles::type_a:
+        return multiply_web<S, Angles::type_a>(points, frame, web, cd);
+    case Angles::type_b:
+        return multiply_web<S, Angles::type_b>(points, frame, web, cd);
     }
 }
 

@@ -45,6 +45,20 @@ bool misses(const DirectionCone& cone, const Seen& seen) {
     return glm::dot(cone.axis, seen.toward) < cosine_of_sum(cone.sine, cone.cosine, seen.sine, seen.cosine);
 }
 
+// The same by the plane that touches the cone on the side where the box is: tighter for long boxes. Of cones that are
+// not wider than a right angle.
+bool misses_box(const DirectionCone& cone, const glm::dvec3& apex, const SampleBounds& bounds) {
+    if (cone.cosine < 0.0) return false;
+    const glm::dvec3 way = bounds.center - apex;
+    const glm::dvec3 across = way - glm::dot(way, cone.axis) * cone.axis;
+    const double distance = glm::length(across);
+    if (!(distance > 0.0)) return false;
+    const glm::dvec3 normal = across * (cone.cosine / distance) - cone.axis * cone.sine;
+    const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
+    const double reach = glm::dot(glm::abs(normal), half);
+    return glm::dot(normal, way) > reach + length_room * (glm::length(way) + bounds.radius);
+}
+
 // Whether all directions within `sine` of `toward`, as seen from the points, lie below their horizons.
 bool is_below(const SampleBounds& bounds, const glm::dvec3& toward, double sine, double cosine) {
     // The sum of the angle and of the normals' spread stays short of a right angle.
@@ -58,28 +72,49 @@ DirectionCone cone_of(const glm::dvec3& axis, double half_angle) {
     return {axis, std::sin(angle), std::cos(angle)};
 }
 
-// γ beyond which a web of type C is dark, from its aim and from the other end.
+// The least and the greatest cosine of angles in [−180°, 180°] between two of them.
+struct Cosines {
+    double least, greatest;
+};
+Cosines cosines(double low_deg, double high_deg) {
+    const double a = std::cos(degrees(low_deg).value);
+    const double b = std::cos(degrees(high_deg).value);
+    return {std::min(a, b), low_deg <= 0.0 && high_deg >= 0.0 ? 1.0 : std::max(a, b)};
+}
+
+// Between which cosines of γ a web has light.
+Cosines lit_cosines(const Web& web) {
+    const std::span<const double> horizontal = web.horizontal_deg();
+    const std::span<const double> vertical = web.vertical_deg();
+    Cosines lit{1.0, -1.0};
+    for (std::size_t column = 0; column < horizontal.size(); ++column)
+        for (std::size_t row = 0; row < vertical.size(); ++row) {
+            if (web.column(column)[row] == 0.0) continue;
+            // The interpolant reaches to the next angles.
+            const Cosines v =
+                cosines(vertical[row > 0 ? row - 1 : row], vertical[std::min(row + 1, vertical.size() - 1)]);
+            Cosines h{1.0, 1.0}; // of type C, cosγ is that of the row; of A and B cos H cos V
+            if (web.photometry() != Photometry::c)
+                h = cosines(horizontal[column > 0 ? column - 1 : column],
+                            horizontal[std::min(column + 1, horizontal.size() - 1)]);
+            for (const double product :
+                 {v.least * h.least, v.least * h.greatest, v.greatest * h.least, v.greatest * h.greatest}) {
+                lit.least = std::min(lit.least, product);
+                lit.greatest = std::max(lit.greatest, product);
+            }
+        }
+    return lit;
+}
+
+// A web's light about its aim, and about the other end.
 void add_web_cones(const Web& web, const Frame& frame, LightReach& reach) {
-    if (web.photometry() != Photometry::c) return;
-    const std::span<const double> gammas = web.gammas_deg();
-    double first = 180.0;
-    double last = 0.0;
-    for (std::size_t row = 0; row < gammas.size(); ++row) {
-        bool lit = false;
-        for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
-            lit = lit || web.column(plane)[row] != 0.0;
-        if (!lit) continue;
-        // The interpolant reaches to the next rows.
-        first = std::min(first, row > 0 ? gammas[row - 1] : gammas[row]);
-        last = std::max(last, row + 1 < gammas.size() ? gammas[row + 1] : gammas[row]);
-    }
-    const auto add = [&](const glm::dvec3& axis, double half_angle_deg) {
-        // What the renderer's table takes for its end.
-        const double half_angle = degrees(half_angle_deg).value + angle_room;
-        if (half_angle_deg < 180.0) reach.cones[reach.cone_count++] = cone_of(axis, half_angle);
+    const Cosines lit = lit_cosines(web);
+    const auto add = [&](const glm::dvec3& axis, double cosine) {
+        // The room is also for what the renderer's table takes for its end.
+        if (cosine > -1.0) reach.cones[reach.cone_count++] = cone_of(axis, std::acos(cosine) + angle_room);
     };
-    add(-frame.z, last);
-    add(frame.z, 180.0 - first);
+    add(-frame.z, lit.least);
+    add(frame.z, -lit.greatest);
 }
 
 struct OwnCone {
@@ -131,9 +166,9 @@ Unlit LightReach::unlit(const SampleBounds& bounds) const {
     if (!bounds.flat && seen_from(center, bounds, body_radius, seen) &&
         is_below(bounds, -seen.toward, seen.sine, seen.cosine))
         return Unlit::below_horizon;
-    if (cone_count == 0 || !seen_from(center, bounds, 0.0, seen)) return Unlit::no;
+    const bool outside = cone_count > 0 && seen_from(center, bounds, 0.0, seen);
     for (std::size_t i = 0; i < cone_count; ++i)
-        if (misses(cones[i], seen)) return Unlit::outside_cone;
+        if ((outside && misses(cones[i], seen)) || misses_box(cones[i], center, bounds)) return Unlit::outside_cone;
     return Unlit::no;
 }
 

@@ -5,36 +5,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace gonio::detail {
 
-SampleBounds bounds_of(std::span<const glm::dvec3> points, std::span<const glm::dvec3> normals) {
+void BoundsBuilder::add(const glm::dvec3& point, const glm::dvec3& normal) {
+    if (empty_) {
+        empty_ = false;
+        low_ = high_ = point;
+        first_normal_ = normal_low_ = normal_high_ = normal;
+        least_height_ = glm::dot(normal, point);
+        return;
+    }
+    low_ = glm::min(low_, point);
+    high_ = glm::max(high_, point);
+    least_height_ = std::min(least_height_, glm::dot(first_normal_, point));
+    if (normal == first_normal_) return;
+    flat_ = false;
+    normal_low_ = glm::min(normal_low_, normal);
+    normal_high_ = glm::max(normal_high_, normal);
+}
+
+void BoundsBuilder::add(const BoundsBuilder& others) {
+    if (others.empty_) return;
+    if (empty_) {
+        *this = others;
+        return;
+    }
+    flat_ = flat_ && others.flat_ && first_normal_ == others.first_normal_;
+    low_ = glm::min(low_, others.low_);
+    high_ = glm::max(high_, others.high_);
+    least_height_ = std::min(least_height_, others.least_height_);
+    normal_low_ = glm::min(normal_low_, others.normal_low_);
+    normal_high_ = glm::max(normal_high_, others.normal_high_);
+}
+
+SampleBounds BoundsBuilder::bounds() const {
     SampleBounds bounds;
-    bounds.low = points.front();
-    bounds.high = points.front();
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        bounds.low = glm::min(bounds.low, points[i]);
-        bounds.high = glm::max(bounds.high, points[i]);
-        sum += normals[i];
-        bounds.flat = bounds.flat && normals[i] == normals.front();
-    }
-    bounds.center = 0.5 * (bounds.low + bounds.high);
-    bounds.normal = normals.front();
-    const double length = glm::length(sum);
-    if (!bounds.flat && length > 0.0) bounds.normal = sum / length;
-    double radius2 = 0.0;
-    bounds.least_height = glm::dot(normals.front(), points.front());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec3 away = points[i] - bounds.center;
-        radius2 = std::max(radius2, glm::dot(away, away));
-        bounds.least_height = std::min(bounds.least_height, glm::dot(normals.front(), points[i]));
-        if (!bounds.flat) bounds.spread_cos = std::min(bounds.spread_cos, glm::dot(bounds.normal, normals[i]));
-    }
-    bounds.radius = std::sqrt(radius2);
-    bounds.spread_cos = std::clamp(bounds.spread_cos, 0.0, 1.0);
-    bounds.spread_sin = std::sqrt((1.0 - bounds.spread_cos) * (1.0 + bounds.spread_cos));
+    bounds.low = low_;
+    bounds.high = high_;
+    bounds.center = 0.5 * (low_ + high_);
+    bounds.radius = 0.5 * glm::length(high_ - low_);
+    bounds.flat = flat_;
+    bounds.normal = first_normal_;
+    bounds.least_height = least_height_;
+    if (flat_) return bounds;
+    // Every normal lies in a ball about the middle of their box, which is seen from the origin within this angle.
+    const glm::dvec3 middle = 0.5 * (normal_low_ + normal_high_);
+    const double length = glm::length(middle);
+    const double ball = 0.5 * glm::length(normal_high_ - normal_low_);
+    bounds.spread_sin = ball < length ? ball / length : 1.0;
+    bounds.spread_cos = std::sqrt((1.0 - bounds.spread_sin) * (1.0 + bounds.spread_sin));
+    if (length > 0.0) bounds.normal = middle / length;
     return bounds;
 }
 

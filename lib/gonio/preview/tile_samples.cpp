@@ -33,7 +33,16 @@ bool differ(const Seen& a, const Seen& b) {
 } // namespace
 
 void SurfaceSamples::add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center) {
-    if (pixel.empty()) anchor = seen.hit.position;
+    if (pixel.empty()) {
+        anchor = seen.hit.position;
+        constexpr std::size_t most = std::size_t{tile_size} * tile_size;
+        for (auto* arrays : {&position, &normal, &view})
+            for (std::vector<float>& array : *arrays)
+                array.reserve(most);
+        share.reserve(most);
+        pixel.reserve(most);
+        center.reserve(most);
+    }
     const glm::dvec3 at = seen.hit.position - anchor;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
@@ -160,38 +169,36 @@ void TileSamples::collect() {
 
 // The points that each surface has got since it had those of `begun`.
 void TileSamples::finish_block(std::span<const std::size_t> begun) {
-    std::vector<glm::dvec3> points;
-    std::vector<glm::dvec3> normals;
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
         SurfaceSamples& samples = surfaces_[s];
         const std::size_t first = s < begun.size() ? begun[s] : 0;
         if (first == samples.size()) continue;
-        points.clear();
-        normals.clear();
-        for (std::size_t i = first; i < samples.size(); ++i) {
-            points.push_back(samples.position_of(i));
-            normals.emplace_back(samples.normal[0][i], samples.normal[1][i], samples.normal[2][i]);
-        }
-        samples.chunks.push_back({first, samples.size() - first, bounds_of(points, normals)});
+        BoundsBuilder builder;
+        for (std::size_t i = first; i < samples.size(); ++i)
+            builder.add(samples.position_of(i), samples.normal_of(i));
+        samples.chunks.push_back({first, samples.size() - first, builder.bounds()});
+        samples.bounds_builder.add(builder);
     }
 }
 
 void TileSamples::bound_surfaces() {
-    std::vector<glm::dvec3> points;
-    std::vector<glm::dvec3> normals;
     for (SurfaceSamples& samples : surfaces_) {
-        points.clear();
-        normals.clear();
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            points.push_back(samples.position_of(i));
-            normals.emplace_back(samples.normal[0][i], samples.normal[1][i], samples.normal[2][i]);
+        // The rows and columns around the tile too: points between pixels may lie beyond the centres.
+        const auto add = [&](std::ptrdiff_t center) {
+            const Seen& seen = centers_[static_cast<std::size_t>(center)];
+            if (seen.what == Seen::What::surface && seen.hit.surface == samples.surface)
+                samples.bounds_builder.add(seen.hit.position, glm::dvec3(glm::vec3(seen.hit.normal)));
+        };
+        const std::ptrdiff_t rows = bottom_ - top_ + 2;
+        for (std::ptrdiff_t x = 0; x < stride_; ++x) {
+            add(x);
+            add((rows - 1) * stride_ + x);
         }
-        for (const Seen& seen : centers_)
-            if (seen.what == Seen::What::surface && seen.hit.surface == samples.surface) {
-                points.push_back(seen.hit.position);
-                normals.emplace_back(glm::vec3(seen.hit.normal));
-            }
-        samples.bounds = bounds_of(points, normals);
+        for (std::ptrdiff_t y = 1; y + 1 < rows; ++y) {
+            add(y * stride_);
+            add(y * stride_ + stride_ - 1);
+        }
+        samples.bounds = samples.bounds_builder.bounds();
     }
 }
 

@@ -1,13 +1,18 @@
 // What import delivers: the light that was asked for, and files that say it.
+#include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/asset/target.hpp>
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/color/spectrum.hpp>
 #include <gonio/light/closed_forms.hpp>
+#include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
 
 #include "../folders.hpp"
+#include "json_schema.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -33,7 +38,7 @@ MeasuredLight delivered(const std::string& name, const MeasuredLightOptions& opt
 }
 
 std::vector<AssetFile> files_of(const char* target, const MeasuredLight& light) {
-    return (*find_target(target))->files(light);
+    return light_scene(**find_target(target), light)->files;
 }
 
 TEST(MeasuredLight, IsScaledAndTurned) {
@@ -74,19 +79,51 @@ TEST(MeasuredLight, NamesSuitFilesAndNodes) {
     EXPECT_EQ(asset_name("4\xc3\xa9.ldt"), "4__");
 }
 
-// The properties that the extensions' schemas allow, with their ranges; indices that point to something.
+// EXT_lights_ies by the schema that stands beside this file, and indices that point to something.
+std::string schema_complaint(const char* part, const json& value) {
+    json schema =
+        json::parse(*read_file(std::string(test::source_folder) + "/tests/unit/asset/ext_lights_ies.schema.json"));
+    schema["$ref"] = std::string("#/$defs/") + part;
+    return test::JsonSchema(std::move(schema)).complaint(value);
+}
+
+void check_indices(const json& document) {
+    EXPECT_EQ(schema_complaint("document", document["extensions"]["EXT_lights_ies"]), "");
+    const std::size_t profiles = document["extensions"]["EXT_lights_ies"]["lights"].size();
+    const std::size_t lights = document["extensions"]["KHR_lights_punctual"]["lights"].size();
+    for (const json& profile : document["extensions"]["EXT_lights_ies"]["lights"])
+        if (profile.contains("bufferView")) {
+            const json& view = document["bufferViews"].at(profile["bufferView"].get<std::size_t>());
+            EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
+                      document["buffers"].at(view["buffer"].get<std::size_t>())["byteLength"].get<std::size_t>());
+        }
+    for (const json& index : document["scenes"][0]["nodes"]) {
+        const json& node = document["nodes"].at(index.get<std::size_t>());
+        EXPECT_LT(node["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>(), lights);
+        if (!node["extensions"].contains("EXT_lights_ies")) continue;
+        EXPECT_EQ(schema_complaint("node", node["extensions"]["EXT_lights_ies"]), "");
+        EXPECT_LT(node["extensions"]["EXT_lights_ies"]["light"].get<std::size_t>(), profiles);
+    }
+}
+
+TEST(Gltf, SchemaFindsFaults) {
+    for (const char* bad :
+         {R"({"light": -1})", R"({"light": 0.5})", R"({"multiplier": 1})", R"({"light": 0, "color": [1, 1]})",
+          R"({"light": 0, "color": [1, 1, 1.5]})", R"({"light": 0, "colour": [1, 1, 1]})"})
+        EXPECT_NE(schema_complaint("node", json::parse(bad)), "") << bad;
+    for (const char* bad :
+         {R"({})", R"({"lights": []})", R"({"lights": [{}]})", R"({"lights": [{"bufferView": 0}]})",
+          R"({"lights": [{"uri": "a.ies", "bufferView": 0, "mimeType": "application/x-ies-lm-63"}]})"})
+        EXPECT_NE(schema_complaint("document", json::parse(bad)), "") << bad;
+}
+
 void check_gltf(const json& document, const MeasuredLight& light, bool embedded) {
+    check_indices(document);
     const json& profiles = document["extensions"]["EXT_lights_ies"]["lights"];
     ASSERT_EQ(profiles.size(), 1U);
-    for (const auto& [key, value] : profiles[0].items())
-        EXPECT_TRUE(key == "name" || key == (embedded ? "bufferView" : "uri") || (embedded && key == "mimeType"))
-            << key;
     if (embedded) {
-        EXPECT_EQ(profiles[0]["mimeType"], "application/x-ies-lm-63");
         const json& view = document["bufferViews"][profiles[0]["bufferView"].get<std::size_t>()];
         EXPECT_EQ(view["byteLength"], light.portable_ies.size());
-        EXPECT_LE(view["byteOffset"].get<std::size_t>() + light.portable_ies.size(),
-                  document["buffers"][view["buffer"].get<std::size_t>()]["byteLength"].get<std::size_t>());
     } else {
         EXPECT_EQ(profiles[0]["uri"], light.name + ".ies");
     }
@@ -156,11 +193,11 @@ TEST(Targets, ShineUpWhereTheProfileDoes) {
 TEST(Targets, WriteWhatEverySystemTakes) {
     const MeasuredLight light = delivered("street.ies");
     for (const Target& target : targets()) {
-        const auto files = target.files(light);
+        const auto files = light_scene(target, light)->files;
         EXPECT_FALSE(files.empty()) << target.name;
         for (const AssetFile& file : files) {
             EXPECT_TRUE(file.name.starts_with("street.")) << file.name;
-            EXPECT_NE(file.bytes.empty(), !file.texture) << file.name;
+            EXPECT_NE(file.bytes.empty(), !file.picture) << file.name;
             if (file.name.ends_with(".glb")) continue;
             EXPECT_TRUE(std::all_of(file.bytes.begin(), file.bytes.end(), [](char c) {
                 return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\r';
@@ -168,6 +205,183 @@ TEST(Targets, WriteWhatEverySystemTakes) {
         }
     }
     EXPECT_FALSE(find_target("gtlf"));
+}
+
+// A spectrum tells more than a colour temperature, and both less than the user.
+TEST(MeasuredLight, TakesTheColourOfASpectrum) {
+    const std::string path = std::string(test::source_folder) + "/profiles/street.ies";
+    const Profile profile = *read_profile_file(path);
+    const ResolvedWeb resolved = *resolve_web(profile);
+    ProfileHeader header = header_of(profile);
+    set_keyword(header, "_CCT", "6500");
+    const std::vector<Spectrum> one{*blackbody_spectrum(Kelvin(2700.0))};
+    const std::vector<Spectrum> two{one[0], *find_illuminant("D65")};
+    Diagnostics said;
+    const MeasuredLight light = *measured_light({path, "", resolved.web, header, one}, {}, said);
+    EXPECT_EQ(light.color_text, "spectrum");
+    // The black body's own: color/ sums it at 1 nm in both.
+    EXPECT_LT(glm::length(light.color - *parse_light_color("2700K")), 1e-6);
+    EXPECT_TRUE(std::none_of(said.begin(), said.end(),
+                             [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::warning; }));
+    EXPECT_EQ(measured_light({path, "", resolved.web, header, two}, {}, said)->color, light.color);
+    EXPECT_TRUE(said.back().message.find("of 2 spectra") != std::string::npos);
+    MeasuredLightOptions options;
+    options.color = "d65";
+    EXPECT_EQ(measured_light({path, "", resolved.web, header, one}, options, said)->color, glm::dvec3(1.0));
+}
+
+// One light of every kind, in odd places.
+std::vector<Light> studio() {
+    const std::string street = "ies:" + std::string(test::source_folder) + "/profiles/street.ies";
+    std::vector<Light> lights;
+    const auto add = [&](const char* name, const std::string& shape, const char* intensity) {
+        LightDescription light;
+        light.name = name;
+        light.shape = *parse_shape(shape);
+        if (*intensity != '\0') light.intensity = *parse_photometric_value(intensity);
+        light.position = {0.1 * static_cast<double>(lights.size()), -0.4, 2.0};
+        light.direction = {0.3, 0.2, -1.0};
+        light.range = Meters(8.0);
+        Diagnostics ignored;
+        lights.push_back(*resolve_light(std::move(light), ignored));
+    };
+    add("point", "point", "40cd");
+    add("key light", "sphere:r=10cm", "800lm");
+    add("disk", "disk:r=20cm,two-sided", "900lm");
+    add("panel", "rect:w=60cm,h=30cm", "2000lm");
+    add("tube", "tube:r=2cm,l=1.2m", "1500lm");
+    add("sun", "sun:angle=0.53deg", "500lx");
+    add("door", "frustum:h=50deg,v=30deg", "600lm");
+    add("street", street, "");
+    add("street", street, ""); // the same profile, and the same name
+    add("masked", "rect:w=60cm,h=30cm,mask=" + street.substr(4), "700lm");
+    add("hard", "spot:outer=20deg,falloff=hard", "300lm");
+    add("default", "spot:outer=40deg,inner=25deg", "300lm");
+    add("soft", "spot:outer=40deg,inner=25deg,falloff=smoothstep-cos", "300lm");
+    add("angle", "spot:outer=40deg,inner=25deg,falloff=smoothstep-angle", "300lm");
+    add("linear", "spot:outer=40deg,inner=25deg,falloff=linear-angle", "300lm");
+    add("ray", "spot:outer=0deg", "300cd");
+    return lights;
+}
+
+// Every light is in the target's text under its own name, or what becomes of it is said.
+TEST(LightScene, SaysWhatATargetCannotHold) {
+    const std::vector<Light> lights = studio();
+    for (const Target& target : targets()) {
+        const LightScene scene = *light_scene(target, lights, {"studio", "16 lights", Meters(1.0)});
+        std::string said;
+        for (const std::string& line : scene.instead)
+            said += line + "\n";
+        std::string text;
+        for (const AssetFile& file : scene.files) {
+            EXPECT_TRUE(file.name.starts_with("studio.")) << file.name;
+            EXPECT_NE(file.bytes.empty(), !file.picture) << file.name;
+            if (!file.name.ends_with(".ies") && !file.name.ends_with(".glb")) text += file.bytes;
+        }
+        EXPECT_NE(said.find("light 'ray': is dark, and left out"), std::string::npos) << target.name;
+        EXPECT_NE(said.find("light 'door':"), std::string::npos) << target.name;
+        EXPECT_NE(said.find("light 'masked': a mask on an area"), std::string::npos) << target.name;
+        EXPECT_EQ(said.find("light 'sun'") == std::string::npos, target.name != "raw") << target.name << said;
+        EXPECT_EQ(said.find("range of 8 m") == std::string::npos, target.holds.range) << target.name;
+        for (const char* name : {"point", "key_light", "disk", "panel", "tube", "door", "street", "street_2", "masked",
+                                 "hard", "default", "soft", "angle", "linear"})
+            EXPECT_NE(text.find(name), std::string::npos) << target.name << ' ' << name;
+        // Every spot of the target's own falloff stays one, the others do not.
+        const auto stays = [&](const char* name) {
+            return said.find(std::string("light '") + name + "': " + std::string(target.name) + " has no spot") ==
+                   std::string::npos;
+        };
+        if (target.name == "raw") continue;
+        EXPECT_EQ(stays("default"), target.holds.spot_falloff == Falloff::frostbite) << target.name;
+        EXPECT_EQ(stays("soft"), target.holds.spot_falloff == Falloff::smoothstep_cos) << target.name;
+        EXPECT_EQ(stays("angle"), target.holds.spot_falloff == Falloff::smoothstep_angle) << target.name;
+        EXPECT_EQ(stays("linear"), target.holds.spot_falloff == Falloff::linear_angle) << target.name;
+    }
+}
+
+// Profiles from afar have the shape's flux and its intensity; lights of one profile share it.
+TEST(LightScene, FarProfilesAreThoseOfTheShapes) {
+    const std::vector<Light> lights = studio();
+    const LightScene scene = *light_scene(**find_target("raw"), lights, {"studio", "", Meters(1.0)});
+    EXPECT_EQ(std::count_if(scene.files.begin(), scene.files.end(),
+                            [](const AssetFile& file) { return file.name.find("street") != std::string::npos; }),
+              1);
+    const auto web_of = [&](const std::string& name) {
+        for (const AssetFile& file : scene.files)
+            if (file.name == "studio." + name + ".ies") return resolve_web(*read_profile(file.bytes, file.name))->web;
+        ADD_FAILURE() << name;
+        return *Web::create(Symmetry::axial, {0.0}, {0.0, 90.0}, {1.0, 1.0});
+    };
+    for (const auto& [name, lumens] : {std::pair{"key_light", 800.0},
+                                       {"panel", 2000.0},
+                                       {"disk", 900.0},
+                                       {"tube", 1500.0},
+                                       {"door", 600.0},
+                                       {"hard", 300.0},
+                                       {"default", 300.0},
+                                       {"linear", 300.0}})
+        EXPECT_NEAR(flux(web_of(name)).value, lumens, 1e-6 * lumens) << name;
+    for (const std::size_t index : {1U, 2U, 3U, 4U, 9U, 11U}) {
+        const Light& light = lights[index];
+        std::string name = light.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        const Web web = web_of(name);
+        const double most = light.intensity.value;
+        for (const double c : {0.0, 33.0, 121.0, 260.0})
+            for (const double gamma : {0.0, 14.0, 31.5, 62.0, 85.0, 130.0}) {
+                const double truth =
+                    light.intensity_towards(light.frame.to_world(direction_of({degrees(c), degrees(gamma)}))).value;
+                // Lines between the table's angles: h²/8 of the second derivative, and the scaling to the flux.
+                EXPECT_NEAR(web.candela(c, gamma), truth, 2e-3 * most) << name << ' ' << c << ' ' << gamma;
+            }
+    }
+}
+
+TEST(LightScene, OfGltfHasIndicesAndPlaces) {
+    const std::vector<Light> lights = studio();
+    const LightScene scene = *light_scene(**find_target("gltf"), lights, {"studio", "", Meters(1.0)});
+    const json document = json::parse(scene.files[0].bytes);
+    check_indices(document);
+    for (const json& node : document["nodes"]) {
+        const auto q = node["rotation"].get<std::vector<double>>();
+        EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
+        if (node["name"] == "disk_back") continue;
+        // −Z of the node: Y up, from (0.3, 0.2, −1).
+        const double length = std::sqrt(1.13);
+        EXPECT_NEAR(-2.0 * (q[0] * q[2] + q[1] * q[3]), 0.3 / length, 1e-12);
+        EXPECT_NEAR(-2.0 * (q[1] * q[2] - q[0] * q[3]), -1.0 / length, 1e-12);
+        EXPECT_NEAR(-(1.0 - 2.0 * (q[0] * q[0] + q[1] * q[1])), -0.2 / length, 1e-12);
+        if (node["name"] == "sun") continue;
+        EXPECT_EQ(node["translation"][1], 2.0);
+        EXPECT_EQ(node["translation"][2], 0.4);
+    }
+}
+
+// Lux over distances in the scene's units, or refused.
+TEST(LightScene, CountsInTheSceneUnit) {
+    const std::vector<Light> lights = studio();
+    const std::vector<Light> point{lights[0]};
+    const auto text = [&](const char* target, double unit) {
+        return light_scene(**find_target(target), point, {"studio", "", Meters(unit)})->files[0].bytes;
+    };
+    EXPECT_NE(text("pbrt", 0.01).find("\"float scale\" [ 400000 ]"), std::string::npos);
+    EXPECT_NE(text("pbrt", 0.01).find(" -40 200 1 ]"), std::string::npos) << text("pbrt", 0.01);
+    EXPECT_NE(text("usd", 0.01).find("metersPerUnit = 0.01"), std::string::npos);
+    EXPECT_NE(text("usd", 0.01).find("inputs:intensity = 40\n"), std::string::npos) << text("usd", 0.01);
+    EXPECT_EQ(text("unreal", 0.01), text("unreal", 1.0));
+    EXPECT_NE(text("unreal", 1.0).find("(0, 40, 200)"), std::string::npos) << text("unreal", 1.0);
+    for (const auto& [target, unit] :
+         {std::pair{"gltf", 0.01}, {"godot", 0.01}, {"unity", 0.01}, {"unreal", 0.0254}, {"raw", 0.01}})
+        EXPECT_EQ(light_scene(**find_target(target), point, {"studio", "", Meters(unit)}).error().failure,
+                  Failure::usage)
+            << target;
+}
+
+TEST(LightScene, OfNothingIsRefused) {
+    const std::vector<Light> lights = studio();
+    const std::vector<Light> sun{lights[5]};
+    EXPECT_EQ(light_scene(**find_target("raw"), sun, {"studio", "", Meters(1.0)}).error().failure,
+              Failure::unsupported);
 }
 
 } // namespace

@@ -61,6 +61,12 @@ private:
                 if (std::string wrong = complaint(rule, item, path + "[]"); !wrong.empty()) return wrong;
             return "";
         }
+        if (word == "oneOf") {
+            int fitting = 0;
+            for (const Json& one : rule)
+                fitting += complaint(one, value, path).empty() ? 1 : 0;
+            return fitting == 1 ? "" : bad;
+        }
         if (word == "required" && value.is_object()) {
             for (const Json& key : rule)
                 if (!value.contains(key.get<std::string>())) return bad + ' ' + key.get<std::string>();

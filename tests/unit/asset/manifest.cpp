@@ -1,4 +1,5 @@
 // Manifests: written, read, merged, held against the schema in the tree.
+#include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/manifest.hpp>
 #include <gonio/base/atomic_file.hpp>
@@ -85,6 +86,36 @@ TEST(Manifest, RefusesShardsThatMakeNoWhole) {
     Manifest same_file = part(2, 2, {"b"});
     same_file.assets.front().files.front().file = "a.exr";
     EXPECT_EQ(refusal({part(1, 2, {"a"}), same_file}), "two inputs were written to 'a.exr'");
+}
+
+TEST(Manifest, KeepsRemarks) {
+    Manifest manifest = part(1, 1, {"a.json"});
+    manifest.assets[0].remarks = {"gltf: light 'tube': gltf has no tube lights"};
+    const std::string json = manifest_json(manifest);
+    EXPECT_EQ(*read_manifest(json, "m.json"), manifest);
+    const test::JsonSchema schema(
+        nlohmann::json::parse(*read_file(std::string(test::source_folder) + "/lib/gonio/asset/manifest.schema.json")));
+    EXPECT_EQ(schema.complaint(nlohmann::json::parse(json)), "");
+}
+
+TEST(AssetRecord, IsReadAsWritten) {
+    AssetRecord record;
+    record.target = "gltf";
+    record.recipe = "gonio import";
+    record.source_file = "studio.json";
+    record.source_sha256 = sha256("studio");
+    record.files = {"studio.gltf", "studio.glb"};
+    record.instead = {"light 'tube': gltf has no tube lights"};
+    const std::string text = asset_record_json(record);
+    const auto again = read_asset_record(text);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(asset_record_json(*again), text);
+    const test::JsonSchema schema(
+        nlohmann::json::parse(*read_file(std::string(test::source_folder) + "/lib/gonio/asset/asset.schema.json")));
+    EXPECT_EQ(schema.complaint(nlohmann::json::parse(text)), "");
+    for (const char* bad : {"", "[]", "{}", R"({"schema": "gonio.asset/1", "files": [1], "instead": []})",
+                            R"({"schema": "gonio.asset/2", "files": [], "instead": [], "source": {"sha256": "1"}})"})
+        EXPECT_FALSE(read_asset_record(bad)) << bad;
 }
 
 } // namespace

@@ -95,6 +95,19 @@ std::vector<LightDescription> every_light() {
         lights.push_back(measured(symmetry, 0.0, 70.0));
         lights.push_back(measured(symmetry, 95.0, 180.0));
     }
+    for (const Photometry type : {Photometry::a, Photometry::b}) {
+        lights.push_back(measured(Symmetry::none, 0.0, 70.0));
+        std::get<ProfileShape>(lights.back().shape).web =
+            std::make_shared<const Web>(Web::create(type, Symmetry::none, test::steps(-60, 40, 11),
+                                                    test::steps(-30, 45, 6), std::vector<double>(66, 700.0))
+                                            .value());
+        lights.push_back(measured(Symmetry::none, 0.0, 70.0));
+        std::vector<double> slopes;
+        for (int i = 0; i < 35; ++i)
+            slopes.push_back(10.0 * (i % 7) + 3.0 * i);
+        std::get<ProfileShape>(lights.back().shape).web = std::make_shared<const Web>(
+            Web::create(type, Symmetry::quadrant, test::steps(0, 80, 7), test::steps(0, 50, 5), slopes).value());
+    }
     lights.push_back(described("disk:r=30cm", "800lm"));
     std::get<DiskShape>(lights.back().shape).mask = std::make_shared<const Web>(web_of(Symmetry::none, 0.0, 45.0, 6));
     lights.push_back(described("spot:outer=70deg", "800lm"));
@@ -178,17 +191,15 @@ TEST(Skipping, IsNeverWrongAboutWhoGetsNothing) {
             const glm::dvec3 normal = numbers.direction();
             const double size = std::exp(numbers.between(-4.0, 0.0));
             const double bulge = trial % 2 == 0 ? 0.0 : numbers.between(0.0, 1.5);
-            std::vector<glm::dvec3> points;
-            std::vector<glm::dvec3> normals;
+            detail::BoundsBuilder bounds;
             std::vector<Receiver> receivers;
             for (int i = 0; i < 12; ++i) {
                 glm::dvec3 off = numbers.in_box(1.0);
                 off -= glm::dot(off, normal) * normal;
-                points.push_back(at + size * off);
-                normals.push_back(bulge > 0.0 ? glm::normalize(normal + bulge * off) : normal);
-                receivers.push_back({points.back(), normals.back()});
+                receivers.push_back({at + size * off, bulge > 0.0 ? glm::normalize(normal + bulge * off) : normal});
+                bounds.add(receivers.back().position, receivers.back().normal);
             }
-            const bool none = reach.unlit(detail::bounds_of(points, normals)) != detail::Unlit::no;
+            const bool none = reach.unlit(bounds.bounds()) != detail::Unlit::no;
             ProbeOptions options;
             options.method = IrradianceMethod::ltc; // masks from the centre, as pictures take them
             options.threads = 1;

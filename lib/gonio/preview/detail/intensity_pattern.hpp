@@ -12,12 +12,13 @@
 
 namespace gonio::detail {
 
-// A web of type C in float, at its own angles.
+// A web in float, at its own angles.
 class WebTable {
 public:
     explicit WebTable(const Web& web);
 
     preview::WebConstants constants(double scale) const;
+    bool is_axial() const { return angles_ == preview::WebConstants::Angles::axial; }
 
 private:
     struct Axis {
@@ -30,9 +31,10 @@ private:
         preview::TableAxis constants() const;
     };
 
-    preview::WebConstants::Fold fold_;
-    Axis planes_;
-    Axis gammas_;
+    preview::WebConstants::Angles angles_;
+    Symmetry symmetry_;
+    Axis horizontal_;
+    Axis vertical_;
     std::vector<float> candela_;
 };
 
@@ -46,7 +48,7 @@ public:
     IntensityPattern(const Light& light, WebTables& tables);
 
     // Whether it is the same in every direction: `evaluate` fills with one number.
-    bool is_constant() const { return lobe_.kind == preview::LobeConstants::Kind::none && !table_ && !by_light_; }
+    bool is_constant() const { return lobe_.kind == preview::LobeConstants::Kind::none && !table_; }
     bool has_axial_web() const;
 
     // Candela, or the share of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
@@ -59,8 +61,6 @@ private:
     preview::LobeConstants lobe_;
     std::shared_ptr<const WebTable> table_;
     double web_scale_ = 1.0;
-    bool by_light_ = false; // webs of types A and B: in double, point by point
-    bool has_extent_ = false;
 };
 
 } // namespace gonio::detail

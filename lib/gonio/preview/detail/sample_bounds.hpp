@@ -3,8 +3,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <span>
-
 namespace gonio::detail {
 
 struct SampleBounds {
@@ -19,7 +17,21 @@ struct SampleBounds {
     bool flat = true;          // they are
 };
 
-// `points` and `normals` (unit) have the same length, at least 1.
-SampleBounds bounds_of(std::span<const glm::dvec3> points, std::span<const glm::dvec3> normals);
+// Bounds while points are added to them.
+class BoundsBuilder {
+public:
+    // `normal` is unit.
+    void add(const glm::dvec3& point, const glm::dvec3& normal);
+    void add(const BoundsBuilder& others);
+    // Of at least one point.
+    SampleBounds bounds() const;
+
+private:
+    bool empty_ = true;
+    bool flat_ = true;
+    glm::dvec3 low_{0.0}, high_{0.0};
+    glm::dvec3 first_normal_{0.0}, normal_low_{0.0}, normal_high_{0.0};
+    double least_height_ = 0.0;
+};
 
 } // namespace gonio::detail

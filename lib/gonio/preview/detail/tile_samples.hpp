@@ -49,12 +49,14 @@ struct SurfaceSamples {
     std::vector<std::uint32_t> pixel; // of the picture
     std::vector<std::int32_t> center; // index of the tile's centre that it is; −1 of other points of a pixel
     std::vector<Chunk> chunks;
+    BoundsBuilder bounds_builder;
     SampleBounds bounds; // of all, and of what the pixels around the tile see of the surface
 
     std::size_t size() const { return pixel.size(); }
     glm::dvec3 position_of(std::size_t i) const {
         return anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);
     }
+    glm::dvec3 normal_of(std::size_t i) const { return {normal[0][i], normal[1][i], normal[2][i]}; }
     void add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
 };
 

@@ -1,6 +1,4 @@
-#include "texture_picture.hpp"
-
-#include <algorithm>
+#include "texel_pixel.hpp"
 
 namespace gonio::cli {
 
@@ -30,19 +28,6 @@ media::Pixel pixel_of(TexelType type) {
         break;
     }
     return media::Pixel::float32;
-}
-
-Image texture_picture(const Texture& texture, int x, int width, int channels) {
-    Image image(width, texture.image.height, channels);
-    for (int row = 0; row < image.height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const float value = *texture.image.at(x + column, row);
-            const float stored = texture.transfer == Transfer::linear
-                                     ? value
-                                     : static_cast<float>(encoded(texture.transfer, static_cast<double>(value)));
-            std::fill_n(image.at(column, row), channels, stored);
-        }
-    return image;
 }
 
 } // namespace gonio::cli

@@ -1,0 +1,55 @@
+// Catalogues: many inputs made into files, the whole or a shard of them, with a manifest of what is whole.
+#pragma once
+
+#include <gonio/asset/manifest.hpp>
+#include <gonio/base/result.hpp>
+
+#include "arguments.hpp"
+#include "batch.hpp"
+#include "command.hpp"
+#include "console.hpp"
+#include "options/output.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace gonio::cli {
+
+inline constexpr std::array catalogue_options{
+    Option{"--shard", "K/N", "of all inputs only the K-th, K+N-th, …: the same ones whoever runs it"},
+    Option{"--manifest", "FILE", "write a list of what was made, with the hash of every file"},
+    Option{"--merge", "", "the inputs are the manifests of all shards; -o writes that of the whole"},
+};
+
+inline constexpr OptionGroup catalogue_group{"catalogue", catalogue_options};
+
+struct Catalogue {
+    std::optional<Shard> shard;
+    std::optional<std::string> manifest;
+};
+
+Result<Catalogue> catalogue_of(const Arguments& arguments);
+
+// All inputs without a shard.
+Share share_of(const Catalogue& catalogue);
+
+// What became of one input.
+// NOLINTNEXTLINE(bugprone-exception-escape): as of Outcome, which it holds
+struct Made {
+    Outcome outcome;
+    ManifestAsset asset; // without files: nothing was made of it
+};
+
+// run_batch(), and the manifest if one is wanted. `recipe`: the options that everything was made with.
+int run_catalogue(const Batch& batch, const Catalogue& catalogue, const std::string& recipe, ReportKind kind,
+                  Console& console, const std::function<Result<Made>(std::size_t)>& work);
+
+// --merge: the manifests that are named, as that of the whole, to -o. Returns the exit status.
+Result<int> merge_manifests(const Arguments& arguments, Console& console);
+
+// A file that is there, and the hash of its bytes.
+Result<ManifestFile> hashed(const std::string& file);
+
+} // namespace gonio::cli

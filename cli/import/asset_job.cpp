@@ -1,0 +1,279 @@
+#include "asset_job.hpp"
+
+#include <gonio/asset/asset_record.hpp>
+#include <gonio/asset/content_hash.hpp>
+#include <gonio/asset/light_scene.hpp>
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/color/spectrum.hpp>
+#include <gonio/media/image_file.hpp>
+#include <gonio/scene/rig.hpp>
+
+#include "../json_text.hpp"
+#include "../options/output.hpp"
+#include "../texel_pixel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace gonio::cli {
+
+namespace {
+
+// An input, read: what is to be written of it.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving Json and variants is noexcept, and throws nothing
+struct Source {
+    std::string name;
+    ManifestFile input;      // with the hash of all that the input names
+    std::string description; // for people
+    Json report;             // its part of the report
+    Diagnostics diagnostics;
+    std::optional<MeasuredLight> luminaire;
+    std::vector<Light> lights; // of a rig
+};
+
+bool is_rig(std::string_view bytes) {
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '{';
+}
+
+Result<Source> read_profile_source(const std::string& file, const ImportRequest& request) {
+    Source source;
+    Result<LoadedProfile> loaded = load(file, request.input);
+    if (!loaded) return pass_on(loaded);
+    source.diagnostics = std::move(loaded->diagnostics);
+    const ProfileHeader header = header_of(loaded->profile, request.input.resolve);
+    std::vector<Spectrum> spectra;
+    if (request.light.color.empty()) {
+        Result<std::vector<Spectrum>> held = spectra_of(loaded->profile);
+        if (!held) return pass_on(held);
+        spectra = std::move(*held);
+    }
+    Result<MeasuredLight> light =
+        measured_light({file, loaded->bytes, loaded->web, header, spectra}, request.light, source.diagnostics);
+    if (!light) return pass_on(light);
+    source.name = light->name;
+    source.input = {file, light->source_sha256};
+    source.description =
+        fmt::format("{:.6g} lm, greatest difference {:.2g} cd", light->flux.value, light->max_error.value);
+    source.report = {{"name", light->name},
+                     {"flux_lm", light->flux.value},
+                     {"peak_cd", light->peak.value},
+                     {"color", light->color_text},
+                     {"rgb", {light->color.x, light->color.y, light->color.z}},
+                     {"max_error_cd", light->max_error.value}};
+    source.luminaire = std::move(*light);
+    return source;
+}
+
+// Of a rig's bytes, the colours that it resolves to and the bytes of the profiles and masks that it names.
+Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
+    std::string all = sha256(bytes);
+    std::set<std::string> files;
+    for (const LightDescription& light : rig.lights) {
+        all += fmt::format(" {} {} {}", light.color.x, light.color.y, light.color.z);
+        if (const auto* profile = std::get_if<ProfileShape>(&light.shape)) files.insert(profile->file);
+        if (const Mask mask = mask_of(light.shape); mask.file != nullptr && !mask.file->empty())
+            files.insert(*mask.file);
+    }
+    for (const std::string& file : files) {
+        Result<ManifestFile> hash = hashed(file);
+        if (!hash) return pass_on(hash);
+        all += " " + hash->sha256;
+    }
+    return sha256(all);
+}
+
+Result<Source> read_rig_source(const std::string& file, const std::string& bytes, const ImportRequest& request) {
+    const bool changed = request.light.flux || !request.light.color.empty() || request.light.rotation.value != 0.0;
+    if (changed)
+        return fail(Failure::usage, "a rig's lights have their own amount, colour and turn",
+                    "leave --flux, --color and --rotate out", file);
+    const std::size_t slash = file.rfind('/');
+    const std::string folder =
+        file == "-" || slash == std::string::npos ? std::string() : file.substr(0, std::max<std::size_t>(slash, 1));
+    Result<Rig> rig = read_rig(bytes, file, folder);
+    if (!rig) return pass_on(rig);
+    Source source;
+    source.name = asset_name(file);
+    Result<std::string> hash = fingerprint(bytes, *rig);
+    if (!hash) return pass_on(hash);
+    source.input = {file, std::move(*hash)};
+    source.diagnostics = rig->diagnostics;
+    Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), source.diagnostics, 1);
+    if (!lights) return pass_on(lights);
+    source.lights = std::move(*lights);
+    source.description = fmt::format("{} lights", source.lights.size());
+    source.report = {{"name", source.name}, {"lights", source.lights.size()}};
+    return source;
+}
+
+Result<Source> read_source(const std::string& file, const ImportRequest& request) {
+    if (file != "-") {
+        Result<std::string> start = read_file_start(file, 64);
+        if (!start) return pass_on(start);
+        if (!is_rig(*start)) return read_profile_source(file, request);
+        Result<std::string> bytes = read_file(file);
+        if (!bytes) return pass_on(bytes);
+        return read_rig_source(file, *bytes, request);
+    }
+    return read_profile_source(file, request);
+}
+
+Result<LightScene> scene_of(const Source& source, const Target& target, const ImportRequest& request) {
+    if (source.luminaire) return light_scene(target, *source.luminaire, request.unit);
+    LightSceneOptions options;
+    options.name = source.name;
+    options.description = fmt::format("{} of {}", source.description, source.input.file);
+    options.unit = request.unit;
+    return light_scene(target, source.lights, options);
+}
+
+Result<std::string> bytes_of(const AssetFile& file) {
+    if (!file.picture) return file.bytes;
+    media::ImageWriteOptions options;
+    options.pixel = pixel_of(file.picture->texel_type);
+    if (file.picture->image.channels == 1) options.channel_names = {"Y"};
+    return media::encode_image(file.picture->image, *media::find_image_format(file.name), options);
+}
+
+// What a target's writer could not say, for the people who get the files.
+std::string losses_readme(const Source& source, const Target& target, const std::vector<std::string>& instead) {
+    std::string text =
+        fmt::format("{} for {}: what it does instead of what it cannot hold.\n\n", source.name, target.name);
+    for (const std::string& line : instead)
+        text += fmt::format("- {}\n", line);
+    return text;
+}
+
+struct Written {
+    const Target* target = nullptr;
+    bool unchanged = false;
+    AssetRecord record;
+    std::vector<ManifestFile> files; // with their folder
+};
+
+// What is there already, of the same source by the same recipe.
+std::optional<Written> found(const Source& source, const Target& target, const ImportRequest& request) {
+    const std::string folder = folder_of(request, target) + "/";
+    const std::string record_file = folder + asset_record_name(source.name);
+    if (!request.update || source.input.file == "-" || !file_exists(record_file)) return std::nullopt;
+    const Result<std::string> text = read_file(record_file);
+    std::optional<AssetRecord> record = text ? read_asset_record(*text) : std::nullopt;
+    if (!record || record->recipe != recipe_of(request) || record->source_sha256 != source.input.sha256)
+        return std::nullopt;
+    Written there{&target, true, std::move(*record), {}};
+    for (const std::string& name : there.record.files) {
+        Result<ManifestFile> file = hashed(folder + name);
+        if (!file) return std::nullopt;
+        there.files.push_back(std::move(*file));
+    }
+    Result<ManifestFile> own = hashed(record_file);
+    if (!own) return std::nullopt;
+    there.files.push_back(std::move(*own));
+    return there;
+}
+
+Result<Written> made(const Source& source, const Target& target, const ImportRequest& request,
+                     std::vector<OutputFile>& contents) {
+    Result<LightScene> scene = scene_of(source, target, request);
+    if (!scene) return pass_on(scene);
+    if (!scene->instead.empty())
+        scene->files.push_back({source.name + ".README.md", losses_readme(source, target, scene->instead), {}});
+    Written written{&target,
+                    false,
+                    {std::string(target.name),
+                     recipe_of(request),
+                     source.input.file,
+                     source.input.sha256,
+                     {},
+                     std::move(scene->instead)},
+                    {}};
+    for (const AssetFile& file : scene->files)
+        written.record.files.push_back(file.name);
+    scene->files.push_back({asset_record_name(source.name), asset_record_json(written.record), {}});
+    for (const AssetFile& file : scene->files) {
+        Result<std::string> bytes = bytes_of(file);
+        if (!bytes) return pass_on(bytes);
+        const std::string path = folder_of(request, target) + "/" + file.name;
+        if (!request.overwrite && !request.update && file_exists(path))
+            return fail(Failure::usage, fmt::format("'{}' exists", path),
+                        "add --overwrite, or -u to write only what is out of date");
+        written.files.push_back({path, sha256(*bytes)});
+        contents.push_back({path, std::move(*bytes)});
+    }
+    return written;
+}
+
+// All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
+Result<std::vector<Written>> write_targets(const Source& source, const ImportRequest& request) {
+    std::vector<Written> all;
+    std::vector<OutputFile> contents;
+    for (const Target* target : request.targets) {
+        if (std::optional<Written> there = found(source, *target, request)) {
+            all.push_back(std::move(*there));
+            continue;
+        }
+        Result<Written> written = made(source, *target, request, contents);
+        if (!written) return pass_on(written);
+        all.push_back(std::move(*written));
+    }
+    if (const Result<void> done = write_outputs(contents); !done) return Unexpected(done.error());
+    return all;
+}
+
+Json report_of(const Source& source, const std::vector<Written>& all, const Diagnostics& diagnostics) {
+    Json json{{"schema", "gonio.import/1"}, {"file", source.input.file}, {"sha256", source.input.sha256}};
+    json.update(source.report);
+    json["targets"] = Json::array();
+    for (const Written& asset : all) {
+        Json files = Json::array();
+        for (const ManifestFile& file : asset.files)
+            files.push_back(file.file);
+        json["targets"].push_back({{"target", asset.target->name},
+                                   {"up_to_date", asset.unchanged},
+                                   {"files", std::move(files)},
+                                   {"instead", asset.record.instead}});
+    }
+    json["diagnostics"] = diagnostics_json(diagnostics);
+    return json;
+}
+
+} // namespace
+
+Result<Made> import_one(const std::string& file, const ImportRequest& request, ReportKind kind) {
+    Result<Source> source = read_source(file, request);
+    if (!source) return pass_on(source);
+    Result<std::vector<Written>> all = write_targets(*source, request);
+    if (!all) return pass_on(all);
+    Made imported;
+    Outcome& outcome = imported.outcome;
+    outcome.diagnostics = std::move(source->diagnostics);
+    imported.asset.input = source->input;
+    outcome.unchanged = true;
+    for (Written& asset : *all) {
+        outcome.unchanged &= asset.unchanged;
+        outcome.remarks.push_back(asset.unchanged
+                                      ? fmt::format("{} -> {}: up to date", file, folder_of(request, *asset.target))
+                                      : fmt::format("{} -> {}: {} files, {}", file, folder_of(request, *asset.target),
+                                                    asset.files.size(), source->description));
+        for (const std::string& line : asset.record.instead) {
+            Diagnostic warning;
+            warning.severity = Severity::warning;
+            warning.location.file = file;
+            warning.message = line;
+            outcome.diagnostics.push_back(std::move(warning));
+            imported.asset.remarks.push_back(fmt::format("{}: {}", asset.target->name, line));
+        }
+    }
+    if (kind != ReportKind::words) outcome.report = report_of(*source, *all, outcome.diagnostics);
+    for (Written& asset : *all)
+        for (ManifestFile& written : asset.files)
+            imported.asset.files.push_back(std::move(written));
+    return imported;
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,115 @@
+#include "request.hpp"
+
+#include <gonio/asset/light_scene.hpp>
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/folder.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/base/version.hpp>
+#include <gonio/light/light_color.hpp>
+
+#include "../options/light_input.hpp"
+#include "../options/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gonio::cli {
+
+namespace {
+
+Result<std::vector<const Target*>> parse_targets(const Arguments& arguments) {
+    const auto text = arguments.value("--to");
+    if (!text) return fail(Failure::usage, "no target is given", "for example --to gltf; 'gonio list targets' has all");
+    std::vector<const Target*> chosen;
+    std::string_view rest = *text;
+    while (true) {
+        const std::size_t comma = rest.find(',');
+        Result<const Target*> target = find_target(rest.substr(0, comma));
+        if (!target) return pass_on(target);
+        if (std::find(chosen.begin(), chosen.end(), *target) == chosen.end()) chosen.push_back(*target);
+        if (comma == std::string_view::npos) return chosen;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+Result<void> parse_light(const Arguments& arguments, MeasuredLightOptions& light) {
+    if (const auto text = arguments.value("--flux")) {
+        Result<double> flux = parse_amount(*text, Dimension::luminous_flux, "--flux");
+        if (!flux) return pass_on(flux);
+        if (!(*flux > 0.0)) return fail(Failure::usage, fmt::format("--flux takes more than 0 lm, not '{}'", *text));
+        light.flux = Lumens(*flux);
+    }
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        light.rotation = Radians(*angle);
+    }
+    const auto color = arguments.value("--color");
+    if (color && !is_about_messages(*color)) {
+        const Result<glm::dvec3> rgb = parse_light_color(*color); // before anything is written
+        if (!rgb) return Unexpected(rgb.error());
+        light.color = *color;
+    }
+    return {};
+}
+
+// "cm", or "2.5cm".
+Result<Meters> parse_unit(const std::string& text) {
+    const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
+    Result<double> length = parse_amount(has_number ? text : "1" + text, Dimension::length, "--unit-scale");
+    if (!length || !(*length > 0.0))
+        return fail(Failure::usage, fmt::format("--unit-scale takes a unit of length, not '{}'", text),
+                    "for example cm, in or 2.5cm");
+    return Meters(*length);
+}
+
+} // namespace
+
+Result<ImportRequest> parse_import(const Arguments& arguments) {
+    ImportRequest request;
+    Result<std::vector<const Target*>> chosen = parse_targets(arguments);
+    if (!chosen) return pass_on(chosen);
+    request.targets = std::move(*chosen);
+    const auto folder = arguments.value("--output-dir");
+    if (!folder) return fail(Failure::usage, "no output folder is given", "add -O DIR");
+    if (!is_folder(*folder))
+        return fail(Failure::io, file_exists(*folder) ? "this is a file, not a folder" : "there is no such folder",
+                    file_exists(*folder) ? "" : "make it first: mkdir " + *folder, *folder);
+    request.folder = *folder;
+    if (Result<void> light = parse_light(arguments, request.light); !light) return pass_on(light);
+    if (const auto text = arguments.value("--unit-scale")) {
+        Result<Meters> unit = parse_unit(*text);
+        if (!unit) return pass_on(unit);
+        request.unit = *unit;
+        for (const Target* target : request.targets)
+            if (Result<void> takes = check_unit(*target, request.unit); !takes) return pass_on(takes);
+    }
+    Result<Catalogue> catalogue = catalogue_of(arguments);
+    if (!catalogue) return pass_on(catalogue);
+    request.catalogue = std::move(*catalogue);
+    if (arguments.value("--output"))
+        return fail(Failure::usage, "-o belongs to --merge", "the targets' folders go to -O DIR");
+    Result<ProfileInputOptions> input = profile_input(arguments);
+    if (!input) return pass_on(input);
+    request.input = *input;
+    request.overwrite = arguments.has("--overwrite");
+    request.update = arguments.has("--update");
+    return request;
+}
+
+std::string folder_of(const ImportRequest& request, const Target& target) {
+    return fmt::format("{}/{}", request.folder, target.name);
+}
+
+std::string recipe_of(const ImportRequest& request) {
+    std::string text = fmt::format("gonio {} import", version);
+    if (request.light.flux) text += fmt::format(" flux={}lm", request.light.flux->value);
+    if (!request.light.color.empty()) text += " color=" + request.light.color;
+    if (request.light.rotation.value != 0.0) text += fmt::format(" rotate={}deg", to_degrees(request.light.rotation));
+    if (request.unit.value != 1.0) text += fmt::format(" unit={}m", request.unit.value);
+    return text + recipe_of(request.input.resolve);
+}
+
+} // namespace gonio::cli

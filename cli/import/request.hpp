@@ -1,0 +1,54 @@
+// What `gonio import` is asked: for which targets, which folder, which light.
+#pragma once
+
+#include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/target.hpp>
+#include <gonio/base/result.hpp>
+
+#include "../arguments.hpp"
+#include "../catalogue.hpp"
+#include "../command.hpp"
+#include "../options/profile_input.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array import_options{
+    Option{"--to", "TARGET,…", "which programs the light is for", "targets"},
+    Option{"-O,--output-dir", "DIR", "folder that exists; each target gets one of its own in it"},
+    Option{"--flux", "LUMENS", "scale a profile's light to this, for example 800lm (as measured)"},
+    Option{
+        "--color", "COLOR",
+        "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (a profile's spectrum or colour temperature)"},
+    Option{"--rotate", "ANGLE", "turn a profile's light about its axis, C0 towards C90 (0deg)"},
+    Option{"--unit-scale", "UNIT", "length of a scene's unit: mm, cm, m, in, ft or 2.5cm (m, or the target's own)"},
+    Option{"-u,--update", "", "only what is out of date: of other bytes or options than what is there"},
+    Option{"--overwrite", "", "replace what exists"},
+    Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+    Option{"-o,--output", "FILE", "with --merge: where the manifest of the whole goes"},
+};
+
+struct ImportRequest {
+    std::vector<const Target*> targets;
+    std::string folder;
+    MeasuredLightOptions light;
+    Meters unit{1.0};
+    ProfileInputOptions input;
+    Catalogue catalogue;
+    bool overwrite = false;
+    bool update = false;
+};
+
+// Fails (usage, io) on what cannot be meant, and on a unit that one of the targets has not, before anything is written.
+Result<ImportRequest> parse_import(const Arguments& arguments);
+
+// DIR/TARGET.
+std::string folder_of(const ImportRequest& request, const Target& target);
+
+// All that the files depend on but the inputs' bytes.
+std::string recipe_of(const ImportRequest& request);
+
+} // namespace gonio::cli

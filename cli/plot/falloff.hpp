@@ -1,0 +1,30 @@
+// `gonio plot --diagram falloff`: which lights it shows, and over what distances.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/plot/falloff.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+
+#include <array>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array falloff_options{
+    Option{"--shape", "SHAPE", "a light of this shape, besides those of the profiles; again for more", "shapes"},
+    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt; one for all shapes, or one for each"},
+    Option{"--range", "LENGTH", "distance at which the lights are windowed to nothing (none)"},
+    Option{"--distance", "FROM:TO", "of the axis (0.1m:20m)"},
+};
+
+// Only falloff takes these options. Fails (usage) naming the first that is given.
+Result<void> no_falloff_options(const Arguments& arguments);
+
+Result<FalloffOptions> read_falloff(const Arguments& arguments);
+
+// The profiles that are named, then the shapes, resolved.
+Result<std::vector<PlottedLight>> falloff_lights(const Arguments& arguments, Diagnostics& diagnostics);
+
+} // namespace gonio::cli

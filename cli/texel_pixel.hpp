@@ -1,0 +1,12 @@
+// What a texel is, and a file's pixel of the same numbers.
+#pragma once
+
+#include <gonio/bake/texture.hpp>
+#include <gonio/media/image_file.hpp>
+
+namespace gonio::cli {
+
+TexelType texel_type(media::Pixel pixel);
+media::Pixel pixel_of(TexelType type);
+
+} // namespace gonio::cli

@@ -1,0 +1,60 @@
+#include <gonio/asset/asset_record.hpp>
+#include <gonio/base/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace gonio {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+bool read_texts(const Json& list, std::vector<std::string>& texts) {
+    if (!list.is_array()) return false;
+    for (const Json& text : list) {
+        if (!text.is_string()) return false;
+        texts.push_back(text.get<std::string>());
+    }
+    return true;
+}
+
+} // namespace
+
+std::string asset_record_name(std::string_view asset) {
+    return fmt::format("{}.asset.json", asset);
+}
+
+std::string asset_record_json(const AssetRecord& record) {
+    const Json json{{"schema", "gonio.asset/1"},
+                    {"tool", std::string("gonio ") + version},
+                    {"target", record.target},
+                    {"recipe", record.recipe},
+                    {"source", {{"file", record.source_file}, {"sha256", record.source_sha256}}},
+                    {"files", record.files},
+                    {"instead", record.instead}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<AssetRecord> read_asset_record(std::string_view text) {
+    const Json json = Json::parse(text, nullptr, false);
+    const auto member = [](const Json& object, const char* key) {
+        const auto found = object.is_object() ? object.find(key) : object.end();
+        return object.is_object() && found != object.end() ? *found : Json();
+    };
+    const auto string = [&](const Json& object, const char* key) {
+        const Json value = member(object, key);
+        return value.is_string() ? value.get<std::string>() : std::string();
+    };
+    AssetRecord record;
+    record.target = string(json, "target");
+    record.recipe = string(json, "recipe");
+    record.source_file = string(member(json, "source"), "file");
+    record.source_sha256 = string(member(json, "source"), "sha256");
+    const bool whole = read_texts(member(json, "files"), record.files) &&
+                       read_texts(member(json, "instead"), record.instead) &&
+                       string(json, "schema") == "gonio.asset/1" && !record.source_sha256.empty();
+    return whole ? std::optional(std::move(record)) : std::nullopt;
+}
+
+} // namespace gonio

@@ -1,0 +1,124 @@
+// The lights of a scene as a target's writer gets them: of the kinds that it holds, in its unit of length.
+#pragma once
+
+#include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/target.hpp>
+#include <gonio/bake/bake.hpp>
+#include <gonio/base/frame.hpp>
+
+#include <glm/ext/vector_int3.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::asset_detail {
+
+struct SceneLight {
+    LightKind kind = LightKind::point;
+    std::string name;       // unique in the scene: letters, digits and '_', of a luminaire alone '-' too
+    Frame frame;            // as Light::frame; the origin in the target's unit
+    glm::dvec3 color{1.0};  // linear Rec.709 of luminance 1
+    double intensity = 0.0; // along the direction; a profile: its peak; an area: A L or π r² L. Candela, but where the
+                            // target has no unit of its own: times the square of the units in a metre, so that over
+                            // the square of a distance in units it gives lux
+    double nits = 0.0;  // of areas and the sun
+    double lux = 0.0;   // of the sun, on a plane across its direction
+    double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
+    double outer = 0.0;
+    double radius = 0.0;         // of a sphere, a disk, a tube [unit]
+    double width = 0.0;          // of a rectangle along X; a tube's cylinder
+    double height = 0.0;         // of a rectangle along Y
+    double diameter = 0.0;       // of the sun [rad]
+    std::optional<double> range; // [unit]; only where the target has the window
+    std::size_t profile = 0;     // of a profile: index
+};
+
+struct SceneContent {
+    std::string name;
+    std::string description; // without line ends, ASCII
+    double units_per_meter = 1.0;
+    std::vector<MeasuredLight> profiles; // named as their files
+    std::vector<SceneLight> lights;
+    bool single = false; // one luminaire alone: the profile's own name
+};
+
+// Half angle of a hard spot's inner cone over its outer one: no target takes two that are the same.
+inline constexpr double hard_edge = 0.9995;
+
+// Axes of other programs, of a vector of the right-handed world with Z up.
+inline glm::dvec3 y_up(const glm::dvec3& v) {
+    return {v.x, v.z, -v.y};
+}
+inline glm::dvec3 left_handed_y_up(const glm::dvec3& v) {
+    return {v.x, v.z, v.y};
+}
+inline glm::dvec3 left_handed_z_up(const glm::dvec3& v) {
+    return {v.x, -v.y, v.z};
+}
+
+// "4.56 lm, peak 1.23 cd, of lamp.ies": what a comment in a written file says of the light. Without line ends.
+std::string describe(const MeasuredLight& light);
+
+// On one line of ASCII; what is not becomes '?'.
+std::string ascii(std::string_view text);
+
+// A string literal of JSON, which is one of Python, of JavaScript and of C# too; pure ASCII.
+std::string quoted(std::string_view text);
+
+// "x, y, z"; the separator as given.
+std::string triple(const glm::dvec3& v, std::string_view separator = ", ");
+
+// A name for languages that take letters, digits and '_' only, and no digit first.
+std::string identifier(std::string_view name);
+
+// A colour whose greatest channel is 1, and the factor that gives back its luminance.
+struct ScaledColor {
+    glm::dvec3 rgb;
+    double factor;
+};
+ScaledColor scaled(const glm::dvec3& color);
+
+// How far a light's window must reach so as to take away at most 0.01 lx [m]: 1.0887 I/r² is the most that
+// ⟨1 − (d/r)⁴⟩² does.
+double generous_range(double candela);
+
+// Triangles: a mesh whose normals point outwards.
+struct Mesh {
+    std::vector<glm::dvec3> points;
+    std::vector<glm::ivec3> faces;
+};
+
+// A capsule along X: `length` of the cylinder, hemispheres at its ends. Its area is that of the capsule.
+Mesh capsule_mesh(double radius, double length);
+
+// A rectangle across −Z, which its normal points along.
+Mesh rectangle_mesh(double width, double height);
+
+// The same of a disk, as a polygon of its area.
+Mesh disk_mesh(double radius);
+
+// The texture that an engine of gonio/bake/engine.hpp reads, as the file holds it.
+AssetPicture engine_picture(std::string_view engine, const Web& web);
+
+// The same for options of one's own, that do not fail for any web.
+AssetPicture baked_picture(const Web& web, BakeOptions options, int channels = 1);
+
+// The files of each target, for target.cpp.
+std::vector<AssetFile> babylon_files(const SceneContent& scene);
+std::vector<AssetFile> blender_files(const SceneContent& scene);
+std::vector<AssetFile> gltf_files(const SceneContent& scene);
+std::vector<AssetFile> godot_files(const SceneContent& scene);
+std::vector<AssetFile> luxcore_files(const SceneContent& scene);
+std::vector<AssetFile> mitsuba_files(const SceneContent& scene);
+std::vector<AssetFile> pbrt_files(const SceneContent& scene);
+std::vector<AssetFile> raw_files(const SceneContent& scene);
+std::vector<AssetFile> threejs_files(const SceneContent& scene);
+std::vector<AssetFile> unity_files(const SceneContent& scene);
+std::vector<AssetFile> unreal_files(const SceneContent& scene);
+std::vector<AssetFile> usd_files(const SceneContent& scene);
+
+} // namespace gonio::asset_detail

@@ -1,0 +1,117 @@
+// Godot 4: a scene of lights in physical units, Y up and in metres, with projector textures for the profiles.
+//
+// An omni light of φ lm shines with φ/4π cd, a spot of φ lm with φ/π cd on its axis, whatever its cone. A spot falls as
+// 1 − ((1 − cosθ)/(1 − cos outer))^p, p being spot_angle_attenuation: linear over the cosine for 1, with a hard edge
+// for great p. Distances attenuate by the inverse square with an attenuation of 2, times the window of the range, which
+// every light has: where the light asks for none it takes away at most 0.01 lx.
+//
+// A profile that stays within 60° of its aim is a spot of great p whose projector is a plane across the aim, −Z (up is
+// +Y, right +X); others are omni lights with a panorama, whose first row is −Y and whose middle is +Z: projectors of
+// omni lights stand on their head in Godot. Both are 8-bit and sRGB-encoded, their peak is 1, and a spot's needs
+// shadows to be on (godotengine/godot, issues 57704 and 121615).
+#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/bake/engine.hpp>
+#include <gonio/color/rgb_space.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace gonio::asset_detail {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double edge_power = 64.0; // p of a profile's spot
+constexpr double edge_of_light = 0.8; // (1 − cosθ)/(1 − cos outer) up to which there is light: 1 − 0.8^64 = 1 − 6e-7
+
+// Half angle of the spot that holds the profile; nothing: it needs an omni light.
+std::optional<double> spot_angle(const MeasuredLight& profile) {
+    double widest = 1.0;
+    const Web& web = profile.web;
+    for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
+        for (std::size_t k = 0; k < web.gammas_deg().size(); ++k)
+            if (web.column(plane)[k] > 1e-3 * profile.peak.value) widest = std::max(widest, web.gammas_deg()[k]);
+    if (widest > 60.0) return std::nullopt;
+    return std::acos(1.0 - (1.0 - std::cos(widest * pi / 180.0)) / edge_of_light);
+}
+
+AssetPicture projector(const MeasuredLight& profile) {
+    const std::optional<double> angle = spot_angle(profile);
+    if (!angle) return engine_picture("godot-omni", profile.web);
+    BakeOptions plane = (*find_engine("godot-spot"))->bake;
+    plane.chart.turned = glm::dmat3(1.0);
+    plane.chart.cone = Radians(2.0 * *angle);
+    return baked_picture(profile.web, plane);
+}
+
+std::string transform(const Frame& frame) {
+    const glm::dvec3 x = y_up(frame.x);
+    const glm::dvec3 y = y_up(frame.y);
+    const glm::dvec3 z = y_up(frame.z);
+    return fmt::format("Transform3D({}, {}, {}, {})", triple({x.x, y.x, z.x}), triple({x.y, y.y, z.y}),
+                       triple({x.z, y.z, z.z}), triple(y_up(frame.origin)));
+}
+
+std::string node(const SceneLight& light, const SceneContent& scene) {
+    const ScaledColor color = scaled(light.color);
+    const double reach = light.range.value_or(generous_range(light.intensity));
+    std::string type = "OmniLight3D";
+    std::string amount;
+    const auto omni = [&] {
+        amount = fmt::format("light_intensity_lumens = {}\nomni_range = {}\nomni_attenuation = 2.0\n",
+                             4.0 * pi * color.factor * light.intensity, reach);
+    };
+    const auto spot = [&](double outer, double power) {
+        type = "SpotLight3D";
+        amount = fmt::format("light_intensity_lumens = {}\nspot_range = {}\nspot_attenuation = 2.0\nspot_angle = {}\n"
+                             "spot_angle_attenuation = {}\n",
+                             pi * color.factor * light.intensity, reach, outer * 180.0 / pi, power);
+    };
+    switch (light.kind) {
+    case LightKind::sun:
+        type = "DirectionalLight3D";
+        amount = fmt::format("light_intensity_lux = {}\nlight_angular_distance = {}\n", color.factor * light.lux,
+                             light.diameter * 180.0 / pi);
+        break;
+    case LightKind::spot:
+        spot(light.outer, 1.0);
+        break;
+    case LightKind::profile:
+        if (const auto angle = spot_angle(scene.profiles[light.profile]))
+            spot(*angle, edge_power);
+        else
+            omni();
+        amount += fmt::format("light_projector = ExtResource(\"{}\")\nshadow_enabled = true\n", light.profile + 1);
+        break;
+    default:
+        omni();
+    }
+    return fmt::format(
+        "\n[node name=\"{}\" type=\"{}\" parent=\".\"]\ntransform = {}\nlight_color = Color({}, {}, {}, 1)\n"
+        "light_specular = 1.0\n{}",
+        light.name, type, transform(light.frame), encode_srgb(color.rgb.x), encode_srgb(color.rgb.y),
+        encode_srgb(color.rgb.z), amount);
+}
+
+} // namespace
+
+std::vector<AssetFile> godot_files(const SceneContent& scene) {
+    std::string text = fmt::format("; {}\n[gd_scene format=3]\n", scene.description);
+    for (std::size_t i = 0; i < scene.profiles.size(); ++i)
+        text += fmt::format("\n[ext_resource type=\"Texture2D\" path=\"{}.png\" id=\"{}\"]\n", scene.profiles[i].name,
+                            i + 1);
+    text += fmt::format("\n[node name=\"{}\" type=\"Node3D\"]\n", scene.single ? "lights" : scene.name);
+    for (const SceneLight& light : scene.lights)
+        text += node(light, scene);
+    std::vector<AssetFile> files{{scene.name + ".tscn", std::move(text), {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".png", {}, projector(profile)});
+    return files;
+}
+
+} // namespace gonio::asset_detail

@@ -1,0 +1,350 @@
+#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/light_scene.hpp>
+#include <gonio/light/shape_factors.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+using asset_detail::SceneContent;
+using asset_detail::SceneLight;
+using std::numbers::pi;
+
+// Units in a metre, and the factor on intensities that keeps lux over distances in units; programs of a fixed unit know
+// what theirs is.
+struct Scale {
+    double length = 1.0;
+    double intensity = 1.0;
+};
+
+Scale scale_of(const Target& target, Meters unit) {
+    if (target.holds.length == TargetLength::centimeter) return {100.0, 1.0};
+    const double units = 1.0 / unit.value;
+    return {units, units * units};
+}
+
+std::vector<double> steps(double first, double last, int count) {
+    std::vector<double> angles;
+    for (int i = 0; i <= count; ++i)
+        angles.push_back(first + (last - first) * i / count);
+    return angles;
+}
+
+// Angles from the axis [deg] at which a spot's lobe is a table that lines join well.
+std::vector<double> gammas_of(const SpotShape& spot) {
+    const double inner = to_degrees(spot.inner);
+    const double outer = to_degrees(spot.outer);
+    constexpr double sharp = 1e-4; // of the angle: a jump
+    std::vector<double> gammas{0.0};
+    if (inner < outer)
+        for (const double gamma : steps(inner, outer, 64)) {
+            if (gamma > gammas.back()) gammas.push_back(gamma);
+        }
+    else
+        gammas.insert(gammas.end(), {outer, std::min(outer * (1.0 + sharp), 180.0)});
+    return gammas;
+}
+
+struct Grid {
+    Symmetry symmetry = Symmetry::axial;
+    std::vector<double> planes{0.0};
+    std::vector<double> gammas;
+};
+
+// As fine as the light's far intensity needs, in its own frame.
+Grid grid_of(const Light& light) {
+    if (mask_of(light.shape).web != nullptr) return {Symmetry::none, steps(0.0, 360.0, 144), steps(0.0, 180.0, 180)};
+    if (const auto* spot = std::get_if<SpotShape>(&light.shape)) return {Symmetry::axial, {0.0}, gammas_of(*spot)};
+    if (std::holds_alternative<FrustumShape>(light.shape))
+        return {Symmetry::quadrant, steps(0.0, 90.0, 45), steps(0.0, 90.0, 180)};
+    if (std::holds_alternative<TubeShape>(light.shape))
+        return {Symmetry::quadrant, steps(0.0, 90.0, 36), steps(0.0, 180.0, 72)};
+    return {Symmetry::axial, {0.0}, steps(0.0, 180.0, 180)};
+}
+
+Result<Web> far_web(const Light& light) {
+    Grid grid = grid_of(light);
+    std::vector<double> candela;
+    for (const double c : grid.planes)
+        for (const double gamma : grid.gammas) {
+            const glm::dvec3 local = direction_of({degrees(c), degrees(gamma)});
+            candela.push_back(light.intensity_towards(light.frame.to_world(local)).value);
+        }
+    return Web::create(grid.symmetry, std::move(grid.planes), std::move(grid.gammas), std::move(candela));
+}
+
+// What the light emits [lm].
+Result<Lumens> flux_of(const Light& light) {
+    const Result<ShapeFactors> factors = shape_factors(light.shape);
+    if (!factors) return Unexpected(factors.error());
+    return Lumens(flux_factor(light.shape, *factors).value * light.intensity.value);
+}
+
+// The light's intensity in every direction as a luminaire; exactly that of a web and of a masked point.
+Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
+    MeasuredLightOptions options;
+    options.color = "rgb(1,1,1)";
+    std::string file = fmt::format("a {}", kind_of(light.shape));
+    std::optional<Web> web;
+    if (const auto* profile = std::get_if<ProfileShape>(&light.shape)) {
+        web = profile->web->scaled(light.web_scale);
+        file = profile->file;
+    } else if (const auto* point = std::get_if<PointShape>(&light.shape); point != nullptr && point->mask) {
+        web = point->mask->scaled(light.web_scale * light.intensity.value);
+        file = point->mask_file;
+    } else {
+        Result<Web> made = far_web(light);
+        if (!made) return pass_on(made);
+        web = std::move(*made);
+        Result<Lumens> flux = flux_of(light);
+        if (!flux) return pass_on(flux);
+        options.flux = *flux;
+    }
+    Diagnostics ignored; // of the portable text: the rig's own were said when it was read
+    ProfileHeader header;
+    header.source = file;
+    Result<MeasuredLight> made = measured_light({file, {}, *web, header}, options, ignored);
+    if (!made) return made;
+    made->name = name;
+    made->color = light.color;
+    made->color_text.clear();
+    return made;
+}
+
+class SceneBuilder {
+public:
+    SceneBuilder(const Target& target, const LightSceneOptions& options)
+        : target_(target), name_(options.name), scale_(scale_of(target, options.unit)) {
+        content_.name = options.name;
+        content_.description = asset_detail::ascii(options.description);
+        content_.units_per_meter = scale_.length;
+    }
+
+    Result<void> add(const Light& light) {
+        const std::string name = unique(light.name);
+        const bool dark =
+            std::holds_alternative<SunShape>(light.shape) ? !(light.illuminance.value > 0.0) : !emits(light);
+        if (dark) {
+            say(light, "is dark, and left out");
+            return {};
+        }
+        if (light.range && !target_.holds.range)
+            say(light, fmt::format("its range of {:.6g} m is left out", light.range->value));
+        SceneLight made;
+        made.name = name;
+        made.frame = light.frame;
+        made.frame.origin *= scale_.length;
+        made.color = light.color;
+        made.intensity = light.intensity.value * scale_.intensity;
+        made.nits = light.luminance.value;
+        made.lux = light.illuminance.value;
+        if (light.range && target_.holds.range) made.range = light.range->value * scale_.length;
+        return std::visit([&](const auto& shape) { return place(light, shape, std::move(made)); }, light.shape);
+    }
+
+    SceneContent& content() { return content_; }
+    std::vector<std::string>& instead() { return instead_; }
+
+private:
+    static bool emits(const Light& light) {
+        const auto* spot = std::get_if<SpotShape>(&light.shape);
+        return light.intensity.value > 0.0 && (spot == nullptr || spot->outer.value > 0.0);
+    }
+
+    bool holds(LightKind kind) const {
+        return std::find(target_.holds.kinds.begin(), target_.holds.kinds.end(), kind) != target_.holds.kinds.end();
+    }
+
+    void say(const Light& light, const std::string& what) {
+        instead_.push_back(fmt::format("light '{}': {}", light.name, what));
+    }
+
+    // Letters, digits and '_', and no other light's.
+    std::string unique(const std::string& name) {
+        std::string plain;
+        for (const char c : name)
+            plain += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ? c : '_';
+        if (plain.empty()) plain = "light";
+        std::string free = plain;
+        for (int n = 2; !names_.insert(free).second; ++n)
+            free = fmt::format("{}_{}", plain, n);
+        return free;
+    }
+
+    Result<void> place_as(LightKind kind, SceneLight made) {
+        made.kind = kind;
+        content_.lights.push_back(std::move(made));
+        return {};
+    }
+
+    Result<void> place_profile(const Light& light, SceneLight made) {
+        const auto* shape = std::get_if<ProfileShape>(&light.shape);
+        const auto key = std::tuple(shape != nullptr ? shape->web.get() : nullptr, light.web_scale, light.color.x,
+                                    light.color.y, light.color.z);
+        const auto known = shape != nullptr ? shared_.find(key) : shared_.end();
+        if (known != shared_.end()) {
+            made.profile = known->second;
+        } else {
+            Result<MeasuredLight> profile = profile_of(light, fmt::format("{}.{}", name_, made.name));
+            if (!profile) return pass_on(profile);
+            made.profile = content_.profiles.size();
+            if (shape != nullptr) shared_.emplace(key, made.profile);
+            content_.profiles.push_back(std::move(*profile));
+        }
+        made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
+        return place_as(LightKind::profile, std::move(made));
+    }
+
+    Result<void> place_far(const Light& light, SceneLight made, std::string_view why) {
+        say(light, fmt::format("{}: written as a point with its intensity in every direction", why));
+        return place_profile(light, std::move(made));
+    }
+
+    // An area: of the target's own kind, or from afar.
+    template<class Area>
+    Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
+        if (shape.mask) return place_far(light, std::move(made), "a mask on an area");
+        if (!holds(kind))
+            return place_far(light, std::move(made),
+                             fmt::format("{} has no {} lights", target_.name, kind_of(light.shape)));
+        if (!two_sided) return place_as(kind, std::move(made));
+        say(light, "two lights back to back, for its two sides");
+        SceneLight back = made;
+        back.name = unique(made.name + "_back");
+        back.frame.z = -back.frame.z; // turned about Y
+        back.frame.x = -back.frame.x;
+        if (const Result<void> front = place_as(kind, std::move(made)); !front) return front;
+        return place_as(kind, std::move(back));
+    }
+
+    Result<void> place(const Light& light, const PointShape& point, SceneLight made) {
+        if (point.mask) return place_profile(light, std::move(made));
+        if (holds(LightKind::point)) return place_as(LightKind::point, std::move(made));
+        return place_profile(light, std::move(made));
+    }
+    Result<void> place(const Light& light, const ProfileShape&, SceneLight made) {
+        return place_profile(light, std::move(made));
+    }
+    Result<void> place(const Light& light, const SpotShape& spot, SceneLight made) {
+        const bool hard = spot.falloff == Falloff::hard || !(spot.inner.value < spot.outer.value);
+        const TargetHolds& held = target_.holds;
+        const bool same = spot.falloff == held.spot_falloff && (held.spot_has_inner || spot.inner.value == 0.0);
+        if (spot.mask) return place_far(light, std::move(made), "a mask on a spot");
+        if (!held.spot_falloff || (hard ? !held.spot_has_inner : !same))
+            return place_far(light, std::move(made),
+                             fmt::format("{} has no spot of the falloff {}", target_.name,
+                                         to_text(hard ? Falloff::hard : spot.falloff)));
+        if (to_degrees(spot.outer) > held.widest_spot_deg)
+            return place_far(
+                light, std::move(made),
+                fmt::format("{} opens its spots to {} degrees at most", target_.name, 2.0 * held.widest_spot_deg));
+        made.outer = spot.outer.value;
+        made.inner = hard ? asset_detail::hard_edge * spot.outer.value : spot.inner.value;
+        return place_as(LightKind::spot, std::move(made));
+    }
+    Result<void> place(const Light& light, const FrustumShape&, SceneLight made) {
+        return place_far(light, std::move(made), fmt::format("{} has no frustum lights", target_.name));
+    }
+    Result<void> place(const Light& light, const SphereShape& sphere, SceneLight made) {
+        made.radius = sphere.radius.value * scale_.length;
+        if (!sphere.mask && !holds(LightKind::sphere) && holds(LightKind::point)) {
+            say(light, fmt::format("{} has no sphere lights: written as a point of its intensity", target_.name));
+            return place_as(LightKind::point, std::move(made));
+        }
+        return place_area(light, sphere, LightKind::sphere, false, std::move(made));
+    }
+    Result<void> place(const Light& light, const DiskShape& disk, SceneLight made) {
+        made.radius = disk.radius.value * scale_.length;
+        return place_area(light, disk, LightKind::disk, disk.two_sided, std::move(made));
+    }
+    Result<void> place(const Light& light, const RectShape& rect, SceneLight made) {
+        made.width = rect.width.value * scale_.length;
+        made.height = rect.height.value * scale_.length;
+        return place_area(light, rect, LightKind::rect, rect.two_sided, std::move(made));
+    }
+    Result<void> place(const Light& light, const TubeShape& tube, SceneLight made) {
+        made.radius = tube.radius.value * scale_.length;
+        made.width = tube.length.value * scale_.length;
+        return place_area(light, tube, LightKind::tube, false, std::move(made));
+    }
+    Result<void> place(const Light& light, const SunShape& sun, SceneLight made) {
+        if (!holds(LightKind::sun)) {
+            say(light, fmt::format("{} has no sun, and it has no intensity: left out", target_.name));
+            return {};
+        }
+        made.diameter = sun.diameter.value;
+        return place_as(LightKind::sun, std::move(made));
+    }
+
+    const Target& target_;
+    std::string name_;
+    Scale scale_;
+    SceneContent content_;
+    std::vector<std::string> instead_;
+    std::set<std::string> names_;
+    std::map<std::tuple<const Web*, double, double, double, double>, std::size_t> shared_;
+};
+
+} // namespace
+
+Result<void> check_unit(const Target& target, Meters unit) {
+    const auto is = [&](double meters) { return std::abs(unit.value - meters) <= 1e-12 * meters; };
+    switch (target.holds.length) {
+    case TargetLength::any:
+        return {};
+    case TargetLength::meter:
+        if (is(1.0)) return {};
+        return fail(Failure::usage, fmt::format("{} counts in metres, whatever the scene", target.name),
+                    "leave --unit-scale out");
+    case TargetLength::centimeter:
+        if (is(1.0) || is(0.01)) return {};
+        return fail(Failure::usage, fmt::format("{} counts in centimetres, whatever the scene", target.name),
+                    "leave --unit-scale out: its lengths are written in cm");
+    case TargetLength::none:
+        break;
+    }
+    if (is(1.0)) return {};
+    return fail(Failure::usage, fmt::format("{} has no lengths that a unit could scale", target.name),
+                "leave --unit-scale out");
+}
+
+Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options) {
+    if (Result<void> unit = check_unit(target, options.unit); !unit) return pass_on(unit);
+    SceneBuilder builder(target, options);
+    for (const Light& light : lights)
+        if (Result<void> added = builder.add(light); !added) return pass_on(added);
+    if (builder.content().lights.empty())
+        return fail(Failure::unsupported, fmt::format("{} has no place for any of the lights", target.name),
+                    "see 'gonio list targets'");
+    return LightScene{target.files(builder.content()), std::move(builder.instead())};
+}
+
+Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit) {
+    if (Result<void> checked = check_unit(target, unit); !checked) return pass_on(checked);
+    SceneContent content;
+    content.name = light.name;
+    content.description = asset_detail::describe(light);
+    const Scale scale = scale_of(target, unit);
+    content.units_per_meter = scale.length;
+    content.single = true;
+    SceneLight placed;
+    placed.kind = LightKind::profile;
+    placed.name = light.name;
+    placed.color = light.color;
+    placed.intensity = light.peak.value * scale.intensity;
+    content.profiles.push_back(light);
+    content.lights.push_back(std::move(placed));
+    return LightScene{target.files(content), {}};
+}
+
+} // namespace gonio

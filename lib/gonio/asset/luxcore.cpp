@@ -1,0 +1,92 @@
+// LuxCore: scene properties (.scn), Z up.
+//
+// A light with `power` P W and `efficency` 1 lm/W (so it is spelt) emits P lm: a point shines with P/4π, a mappoint
+// with that times its map over the map's mean, a sphere with P/4π²r² nt. LuxCore reads the profile itself, whose
+// candela count as a shape only; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
+// over a cone of half angle theta, a glowing material a luminance. Transformations list columns.
+#include <gonio/asset/detail/scene_light.hpp>
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace gonio::asset_detail {
+
+namespace {
+
+using std::numbers::pi;
+
+std::string transformation(const Frame& frame) {
+    return fmt::format("{} 0 {} 0 {} 0 {} 1", triple(frame.x, " "), triple(frame.y, " "), triple(frame.z, " "),
+                       triple(frame.origin, " "));
+}
+
+// A mesh in the light's frame that glows.
+std::string glowing(const SceneLight& light, const Mesh& mesh) {
+    const std::string name = identifier(light.name);
+    std::string vertices;
+    std::string faces;
+    for (const glm::dvec3& point : mesh.points)
+        vertices += fmt::format(" {}", triple(light.frame.origin + light.frame.to_world(point), " "));
+    for (const glm::ivec3& face : mesh.faces)
+        faces += fmt::format(" {} {} {}", face.x, face.y, face.z);
+    return fmt::format("scene.shapes.{0}.type = \"inlinedmesh\"\n"
+                       "scene.shapes.{0}.vertices ={1}\n"
+                       "scene.shapes.{0}.faces ={2}\n"
+                       "scene.materials.{0}.type = \"matte\"\n"
+                       "scene.materials.{0}.kd = 0 0 0\n"
+                       "scene.materials.{0}.emission = {3}\n"
+                       "scene.materials.{0}.emission.gain = {4} {4} {4}\n"
+                       "scene.objects.{0}.shape = \"{0}\"\n"
+                       "scene.objects.{0}.material = \"{0}\"\n",
+                       name, vertices, faces, triple(light.color, " "), light.nits);
+}
+
+std::string text_of(const SceneLight& light, const SceneContent& scene) {
+    const std::string prefix = "scene.lights." + identifier(light.name);
+    const auto lamp = [&](std::string_view type, double lumens, const std::string& more) {
+        return fmt::format("{0}.type = \"{1}\"\n{0}.color = {2}\n{0}.power = {3}\n{0}.efficency = 1\n{4}", prefix, type,
+                           triple(light.color, " "), lumens, more);
+    };
+    switch (light.kind) {
+    case LightKind::profile: {
+        const MeasuredLight& profile = scene.profiles[light.profile];
+        return lamp("mappoint", profile.flux.value * (light.intensity / profile.peak.value),
+                    fmt::format("{0}.iesfile = \"{1}.ies\"\n{0}.flipz = 1\n{0}.map.width = 1024\n{0}.map.height = 512\n"
+                                "{0}.transformation = {2}\n",
+                                prefix, profile.name, transformation(light.frame)));
+    }
+    case LightKind::sphere:
+        return lamp("sphere", 4.0 * pi * pi * light.radius * light.radius * light.nits,
+                    fmt::format("{0}.position = {1}\n{0}.radius = {2}\n", prefix, triple(light.frame.origin, " "),
+                                light.radius));
+    case LightKind::disk:
+        return glowing(light, disk_mesh(light.radius));
+    case LightKind::rect:
+        return glowing(light, rectangle_mesh(light.width, light.height));
+    case LightKind::tube:
+        return glowing(light, capsule_mesh(light.radius, light.width));
+    case LightKind::sun:
+        return fmt::format("{0}.type = \"distant\"\n{0}.color = {1}\n{0}.gain = {2} {2} {2}\n{0}.direction = {3}\n"
+                           "{0}.theta = {4}\n",
+                           prefix, triple(light.color, " "), light.nits, triple(-light.frame.z, " "),
+                           0.5 * light.diameter * 180.0 / pi);
+    default:
+        return lamp("point", 4.0 * pi * light.intensity,
+                    fmt::format("{0}.position = {1}\n", prefix, triple(light.frame.origin, " ")));
+    }
+}
+
+} // namespace
+
+std::vector<AssetFile> luxcore_files(const SceneContent& scene) {
+    std::string text = fmt::format("# {}\n", scene.description);
+    for (const SceneLight& light : scene.lights)
+        text += text_of(light, scene);
+    std::vector<AssetFile> files{{scene.name + ".scn", std::move(text), {}}};
+    for (const MeasuredLight& profile : scene.profiles)
+        files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    return files;
+}
+
+} // namespace gonio::asset_detail

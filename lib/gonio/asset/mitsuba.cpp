@@ -1,0 +1,184 @@
+// Mitsuba 3: XML of emitters, right-handed, whose numbers act as photometric ones.
+//
+// There is no goniometric emitter (only an environment map looks directions up). The truest stand-in is a box of up to
+// six projectors of 90° at the luminaire's place. A projector shines along +Z with π t(u, v) scale/cos³θ W/sr, θ from
+// its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2: its texture, the first row at v = 0, is filtered linearly. So a
+// texel holds the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z; rectangles and disks emit
+// along +Z; a capsule is a cylinder and two spheres, whose inner halves light nothing but its inside.
+#include <gonio/asset/detail/scene_light.hpp>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace gonio::asset_detail {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr int face_size = 256;
+
+// A projector's axes in the light's frame, right-handed: it shines along `z`.
+struct Face {
+    std::string_view name;
+    glm::dvec3 x, y, z;
+};
+
+constexpr std::array<std::string_view, 6> face_names{"nz", "px", "nx", "py", "ny", "pz"};
+
+Face face_of(std::size_t index) {
+    const std::array<glm::dvec3, 6> aims{{{0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}};
+    const glm::dvec3 z = aims[index];
+    const glm::dvec3 x = z.z != 0.0 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    return {face_names[index], x, glm::cross(z, x), z};
+}
+
+// What the projector's texture holds, over the peak and in the light's colour; its greatest channel is 1 there.
+Image face_image(const Face& face, const MeasuredLight& profile, const glm::dvec3& color) {
+    Image image(face_size, face_size, 3);
+    for (int row = 0; row < face_size; ++row)
+        for (int column = 0; column < face_size; ++column) {
+            const double x = 1.0 - 2.0 * (column + 0.5) / face_size;
+            const double y = 1.0 - 2.0 * (row + 0.5) / face_size;
+            const double cosine = 1.0 / std::sqrt(1.0 + x * x + y * y);
+            const double share = profile.web.candela(x * face.x + y * face.y + face.z) / profile.peak.value * cosine *
+                                 cosine * cosine / pi;
+            for (int k = 0; k < 3; ++k)
+                image.at(column, row)[k] = static_cast<float>(std::max(share, 0.0) * color[k]);
+        }
+    return image;
+}
+
+bool is_dark(const Image& image) {
+    return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return value == 0.0F; });
+}
+
+std::string matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin) {
+    return fmt::format("<transform name=\"to_world\"><matrix value=\"{} {} {} 0 0 0 1\"/></transform>",
+                       triple({x.x, y.x, z.x}, " ") + fmt::format(" {}", origin.x),
+                       triple({x.y, y.y, z.y}, " ") + fmt::format(" {}", origin.y),
+                       triple({x.z, y.z, z.z}, " ") + fmt::format(" {} 0", origin.z));
+}
+
+// Mitsuba's +Z where ours is −Z.
+std::string aimed(const Frame& frame, double width = 1.0, double height = 1.0) {
+    return matrix(width * frame.x, -height * frame.y, -frame.z, frame.origin);
+}
+
+std::string rgb(std::string_view name, const glm::dvec3& color) {
+    return fmt::format("<rgb name=\"{}\" value=\"{}\"/>", name, triple(color));
+}
+
+// Without what ends an XML comment.
+std::string comment(std::string_view text) {
+    std::string plain;
+    for (const char c : text)
+        plain += c == '-' ? '_' : c;
+    return plain;
+}
+
+std::string emitting(const SceneLight& light) {
+    return fmt::format("<emitter type=\"area\">{}</emitter>", rgb("radiance", light.nits * light.color));
+}
+
+std::string ball(const SceneLight& light, const glm::dvec3& center) {
+    return fmt::format(
+        "    <shape type=\"sphere\">\n        <point name=\"center\" value=\"{}\"/><float name=\"radius\" "
+        "value=\"{}\"/>\n        {}\n    </shape>\n",
+        triple(center), light.radius, emitting(light));
+}
+
+std::string flat(std::string_view type, const SceneLight& light, double width, double height) {
+    return fmt::format("    <shape type=\"{}\">\n        {}\n        {}\n    </shape>\n", type,
+                       aimed(light.frame, width, height), emitting(light));
+}
+
+std::string emitter(std::string_view type, const std::string& inside) {
+    return fmt::format("    <emitter type=\"{}\">\n        {}\n    </emitter>\n", type, inside);
+}
+
+std::string text_of(const SceneLight& light, const SceneContent& scene, const std::vector<AssetFile>& faces) {
+    const Frame& frame = light.frame;
+    constexpr double degree = 180.0 / pi;
+    switch (light.kind) {
+    case LightKind::point:
+        return emitter("point", fmt::format("<point name=\"position\" value=\"{}\"/>{}", triple(frame.origin),
+                                            rgb("intensity", light.intensity * light.color)));
+    case LightKind::spot:
+        return emitter("spot", fmt::format("{}\n        {}<float name=\"cutoff_angle\" value=\"{}\"/><float "
+                                           "name=\"beam_width\" value=\"{}\"/>",
+                                           aimed(frame), rgb("intensity", light.intensity * light.color),
+                                           light.outer * degree, light.inner * degree));
+    case LightKind::profile: {
+        std::string text;
+        for (std::size_t i = 0; i < face_names.size(); ++i) {
+            const std::string file = fmt::format("{}.{}.exr", scene.profiles[light.profile].name, face_names[i]);
+            if (std::none_of(faces.begin(), faces.end(), [&](const AssetFile& face) { return face.name == file; }))
+                continue;
+            const Face face = face_of(i);
+            text += emitter(
+                "projector",
+                fmt::format(
+                    "{}\n        <float name=\"fov\" value=\"90\"/><float name=\"scale\" value=\"{}\"/>\n        "
+                    "<texture type=\"bitmap\" name=\"irradiance\"><string name=\"filename\" value=\"{}\"/>"
+                    "<string name=\"wrap_mode\" value=\"clamp\"/></texture>",
+                    matrix(frame.to_world(face.x), frame.to_world(face.y), frame.to_world(face.z), frame.origin),
+                    light.intensity * scaled(light.color).factor, file));
+        }
+        return text;
+    }
+    case LightKind::sphere:
+        return ball(light, frame.origin);
+    case LightKind::disk:
+        return flat("disk", light, light.radius, light.radius);
+    case LightKind::rect:
+        return flat("rectangle", light, 0.5 * light.width, 0.5 * light.height);
+    case LightKind::tube: {
+        const glm::dvec3 half = 0.5 * light.width * frame.x;
+        return ball(light, frame.origin - half) + ball(light, frame.origin + half) +
+               fmt::format("    <shape type=\"cylinder\">\n        <point name=\"p0\" value=\"{}\"/><point name=\"p1\" "
+                           "value=\"{}\"/><float name=\"radius\" value=\"{}\"/>\n        {}\n    </shape>\n",
+                           triple(frame.origin - half), triple(frame.origin + half), light.radius, emitting(light));
+    }
+    case LightKind::sun:
+        return emitter("directional", fmt::format("<vector name=\"direction\" value=\"{}\"/>{}", triple(-frame.z),
+                                                  rgb("irradiance", light.lux * light.color)));
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
+    std::vector<AssetFile> faces;
+    std::vector<bool> done(scene.profiles.size());
+    for (const SceneLight& light : scene.lights) {
+        if (light.kind != LightKind::profile || done[light.profile]) continue; // one colour to a profile
+        done[light.profile] = true;
+        const MeasuredLight& profile = scene.profiles[light.profile];
+        for (std::size_t i = 0; i < face_names.size(); ++i) {
+            Image image = face_image(face_of(i), profile, scaled(light.color).rgb);
+            if (!is_dark(image))
+                faces.push_back({fmt::format("{}.{}.exr", profile.name, face_names[i]),
+                                 {},
+                                 AssetPicture{std::move(image), TexelType::float32}});
+        }
+    }
+    std::string text = fmt::format("<!-- {} -->\n<scene version=\"3.0.0\">\n", comment(scene.description));
+    for (const SceneLight& light : scene.lights) {
+        if (!scene.single) text += fmt::format("    <!-- {} -->\n", comment(light.name));
+        text += text_of(light, scene, faces);
+    }
+    text += "</scene>\n";
+    std::vector<AssetFile> files{{scene.name + ".xml", std::move(text), {}}};
+    std::move(faces.begin(), faces.end(), std::back_inserter(files));
+    return files;
+}
+
+} // namespace gonio::asset_detail

@@ -1,0 +1,49 @@
+// A sheet: labelled thumbnails of many profiles in one picture, what the owner of a library of them opens first.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/plot/drawing.hpp>
+#include <gonio/web/web.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gonio {
+
+// Each side of the square polar diagram in a tile.
+inline constexpr int sheet_polar_px = 132;
+
+struct SheetTile {
+    std::string name;               // UTF-8, cut with an ellipsis where it is too long
+    std::vector<std::string> facts; // up to two lines below the name
+    Image picture;                  // three display-encoded channels; empty: none
+    std::optional<Drawing> polar;   // of polar_thumbnail
+    std::string fault;              // in the picture's stead, in words
+};
+
+struct SheetOptions {
+    int columns = 0; // 0: as many as make the sheet about 4:3
+    std::string title;
+    int picture_width_px = 176; // of every tile
+    int picture_height_px = 132;
+};
+
+struct SheetLayout {
+    int columns = 1;
+    int rows = 1;
+    int width_px = 0;
+    int height_px = 0;
+};
+
+SheetLayout layout_of(std::size_t tiles, const SheetOptions& options);
+
+// The tiles in their order, row by row, on dark paper.
+Image sheet(std::span<const SheetTile> tiles, const SheetOptions& options);
+
+// Intensity around the nadir in the planes C0 and C90 with their opposites, as large as the dial holds, without
+// numbers; for dark paper.
+Drawing polar_thumbnail(const Web& web);
+
+} // namespace gonio

@@ -1,0 +1,121 @@
+// Google Benchmark of the preview's renderer; CPU time of all threads together is what `process_time` counts.
+//
+// How to read it: times swing with the machine, ratios within one run hold. Baselines: `…/whole` is the picture of the
+// same name without skipping (--no-skip); `pixels` the smallest picture, `lights` the smallest rig.
+//   gonio-bench-preview                     everything
+//   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, of 100 m a side
+#include <gonio/base/atomic_file.hpp>
+#include <gonio/preview/render.hpp>
+#include <gonio/scene/rig.hpp>
+#include <gonio/scene/stage.hpp>
+
+#include "many_lights.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace gonio;
+
+const std::string profiles_folder = std::string(GONIO_TEST_SOURCE) + "/profiles";
+
+std::vector<Light> lights_of(const std::string& rig_text) {
+    Diagnostics diagnostics;
+    return resolve_lights(read_rig(rig_text, "rig", "").value(), diagnostics).value();
+}
+
+std::vector<Light> one_light(const char* shape) {
+    return lights_of(std::string(R"({"schema": "gonio.rig/1", "lights": [{"shape": ")") + shape +
+                     R"(", "intensity": "3000lm", "position": [0, -0.2, 2.4], "direction": [0, 0, -1]}]})");
+}
+
+Stage floor_with(const char* material) {
+    Stage stage = make_stage("floor").value();
+    for (Surface& surface : stage.surfaces)
+        surface.material = parse_material(material).value();
+    return stage;
+}
+
+// The square of the rigs, seen whole from above its edge.
+Stage square(double side_m) {
+    Stage stage;
+    stage.surfaces.push_back({"ground", Plane{}, parse_material("frostbite:base=0.4,smoothness=0.4").value()});
+    stage.camera = {{0.0, -0.75 * side_m, 0.35 * side_m}, {0.0, -0.05 * side_m, 0.0}, {0.0, 0.0, 1.0}, 40.0};
+    return stage;
+}
+
+struct Picture {
+    Stage stage;
+    std::vector<Light> lights;
+    RenderOptions options;
+};
+
+void add(const std::string& name, Picture picture) {
+    benchmark::RegisterBenchmark(
+        name.c_str(),
+        [picture = std::move(picture)](benchmark::State& state) {
+            RenderStats stats;
+            for (auto _ : state)
+                stats = render(picture.stage, picture.lights, picture.stage.camera, picture.options).value().stats;
+            state.counters["evaluated"] = static_cast<double>(stats.evaluated);
+            state.counters["of"] = static_cast<double>(stats.evaluations);
+        })
+        ->MeasureProcessCPUTime()
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+RenderOptions sized(int width, int height, bool skip = true) {
+    RenderOptions options;
+    options.width = width;
+    options.height = height;
+    options.skip = skip;
+    return options;
+}
+
+void add_all() {
+    const Stage floor = floor_with("frostbite");
+    for (const char* shape : {"rect:w=60cm,h=60cm", "disk:r=30cm", "sphere:r=10cm", "tube:r=2cm,l=1.2m", "point"})
+        add(std::string("512x512/") + shape, {floor, one_light(shape), sized(512, 512)});
+    add("512x512/ies", {floor,
+                        lights_of(R"({"schema": "gonio.rig/1", "lights": [{"shape": "ies:)" + profiles_folder +
+                                  R"(/wall-washer.ies", "position": [0, -0.2, 2.4]}]})"),
+                        sized(512, 512)});
+    for (const int size : {256, 512, 1024, 2048})
+        add("pixels/" + std::to_string(size) + "x" + std::to_string(size),
+            {floor, one_light("rect:w=60cm,h=60cm"), sized(size, size)});
+    const auto rig = [](std::size_t count, double side_m) {
+        return lights_of(bench::many_lights(count, side_m, profiles_folder));
+    };
+    // As many to the square metre, and ever more of them.
+    for (const std::size_t count : {10UL, 100UL, 1000UL, 10000UL}) {
+        const double side_m = 100.0 * std::sqrt(static_cast<double>(count) / 1000.0);
+        add("lights/spread/" + std::to_string(count), {square(100.0), rig(count, side_m), sized(640, 360)});
+    }
+    for (const std::size_t count : {10UL, 100UL, 1000UL, 10000UL})
+        add("lights/dense/" + std::to_string(count), {square(100.0), rig(count, 100.0), sized(640, 360)});
+    add("1000 lights", {square(100.0), rig(1000, 100.0), sized(1280, 720)});
+    add("1000 lights/whole", {square(100.0), rig(1000, 100.0), sized(1280, 720, false)});
+}
+
+int write_rig(const char* count, const char* file) {
+    const std::string text = bench::many_lights(std::strtoul(count, nullptr, 10), 100.0, profiles_folder);
+    return write_file(file, text) ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 4 && std::string_view(argv[1]) == "--write-rig") return write_rig(argv[2], argv[3]);
+    add_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
