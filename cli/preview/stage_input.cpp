@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace gonio::cli {
 
@@ -70,8 +69,8 @@ Result<Stage> named_stage(const Arguments& arguments) {
     return make_stage(arguments.value("--stage").value_or(std::string(stage_kinds().front().name)));
 }
 
-Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics) {
-    Stage stage = rig.stage && !arguments.has("--stage") ? *rig.stage : std::move(named);
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics) {
+    Stage stage = rig.stage && !arguments.has("--stage") ? *rig.stage : named;
     if (rig.camera) stage.camera = *rig.camera;
     Result<void> applied;
     for (const SurfaceMaterial& material : rig.materials)

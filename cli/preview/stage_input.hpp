@@ -29,6 +29,6 @@ Result<Stage> named_stage(const Arguments& arguments);
 // That stage, or the rig's where --stage is not given, with the rig's camera and materials and then those of the
 // options. What there is to say of materials goes to `diagnostics`. Fails (usage) on what the stage has not and as
 // check_camera does.
-Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics);
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics);
 
 } // namespace gonio::cli
