@@ -1,5 +1,6 @@
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/preview/ticks.hpp>
 
 #include "../command.hpp"
 #include "../console.hpp"
@@ -118,6 +119,8 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         console.say(judged);
         diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
     }
+    if (arguments.has("--ticks"))
+        draw_ticks(rendered->luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
     console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", request->render.width,
                                request->render.height, render_ms, simd::to_text(request->render.instruction_set)));
     const Stopwatch encoding;

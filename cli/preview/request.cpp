@@ -93,7 +93,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
-    stage = stage_input(arguments, request.lights.rig, std::move(*stage), request.diagnostics);
+    stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
     return request;

@@ -2,6 +2,7 @@
 
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/scene/figure.hpp>
 #include <gonio/scene/material_charts.hpp>
 
 #include "../options/values.hpp"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace gonio::cli {
 
@@ -69,18 +69,17 @@ Result<Stage> named_stage(const Arguments& arguments) {
     return make_stage(arguments.value("--stage").value_or(std::string(stage_kinds().front().name)));
 }
 
-Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics) {
-    Result<Stage> stage = std::move(named);
-    if (rig.stage && !arguments.has("--stage")) stage = make_stage(*rig.stage);
-    if (!stage) return stage;
-    if (rig.camera) stage->camera = *rig.camera;
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics) {
+    Stage stage = rig.stage && !arguments.has("--stage") ? *rig.stage : named;
+    if (rig.camera) stage.camera = *rig.camera;
     Result<void> applied;
     for (const SurfaceMaterial& material : rig.materials)
-        if (applied) applied = give_material(*stage, material);
+        if (applied) applied = give_material(stage, material);
     for (const std::string& text : arguments.values("--material"))
-        if (applied) applied = apply_material(text, *stage, diagnostics);
-    if (applied) applied = apply_camera(arguments, stage->camera);
-    if (applied) applied = check_camera(*stage, stage->camera);
+        if (applied) applied = apply_material(text, stage, diagnostics);
+    if (arguments.has("--figure")) add_figure(stage);
+    if (applied) applied = apply_camera(arguments, stage.camera);
+    if (applied) applied = check_camera(stage, stage.camera);
     if (!applied) return pass_on(applied);
     return stage;
 }

@@ -19,6 +19,8 @@ inline constexpr std::array preview_stage_options{
     Option{"--camera", "X,Y,Z", "where the camera stands, in metres (frames the stage)"},
     Option{"--target", "X,Y,Z", "where it looks (what the stage shows)"},
     Option{"--fov", "ANGLE", "its full vertical field of view"},
+    Option{"--figure", "", "somebody of 1.75 m on the stage, to tell sizes by"},
+    Option{"--ticks", "", "a thin dark line on every whole metre of floors and walls"},
 };
 
 // The stage that --stage names, floor where it is not given. A light that is not placed hangs where this stage says.
@@ -27,6 +29,6 @@ Result<Stage> named_stage(const Arguments& arguments);
 // That stage, or the rig's where --stage is not given, with the rig's camera and materials and then those of the
 // options. What there is to say of materials goes to `diagnostics`. Fails (usage) on what the stage has not and as
 // check_camera does.
-Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, Stage named, Diagnostics& diagnostics);
+Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics);
 
 } // namespace gonio::cli

@@ -1,12 +1,13 @@
 #include <gonio/preview/detail/lit_scene.hpp>
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/emitter.hpp>
+#include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/reference.hpp>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <variant>
 
 namespace gonio::detail {
 
@@ -78,30 +79,6 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     return spheres;
 }
 
-struct OccluderOf {
-    std::size_t surface;
-
-    Occluder operator()(const Plane& plane) const { return {surface, plane.point, 0.0, plane.normal}; }
-    Occluder operator()(const Panel& panel) const {
-        return sphere(panel.frame.origin, 0.5 * std::hypot(panel.width, panel.height));
-    }
-    Occluder operator()(const Ball& ball) const { return sphere(ball.center, ball.radius); }
-    Occluder operator()(const Box& box) const { return sphere(box.frame.origin, glm::length(box.half_size)); }
-    Occluder operator()(const Capsule& capsule) const {
-        return sphere(capsule.center, capsule.half_length + capsule.radius);
-    }
-
-private:
-    Occluder sphere(const glm::dvec3& center, double radius) const { return {surface, center, radius, std::nullopt}; }
-};
-
-std::vector<Occluder> occluders_of(const Stage& stage) {
-    std::vector<Occluder> occluders;
-    for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
-        occluders.push_back(std::visit(OccluderOf{i}, stage.surfaces[i].geometry));
-    return occluders;
-}
-
 } // namespace
 
 LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables)
@@ -130,7 +107,6 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       kernels(shading::kernels(with_options.instruction_set)),
       intensity(preview::intensity_kernels(with_options.instruction_set)),
       lights(lit_lights(with_lights, with_options.method)),
-      occluders(occluders_of(on_stage)),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces)
@@ -138,25 +114,20 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
 }
 
 bool LitScene::may_be_shadowed(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const {
-    // All ways from the points to the light lie within the hull of two spheres, which the wider one swept holds.
-    const glm::dvec3 way = light.reach.at_infinity ? light.reach.toward * 1e6 : light.reach.center - bounds.center;
-    const double length2 = glm::dot(way, way);
-    const double light_radius = std::max(light.shadow_radius, light.reach.body_radius);
-    const double room = std::max(bounds.radius, light_radius);
-    return std::any_of(occluders.begin(), occluders.end(), [&](const Occluder& occluder) {
-        if (occluder.surface == surface) return false;
+    constexpr double far = 1e6; // where the sun is put, in its size [m]
+    const LightReach& reach = light.reach;
+    const Ball points{bounds.center, bounds.radius};
+    const Ball body = reach.at_infinity ? Ball{bounds.center + far * reach.toward, far * reach.angular_radius_sin}
+                                        : Ball{reach.center, std::max(light.shadow_radius, reach.body_radius)};
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
+        if (i == surface) continue;
+        const Primitive& primitive = stage.surfaces[i].geometry;
         // What is seen of a stage is before its planes: they can hide only a light that reaches behind them.
-        if (occluder.plane_normal) {
-            if (light.reach.at_infinity)
-                return glm::dot(*occluder.plane_normal, way) < 1e6 * light.reach.angular_radius_sin;
-            return glm::dot(*occluder.plane_normal, light.reach.center - occluder.center) <= light_radius;
-        }
-        const glm::dvec3 to_occluder = occluder.center - bounds.center;
-        const double along = length2 > 0.0 ? std::clamp(glm::dot(to_occluder, way) / length2, 0.0, 1.0) : 0.0;
-        const double near = (occluder.radius + room) * (1.0 + 1e-6);
-        const glm::dvec3 apart = to_occluder - along * way;
-        return glm::dot(apart, apart) <= near * near;
-    });
+        if (const auto* plane = std::get_if<Plane>(&primitive))
+            if (glm::dot(plane->normal, body.center - plane->point) >= body.radius) continue;
+        if (may_stand_between(primitive, points, body)) return true;
+    }
+    return false;
 }
 
 } // namespace gonio::detail

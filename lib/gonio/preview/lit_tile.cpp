@@ -103,7 +103,7 @@ double LitTile::visible(const LitLight& light, std::size_t surface, const glm::d
 void LitTile::find_shadows(const LitLight& light) {
     edges_.clear();
     is_shadowed_ = false;
-    if (!scene_.options.shadows || scene_.occluders.empty()) return;
+    if (!scene_.options.shadows) return;
     for (const Group& group : groups_)
         is_shadowed_ = is_shadowed_ || !scene_.options.skip ||
                        scene_.may_be_shadowed(group.samples->surface, group.samples->bounds, light);

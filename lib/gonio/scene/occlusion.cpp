@@ -197,7 +197,7 @@ private:
 
 // How far before a sheet something counts as touching it: a receiver on the next one of a room is not behind this one.
 double touching(const glm::dvec3& point) {
-    return 1e-9 * (1.0 + glm::length(point));
+    return 1e-7 * (1.0 + glm::length(point));
 }
 
 // The share of a light that a primitive covers.
@@ -286,6 +286,33 @@ private:
     }
 };
 
+// Whether two balls stand on the same side of a body's planes, so that nothing of it is between them.
+struct Parted {
+    const Ball& points;
+    const Ball& light;
+
+    bool operator()(const Plane& plane) const { return both_beyond(plane.normal, plane.point, 0.0); }
+    bool operator()(const Panel& panel) const { return both_beyond(panel.frame.z, panel.frame.origin, 0.0); }
+    bool operator()(const Box& box) const {
+        return both_beyond(box.frame.x, box.frame.origin, box.half_size.x) ||
+               both_beyond(box.frame.y, box.frame.origin, box.half_size.y) ||
+               both_beyond(box.frame.z, box.frame.origin, box.half_size.z);
+    }
+    template<class Round>
+    bool operator()(const Round& /*has no planes*/) const {
+        return false;
+    }
+
+private:
+    bool both_beyond(const glm::dvec3& normal, const glm::dvec3& middle, double half) const {
+        const double of_points = glm::dot(points.center - middle, normal);
+        const double of_light = glm::dot(light.center - middle, normal);
+        const double side = of_points < 0.0 ? -1.0 : 1.0;
+        return side * of_points - points.radius >= half - touching(points.center) &&
+               side * of_light - light.radius >= half;
+    }
+};
+
 double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
     double share = 1.0;
     for (std::size_t i = 0; i < stage.surfaces.size() && share > 0.0; ++i) {
@@ -300,6 +327,25 @@ double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
 }
 
 } // namespace
+
+bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light) {
+    if (std::visit(Parted{points, light}, body)) return false;
+    const std::optional<Ball> around = bounds(body);
+    if (!around) return true;
+    // All ways lie within the hull of the two balls.
+    const glm::dvec3 way = light.center - points.center;
+    const double length2 = glm::dot(way, way);
+    const glm::dvec3 to_body = around->center - points.center;
+    const double along = length2 > 0.0 ? std::clamp(glm::dot(to_body, way) / length2, 0.0, 1.0) : 0.0;
+    // The hull is a cone where the balls differ, as wide as either end at most and, where it is slender, as its middle.
+    const double widening = std::abs(light.radius - points.radius);
+    double width = std::max(light.radius, points.radius);
+    if (widening * widening < 0.01 * length2)
+        width = 1.01 * glm::mix(points.radius, light.radius, along) + 0.01 * around->radius;
+    const double near = (around->radius + width) * (1.0 + 1e-6);
+    const glm::dvec3 apart = to_body - along * way;
+    return glm::dot(apart, apart) <= near * near;
+}
 
 double cap_overlap(double a, double b, double d) {
     const double small = std::min(a, b);

@@ -33,6 +33,10 @@ double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& poin
 double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,
                             double half_angle);
 
+// Whether a body may keep light that comes from one ball from points in another; where it says no, every visible_share
+// is 1. Errs to yes.
+bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
+
 // Solid angle common to two caps of half angles a and b ∈ [0, π/2] whose axes are d ∈ [0, π] apart [sr].
 // Closed form of the two overlapping circular segments on the sphere (Mazonka 2012); planar lens below 1e-4 rad,
 // where the spherical form cancels.

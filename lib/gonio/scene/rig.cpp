@@ -2,13 +2,13 @@
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
+#include <gonio/scene/detail/rig_values.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,16 @@ namespace gonio {
 
 namespace {
 
+using detail::angle_of;
+using detail::keep;
+using detail::nonzero_vector_of;
 using detail::placed;
+using detail::position_of;
+using detail::positive_length;
 using detail::RigJson;
+using detail::text_of;
+using detail::type_of;
+using detail::unit_hint;
 
 constexpr std::string_view schema_name = "gonio.rig/1";
 constexpr std::array<std::string_view, 5> top_keys{"schema", "lights", "stage", "camera", "materials"};
@@ -29,72 +37,6 @@ constexpr std::array<std::string_view, 9> light_keys{"name",      "shape", "inte
                                                      "direction", "up",    "rotate",    "range"};
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
 constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
-
-std::string_view type_of(const RigJson& json) {
-    if (json.is_null()) return "null";
-    if (json.is_boolean()) return "a boolean";
-    if (json.is_number()) return "a number";
-    if (json.is_string()) return "a string";
-    return json.is_array() ? "an array" : "an object";
-}
-
-// Of a number that was given where one with its unit is wanted: "800" → "800lm".
-std::string unit_hint(const RigJson& json, std::string_view unit) {
-    return json.is_number() ? fmt::format("write it with its unit, for example \"{}{}\"", json.dump(), unit)
-                            : std::string();
-}
-
-Result<std::string> text_of(const RigJson& json, std::string hint = {}) {
-    if (!json.is_string())
-        return fail(Failure::malformed, fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
-    auto text = json.get<std::string>();
-    if (text.find('\0') != std::string::npos) return fail(Failure::malformed, "must not hold a null character");
-    return text;
-}
-
-Result<glm::dvec3> vector_of(const RigJson& json) {
-    const auto wrong = [](std::string what) {
-        return fail(Failure::malformed, fmt::format("must be an array of three numbers, not {}", what),
-                    "for example [0, 0, 2.5]");
-    };
-    if (!json.is_array()) return wrong(std::string(type_of(json)));
-    if (json.size() != 3) return wrong(fmt::format("of {}", json.size()));
-    glm::dvec3 vector(0.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!json[i].is_number()) return wrong(fmt::format("one with {}", type_of(json[i])));
-        vector[static_cast<int>(i)] = json[i].get<double>();
-    }
-    return vector;
-}
-
-Result<glm::dvec3> position_of(const RigJson& json) {
-    constexpr double farthest = 1e100; // [m], as far as a probe reaches
-    Result<glm::dvec3> vector = vector_of(json);
-    if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
-        return fail(Failure::malformed, fmt::format("must lie within {} m", farthest));
-    return vector;
-}
-
-Result<glm::dvec3> direction_of_json(const RigJson& json) {
-    Result<glm::dvec3> vector = vector_of(json);
-    if (vector && *vector == glm::dvec3(0.0)) return fail(Failure::malformed, "must not be zero");
-    return vector;
-}
-
-Result<double> positive_length(const RigJson& json) {
-    Result<std::string> text = text_of(json, unit_hint(json, "m"));
-    if (!text) return pass_on(text);
-    Result<double> meters = parse_amount(*text, Dimension::length, "it");
-    if (meters && !(*meters > 0.0)) return fail(Failure::malformed, "must be greater than 0");
-    return meters;
-}
-
-template<class T, class Value>
-Result<void> keep(Result<Value> value, T& target) {
-    if (!value) return pass_on(value);
-    target = T(std::move(*value));
-    return {};
-}
 
 // Where a shape keeps the name of its profile or mask, and what was read from it.
 struct FileOfShape {
@@ -159,12 +101,11 @@ private:
             } else if (key == "position") {
                 read = keep(position_of(value), light.position);
             } else if (key == "direction") {
-                read = keep(direction_of_json(value), light.direction);
+                read = keep(nonzero_vector_of(value), light.direction);
             } else if (key == "up") {
-                read = keep(direction_of_json(value), light.up);
+                read = keep(nonzero_vector_of(value), light.up);
             } else if (key == "rotate") {
-                Result<std::string> text = text_of(value, unit_hint(value, "deg"));
-                read = text ? keep(parse_amount(*text, Dimension::angle, "it"), light.rotation) : pass_on(text);
+                read = keep(angle_of(value), light.rotation);
             } else if (key == "range") {
                 read = keep(positive_length(value), light.range);
             } else {
@@ -237,10 +178,9 @@ private:
                                          fmt::format("must be \"{}\", not {}", schema_name,
                                                      text ? '"' + *text + '"' : std::string(type_of(json))));
         } else if (key == "stage") {
-            Result<std::string> text = text_of(json);
-            const Result<Stage> stage = text ? make_stage(*text) : Result<Stage>(pass_on(text));
-            if (!stage) return placed(stage.error(), rig_.source, "stage");
-            rig_.stage = stage->name;
+            Result<Stage> stage = detail::read_rig_stage(json, rig_.source);
+            if (!stage) return pass_on(stage);
+            rig_.stage = std::move(*stage);
         } else if (key == "camera") {
             return camera(json);
         } else if (key == "materials") {
@@ -261,11 +201,9 @@ private:
             } else if (key == "target") {
                 read = keep(position_of(value), camera.target);
             } else if (key == "up") {
-                read = keep(direction_of_json(value), camera.up);
+                read = keep(nonzero_vector_of(value), camera.up);
             } else if (key == "fov") {
-                Result<std::string> text = text_of(value, unit_hint(value, "deg"));
-                Result<double> angle =
-                    text ? parse_amount(*text, Dimension::angle, "it") : Result<double>(pass_on(text));
+                Result<double> angle = angle_of(value);
                 if (angle) camera.vertical_fov_deg = to_degrees(Radians(*angle));
                 if (angle && !(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
                     read = fail(Failure::malformed, "must lie between 0deg and 180deg");
@@ -296,14 +234,14 @@ private:
 
     // At the end, because the stage may be named behind its materials and camera.
     Result<void> check_stage() const {
-        const Result<Stage> stage = make_stage(rig_.stage.value_or(std::string(stage_kinds().front().name)));
+        const Result<Stage> stage = rig_.stage ? Result<Stage>(*rig_.stage) : make_stage(stage_kinds().front().name);
         if (!stage) return Unexpected(stage.error());
         const std::vector<std::string_view> names = surface_names(*stage);
         for (const SurfaceMaterial& material : rig_.materials)
             if (std::find(names.begin(), names.end(), material.surface) == names.end())
                 return placed(unknown_name("surface", material.surface, names, stage->name).value(), rig_.source,
                               "materials");
-        const Result<void> stands = rig_.camera ? check_camera(*stage, *rig_.camera) : Result<void>();
+        const Result<void> stands = check_camera(*stage, rig_.camera.value_or(stage->camera));
         if (!stands) return placed(stands.error(), rig_.source, "camera");
         return {};
     }

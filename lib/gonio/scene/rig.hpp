@@ -8,6 +8,17 @@
 //     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
 //     "materials": { "floor": "lambert:albedo=0.5" } }
 //
+// `stage` is a name, or a stage of one's own, Z up:
+//
+//   "stage": { "name": "desk", "figure": [1, 1, 0], "surfaces": [
+//       { "name": "floor", "plane": { "point": [0, 0, 0], "normal": [0, 0, 1] }, "material": "lambert:albedo=0.3" },
+//       { "name": "screen", "panel": { "center": [0, 1, 1], "normal": [0, -1, 0], "up": [0, 0, 1], "width": "2m",
+//                                      "height": "1m" } },
+//       { "name": "table", "box": { "center": [0, 0, 0.7], "size": [1.6, 0.8, 0.04], "up": [0, 0, 1],
+//                                   "rotate": "30deg" } },
+//       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" } },
+//       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
+//
 // Of a light only `shape` is required; the defaults are those of LightDescription. Arrays are metres. Files named by a
 // shape are relative to the rig's folder, are read once and shared by every light that names them.
 // The JSON is read as a stream: memory grows with the lights alone (about 0.5 kB each, resolving included), nesting and
@@ -23,6 +34,7 @@
 #include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include <optional>
 #include <span>
@@ -41,7 +53,7 @@ struct SurfaceMaterial {
 struct Rig {
     std::string source;                   // named in messages
     std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
-    std::optional<std::string> stage;     // one of stage_kinds()
+    std::optional<Stage> stage;           // as the file has it: the materials are not applied
     std::optional<Camera> camera;
     std::vector<SurfaceMaterial> materials;
     Diagnostics diagnostics; // of reading: what was odd in a profile

@@ -1,10 +1,12 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>
 
 #include "../folders.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -70,7 +72,7 @@ TEST(Rig, ReadsEveryKey) {
     EXPECT_EQ(key.range->value, 12.0);
     EXPECT_EQ(rig.lights[1].name, "light 2");
     EXPECT_EQ(rig.lights[1].position, glm::dvec3(0.0));
-    EXPECT_EQ(rig.stage, "floor");
+    EXPECT_EQ(rig.stage->name, "floor");
     EXPECT_EQ(rig.camera->position, glm::dvec3(0, -4, 2));
     EXPECT_EQ(rig.camera->target, glm::dvec3(0, 0, 0.5));
     EXPECT_EQ(rig.camera->up, glm::dvec3(0, 1, 1));
@@ -147,6 +149,103 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
               "rig.json: error: materials: unknown surface 'flor' of '");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"floor":"lambert:albedo=2"}})"),
               "rig.json: error: materials.floor: albedo of 'lambert' must lie in [0, 1], not 2");
+}
+
+std::string with_stage(const std::string& stage) {
+    return R"({"schema":"gonio.rig/1","lights":[],"stage":)" + stage + "}";
+}
+
+std::string surface_refusal(const std::string& surface) {
+    return refusal(with_stage(R"({"surfaces":[{"name":"ground","plane":{}},)" + surface + "]}"));
+}
+
+TEST(Rig, ReadsAStageOfItsOwn) {
+    const Rig rig = read(R"json({ "schema": "gonio.rig/1", "lights": [], "materials": { "leg": "lambert:albedo=0.2" },
+        "stage": { "name": "desk", "figure": [1, 2, 0], "surfaces": [
+            { "name": "floor", "plane": { "point": [0, 0, -1], "normal": [0, 0, 2] }, "material": "lambert:albedo=0.3" },
+            { "name": "screen", "panel": { "center": [0, 1, 1], "normal": [0, -1, 0], "width": "2m", "height": "50cm" } },
+            { "name": "table", "box": { "center": [0, 0, 0.7], "size": [1.6, 0.8, 0.04], "rotate": "90deg" } },
+            { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" } },
+            { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.6], "radius": "3cm" } } ] } })json")
+                        .value();
+    const Stage& stage = *rig.stage;
+    EXPECT_EQ(stage.name, "desk");
+    EXPECT_EQ(stage.figure_position, glm::dvec3(1, 2, 0));
+    ASSERT_EQ(stage.surfaces.size(), 5U);
+    EXPECT_EQ(std::get<Plane>(stage.surfaces[0].geometry).normal, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(std::get<LambertMaterial>(stage.surfaces[0].material).albedo, glm::dvec3(0.3));
+    const auto& screen = std::get<Panel>(stage.surfaces[1].geometry);
+    EXPECT_EQ(screen.frame.z, glm::dvec3(0, -1, 0));
+    EXPECT_EQ(screen.frame.y, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(screen.width, 2.0);
+    EXPECT_EQ(screen.height, 0.5);
+    const auto& table = std::get<Box>(stage.surfaces[2].geometry);
+    EXPECT_EQ(table.half_size, glm::dvec3(0.8, 0.4, 0.02));
+    EXPECT_NEAR(glm::distance(table.frame.x, glm::dvec3(0, 1, 0)), 0.0, 1e-15);
+    EXPECT_EQ(table.frame.z, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(std::get<Ball>(stage.surfaces[3].geometry).radius, 0.15);
+    const auto& leg = std::get<Capsule>(stage.surfaces[4].geometry);
+    EXPECT_EQ(leg.center, glm::dvec3(0.7, 0, 0.3));
+    EXPECT_EQ(leg.half_length, 0.3);
+    EXPECT_FALSE(stage.surfaces[1].subject);
+    EXPECT_TRUE(stage.surfaces[2].subject);
+    // Its camera sees what it is there to show.
+    EXPECT_TRUE(check_camera(stage, stage.camera));
+    const auto hit = first_hit(stage, CameraRays(stage.camera, 64, 64).ray(32, 32));
+    ASSERT_TRUE(hit);
+    EXPECT_TRUE(stage.surfaces[hit->surface].subject);
+}
+
+TEST(Rig, WrongStagesArePlacedByTheirPath) {
+    EXPECT_EQ(refusal(with_stage("7")), "rig.json: error: stage: must be a string or an object, not a number\n"
+                                        "hint: for example \"floor\" or { \"surfaces\": [ … ] }");
+    EXPECT_EQ(refusal(with_stage("{}")), "rig.json: error: stage.surfaces: must be an array of at least one surface\n"
+                                         "hint: for example [ { \"name\": \"floor\", \"plane\": {} } ]");
+    EXPECT_EQ(refusal(with_stage(R"({"surface":[]})")),
+              "rig.json: error: stage: unknown key 'surface'\n"
+              "hint: did you mean 'surfaces'? there are: name, surfaces, figure");
+    EXPECT_EQ(surface_refusal("3"), "rig.json: error: stage.surfaces[1]: must be an object, not a number");
+    EXPECT_EQ(surface_refusal("{}"), "rig.json: error: stage.surfaces[1]: there is no key 'name'");
+    EXPECT_EQ(surface_refusal(R"({"name":"a"})"), "rig.json: error: stage.surfaces[1]: has no shape\n"
+                                                  "hint: give it a plane, panel, box, sphere or capsule");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{},"box":{}})"),
+              "rig.json: error: stage.surfaces[1]: has both a plane and a box\nhint: a surface is one of them");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","plane":[]})"),
+              "rig.json: error: stage.surfaces[1].plane: must be an object, not an array");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1],"radius":"0m"}})"),
+              "rig.json: error: stage.surfaces[1].sphere.radius: must be greater than 0");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1],"radius":2}})"),
+              "rig.json: error: stage.surfaces[1].sphere.radius: must be a string, not a number\n"
+              "hint: write it with its unit, for example \"2m\"");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1]}})"),
+              "rig.json: error: stage.surfaces[1].sphere: there is no key 'radius'");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"radius":"1m","centre":[0,0,1]}})"),
+              "rig.json: error: stage.surfaces[1].sphere: unknown key 'centre'\n"
+              "hint: did you mean 'center'? there are: center, radius");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,0,1],"size":[1,0,1]}})"),
+              "rig.json: error: stage.surfaces[1].box.size: must be greater than 0 along every axis\n"
+              "hint: a sheet without thickness is a panel");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,2e9,1],"size":[1,1,1]}})"),
+              "rig.json: error: stage.surfaces[1].box.center: must lie within 1e+09 m");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","capsule":{"from":[0,0,1],"to":[0,0,1],"radius":"1cm"}})"),
+              "rig.json: error: stage.surfaces[1].capsule: 'from' and 'to' must differ\nhint: a ball is a sphere");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{"normal":[0,0,0]}})"),
+              "rig.json: error: stage.surfaces[1].plane.normal: must not be zero");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{},"material":"lambert:albedo=2"})"),
+              "rig.json: error: stage.surfaces[1].material: albedo of 'lambert' must lie in [0, 1], not 2");
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[{"name":"a","plane":{}}]},"camera":{"position":[0,-5,-1]})")),
+              "rig.json: error: camera: the camera at 0,-5,-1 stands behind 'a'\n"
+              "hint: a plane is seen from its lit side only");
+    std::string many;
+    for (int i = 0; i < 257; ++i)
+        many += R"({"name":"a","plane":{}},)";
+    many.pop_back();
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
+              "rig.json: error: stage.surfaces: holds more than 256 surfaces");
+    std::string more;
+    for (int i = 0; i < 1e6; ++i)
+        more += "0,";
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)), "rig.json: error: stage: holds more than 4096 values");
 }
 
 TEST(Rig, FilesAreNamedWithTheirPath) {
@@ -235,6 +334,11 @@ TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {
     expect_keys(schema["properties"], rig_keys());
     expect_keys(schema["$defs"]["light"]["properties"], rig_light_keys());
     expect_keys(schema["$defs"]["camera"]["properties"], rig_camera_keys());
+    expect_keys(schema["$defs"]["stage"]["properties"], detail::rig_stage_keys());
+    const auto& surface = schema["$defs"]["surface"]["properties"];
+    expect_keys(surface, detail::rig_surface_keys());
+    for (const char* primitive : {"plane", "panel", "box", "sphere", "capsule"})
+        expect_keys(surface[primitive]["properties"], detail::rig_primitive_keys(primitive));
 }
 
 } // namespace

@@ -1,13 +1,20 @@
 // Primitives against marching along the ray, their shadows against counted rays, and the stages by name.
 #include <gonio/measure/random.hpp>
+#include <gonio/preview/ticks.hpp>
+#include <gonio/scene/figure.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/web/integrate.hpp>
+
+#include "../folders.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -351,6 +358,30 @@ TEST(Stages, AreFramedLitAndStandOnTheGround) {
     EXPECT_EQ(make_stage("corridr").error().diagnostics.front().hint.substr(0, 25), "did you mean 'corridor'? ");
 }
 
+TEST(Stages, AFigureStandsOnThem) {
+    for (const StageKind& kind : stage_kinds()) {
+        Stage stage = make_stage(kind.name).value();
+        const std::size_t own = stage.surfaces.size();
+        add_figure(stage);
+        double top = -100.0;
+        double bottom = 100.0;
+        for (std::size_t i = own; i < stage.surfaces.size(); ++i) {
+            // Down from above and up from below through each part.
+            const Ball around = bounds(stage.surfaces[i].geometry).value();
+            for (int k = -20; k <= 20; ++k) {
+                const Vec off(0.0, around.radius * k / 20.0, 10.0);
+                const auto down = ray_distance(stage.surfaces[i].geometry, {around.center + off, {0, 0, -1}});
+                const auto rise = ray_distance(stage.surfaces[i].geometry, {around.center - off, {0, 0, 1}});
+                if (down) top = std::max(top, around.center.z + 10.0 - *down);
+                if (rise) bottom = std::min(bottom, around.center.z - 10.0 + *rise);
+            }
+        }
+        EXPECT_NEAR(top, stage.figure_position.z + figure_height, 1e-12) << kind.name;
+        EXPECT_NEAR(bottom, stage.figure_position.z, 1e-4) << kind.name;
+        EXPECT_TRUE(check_camera(stage, stage.camera)) << kind.name;
+    }
+}
+
 TEST(Stages, CamerasThatSeeNothingAreRefused) {
     const Stage stage = make_stage("street").value();
     const auto refusal = [&](const Camera& camera) {
@@ -364,6 +395,129 @@ TEST(Stages, CamerasThatSeeNothingAreRefused) {
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 0}, {0, 0.2, 1}}), "fine");
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 4, 3}, {0, -1, 0}}), "the camera looks along its own up direction");
     EXPECT_EQ(refusal({{0, 3, 30}, {0, 3, 0}}), "fine"); // a plan: the default up direction gives way
+}
+
+TEST(Ticks, CoverWhatAveragesOfLinesDo) {
+    EXPECT_EQ(tick_coverage(3.0, 0.0), 1.0);
+    EXPECT_EQ(tick_coverage(-2.0, 0.0), 1.0);
+    EXPECT_EQ(tick_coverage(3.1, 0.0), 0.0);
+    EXPECT_NEAR(tick_coverage(0.0, 2.0 * tick_width), 0.5, 1e-12);
+    EXPECT_NEAR(tick_coverage(0.37, 1e5), tick_width, 1e-7);
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        const double at = random.uniform(-20.0, 20.0);
+        const double width = std::exp(random.uniform(-6.0, 2.0));
+        int inside = 0;
+        for (int k = 0; k < 20000; ++k) {
+            const double x = at + width * ((k + 0.5) / 20000 - 0.5);
+            inside += std::abs(x - std::round(x)) <= 0.5 * tick_width ? 1 : 0;
+        }
+        EXPECT_NEAR(tick_coverage(at, width), inside / 20000.0, 1e-3);
+    }
+}
+
+TEST(Ticks, LieOnSheetsAloneAndOnWholeMetres) {
+    const Stage stage = make_stage("floor").value();
+    Image image(96, 96, 3);
+    std::fill(image.pixels.begin(), image.pixels.end(), 1.0F);
+    draw_ticks(image, stage, {}, stage.camera, 2);
+    const CameraRays rays(stage.camera, 96, 96);
+    int dark = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            const Hit hit = first_hit(stage, rays.ray(x + 0.5, y + 0.5)).value();
+            const float left = image.at(x, y)[0];
+            EXPECT_TRUE(left >= 0.0624F && left <= 1.0F);
+            const bool is_solid = stage.surfaces[hit.surface].name == "sphere";
+            dark += left < 0.9F ? 1 : 0;
+            // A pixel is at most some 8 cm long here.
+            const auto off = [](double v) { return std::abs(v - std::round(v)); };
+            const double side = hit.normal.z > 0.5 ? hit.position.y : hit.position.z;
+            const bool between = off(hit.position.x) > 0.2 && off(side) > 0.2;
+            EXPECT_TRUE(left == 1.0F || !(is_solid || between)) << x << ' ' << y;
+        }
+    EXPECT_GT(dark, 100);
+}
+
+// Lumens that arrive on the walls of the closed room: 3×3 Gauss-Legendre nodes in each of `cells`² rectangles of every
+// panel, cut at the lines where the light ends sharply.
+double arriving_flux(const Light& light, int cells, const Vec& cuts) {
+    constexpr std::array node{-0.7745966692414834, 0.0, 0.7745966692414834};
+    constexpr std::array weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+    double flux_lm = 0.0;
+    const Stage room = make_stage("room").value();
+    for (const Surface& surface : room.surfaces) {
+        const auto* const panel = std::get_if<Panel>(&surface.geometry);
+        if (panel == nullptr) continue;
+        // Along an axis of the panel: nodes and their lengths.
+        const auto along = [&](const Vec& axis, double size) {
+            std::vector<double> ends{-0.5 * size, 0.5 * size};
+            for (int i = 0; i < 3; ++i)
+                for (const double side : {-1.0, 1.0}) {
+                    const double at = light.frame.origin[i] + side * cuts[i] - panel->frame.origin[i];
+                    if (std::abs(axis[i]) == 1.0 && std::abs(at) < 0.5 * size) ends.push_back(axis[i] * at);
+                }
+            std::sort(ends.begin(), ends.end());
+            std::vector<std::pair<double, double>> nodes;
+            for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
+                const double step = (ends[piece + 1] - ends[piece]) / cells;
+                for (int cell = 0; cell < cells; ++cell)
+                    for (std::size_t k = 0; k < 3; ++k)
+                        nodes.emplace_back(ends[piece] + step * (cell + 0.5 + 0.5 * node[k]), 0.5 * step * weight[k]);
+            }
+            return nodes;
+        };
+        const auto across = along(panel->frame.x, panel->width);
+        const auto upwards = along(panel->frame.y, panel->height);
+        std::vector<Receiver> row(across.size());
+        for (const auto& [y, height] : upwards) {
+            for (std::size_t i = 0; i < row.size(); ++i)
+                row[i] = {panel->frame.origin + across[i].first * panel->frame.x + y * panel->frame.y, panel->frame.z};
+            const ProbeResult result = probe({&light, 1}, row).value();
+            for (std::size_t i = 0; i < row.size(); ++i)
+                flux_lm += result.illuminance_lx[i] * across[i].second * height;
+        }
+    }
+    return flux_lm;
+}
+
+TEST(Stages, TheRoomReceivesTheFluxOfEveryLight) {
+    struct Case {
+        const char* shape;
+        int cells;
+        Vec cuts; // from the light's centre
+    };
+    const double none = 100.0;
+    const double h = 2.3 * std::tan(30.0 * std::numbers::pi / 180.0); // of the frustum, on the floor
+    const double v = 2.3 * std::tan(20.0 * std::numbers::pi / 180.0);
+    for (const Case& c :
+         {Case{"point", 40, Vec(none)}, Case{"spot:outer=50deg,inner=20deg", 90, Vec(none)},
+          Case{"frustum:h=60deg,v=40deg", 20, {h, v, none}}, Case{"sphere:r=10cm", 40, Vec(none)},
+          Case{"disk:r=15cm", 40, {none, none, 0.0}}, Case{"rect:w=60cm,h=30cm", 40, {none, none, 0.0}},
+          Case{"rect:w=60cm,h=30cm,two-sided", 40, {none, none, 0.0}}, Case{"tube:r=1.3cm,l=1.2m", 40, Vec(none)}}) {
+        LightDescription description;
+        description.shape = parse_shape(c.shape).value();
+        description.intensity = parse_photometric_value("800lm").value();
+        description.position = make_stage("room").value().light.position;
+        Diagnostics diagnostics;
+        const Light light = resolve_light(description, diagnostics).value();
+        EXPECT_NEAR(arriving_flux(light, c.cells, c.cuts), 800.0, 800.0 * 1e-6) << c.shape;
+    }
+}
+
+// A web is bent at every angle of its table: many cells. Turned, so that none of the bends lies along a wall.
+TEST(Stages, TheRoomReceivesTheFluxOfEveryWeb) {
+    for (const char* name :
+         {"accent", "bare-tube", "batwing", "downlight", "flood", "pendant", "street", "wall-washer"}) {
+        LightDescription description;
+        description.shape = ProfileShape{std::string(test::source_folder) + "/profiles/" + name + ".ies", nullptr};
+        description.position = make_stage("room").value().light.position;
+        description.rotation = degrees(17.0);
+        Diagnostics diagnostics;
+        const Light light = resolve_light(description, diagnostics).value();
+        const double flux_lm = flux(*std::get<ProfileShape>(light.shape).web).value;
+        EXPECT_NEAR(arriving_flux(light, 150, {100.0, 100.0, 0.0}), flux_lm, flux_lm * 1e-6) << name;
+    }
 }
 
 } // namespace

@@ -30,14 +30,6 @@ struct LitLight {
     double shadow_radius = 0.0;
 };
 
-// What may stand between a point and a light.
-struct Occluder {
-    std::size_t surface = 0;
-    glm::dvec3 center{0.0};                 // of a plane, a point of it
-    double radius = 0.0;                    // of the sphere that holds it
-    std::optional<glm::dvec3> plane_normal; // of a plane
-};
-
 struct LitScene {
     LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options);
 
@@ -51,7 +43,6 @@ struct LitScene {
     const preview::IntensityKernels& intensity;
     std::vector<LitLight> lights; // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;
-    std::vector<Occluder> occluders;
     LightTree reaches; // by range, of the lights that are not dark
     LightTree bodies;  // of the lights with a surface
 };

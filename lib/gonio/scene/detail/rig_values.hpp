@@ -1,0 +1,45 @@
+// Values of a rig's JSON. A failure says what was expected; the caller puts the path in front (placed).
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/scene/detail/rig_stream.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace gonio::detail {
+
+// "a number", "an array".
+std::string_view type_of(const RigJson& json);
+
+// Of a number that was given where one with its unit is wanted: "800" → "800lm"; empty else.
+std::string unit_hint(const RigJson& json, std::string_view unit);
+
+Result<std::string> text_of(const RigJson& json, std::string hint = {});
+
+// Three numbers.
+Result<glm::dvec3> vector_of(const RigJson& json);
+
+// Within 1e100 m, as far as a probe reaches.
+Result<glm::dvec3> position_of(const RigJson& json);
+
+// Not zero.
+Result<glm::dvec3> nonzero_vector_of(const RigJson& json);
+
+// A length with its unit, greater than 0 [m].
+Result<double> positive_length(const RigJson& json);
+
+// An angle with its unit [rad].
+Result<double> angle_of(const RigJson& json);
+
+template<class T, class Value>
+Result<void> keep(Result<Value> value, T& target) {
+    if (!value) return pass_on(value);
+    target = T(std::move(*value));
+    return {};
+}
+
+} // namespace gonio::detail
