@@ -18,6 +18,19 @@ unset OCIO
 "$gonio" preview profiles/downlight.ies -s 320x260 --look luminance -o $here/luminance.png
 "$gonio" plot --diagram falloff --shape sphere:r=5cm --shape disk:r=30cm --shape rect:w=1.2m,h=30cm \
     --intensity 800lm --range 12m --distance 0.05m:15m -s 480x400 -o $here/falloff.png
+"$gonio" preview profiles/downlight.ies -s 480x360 -o $here/floor.png
+# The stages, each under a light that suits it.
+stage() { # STAGE LIGHT...
+    local name=$1
+    shift
+    "$gonio" preview "$@" --stage "$name" -s 240x180 -o "$here/stage-$name.png"
+}
+stage wall profiles/accent.ies
+stage corridor profiles/pendant.ies
+stage street profiles/street.ldt --color 3000K
+stage spheres --shape rect:w=1.2m,h=30cm --intensity 3000lm
+stage card profiles/flood.ies
+stage room --shape tube:r=2cm,l=1.2m --intensity 2500lm --color 4000K
 "$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
     -o $here/sheet.png
 

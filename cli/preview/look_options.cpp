@@ -165,8 +165,8 @@ Result<LookRequest> read_look(const Arguments& arguments, const media::ImageForm
     return request;
 }
 
-Ev100 ExposureRequest::of(const Image& rgb_nits) const {
-    return mode == ExposureMode::automatic ? auto_exposure(rgb_nits) : ev;
+Ev100 ExposureRequest::of(const Rendering& rendering) const {
+    return mode == ExposureMode::automatic ? auto_exposure(rendering.luminance_nt, rendering.shows_light) : ev;
 }
 
 Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {

@@ -57,7 +57,7 @@ struct ExposureRequest {
     Ev100 ev; // where not automatic
     ToneMap tone_map = ToneMap::none;
 
-    Ev100 of(const Image& rgb_nits) const;
+    Ev100 of(const Rendering& rendering) const;
 };
 
 Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format);

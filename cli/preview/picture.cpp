@@ -59,7 +59,7 @@ public:
     PictureMaker(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                  const Console& console)
         : rendering_(std::move(rendering)), request_(request), lights_(lights), console_(console) {
-        picture_.exposure = request.exposure.of(rendering_.luminance_nt);
+        picture_.exposure = request.exposure.of(rendering_);
         if (request.look.look == Look::beauty) return;
         values_ = quantity_image(rendering_, request.look.quantity);
         if (request.look.look == Look::false_color)

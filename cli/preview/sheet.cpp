@@ -126,7 +126,7 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     render_options.threads = 1;
     Result<Rendering> rendering = render(request.stage, {&*light, 1}, request.stage.camera, render_options);
     if (!rendering) return pass_on(rendering);
-    thumbnail.exposure = request.exposure.of(rendering->luminance_nt);
+    thumbnail.exposure = request.exposure.of(*rendering);
     thumbnail.tile.picture = std::move(rendering->luminance_nt);
     expose(thumbnail.tile.picture, thumbnail.exposure);
     return thumbnail;

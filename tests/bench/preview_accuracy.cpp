@@ -85,12 +85,12 @@ int main(int argc, char** argv) {
             (void)std::printf("| %s | %s |", stage.name.c_str(), shape);
             for (const char* material : diffuse) {
                 const Deviation error = error_of(stage, light, material, options);
-                all_diffuse.add({error.difference / error.truth, 1.0});
+                if (error.truth > 0.0) all_diffuse.add({error.difference / error.truth, 1.0});
                 (void)std::printf(" %.4f %% |", error.percent());
             }
             for (const char* material : glossy) {
                 const Deviation error = error_of(stage, light, material, options);
-                all_glossy.add({error.difference / error.truth, 1.0});
+                if (error.truth > 0.0) all_glossy.add({error.difference / error.truth, 1.0});
                 (void)std::printf(" %.2f %% |", error.percent());
             }
             (void)std::printf("\n");

@@ -15,15 +15,16 @@ Nits white_luminance(Ev100 ev) {
     return Nits(1.2 * std::exp2(ev.value));
 }
 
-Ev100 auto_exposure(const Image& rgb_nits) {
+Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out) {
     std::vector<double> luminances;
     luminances.reserve(rgb_nits.pixels.size() / 3);
     for (std::size_t i = 0; i + 2 < rgb_nits.pixels.size(); i += 3) {
+        if (!left_out.empty() && left_out[i / 3] != 0) continue;
         const glm::dvec3 rgb(rgb_nits.pixels[i], rgb_nits.pixels[i + 1], rgb_nits.pixels[i + 2]);
         const double y = glm::dot(rgb, rec709_luminance);
         if (y > 0.0) luminances.push_back(y);
     }
-    if (luminances.empty()) return Ev100(0.0);
+    if (luminances.empty()) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
     const std::size_t rank = (luminances.size() - 1) * 995 / 1000;
     std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
     return Ev100(std::log2(luminances[rank] / 1.2));

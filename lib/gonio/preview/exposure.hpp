@@ -4,15 +4,19 @@
 #include <gonio/base/image.hpp>
 #include <gonio/base/quantity.hpp>
 
+#include <cstdint>
+#include <span>
+
 namespace gonio {
 
 // The luminance that becomes 1: 1.2 · 2^EV, saturation-based sensitivity (ISO 12232) through a lens that passes 65 %
 // (Lagarde and de Rousiers 2014, §5.1).
 Nits white_luminance(Ev100 ev);
 
-// The exposure at which 99.5 % of the lit pixels lie below the display's white, so that a light that is seen
-// itself or a highlight does not darken the rest. 0 for a picture without light.
-Ev100 auto_exposure(const Image& rgb_nits);
+// The exposure at which 99.5 % of the lit pixels lie below the display's white, so that a highlight does not darken the
+// rest. Pixels of which `left_out` is not 0 do not count, unless nothing else is lit: lights that are seen themselves.
+// Empty, or one for each pixel. 0 for a picture without light.
+Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {});
 
 // The exposure at which a matte 18 % card that receives so many lux is middle grey, 0.18 of the display's white: a
 // white card, of luminance E/π, is white. Not what an incident-light meter says for it: by ISO 2720, EV = log2(E/2.5)

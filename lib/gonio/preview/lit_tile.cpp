@@ -32,6 +32,7 @@ void LitTile::show_emitters() {
         const Light& light = scene_.lights[seen.light].light;
         // Towards the eye the mask is the same from every point but for the width of the light.
         const double mask = mask_share(light, light.frame.origin + seen.view);
+        picture_.shows_light[seen.pixel] = 1;
         for (int channel = 0; channel < 3; ++channel)
             picture_.luminance_nt.pixels[std::size_t{seen.pixel} * 3 + static_cast<std::size_t>(channel)] +=
                 static_cast<float>(seen.share * mask * light.luminance.value * light.color[channel]);

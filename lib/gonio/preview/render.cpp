@@ -46,7 +46,8 @@ void RenderStats::add(const RenderStats& other) {
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options) {
     if (Result<void> checked = check(lights, options); !checked) return pass_on(checked);
-    Rendering picture{Image(options.width, options.height, 3), {}, {}};
+    Rendering picture{Image(options.width, options.height, 3), {}, {}, {}};
+    picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
     const detail::LitScene scene(stage, lights, options);
     const CameraRays rays(camera, options.width, options.height);

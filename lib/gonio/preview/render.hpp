@@ -13,7 +13,9 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace gonio {
 
@@ -42,6 +44,8 @@ struct Rendering {
     // One channel: what the surface that is seen receives from all lights; 0 where a light or nothing is seen. Empty
     // unless asked for.
     Image illuminance_lx;
+    // For each pixel 1 where a light itself is seen, if only in a part of it, else 0.
+    std::vector<std::uint8_t> shows_light;
     RenderStats stats;
 };
 

@@ -173,6 +173,15 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     expose(image, ev);
     EXPECT_NEAR(image.pixels[0], 1.0, 1e-6);
     EXPECT_EQ(auto_exposure(Image(4, 4, 3)).value, 0.0);
+    // A lamp that fills a corner of the picture does not count, but where it is all there is.
+    std::vector<std::uint8_t> lamp(100, 0);
+    for (std::size_t i = 0; i < 5; ++i) {
+        lamp[i] = 1;
+        std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 1000.0F);
+    }
+    EXPECT_NEAR(auto_exposure(image, lamp).value, std::log2(1.0 / 1.2), 1e-6);
+    EXPECT_NEAR(auto_exposure(image).value, std::log2(1000.0 / 1.2), 1e-6);
+    EXPECT_EQ(auto_exposure(image, std::vector<std::uint8_t>(100, 1)).value, auto_exposure(image).value);
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
 }
 
