@@ -97,6 +97,7 @@ Result<Source> read_rig_source(const std::string& file, const std::string& bytes
         file == "-" || slash == std::string::npos ? std::string() : file.substr(0, std::max<std::size_t>(slash, 1));
     Result<Rig> rig = read_rig(bytes, file, folder);
     if (!rig) return pass_on(rig);
+    if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
     Source source;
     source.name = asset_name(file);
     Result<std::string> hash = fingerprint(bytes, *rig);

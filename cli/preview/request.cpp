@@ -76,7 +76,7 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     if (!read) return pass_on(read);
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    stage = stage_input(arguments, {}, std::move(*stage), request.diagnostics);
+    stage = stage_input(arguments, {}, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
     return request;
@@ -88,11 +88,16 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     if (read) read = read_method(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
+    // Lines would be read as numbers.
+    if (arguments.has("--ticks") && request.look.look != Look::beauty && request.look.look != Look::isolux)
+        return fail(Failure::usage, "--ticks are drawn into what a camera would show, not into its numbers",
+                    "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
     Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
+    if (read = require_lights(request.lights.rig); !read) return pass_on(read);
     stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);

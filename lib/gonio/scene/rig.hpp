@@ -65,6 +65,9 @@ Result<Rig> read_rig(std::string_view text, const std::string& source, const std
 // Reads the file at `path`, "-" being standard input, whose files are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path);
 
+// Fails (malformed) on a rig without lights, of which there is nothing to show or to export.
+Result<void> require_lights(const Rig& rig);
+
 // Every light resolved, in order; spread over threads. Fails as resolve_light does, with the light's JSON path.
 // What was noticed is appended to `diagnostics`.
 Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads = 0);
