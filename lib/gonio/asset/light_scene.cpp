@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -18,7 +17,6 @@ namespace {
 
 using asset_detail::SceneContent;
 using asset_detail::SceneLight;
-using std::numbers::pi;
 
 // Units in a metre, and the factor on intensities that keeps lux over distances in units; programs of a fixed unit know
 // what theirs is.
@@ -223,7 +221,7 @@ private:
         back.name = unique(made.name + "_back");
         back.frame.z = -back.frame.z; // turned about Y
         back.frame.x = -back.frame.x;
-        if (const Result<void> front = place_as(kind, std::move(made)); !front) return front;
+        if (Result<void> front = place_as(kind, std::move(made)); !front) return front;
         return place_as(kind, std::move(back));
     }
 

@@ -60,7 +60,7 @@ bool is_dark(const Image& image) {
 }
 
 std::string matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin) {
-    return fmt::format("<transform name=\"to_world\"><matrix value=\"{} {} {} 0 0 0 1\"/></transform>",
+    return fmt::format(R"(<transform name="to_world"><matrix value="{} {} {} 0 0 0 1"/></transform>)",
                        triple({x.x, y.x, z.x}, " ") + fmt::format(" {}", origin.x),
                        triple({x.y, y.y, z.y}, " ") + fmt::format(" {}", origin.y),
                        triple({x.z, y.z, z.z}, " ") + fmt::format(" {} 0", origin.z));
@@ -72,7 +72,7 @@ std::string aimed(const Frame& frame, double width = 1.0, double height = 1.0) {
 }
 
 std::string rgb(std::string_view name, const glm::dvec3& color) {
-    return fmt::format("<rgb name=\"{}\" value=\"{}\"/>", name, triple(color));
+    return fmt::format(R"(<rgb name="{}" value="{}"/>)", name, triple(color));
 }
 
 // Without what ends an XML comment.
@@ -108,7 +108,7 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
     constexpr double degree = 180.0 / pi;
     switch (light.kind) {
     case LightKind::point:
-        return emitter("point", fmt::format("<point name=\"position\" value=\"{}\"/>{}", triple(frame.origin),
+        return emitter("point", fmt::format(R"(<point name="position" value="{}"/>{})", triple(frame.origin),
                                             rgb("intensity", light.intensity * light.color)));
     case LightKind::spot:
         return emitter("spot", fmt::format("{}\n        {}<float name=\"cutoff_angle\" value=\"{}\"/><float "
@@ -147,7 +147,7 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
                            triple(frame.origin - half), triple(frame.origin + half), light.radius, emitting(light));
     }
     case LightKind::sun:
-        return emitter("directional", fmt::format("<vector name=\"direction\" value=\"{}\"/>{}", triple(-frame.z),
+        return emitter("directional", fmt::format(R"(<vector name="direction" value="{}"/>{})", triple(-frame.z),
                                                   rgb("irradiance", light.lux * light.color)));
     }
     return {};
