@@ -57,7 +57,9 @@ std::vector<std::string> wrapped(const std::string& text, double size_px, double
         const std::size_t end = std::min(text.find(' ', begin), text.size());
         const std::string word = text.substr(begin, end - begin);
         begin = end + 1;
-        const std::string longer = line.empty() ? word : line + " " + word;
+        std::string longer = line;
+        if (!line.empty()) longer += ' ';
+        longer += word;
         if (line.empty() || text_width_px(longer, size_px) <= width_px) {
             line = longer;
             continue;
@@ -138,11 +140,11 @@ Image sheet(std::span<const SheetTile> tiles, const SheetOptions& options) {
 Drawing polar_thumbnail(const Web& web) {
     constexpr double size = sheet_polar_px;
     constexpr double radius = 0.5 * size - 10.0;
-    constexpr PagePoint center{0.5 * size, 0.5 * size};
+    constexpr double middle = 0.5 * size;
     Drawing drawing(sheet_polar_px, sheet_polar_px, {});
     const auto at = [&](double gamma_deg, double share) {
         const double angle = gamma_deg * (std::numbers::pi / 180.0);
-        return PagePoint{center.x + radius * share * std::sin(angle), center.y + radius * share * std::cos(angle)};
+        return PagePoint{middle + radius * share * std::sin(angle), middle + radius * share * std::cos(angle)};
     };
     for (const double ring : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
         PagePath circle;

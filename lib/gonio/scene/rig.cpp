@@ -282,7 +282,7 @@ std::span<const std::string_view> rig_camera_keys() {
 Result<void> require_lights(const Rig& rig) {
     if (!rig.lights.empty()) return {};
     return detail::rig_error(Failure::malformed, rig.source, "lights", "must be an array of at least one light here",
-                             "for example [{\"shape\": \"point\", \"intensity\": \"800lm\"}]");
+                             R"(for example [{"shape": "point", "intensity": "800lm"}])");
 }
 
 } // namespace gonio
