@@ -212,9 +212,9 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
                          "give it a plane, panel, box, sphere or capsule");
     const std::string key(found->key);
     Members shape(json[key], found->keys, source, fmt::format("{}.{}", path, key));
-    Primitive geometry = shape.failure() ? Primitive() : found->read(shape);
+    const Primitive geometry = shape.failure() ? Primitive() : found->read(shape);
     if (shape.failure()) return Unexpected(*shape.failure());
-    surface.geometry = std::move(geometry);
+    surface.geometry = geometry;
     return surface;
 }
 
