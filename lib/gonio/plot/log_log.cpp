@@ -168,8 +168,10 @@ Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const Lo
     Drawing page(width, height, options.title);
     page.text({margin_px, headline_px - 8.0}, options.title, {TextAnchor::start, 16.0, {}, true});
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const auto left = static_cast<double>(static_cast<int>(i) % columns * options.panel_width_px);
-        const double top = headline_px + static_cast<double>(static_cast<int>(i) / columns * options.panel_height_px);
+        const int column = static_cast<int>(i) % columns;
+        const int row = static_cast<int>(i) / columns;
+        const double left = column * options.panel_width_px;
+        const double top = headline_px + row * options.panel_height_px;
         draw_panel(page, *shown[i],
                    {left + margin_px, top + margin_px, left + options.panel_width_px - margin_px,
                     top + options.panel_height_px - 4.0});
