@@ -53,7 +53,6 @@ void map(const float* x, const float* y, float* result, std::size_t count) {
     };
 GONIO_UNARY(sqrt)
 GONIO_UNARY(exp2)
-GONIO_UNARY(log2)
 GONIO_UNARY(sin)
 GONIO_UNARY(cos)
 GONIO_UNARY(asin)
@@ -67,10 +66,21 @@ GONIO_BINARY(min)
 GONIO_BINARY(max)
 GONIO_BINARY(atan2)
 GONIO_BINARY(atan2_above)
-GONIO_BINARY(pow)
 GONIO_BINARY(copysign)
 #undef GONIO_UNARY
 #undef GONIO_BINARY
+
+// simd::log2 works on the bits of a number without a sign, and pow with it; here any float may come.
+template<class S>
+struct log2_function {
+    GONIO_FORCE_INLINE static S of(S x) { return select(x < S(0), S(__builtin_nanf("")), simd::log2(abs(x))); }
+};
+template<class S>
+struct pow_function {
+    GONIO_FORCE_INLINE static S of(S x, S y) {
+        return select(x < S(0), select(y == S(0), S(1), S(__builtin_nanf(""))), simd::pow(abs(x), y));
+    }
+};
 
 template<class S>
 struct difference_of_squares_function {
