@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <variant>
 
 namespace gonio {
 
@@ -21,10 +20,6 @@ constexpr double left_of_luminance = 0.25;
 double line_length(double at) {
     const double whole = std::floor(at);
     return tick_width * whole + std::min(at - whole, tick_width);
-}
-
-bool is_sheet(const Primitive& primitive) {
-    return std::holds_alternative<Plane>(primitive) || std::holds_alternative<Panel>(primitive);
 }
 
 class Ticks {

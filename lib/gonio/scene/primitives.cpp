@@ -158,6 +158,10 @@ std::optional<double> distance_to(const Capsule& capsule, const Ray& ray) {
     return distance_to(Ball{capsule.center + end * capsule.half_length * capsule.axis, capsule.radius}, ray);
 }
 
+bool is_sheet(const Primitive& primitive) {
+    return std::holds_alternative<Plane>(primitive) || std::holds_alternative<Panel>(primitive);
+}
+
 int face_at(const Primitive& primitive, const glm::dvec3& on_surface) {
     const auto* const box = std::get_if<Box>(&primitive);
     return box == nullptr ? 0 : face_of(*box, on_surface);

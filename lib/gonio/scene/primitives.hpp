@@ -66,6 +66,9 @@ std::optional<double> distance_to(const Ball& ball, const Ray& ray);
 std::optional<double> distance_to(const Box& box, const Ray& ray);
 std::optional<double> distance_to(const Capsule& capsule, const Ray& ray);
 
+// Whether it is a plane or a panel, which has no inside.
+bool is_sheet(const Primitive& primitive);
+
 // The face of a box that a point on its surface lies on, as face() counts them; 0 of all other primitives.
 int face_at(const Primitive& primitive, const glm::dvec3& on_surface);
 

@@ -218,10 +218,6 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
     return surface;
 }
 
-bool is_sheet(const Primitive& primitive) {
-    return std::holds_alternative<Plane>(primitive) || std::holds_alternative<Panel>(primitive);
-}
-
 // Around the stage's subjects as far as they have bounds.
 std::optional<Ball> subject_bounds(const Stage& stage) {
     constexpr double far = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <gonio/plot/svg.hpp>
 #include <gonio/web/metrics.hpp>
 
+#include "../light/lights.hpp"
 #include "../web/webs.hpp"
 
 #include <gtest/gtest.h>
@@ -220,14 +221,8 @@ TEST(Diagram, WhatCannotBeDrawnIsRefused) {
     EXPECT_FALSE(find_diagram("polr").has_value());
 }
 
-Light light_of(const char* shape, const char* intensity) {
-    Diagnostics diagnostics;
-    LightDescription description;
-    description.shape = parse_shape(shape).value();
-    description.intensity = parse_photometric_value(intensity).value();
-    description.position = {1.0, -2.0, 3.0};
-    description.direction = {1.0, 1.0, -1.0};
-    return resolve_light(description, diagnostics).value();
+Light slanting_light(const char* shape, const char* intensity) {
+    return light_of(shape, intensity, {1.0, -2.0, 3.0}, {1.0, 1.0, -1.0});
 }
 
 // The points of a drawing's lines of that width and dash.
@@ -246,7 +241,7 @@ std::vector<std::vector<PagePoint>> lines_of(const Drawing& drawing, double widt
 TEST(Diagram, FalloffIsTheExactLightBesideTheInverseSquare) {
     const double radius_m = 0.3;
     const double range_m = 10.0;
-    PlottedLight plotted{"disk", light_of("disk:r=30cm", "500cd")};
+    PlottedLight plotted{"disk", slanting_light("disk:r=30cm", "500cd")};
     plotted.light.range = Meters(range_m);
     FalloffOptions options;
     options.nearest_m = 0.1;
@@ -277,9 +272,9 @@ TEST(Diagram, FalloffIsTheExactLightBesideTheInverseSquare) {
 TEST(Diagram, FalloffRefusesWhatHasNone) {
     const FalloffOptions options;
     EXPECT_FALSE(falloff_diagram({}, options).has_value());
-    const PlottedLight sun{"sun", light_of("sun:angle=0.53deg", "100000lx")};
+    const PlottedLight sun{"sun", slanting_light("sun:angle=0.53deg", "100000lx")};
     EXPECT_FALSE(falloff_diagram({&sun, 1}, options).has_value());
-    const PlottedLight bulb{"bulb", light_of("sphere:r=3cm", "800lm")};
+    const PlottedLight bulb{"bulb", slanting_light("sphere:r=3cm", "800lm")};
     EXPECT_TRUE(falloff_diagram({&bulb, 1}, options).has_value());
     for (const auto& [from, to] : {std::pair{0.0, 1.0}, {2.0, 1.0}, {1.0, 1.1}, {1.0, 1e9}, {std::nan(""), 1.0}}) {
         FalloffOptions wrong;

@@ -7,6 +7,8 @@
 #include <gonio/preview/tone_map.hpp>
 #include <gonio/scene/probe.hpp>
 
+#include "../light/lights.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,15 +18,6 @@
 
 namespace gonio {
 namespace {
-
-Light light_of(const char* shape, const char* intensity, glm::dvec3 position) {
-    Diagnostics diagnostics;
-    LightDescription description;
-    description.shape = parse_shape(shape).value();
-    description.intensity = parse_photometric_value(intensity).value();
-    description.position = position;
-    return resolve_light(description, diagnostics).value();
-}
 
 Image channel(int width, int height, const std::vector<float>& values) {
     Image image(width, height, 1);

@@ -3,6 +3,7 @@
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/probe.hpp>
 
+#include "../light/lights.hpp"
 #include "../web/webs.hpp"
 
 #include <glm/geometric.hpp>
@@ -15,15 +16,6 @@
 
 namespace gonio {
 namespace {
-
-Light light_of(const char* shape, const char* intensity, glm::dvec3 position) {
-    Diagnostics diagnostics;
-    LightDescription description;
-    description.shape = parse_shape(shape).value();
-    description.intensity = parse_photometric_value(intensity).value();
-    description.position = position;
-    return resolve_light(description, diagnostics).value();
-}
 
 Stage matte_floor(double albedo) {
     Stage stage;

@@ -1,6 +1,8 @@
 #include <gonio/light/light.hpp>
 #include <gonio/scene/emitter.hpp>
 
+#include "../light/lights.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -12,15 +14,8 @@ namespace gonio {
 namespace {
 
 // Shines along +X from (2, 0, 0); its Y is the world's Z.
-Light light_of(const char* shape) {
-    Diagnostics diagnostics;
-    LightDescription description;
-    description.shape = parse_shape(shape).value();
-    description.intensity = parse_photometric_value("1000nt").value();
-    description.position = {2, 0, 0};
-    description.direction = {1, 0, 0};
-    description.up = {0, 0, 1};
-    return resolve_light(description, diagnostics).value();
+Light sideways(const char* shape) {
+    return light_of(shape, "1000nt", {2, 0, 0}, {1, 0, 0}, {0, 0, 1});
 }
 
 std::optional<double> from(const Light& light, glm::dvec3 origin, glm::dvec3 target) {
@@ -28,19 +23,19 @@ std::optional<double> from(const Light& light, glm::dvec3 origin, glm::dvec3 tar
 }
 
 TEST(Emitter, FlatLightsAreSeenFromTheirFront) {
-    const Light disk = light_of("disk:r=1m");
+    const Light disk = sideways("disk:r=1m");
     EXPECT_NEAR(from(disk, {5, 0, 0}, {2, 0, 0}).value(), 3.0, 1e-14);
     EXPECT_TRUE(from(disk, {5, 0, 0}, {2, 0.7, 0.7}));
     EXPECT_FALSE(from(disk, {5, 0, 0}, {2, 0.8, 0.7}));
     EXPECT_FALSE(from(disk, {0, 0, 0}, {2, 0, 0})); // its back
-    EXPECT_TRUE(from(light_of("disk:r=1m,two-sided"), {0, 0, 0}, {2, 0, 0}));
+    EXPECT_TRUE(from(sideways("disk:r=1m,two-sided"), {0, 0, 0}, {2, 0, 0}));
     EXPECT_FALSE(from(disk, {5, 0, 0}, {6, 0, 0})); // behind the eye
     EXPECT_FALSE(from(disk, {2, 5, 0}, {2, 0, 0})); // edge on
 }
 
 TEST(Emitter, RectanglesKeepTheirSidesApart) {
     // Y of the light is the world's Z, so its width runs along the world's Y.
-    const Light rect = light_of("rect:w=2m,h=1m");
+    const Light rect = sideways("rect:w=2m,h=1m");
     EXPECT_TRUE(from(rect, {5, 0, 0}, {2, 0.99, 0.49}));
     EXPECT_FALSE(from(rect, {5, 0, 0}, {2, 1.01, 0.0}));
     EXPECT_FALSE(from(rect, {5, 0, 0}, {2, 0.0, 0.51}));
@@ -48,7 +43,7 @@ TEST(Emitter, RectanglesKeepTheirSidesApart) {
 
 // A capsule is all points nearer than r to a segment: march along the ray until that is so.
 TEST(Emitter, TubesAreMetWhereMarchingMeetsThem) {
-    const Light tube = light_of("tube:r=20cm,l=1m");
+    const Light tube = sideways("tube:r=20cm,l=1m");
     const glm::dvec3 half = 0.5 * tube.frame.x;
     const auto distance_to_surface = [&](const glm::dvec3& p) {
         const glm::dvec3 a = p - (glm::dvec3(2, 0, 0) - half);
@@ -81,9 +76,9 @@ TEST(Emitter, PunctualLightsAndTheSunHaveNoSurface) {
     const Light point = resolve_light(description, diagnostics).value();
     EXPECT_FALSE(distance_to(point, {{0, 0, 5}, {0, 0, -1}}));
     EXPECT_EQ(shadow_radius(point), 0.0);
-    EXPECT_DOUBLE_EQ(shadow_radius(light_of("sphere:r=30cm")), 0.3);
-    EXPECT_DOUBLE_EQ(shadow_radius(light_of("disk:r=30cm")), 0.3);
-    EXPECT_NEAR(shadow_radius(light_of("rect:w=2m,h=1m")), std::sqrt(2.0 / std::numbers::pi), 1e-15);
+    EXPECT_DOUBLE_EQ(shadow_radius(sideways("sphere:r=30cm")), 0.3);
+    EXPECT_DOUBLE_EQ(shadow_radius(sideways("disk:r=30cm")), 0.3);
+    EXPECT_NEAR(shadow_radius(sideways("rect:w=2m,h=1m")), std::sqrt(2.0 / std::numbers::pi), 1e-15);
 }
 
 } // namespace
