@@ -31,7 +31,7 @@ constexpr double lumens_per_watt = 177.83;
 
 constexpr const char* start = R"python(# {description}
 # Makes the lights for Cycles. Lux are Blender's W/m2 times 177.83.
-import bpy
+{imports}import bpy
 from mathutils import Matrix
 )python";
 
@@ -202,7 +202,9 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
 
 std::vector<AssetFile> blender_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::string text = fmt::format(start, "description"_a = scene.description);
+    std::string text =
+        fmt::format(start, "description"_a = scene.description, "imports"_a = scene.stage ? "import math\n\n" : "");
+    if (scene.stage) text += blender_stage_start(scene);
     text += place;
     if (!scene.profiles.empty()) text += profile_helper;
     const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
@@ -220,6 +222,11 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
         text += data_of(light, scene) + fmt::format("place({}, light, {}, {}, {}, {})\n", quoted(light.name),
                                                     tuple(light.frame.origin), tuple(light.frame.x),
                                                     tuple(light.frame.y), tuple(light.frame.z));
+    if (scene.stage) {
+        // Our lights are seen, but stand in nothing's way.
+        text += "for light in scene.objects:\n    light.visible_shadow = False\n";
+        text += blender_stage(*scene.stage, lumens_per_watt);
+    }
     return {{scene.name + ".py", std::move(text), {}}};
 }
 
