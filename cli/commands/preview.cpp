@@ -8,6 +8,7 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
+#include "../preview/export.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
@@ -17,6 +18,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,6 +37,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"sheet", preview_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
+                            OptionGroup{"export", preview_export_options},
                             json_group,
                             light_common_group};
 constexpr std::array examples{
@@ -47,6 +52,7 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
+    Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -96,6 +102,41 @@ Diagnostics check_convergence(const RenderStats& stats) {
     return {diagnostic};
 }
 
+Json names_of(std::span<const OutputFile> files) {
+    Json names = Json::array();
+    for (const OutputFile& file : files)
+        names.push_back(file.name);
+    return names;
+}
+
+// Appends the files of the scene, and says what it cannot hold.
+Result<void> add_export(const PreviewRequest& request, const std::vector<Light>& lights, std::optional<Nits> white,
+                        Console& console, Diagnostics& diagnostics, std::vector<OutputFile>& files) {
+    Result<ExportedScene> exported = export_scene(request, lights, white);
+    if (!exported) return pass_on(exported);
+    console.say(exported->diagnostics);
+    diagnostics.insert(diagnostics.end(), exported->diagnostics.begin(), exported->diagnostics.end());
+    std::move(exported->files.begin(), exported->files.end(), std::back_inserter(files));
+    return {};
+}
+
+Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>& lights, Diagnostics diagnostics,
+                         const Arguments& arguments, Console& console) {
+    std::optional<Nits> white; // of an exposure that follows from the picture nothing is known without it
+    if (request.exposure.mode != ExposureMode::automatic) white = white_luminance(request.exposure.ev);
+    std::vector<OutputFile> files;
+    Result<void> done = add_export(request, lights, white, console, diagnostics, files);
+    if (done) done = write_outputs(files);
+    if (!done) return Unexpected(done.error());
+    if (!arguments.has("--json") && !arguments.has("--jsonl")) return 0;
+    Json report{{"schema", "gonio.preview/1"},     {"output", nullptr},           {"width", request.render.width},
+                {"height", request.render.height}, {"stage", request.stage.name}, {"lights", lights.size()}};
+    report["export"] = names_of(files);
+    report["diagnostics"] = diagnostics_json(diagnostics);
+    console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
+    return 0;
+}
+
 Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     for (const std::string_view option : {"--columns", "--title"})
@@ -107,9 +148,11 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (!lights) return pass_on(lights);
     console.say(diagnostics);
     if (arguments.has("--dry-run")) {
-        console.print(fmt::format("{}\n", request->output));
+        for (const std::string& file : {request->output, request->export_file})
+            if (!file.empty()) console.print(fmt::format("{}\n", file));
         return 0;
     }
+    if (request->output.empty()) return export_alone(*request, *lights, diagnostics, arguments, console);
     const Stopwatch rendering;
     Result<Rendering> rendered = render(request->stage, *lights, request->stage.camera, request->render);
     if (!rendered) return pass_on(rendered);
@@ -127,11 +170,18 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
-    const Result<void> written = write_output(request->output, picture->bytes);
+    std::vector<OutputFile> files{{request->output, picture->bytes}};
+    if (!request->export_file.empty()) {
+        const Result<void> exported =
+            add_export(*request, *lights, white_luminance(picture->exposure), console, diagnostics, files);
+        if (!exported) return Unexpected(exported.error());
+    }
+    const Result<void> written = write_outputs(files);
     if (!written) return Unexpected(written.error());
     const bool as_json = arguments.has("--json") || arguments.has("--jsonl");
     if (as_json) {
         Json report = preview_json(*request, *lights, *picture, diagnostics);
+        if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {

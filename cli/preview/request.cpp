@@ -3,6 +3,9 @@
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "export.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -47,8 +50,24 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+// An exported scene says the exposure too; what else is said of a picture means nothing.
+Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
+    for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
+        if (arguments.has(option))
+            return fail(Failure::usage, fmt::format("{} is of a picture, and none is asked for", option),
+                        "add -o FILE, for example -o lamp.png");
+    Result<ExposureRequest> exposure = read_exposure(arguments, *media::find_image_format("a.png"));
+    if (!exposure) return pass_on(exposure);
+    request.exposure = *exposure;
+    return {};
+}
+
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
+    request.export_file = arguments.value("--export").value_or("");
+    if (arguments.has("--export"))
+        if (Result<void> checked = check_export(request.export_file); !checked) return checked;
     const auto output = arguments.value("--output");
+    if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();

@@ -51,7 +51,8 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    std::string output;
+    std::string output;      // empty: no picture, but a scene to export
+    std::string export_file; // empty: none
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };
