@@ -8,6 +8,8 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
+#include "../preview/compare.hpp"
+#include "../preview/contact_sheet.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
@@ -31,6 +33,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
+                            OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             json_group,
@@ -46,6 +49,8 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
+    Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
+            "how far a method is off, and where"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
@@ -98,8 +103,8 @@ Diagnostics check_convergence(const RenderStats& stats) {
 
 Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
-    for (const std::string_view option : {"--columns", "--title"})
-        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
+    if (arguments.has("--compare")) return preview_compare(arguments, console);
+    if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;

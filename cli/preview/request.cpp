@@ -1,8 +1,11 @@
 #include "request.hpp"
 
 #include "../options/light_input.hpp"
+#include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,11 +39,28 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--compare");
+    if (!text) return {};
+    if (arguments.has("--method"))
+        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+    Result<std::vector<IrradianceMethod>> methods = method_list(*text);
+    if (!methods) return pass_on(methods);
+    if (methods->size() < 2)
+        return fail(Failure::usage, fmt::format("--compare {} names one method", *text),
+                    "name two or more, the one to measure by first: for example --compare exact,frostbite");
+    request.compared = std::move(*methods);
+    return {};
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
+    if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    Result<std::optional<double>> error = reference_error(arguments, *method == IrradianceMethod::reference);
+    const auto by_reference = std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference);
+    Result<std::optional<double>> error =
+        reference_error(arguments, *method == IrradianceMethod::reference || by_reference > 0);
     if (!error) return pass_on(error);
     if (*error) request.render.goal.relative_error = **error;
     request.render.skip = !arguments.has("--no-skip");
