@@ -14,6 +14,7 @@
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
+#include "../preview/sweep.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
+                            OptionGroup{"sweep", preview_sweep_options},
                             OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
@@ -51,6 +53,9 @@ constexpr std::array examples{
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
     Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
             "how far a method is off, and where"},
+    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
+    Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
+            "five finishes of paint and of metal"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
@@ -102,8 +107,10 @@ Diagnostics check_convergence(const RenderStats& stats) {
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     if (arguments.has("--compare")) return preview_compare(arguments, console);
+    if (arguments.has("--overwrite")) return fail(Failure::usage, "--overwrite is of -O", "add --sweep and -O DIR");
     if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);

@@ -68,7 +68,13 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
 }
 
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
-    const auto output = arguments.value("--output");
+    auto output = arguments.value("--output");
+    if (arguments.has("--output-dir")) {
+        if (!arguments.has("--sweep"))
+            return fail(Failure::usage, "-O is of --sweep", "use -o FILE, for example -o lamp.png");
+        if (output) return fail(Failure::usage, "-o and -O are both given", "-o is a sheet, -O a file of each picture");
+        output = "picture.png"; // unless --to says otherwise
+    }
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
