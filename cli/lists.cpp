@@ -25,6 +25,7 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 
+#include "preview/layers.hpp"
 #include "preview/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -205,6 +206,13 @@ Entries palettes() {
     return entries;
 }
 
+Entries layers() {
+    Entries entries;
+    for (const LayerKind& kind : layer_kinds)
+        entries.push_back({std::string(kind.name), std::string(kind.summary)});
+    return entries;
+}
+
 Entries sweeps() {
     Entries entries;
     for (const ParameterName& parameter : light_parameters())
@@ -253,6 +261,7 @@ constexpr std::array lists{
     NamedList{"formats", "profile formats that are read", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that are written", images},
+    NamedList{"layers", "what a picture of preview can be divided into", layers},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"loci", "curves of colour over temperature", loci},
     NamedList{"looks", "what preview shows of the light", looks},

@@ -10,6 +10,7 @@
 #include "../options/output.hpp"
 #include "../preview/compare.hpp"
 #include "../preview/contact_sheet.hpp"
+#include "../preview/layers.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
@@ -35,6 +36,7 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
                             OptionGroup{"sweep", preview_sweep_options},
+                            OptionGroup{"layers", preview_layer_options},
                             OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
@@ -56,6 +58,8 @@ constexpr std::array examples{
     Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
     Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
             "five finishes of paint and of metal"},
+    Example{"gonio preview --rig room.json --aov lights -o room.exr",
+            "the share of each light, to mix them afterwards"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
@@ -107,6 +111,7 @@ Diagnostics check_convergence(const RenderStats& stats) {
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--aov")) return preview_layers(arguments, console);
     if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     if (arguments.has("--compare")) return preview_compare(arguments, console);
