@@ -16,6 +16,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -31,6 +32,8 @@ inline constexpr std::array preview_picture_options{
 
 inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
+    Option{"--compare", "M1,M2",
+           "several methods side by side, with their differences from the first in numbers and colours", "methods"},
     Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
@@ -51,6 +54,7 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
+    std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
     std::string output;      // empty: no picture, but a scene to export
     std::string export_file; // empty: none
     const media::ImageFormat* format = nullptr;
