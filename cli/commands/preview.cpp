@@ -152,6 +152,11 @@ Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--export"))
+        for (const std::string_view option : {"--aov", "--sweep", "--sheet", "--compare"})
+            if (arguments.has(option))
+                return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
+                            "export without it");
     if (arguments.has("--aov")) return preview_layers(arguments, console);
     if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);

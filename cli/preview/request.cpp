@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -16,6 +18,20 @@
 namespace gonio::cli {
 
 namespace {
+
+Result<Shadows> read_shadows(const Arguments& arguments) {
+    const auto kind = arguments.value("--shadows");
+    if (arguments.has("--no-shadows")) {
+        if (kind && *kind != "off")
+            return fail(Failure::usage, fmt::format("--shadows {} and --no-shadows are both given", *kind),
+                        "leave one of them out");
+        return Shadows::off;
+    }
+    if (!kind || *kind == "soft") return Shadows::soft;
+    if (*kind == "hard") return Shadows::hard;
+    if (*kind == "off") return Shadows::off;
+    return fail(Failure::usage, fmt::format("'{}' is no kind of shadows", *kind), "off, hard or soft");
+}
 
 Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (const auto text = arguments.value("--size")) {
@@ -30,7 +46,9 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!set) return pass_on(set);
     request.render.threads = *threads;
     request.render.instruction_set = *set;
-    request.render.shadows = !arguments.has("--no-shadows");
+    Result<Shadows> shadows = read_shadows(arguments);
+    if (!shadows) return pass_on(shadows);
+    request.render.shadows = *shadows;
     // The library never reads the environment; the tool hands $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);

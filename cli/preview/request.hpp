@@ -22,7 +22,8 @@ namespace gonio::cli {
 
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
-    Option{"--no-shadows", "", "let the light through what stands on the stage"},
+    Option{"--shadows", "KIND", "off, hard (of each light's centre) or soft (of its size and shape; the default)"},
+    Option{"--no-shadows", "", "let the light through what stands on the stage: --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
