@@ -8,11 +8,15 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
+#include "../preview/compare.hpp"
+#include "../preview/contact_sheet.hpp"
 #include "../preview/export.hpp"
+#include "../preview/layers.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
+#include "../preview/sweep.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +39,9 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
+                            OptionGroup{"sweep", preview_sweep_options},
+                            OptionGroup{"layers", preview_layer_options},
+                            OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             OptionGroup{"export", preview_export_options},
@@ -51,6 +58,13 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
+    Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
+            "how far a method is off, and where"},
+    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
+    Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
+            "five finishes of paint and of metal"},
+    Example{"gonio preview --rig room.json --aov lights -o room.exr",
+            "the share of each light, to mix them afterwards"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
@@ -138,9 +152,17 @@ Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--export"))
+        for (const std::string_view option : {"--aov", "--sweep", "--sheet", "--compare"})
+            if (arguments.has(option))
+                return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
+                            "export without it");
+    if (arguments.has("--aov")) return preview_layers(arguments, console);
+    if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
-    for (const std::string_view option : {"--columns", "--title"})
-        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
+    if (arguments.has("--compare")) return preview_compare(arguments, console);
+    if (arguments.has("--overwrite")) return fail(Failure::usage, "--overwrite is of -O", "add --sweep and -O DIR");
+    if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;

@@ -1,9 +1,12 @@
 #include "request.hpp"
 
 #include "../options/light_input.hpp"
+#include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 #include "export.hpp"
+
+#include <fmt/format.h>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,20 @@
 namespace gonio::cli {
 
 namespace {
+
+Result<Shadows> read_shadows(const Arguments& arguments) {
+    const auto kind = arguments.value("--shadows");
+    if (arguments.has("--no-shadows")) {
+        if (kind && *kind != "off")
+            return fail(Failure::usage, fmt::format("--shadows {} and --no-shadows are both given", *kind),
+                        "leave one of them out");
+        return Shadows::off;
+    }
+    if (!kind || *kind == "soft") return Shadows::soft;
+    if (*kind == "hard") return Shadows::hard;
+    if (*kind == "off") return Shadows::off;
+    return fail(Failure::usage, fmt::format("'{}' is no kind of shadows", *kind), "off, hard or soft");
+}
 
 Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (const auto text = arguments.value("--size")) {
@@ -29,7 +46,9 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!set) return pass_on(set);
     request.render.threads = *threads;
     request.render.instruction_set = *set;
-    request.render.shadows = !arguments.has("--no-shadows");
+    Result<Shadows> shadows = read_shadows(arguments);
+    if (!shadows) return pass_on(shadows);
+    request.render.shadows = *shadows;
     // The library never reads the environment; the tool hands $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
@@ -39,11 +58,28 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--compare");
+    if (!text) return {};
+    if (arguments.has("--method"))
+        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+    Result<std::vector<IrradianceMethod>> methods = method_list(*text);
+    if (!methods) return pass_on(methods);
+    if (methods->size() < 2)
+        return fail(Failure::usage, fmt::format("--compare {} names one method", *text),
+                    "name two or more, the one to measure by first: for example --compare exact,frostbite");
+    request.compared = std::move(*methods);
+    return {};
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
+    if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    Result<std::optional<double>> error = reference_error(arguments, *method == IrradianceMethod::reference);
+    const auto by_reference = std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference);
+    Result<std::optional<double>> error =
+        reference_error(arguments, *method == IrradianceMethod::reference || by_reference > 0);
     if (!error) return pass_on(error);
     if (*error) request.render.goal.relative_error = **error;
     request.render.skip = !arguments.has("--no-skip");
@@ -63,10 +99,16 @@ Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& re
 }
 
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
+    auto output = arguments.value("--output");
+    if (arguments.has("--output-dir")) {
+        if (!arguments.has("--sweep"))
+            return fail(Failure::usage, "-O is of --sweep", "use -o FILE, for example -o lamp.png");
+        if (output) return fail(Failure::usage, "-o and -O are both given", "-o is a sheet, -O a file of each picture");
+        output = "picture.png"; // unless --to says otherwise
+    }
     request.export_file = arguments.value("--export").value_or("");
     if (arguments.has("--export"))
         if (Result<void> checked = check_export(request.export_file); !checked) return checked;
-    const auto output = arguments.value("--output");
     if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;

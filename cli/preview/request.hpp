@@ -16,12 +16,14 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
-    Option{"--no-shadows", "", "let the light through what stands on the stage"},
+    Option{"--shadows", "KIND", "off, hard (of each light's centre) or soft (of its size and shape; the default)"},
+    Option{"--no-shadows", "", "let the light through what stands on the stage: --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
@@ -31,6 +33,8 @@ inline constexpr std::array preview_picture_options{
 
 inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
+    Option{"--compare", "M1,M2",
+           "several methods side by side, with their differences from the first in numbers and colours", "methods"},
     Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
@@ -51,6 +55,7 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
+    std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
     std::string output;      // empty: no picture, but a scene to export
     std::string export_file; // empty: none
     const media::ImageFormat* format = nullptr;

@@ -3,9 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gonio {
 
@@ -55,29 +53,10 @@ struct Distance {
     }
 };
 
-struct ShownArea {
-    double operator()(const SphereShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
-    double operator()(const DiskShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
-    double operator()(const RectShape& s) const { return s.width.value * s.height.value; }
-    double operator()(const TubeShape& s) const {
-        return s.radius.value * (2.0 * s.length.value + std::numbers::pi * s.radius.value);
-    }
-    template<class Other>
-    double operator()(const Other& /*no surface*/) const {
-        return 0.0;
-    }
-};
-
 } // namespace
 
 std::optional<double> distance_to(const Light& light, const Ray& ray) {
     return std::visit(Distance{light, ray}, light.shape);
-}
-
-double shadow_radius(const Light& light) {
-    // Of a sphere exactly its radius: no detour over the square root.
-    if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) return sphere->radius.value;
-    return std::sqrt(std::visit(ShownArea{}, light.shape) / std::numbers::pi);
 }
 
 } // namespace gonio
