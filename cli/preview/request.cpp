@@ -58,9 +58,9 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    Result<std::optional<double>> error = reference_error(arguments, *method == IrradianceMethod::reference);
-    if (!error) return pass_on(error);
-    if (*error) request.render.goal.relative_error = **error;
+    Result<ReferenceBudget> budget = reference_budget(arguments, *method == IrradianceMethod::reference);
+    if (!budget) return pass_on(budget);
+    request.budget = *budget;
     request.render.skip = !arguments.has("--no-skip");
     return {};
 }

@@ -12,6 +12,7 @@
 #include "../command.hpp"
 #include "../options/rig_input.hpp"
 #include "look_options.hpp"
+#include "refine.hpp"
 #include "stage_input.hpp"
 
 #include <array>
@@ -32,7 +33,8 @@ inline constexpr std::array preview_picture_options{
 
 inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
-    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{"--error", "E", "relative error that the method reference may leave in the picture (1%)"},
+    Option{"--time", "T", "how long the method reference may take, e.g. 30s; Ctrl-C ends it at once"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
 };
@@ -49,6 +51,7 @@ struct PreviewRequest {
     LightsInput lights;
     Stage stage;
     RenderOptions render;
+    ReferenceBudget budget; // of the method reference
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
