@@ -4,19 +4,29 @@
 
 #include "../command.hpp"
 #include "../console.hpp"
+#include "../interrupt.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
+#include "../preview/compare.hpp"
+#include "../preview/contact_sheet.hpp"
+#include "../preview/export.hpp"
+#include "../preview/layers.hpp"
 #include "../preview/picture.hpp"
+#include "../preview/refine.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
+#include "../preview/sweep.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,8 +41,12 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
+                            OptionGroup{"sweep", preview_sweep_options},
+                            OptionGroup{"layers", preview_layer_options},
+                            OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
+                            OptionGroup{"export", preview_export_options},
                             json_group,
                             light_common_group};
 constexpr std::array examples{
@@ -46,7 +60,17 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
+    Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
+            "how far a method is off, and where"},
+    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
+    Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
+            "five finishes of paint and of metal"},
+    Example{"gonio preview --rig room.json --aov lights -o room.exr",
+            "the share of each light, to mix them afterwards"},
+    Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
+            "by light paths, as far as half a minute comes"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
+    Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -87,19 +111,62 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     return report;
 }
 
-Diagnostics check_convergence(const RenderStats& stats) {
-    if (stats.not_converged == 0) return {};
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::warning;
-    diagnostic.message =
-        fmt::format("the error asked for was not reached in {} evaluations of a light", stats.not_converged);
-    return {diagnostic};
+// By the method reference in passes, else at once.
+Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const Light> lights,
+                                  const Console& console) {
+    if (request.render.method == IrradianceMethod::reference) return refine(request, lights, console);
+    Result<Rendering> rendered = render(request.stage, lights, request.stage.camera, request.render);
+    if (!rendered) return pass_on(rendered);
+    return RefinedPicture{std::move(*rendered)};
+}
+
+Json names_of(std::span<const OutputFile> files) {
+    Json names = Json::array();
+    for (const OutputFile& file : files)
+        names.push_back(file.name);
+    return names;
+}
+
+// Appends the files of the scene, and says what it cannot hold.
+Result<void> add_export(const PreviewRequest& request, const std::vector<Light>& lights, std::optional<Nits> white,
+                        Console& console, Diagnostics& diagnostics, std::vector<OutputFile>& files) {
+    Result<ExportedScene> exported = export_scene(request, lights, white);
+    if (!exported) return pass_on(exported);
+    console.say(exported->diagnostics);
+    diagnostics.insert(diagnostics.end(), exported->diagnostics.begin(), exported->diagnostics.end());
+    std::move(exported->files.begin(), exported->files.end(), std::back_inserter(files));
+    return {};
+}
+
+Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>& lights, Diagnostics diagnostics,
+                         const Arguments& arguments, Console& console) {
+    std::optional<Nits> white; // of an exposure that follows from the picture nothing is known without it
+    if (request.exposure.mode != ExposureMode::automatic) white = white_luminance(request.exposure.ev);
+    std::vector<OutputFile> files;
+    Result<void> done = add_export(request, lights, white, console, diagnostics, files);
+    if (done) done = write_outputs(files);
+    if (!done) return Unexpected(done.error());
+    if (!arguments.has("--json") && !arguments.has("--jsonl")) return 0;
+    Json report{{"schema", "gonio.preview/1"},     {"output", nullptr},           {"width", request.render.width},
+                {"height", request.render.height}, {"stage", request.stage.name}, {"lights", lights.size()}};
+    report["export"] = names_of(files);
+    report["diagnostics"] = diagnostics_json(diagnostics);
+    console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
+    return 0;
 }
 
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--export"))
+        for (const std::string_view option : several_pictures)
+            if (arguments.has(option))
+                return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
+                            "export without it");
+    if (arguments.has("--aov")) return preview_layers(arguments, console);
+    if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
-    for (const std::string_view option : {"--columns", "--title"})
-        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
+    if (arguments.has("--compare")) return preview_compare(arguments, console);
+    if (arguments.has("--overwrite")) return fail(Failure::usage, "--overwrite is of -O", "add --sweep and -O DIR");
+    if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;
@@ -107,31 +174,41 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (!lights) return pass_on(lights);
     console.say(diagnostics);
     if (arguments.has("--dry-run")) {
-        console.print(fmt::format("{}\n", request->output));
+        for (const std::string& file : {request->output, request->export_file})
+            if (!file.empty()) console.print(fmt::format("{}\n", file));
         return 0;
     }
+    if (request->output.empty()) return export_alone(*request, *lights, diagnostics, arguments, console);
     const Stopwatch rendering;
-    Result<Rendering> rendered = render(request->stage, *lights, request->stage.camera, request->render);
-    if (!rendered) return pass_on(rendered);
+    Result<RefinedPicture> pictured = picture_of(*request, *lights, console);
+    if (!pictured) return pass_on(pictured);
     const double render_ms = rendering.milliseconds();
-    const RenderStats stats = rendered->stats;
-    if (const Diagnostics judged = check_convergence(stats); !judged.empty()) {
-        console.say(judged);
-        diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
-    }
+    Rendering& rendered = pictured->rendering;
+    const RenderStats stats = rendered.stats;
     if (arguments.has("--ticks"))
-        draw_ticks(rendered->luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
+        draw_ticks(rendered.luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
     console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", request->render.width,
                                request->render.height, render_ms, simd::to_text(request->render.instruction_set)));
     const Stopwatch encoding;
-    Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, *lights, console);
+    Result<EncodedPicture> picture = encode_picture(std::move(rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
-    const Result<void> written = write_output(request->output, picture->bytes);
+    std::vector<OutputFile> files{{request->output, picture->bytes}};
+    if (!request->export_file.empty()) {
+        const Result<void> exported =
+            add_export(*request, *lights, white_luminance(picture->exposure), console, diagnostics, files);
+        if (!exported) return Unexpected(exported.error());
+    }
+    const Result<void> written = write_outputs(files);
     if (!written) return Unexpected(written.error());
     const bool as_json = arguments.has("--json") || arguments.has("--jsonl");
     if (as_json) {
         Json report = preview_json(*request, *lights, *picture, diagnostics);
+        if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
+        if (request->render.method == IrradianceMethod::reference)
+            report["reference"] = {{"passes", pictured->passes},
+                                   {"error_estimate", pictured->error_estimate},
+                                   {"complete", !pictured->interrupted}};
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {
@@ -142,7 +219,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         else
             console.print(text);
     }
-    return 0;
+    return pictured->interrupted ? interrupted_status : 0;
 }
 
 int run(const Arguments& arguments, Console& console) {

@@ -1,8 +1,12 @@
 #include "request.hpp"
 
 #include "../options/light_input.hpp"
+#include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "export.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,6 +16,20 @@
 namespace gonio::cli {
 
 namespace {
+
+Result<Shadows> read_shadows(const Arguments& arguments) {
+    const auto kind = arguments.value("--shadows");
+    if (arguments.has("--no-shadows")) {
+        if (kind && *kind != "off")
+            return fail(Failure::usage, fmt::format("--shadows {} and --no-shadows are both given", *kind),
+                        "leave one of them out");
+        return Shadows::off;
+    }
+    if (!kind || *kind == "soft") return Shadows::soft;
+    if (*kind == "hard") return Shadows::hard;
+    if (*kind == "off") return Shadows::off;
+    return fail(Failure::usage, fmt::format("'{}' is no kind of shadows", *kind), "off, hard or soft");
+}
 
 Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (const auto text = arguments.value("--size")) {
@@ -26,7 +44,9 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!set) return pass_on(set);
     request.render.threads = *threads;
     request.render.instruction_set = *set;
-    request.render.shadows = !arguments.has("--no-shadows");
+    Result<Shadows> shadows = read_shadows(arguments);
+    if (!shadows) return pass_on(shadows);
+    request.render.shadows = *shadows;
     // The library never reads the environment; the tool hands $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
@@ -36,19 +56,72 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--compare");
+    if (!text) return {};
+    if (arguments.has("--method"))
+        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+    Result<std::vector<IrradianceMethod>> methods = method_list(*text);
+    if (!methods) return pass_on(methods);
+    if (methods->size() < 2)
+        return fail(Failure::usage, fmt::format("--compare {} names one method", *text),
+                    "name two or more, the one to measure by first: for example --compare exact,frostbite");
+    request.compared = std::move(*methods);
+    return {};
+}
+
+bool is_one_picture(const Arguments& arguments) {
+    return std::none_of(several_pictures.begin(), several_pictures.end(),
+                        [&](std::string_view option) { return arguments.has(option); });
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
+    if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    Result<std::optional<double>> error = reference_error(arguments, *method == IrradianceMethod::reference);
-    if (!error) return pass_on(error);
-    if (*error) request.render.goal.relative_error = **error;
+    const bool by_reference =
+        *method == IrradianceMethod::reference ||
+        std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference) != 0;
+    if (!is_one_picture(arguments)) {
+        // Pictures that are to be compared, summed or put beside each other have no noise: by quadrature.
+        Result<std::optional<double>> error = reference_error(arguments, by_reference);
+        if (!error) return pass_on(error);
+        if (*error) request.render.goal.relative_error = **error;
+        if (arguments.has("--time")) return fail(Failure::usage, "--time is of one picture alone", "use --error E");
+    } else {
+        Result<ReferenceBudget> budget = reference_budget(arguments, by_reference);
+        if (!budget) return pass_on(budget);
+        request.budget = *budget;
+    }
     request.render.skip = !arguments.has("--no-skip");
     return {};
 }
 
+// An exported scene says the exposure too; what else is said of a picture means nothing.
+Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
+    for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
+        if (arguments.has(option))
+            return fail(Failure::usage, fmt::format("{} is of a picture, and none is asked for", option),
+                        "add -o FILE, for example -o lamp.png");
+    Result<ExposureRequest> exposure = read_exposure(arguments, *media::find_image_format("a.png"));
+    if (!exposure) return pass_on(exposure);
+    request.exposure = *exposure;
+    return {};
+}
+
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
-    const auto output = arguments.value("--output");
+    auto output = arguments.value("--output");
+    if (arguments.has("--output-dir")) {
+        if (!arguments.has("--sweep"))
+            return fail(Failure::usage, "-O is of --sweep", "use -o FILE, for example -o lamp.png");
+        if (output) return fail(Failure::usage, "-o and -O are both given", "-o is a sheet, -O a file of each picture");
+        output = "picture.png"; // unless --to says otherwise
+    }
+    request.export_file = arguments.value("--export").value_or("");
+    if (arguments.has("--export"))
+        if (Result<void> checked = check_export(request.export_file); !checked) return checked;
+    if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();

@@ -12,16 +12,19 @@
 #include "../command.hpp"
 #include "../options/rig_input.hpp"
 #include "look_options.hpp"
+#include "refine.hpp"
 #include "stage_input.hpp"
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
-    Option{"--no-shadows", "", "let the light through what stands on the stage"},
+    Option{"--shadows", "KIND", "off, hard (of each light's centre) or soft (of its size and shape; the default)"},
+    Option{"--no-shadows", "", "let the light through what stands on the stage: --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
@@ -31,7 +34,12 @@ inline constexpr std::array preview_picture_options{
 
 inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
-    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{"--compare", "M1,M2",
+           "several methods side by side, with their differences from the first in numbers and colours", "methods"},
+    Option{
+        "--error", "E",
+        "relative error that the method reference may leave: in the picture (1%), to be compared each light's (1e-6)"},
+    Option{"--time", "T", "how long the method reference may take, e.g. 30s; Ctrl-C ends it at once"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
 };
@@ -44,14 +52,21 @@ inline constexpr std::array preview_output_options{
     Option{"-n,--dry-run", "", "check everything, render nothing"},
 };
 
+// Options that make more than one picture.
+inline constexpr std::array several_pictures{std::string_view("--aov"), std::string_view("--sweep"),
+                                             std::string_view("--sheet"), std::string_view("--compare")};
+
 struct PreviewRequest {
     LightsInput lights;
     Stage stage;
     RenderOptions render;
+    ReferenceBudget budget; // of the method reference
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    std::string output;
+    std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
+    std::string output;                     // empty: no picture, but a scene to export
+    std::string export_file;                // empty: none
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

@@ -32,6 +32,7 @@ std::string stats_text(const RenderStats& stats, double milliseconds) {
     text += line("skipped: behind the surface", stats.below_horizon, stats.evaluations);
     text += line("skipped: in shadow", stats.in_shadow, stats.evaluations);
     text += fmt::format("  {:<34}{:>14}\n", "shadow tests done", stats.shadow_tested);
+    text += line("found a part of a light hidden", stats.in_penumbra, stats.shadow_tested);
     text += fmt::format("  {:<34}{:>14.1f} ms\n", "time", milliseconds);
     return text;
 }
@@ -54,7 +55,7 @@ Json stats_json(const RenderStats& stats, double milliseconds) {
             {"skipped_below_horizon", stats.below_horizon},
             {"skipped_in_shadow", stats.in_shadow},
             {"shadow_tested", stats.shadow_tested},
-            {"not_converged", stats.not_converged}};
+            {"in_penumbra", stats.in_penumbra}};
 }
 
 } // namespace gonio::cli

@@ -87,7 +87,7 @@ LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& ta
       constants(light_constants(of_light)),
       pattern(of_light, tables, becomes_point(of_light.shape, method)),
       reach(reach_of(of_light, method != IrradianceMethod::reference)),
-      shadow_radius(gonio::shadow_radius(of_light)) {
+      has_surface(has_extent(of_light.shape) && !std::holds_alternative<SunShape>(of_light.shape)) {
     const bool as_point = becomes_point(light.shape, method);
     is_punctual = as_point || !has_extent(light.shape);
     const bool is_masked = mask_of(light.shape).web != nullptr;
@@ -109,25 +109,34 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       lights(lit_lights(with_lights, with_options.method)),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
-    for (const Surface& surface : stage.surfaces)
+    for (const Surface& surface : stage.surfaces) {
         materials.push_back(material_constants(surface.material));
+        core_materials.push_back(core_material(surface.material));
+    }
 }
 
-bool LitScene::may_be_shadowed(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const {
+void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
+                              std::vector<std::uint32_t>& found) const {
     constexpr double far = 1e6; // where the sun is put, in its size [m]
     const LightReach& reach = light.reach;
     const Ball points{bounds.center, bounds.radius};
     const Ball body = reach.at_infinity ? Ball{bounds.center + far * reach.toward, far * reach.angular_radius_sin}
-                                        : Ball{reach.center, std::max(light.shadow_radius, reach.body_radius)};
+                                        : Ball{reach.center, reach.body_radius};
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
         if (i == surface) continue;
         const Primitive& primitive = stage.surfaces[i].geometry;
         // What is seen of a stage is before its planes: they can hide only a light that reaches behind them.
         if (const auto* plane = std::get_if<Plane>(&primitive))
-            if (glm::dot(plane->normal, body.center - plane->point) >= body.radius) continue;
-        if (may_stand_between(primitive, points, body)) return true;
+            if (glm::dot(plane->normal, body.center - plane->point) >=
+                (light.has_surface ? reach_along(light.light, plane->normal) * (1.0 + 1e-9) : body.radius))
+                continue;
+        // A flat or a long light reaches less far towards a sheet than the ball around it.
+        if (const auto* panel = std::get_if<Panel>(&primitive); panel != nullptr && light.has_surface) {
+            const Ball towards{body.center, reach_along(light.light, panel->frame.z) * (1.0 + 1e-9)};
+            if (!may_stand_between(Plane{panel->frame.origin, panel->frame.z}, points, towards)) continue;
+        }
+        if (may_stand_between(primitive, points, body)) found.push_back(static_cast<std::uint32_t>(i));
     }
-    return false;
 }
 
 } // namespace gonio::detail

@@ -11,7 +11,15 @@
 namespace gonio::detail {
 
 LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats)
-    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats), shader_(scene) {}
+    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats), shader_(scene), soft_shadow_(scene) {}
+
+LitTile::Place LitTile::place_of(const Seen& seen) {
+    return {seen.hit.surface, seen.hit.position, seen.hit.normal, seen.view};
+}
+
+LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
+    return {samples.surface, samples.position_of(i), samples.normal_of(i), samples.view_of(i)};
+}
 
 void LitTile::light_up() {
     show_emitters();
@@ -91,29 +99,47 @@ bool LitTile::find_groups(const LitLight& light) {
     return !groups_.empty();
 }
 
-double LitTile::visible(const LitLight& light, std::size_t surface, const glm::dvec3& position) {
+LitTile::Visible LitTile::visible(const LitLight& light, const Place& place) {
     ++stats_.shadow_tested;
-    if (!light.reach.at_infinity)
-        return visible_share(scene_.stage, surface, position, light.reach.center, light.shadow_radius);
+    if (!softly(light)) {
+        const auto share = static_cast<float>(hard_share(light, place.surface, place.position));
+        return {share, glm::vec3(share)};
+    }
+    const double share = soft_shadow_.visible(place.surface, place.position, place.normal);
+    if (share == 1.0) return {};
+    if (share > 0.0) ++stats_.in_penumbra;
+    return {static_cast<float>(share), soft_shadow_.visible_luminance(place.view)};
+}
+
+bool LitTile::softly(const LitLight& light) const {
+    return light.has_surface && scene_.options.shadows == Shadows::soft;
+}
+
+double LitTile::hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {
+    const bool as_point = scene_.options.shadows == Shadows::hard;
+    if (!light.reach.at_infinity) return visible_share(scene_.stage, surface, position, light.reach.center, 0.0);
     const auto& sun = std::get<SunShape>(light.light.shape);
     // A hemisphere's outline lies where no disk has one.
-    const double half_angle = std::min(0.5 * sun.diameter.value, 1.57);
+    const double half_angle = as_point ? 0.0 : std::min(0.5 * sun.diameter.value, 1.57);
     return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward, half_angle);
 }
 
 void LitTile::find_shadows(const LitLight& light) {
     edges_.clear();
     is_shadowed_ = false;
-    if (!scene_.options.shadows) return;
-    for (const Group& group : groups_)
-        is_shadowed_ = is_shadowed_ || !scene_.options.skip ||
-                       scene_.may_be_shadowed(group.samples->surface, group.samples->bounds, light);
+    if (scene_.options.shadows == Shadows::off) return;
+    soft_shadow_.begin(light);
+    is_shadowed_ = !scene_.options.skip;
+    for (const Group& group : groups_) {
+        std::vector<std::uint32_t>& bodies = soft_shadow_.bodies(group.samples->surface);
+        scene_.find_shadowing(group.samples->surface, group.samples->bounds, light, bodies);
+        is_shadowed_ = is_shadowed_ || !bodies.empty();
+    }
     if (!is_shadowed_) return;
     const std::vector<Seen>& centers = tile_.centers();
-    center_visible_.assign(centers.size(), 1.0F);
+    center_visible_.assign(centers.size(), Visible());
     for (std::size_t i = 0; i < centers.size(); ++i)
-        if (centers[i].what == Seen::What::surface)
-            center_visible_[i] = static_cast<float>(visible(light, centers[i].hit.surface, centers[i].hit.position));
+        if (centers[i].what == Seen::What::surface) center_visible_[i] = visible(light, place_of(centers[i]));
     find_edges();
 }
 
@@ -127,10 +153,10 @@ void LitTile::find_edges() {
             const std::ptrdiff_t at = y * stride + x;
             const auto center = static_cast<std::size_t>(at);
             if (centers[center].what != Seen::What::surface || tile_.on_outline(center)) continue;
-            const float here = center_visible_[center];
+            const float here = center_visible_[center].lx;
             const std::array neighbours{at - 1, at + 1, at - stride, at + stride};
             const bool jumps = std::any_of(neighbours.begin(), neighbours.end(), [&](std::ptrdiff_t n) {
-                return std::abs(here - center_visible_[static_cast<std::size_t>(n)]) > 0.5F;
+                return std::abs(here - center_visible_[static_cast<std::size_t>(n)].lx) > 0.5F;
             });
             if (!jumps) continue;
             on_shadow_edge_[center] = 1;
@@ -144,63 +170,75 @@ void LitTile::shade(const LitLight& light, const Group& group) {
         const SurfaceSamples::Chunk& chunk = samples.chunks[index];
         stats_.shadow_tests += chunk.count;
         const float* weight = samples.share.data() + chunk.first;
+        const Visible* through = nullptr;
         if (is_shadowed_) {
             weight_.assign(weight, weight + chunk.count);
+            visible_.resize(chunk.count);
             for (std::size_t i = 0; i < chunk.count; ++i) {
-                const std::int32_t center = samples.center[chunk.first + i];
+                const std::size_t sample = chunk.first + i;
+                const std::int32_t center = samples.center[sample];
                 if (center < 0)
-                    weight_[i] *=
-                        static_cast<float>(visible(light, samples.surface, samples.position_of(chunk.first + i)));
-                else if (on_shadow_edge_[static_cast<std::size_t>(center)] != 0)
-                    weight_[i] = 0.0F;
+                    visible_[i] = visible(light, place_of(samples, sample));
                 else
-                    weight_[i] *= center_visible_[static_cast<std::size_t>(center)];
+                    visible_[i] = center_visible_[static_cast<std::size_t>(center)];
+                if (visible_[i].is_none() || (center >= 0 && on_shadow_edge_[static_cast<std::size_t>(center)] != 0))
+                    weight_[i] = 0.0F;
             }
             weight = weight_.data();
+            through = visible_.data();
             if (scene_.options.skip && std::all_of(weight_.begin(), weight_.end(), [](float w) { return w == 0.0F; })) {
                 stats_.in_shadow += chunk.count;
                 continue;
             }
         }
         stats_.evaluated += chunk.count;
-        shade(light, samples, chunk.first, chunk.count, weight);
+        shade(light, samples, chunk.first, chunk.count, weight, through);
     }
 }
 
 void LitTile::shade_edges(const LitLight& light) {
     if (!is_shadowed_ || edges_.empty()) return;
-    std::vector<SurfaceSamples> by_surface;
+    struct Edge {
+        SurfaceSamples samples;
+        std::vector<Visible> visible;
+    };
+    std::vector<Edge> by_surface;
     for (const std::size_t center : edges_)
         for (const Seen& seen : tile_.fine(center)) {
             if (seen.what != Seen::What::surface) continue;
-            const double share = visible(light, seen.hit.surface, seen.hit.position) / (edge_samples * edge_samples);
-            if (!(share > 0.0)) continue;
+            const Visible through = visible(light, place_of(seen));
+            if (through.is_none()) continue;
             auto found = std::find_if(by_surface.begin(), by_surface.end(),
-                                      [&](const SurfaceSamples& s) { return s.surface == seen.hit.surface; });
+                                      [&](const Edge& edge) { return edge.samples.surface == seen.hit.surface; });
             if (found == by_surface.end()) {
-                by_surface.emplace_back().surface = seen.hit.surface;
+                by_surface.emplace_back().samples.surface = seen.hit.surface;
                 found = by_surface.end() - 1;
             }
-            found->add(seen, tile_.pixel_of(center), share, -1);
+            found->samples.add(seen, tile_.pixel_of(center), 1.0 / (edge_samples * edge_samples), -1);
+            found->visible.push_back(through);
         }
-    for (const SurfaceSamples& samples : by_surface)
-        stats_.at_shadow_edges += samples.size();
-    for (const SurfaceSamples& samples : by_surface)
-        shade(light, samples, 0, samples.size(), samples.share.data());
+    for (const Edge& edge : by_surface) {
+        stats_.at_shadow_edges += edge.samples.size();
+        shade(light, edge.samples, 0, edge.samples.size(), edge.samples.share.data(), edge.visible.data());
+    }
 }
 
 void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
-                    const float* weight) {
+                    const float* weight, const Visible* visible) {
     shader_.shade(light, samples, first, count, weight);
     std::vector<float>& luminance = picture_.luminance_nt.pixels;
+    const Visible all;
     for (std::size_t i = 0; i < count; ++i) {
+        const Visible& through = visible == nullptr ? all : visible[i];
         float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            pixel[channel] += weight[i] * shader_.rgb()[channel][i];
+        for (int channel = 0; channel < 3; ++channel)
+            pixel[channel] += weight[i] * through.rgb[channel] * shader_.rgb()[static_cast<std::size_t>(channel)][i];
     }
     if (!scene_.options.illuminance) return;
-    for (std::size_t i = 0; i < count; ++i)
-        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * shader_.lx()[i];
+    for (std::size_t i = 0; i < count; ++i) {
+        const float through = visible == nullptr ? 1.0F : visible[i].lx;
+        picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * through * shader_.lx()[i];
+    }
 }
 
 } // namespace gonio::detail

@@ -1,5 +1,6 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
+#include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/render.hpp>
 
 #include <fmt/format.h>
@@ -10,9 +11,7 @@
 
 namespace gonio {
 
-namespace {
-
-Result<void> check(std::span<const Light> lights, const RenderOptions& options) {
+Result<void> detail::check_rendering(std::span<const Light> lights, const RenderOptions& options) {
     const auto fits = [](int side) { return side >= 1 && side <= max_picture_size; };
     if (!fits(options.width) || !fits(options.height))
         return fail(Failure::usage,
@@ -24,8 +23,6 @@ Result<void> check(std::span<const Light> lights, const RenderOptions& options) 
                         "its amount is too large for its size");
     return {};
 }
-
-} // namespace
 
 void RenderStats::add(const RenderStats& other) {
     samples += other.samples;
@@ -41,11 +38,12 @@ void RenderStats::add(const RenderStats& other) {
     not_converged += other.not_converged;
     shadow_tests += other.shadow_tests;
     shadow_tested += other.shadow_tested;
+    in_penumbra += other.in_penumbra;
 }
 
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options) {
-    if (Result<void> checked = check(lights, options); !checked) return pass_on(checked);
+    if (Result<void> checked = detail::check_rendering(lights, options); !checked) return pass_on(checked);
     Rendering picture{Image(options.width, options.height, 3), {}, {}, {}};
     picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);

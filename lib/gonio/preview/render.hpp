@@ -22,6 +22,12 @@ namespace gonio {
 // Greatest width and height of a picture.
 inline constexpr int max_picture_size = 16384;
 
+enum class Shadows : std::uint8_t {
+    off,
+    hard, // every light as a point in its centre
+    soft, // of the light's own size and shape; of the sun its disk
+};
+
 struct RenderOptions {
     int width = 512;
     int height = 512;
@@ -30,7 +36,7 @@ struct RenderOptions {
     // with it (README.md).
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
-    bool shadows = true;
+    Shadows shadows = Shadows::soft;
     bool illuminance = false; // asks for Rendering::illuminance_lx
     bool skip = true;         // false: every light at every point, whether it can reach it or not
     unsigned threads = 0;     // 0 = as many as there are

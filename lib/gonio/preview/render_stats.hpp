@@ -28,6 +28,7 @@ struct RenderStats {
     std::size_t not_converged = 0;   // of the method reference: evaluations that ended before the error asked for
     std::size_t shadow_tests = 0;    // all evaluations of lights that reach
     std::size_t shadow_tested = 0;   // those done: where something may stand between
+    std::size_t in_penumbra = 0;     // of them, those that found a part of a light with a size hidden
 
     void add(const RenderStats& other);
 };

@@ -40,4 +40,8 @@ shading::Eon<double> core_material(const EonMaterial& material) {
     return {vec(material.albedo), material.roughness};
 }
 
+CoreMaterial core_material(const Material& material) {
+    return std::visit([](const auto& m) { return CoreMaterial(core_material(m)); }, material);
+}
+
 } // namespace gonio

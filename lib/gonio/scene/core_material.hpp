@@ -4,6 +4,8 @@
 #include <gonio/scene/material.hpp>
 #include <gonio/shading/brdf.hpp>
 
+#include <variant>
+
 namespace gonio {
 
 shading::Lambert<double> core_material(const LambertMaterial& material);
@@ -13,5 +15,11 @@ shading::Frostbite<double> core_material(const FrostbiteMaterial& material);
 shading::Ue4<double> core_material(const Ue4Material& material);
 shading::RememberMe<double> core_material(const BlinnMaterial& material);
 shading::Eon<double> core_material(const EonMaterial& material);
+
+using CoreMaterial =
+    std::variant<shading::Lambert<double>, shading::Ggx<double>, shading::KullaConty<double>,
+                 shading::Frostbite<double>, shading::Ue4<double>, shading::RememberMe<double>, shading::Eon<double>>;
+
+CoreMaterial core_material(const Material& material);
 
 } // namespace gonio

@@ -3,9 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gonio {
 
@@ -55,12 +53,20 @@ struct Distance {
     }
 };
 
-struct ShownArea {
-    double operator()(const SphereShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
-    double operator()(const DiskShape& s) const { return std::numbers::pi * s.radius.value * s.radius.value; }
-    double operator()(const RectShape& s) const { return s.width.value * s.height.value; }
-    double operator()(const TubeShape& s) const {
-        return s.radius.value * (2.0 * s.length.value + std::numbers::pi * s.radius.value);
+struct Reach {
+    const Frame& frame;
+    const glm::dvec3& direction;
+
+    double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
+    double operator()(const DiskShape& disk) const {
+        return disk.radius.value * glm::length(glm::cross(frame.z, direction));
+    }
+    double operator()(const RectShape& rect) const {
+        return 0.5 * rect.width.value * std::abs(glm::dot(frame.x, direction)) +
+               0.5 * rect.height.value * std::abs(glm::dot(frame.y, direction));
+    }
+    double operator()(const TubeShape& tube) const {
+        return 0.5 * tube.length.value * std::abs(glm::dot(frame.x, direction)) + tube.radius.value;
     }
     template<class Other>
     double operator()(const Other& /*no surface*/) const {
@@ -70,14 +76,12 @@ struct ShownArea {
 
 } // namespace
 
-std::optional<double> distance_to(const Light& light, const Ray& ray) {
-    return std::visit(Distance{light, ray}, light.shape);
+double reach_along(const Light& light, const glm::dvec3& direction) {
+    return std::visit(Reach{light.frame, direction}, light.shape);
 }
 
-double shadow_radius(const Light& light) {
-    // Of a sphere exactly its radius: no detour over the square root.
-    if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) return sphere->radius.value;
-    return std::sqrt(std::visit(ShownArea{}, light.shape) / std::numbers::pi);
+std::optional<double> distance_to(const Light& light, const Ray& ray) {
+    return std::visit(Distance{light, ray}, light.shape);
 }
 
 } // namespace gonio

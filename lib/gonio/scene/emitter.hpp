@@ -1,4 +1,4 @@
-// Lights as bodies: where a ray meets the luminous surface of a light, and how large it is for a shadow.
+// Lights as bodies: where a ray meets the luminous surface of a light.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -12,8 +12,7 @@ namespace gonio {
 // where the shape has no surface at a finite distance (punctual lights, the sun).
 std::optional<double> distance_to(const Light& light, const Ray& ray);
 
-// Radius of the sphere that shows as large a disk as the shape shows along its direction; 0 for punctual shapes. Soft
-// shadows take this sphere for the light: exact for spheres, near for what is as wide as it is high.
-double shadow_radius(const Light& light);
+// How far the luminous surface reaches from the light's centre along a unit direction [m]; 0 where there is none.
+double reach_along(const Light& light, const glm::dvec3& direction);
 
 } // namespace gonio

@@ -313,6 +313,33 @@ private:
     }
 };
 
+// Whether a primitive is on the way from a point; sheets from both sides.
+struct Stops {
+    const Ray& ray;
+    double distance;
+
+    bool operator()(const Plane& plane) const {
+        const double height = glm::dot(ray.origin - plane.point, plane.normal);
+        if (std::abs(height) <= touching(ray.origin)) return false;
+        return reaches(distance_to(height > 0.0 ? plane : Plane{plane.point, -plane.normal}, ray));
+    }
+    bool operator()(const Panel& panel) const {
+        const double height = glm::dot(ray.origin - panel.frame.origin, panel.frame.z);
+        if (std::abs(height) <= touching(ray.origin)) return false;
+        if (height > 0.0) return reaches(distance_to(panel, ray));
+        Panel back = panel;
+        back.frame.z = -back.frame.z;
+        return reaches(distance_to(back, ray));
+    }
+    template<class Solid>
+    bool operator()(const Solid& solid) const {
+        return reaches(distance_to(solid, ray));
+    }
+
+private:
+    bool reaches(const std::optional<double>& hit) const { return hit && *hit < distance; }
+};
+
 double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
     double share = 1.0;
     for (std::size_t i = 0; i < stage.surfaces.size() && share > 0.0; ++i) {
@@ -327,6 +354,18 @@ double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
 }
 
 } // namespace
+
+bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& direction,
+               double distance) {
+    const Ray ray{point, direction};
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
+        if (i != own && stops(stage.surfaces[i].geometry, ray, distance)) return true;
+    return false;
+}
+
+bool stops(const Primitive& body, const Ray& ray, double distance) {
+    return std::visit(Stops{ray, distance}, body);
+}
 
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light) {
     if (std::visit(Parted{points, light}, body)) return false;
@@ -357,6 +396,25 @@ double cap_overlap(double a, double b, double d) {
     const double at_b = triangle_angle(a, d, b);
     const double area = 2.0 * (pi - at_crossing - at_a * std::cos(a) - at_b * std::cos(b));
     return std::clamp(area, 0.0, cap_area(small));
+}
+
+double projected_cap_overlap(const glm::dvec3& axis_a, double a, const glm::dvec3& axis_b, double b,
+                             const glm::dvec3& normal) {
+    const double d = angle_between(axis_a, axis_b);
+    if (d >= a + b) return 0.0;
+    const double sine_a = std::sin(a);
+    const double sine_b = std::sin(b);
+    if (d <= std::abs(a - b))
+        return a <= b ? pi * sine_a * sine_a * glm::dot(normal, axis_a)
+                      : pi * sine_b * sine_b * glm::dot(normal, axis_b);
+    // Half the arcs of either cap within the other, and half the chord between their ends.
+    const double at_a = triangle_angle(b, d, a);
+    const double at_b = triangle_angle(a, d, b);
+    const double half_chord = sine_a * std::sin(at_a);
+    const glm::dvec3 from_a_to_b = glm::normalize(axis_b - glm::dot(axis_a, axis_b) * axis_a);
+    const glm::dvec3 from_b_to_a = glm::normalize(axis_a - glm::dot(axis_a, axis_b) * axis_b);
+    return at_a * sine_a * sine_a * glm::dot(normal, axis_a) + at_b * sine_b * sine_b * glm::dot(normal, axis_b) -
+           half_chord * glm::dot(normal, std::cos(a) * from_a_to_b + std::cos(b) * from_b_to_a);
 }
 
 double polygon_overlap(double a, std::span<const glm::dvec2> corners) {

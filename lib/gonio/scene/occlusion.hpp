@@ -9,8 +9,8 @@
 //   plane     all, nothing, or of a light that it cuts the segment of the light's disk behind it, as seen along the
 //   plane
 // Only what is nearer than the light's centre covers. Where several bodies overlap each other the product of their
-// shares is taken. Of a light without size all are exact. A light of another shape than a ball: see shadow_radius
-// (emitter.hpp).
+// shares is taken. Of a light without size all are exact. Lights of other shapes
+// than a ball, with the cosine and without counting twice what bodies cover together: the preview's soft shadows.
 #pragma once
 
 #include <gonio/scene/stage.hpp>
@@ -33,6 +33,14 @@ double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& poin
 double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,
                             double half_angle);
 
+// Whether the primitive stands within `distance` [m] (or infinity) of the ray's origin, which may lie on a sheet;
+// sheets from both sides.
+bool stops(const Primitive& body, const Ray& ray, double distance);
+
+// Whether anything stands within `distance` [m] (or infinity) of the point in a unit direction: what a ray says.
+bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& direction,
+               double distance);
+
 // Whether a body may keep light that comes from one ball from points in another; where it says no, every visible_share
 // is 1. Errs to yes.
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
@@ -41,6 +49,12 @@ bool may_stand_between(const Primitive& body, const Ball& points, const Ball& li
 // Closed form of the two overlapping circular segments on the sphere (Mazonka 2012); planar lens below 1e-4 rad,
 // where the spherical form cancels.
 double cap_overlap(double a, double b, double d);
+
+// ∫ n·ω dω over what two caps have in common, of half angles a and b ∈ [0, π/2] about unit axes [sr]: the illuminance
+// that it gives at a luminance of 1 where all of it is above the horizon of n. Closed form of the two arcs that bound
+// it (the outline integral of area lights).
+double projected_cap_overlap(const glm::dvec3& axis_a, double a, const glm::dvec3& axis_b, double b,
+                             const glm::dvec3& normal);
 
 // Solid angle common to the cap of half angle a ∈ [0, π/2) and a simple polygon of great arcs in the hemisphere around
 // its axis [sr]. The corners are projected from the sphere's centre on the plane that touches it at the axis: a

@@ -48,7 +48,7 @@ TEST(ThreadsLook, ThePicturesNumbersAreThoseOfAProbe) {
     options.width = 48;
     options.height = 40;
     options.illuminance = true;
-    options.shadows = false; // a probe knows none
+    options.shadows = Shadows::off; // a probe knows none
     const Rendering rendering = render(stage, lights, stage.camera, options).value();
     const Image lux = quantity_image(rendering, PictureQuantity::illuminance);
     const auto seen = seen_surfaces(stage, lights, stage.camera, options.width, options.height, 0);

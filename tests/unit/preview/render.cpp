@@ -80,7 +80,7 @@ TEST(ThreadsPreview, ColoursKeepTheLuminance) {
     RenderOptions options;
     options.width = 9;
     options.height = 9;
-    options.shadows = false;
+    options.shadows = Shadows::off;
     const Image white = picture_of(stage, light, options);
     light.color = parse_light_color("#ffb060").value();
     const Image warm = picture_of(stage, light, options);

@@ -89,7 +89,7 @@ Result<Contest> of_scene(const char* name, Scene made, const SuiteOptions& optio
         RenderOptions render_options;
         render_options.width = size;
         render_options.height = size;
-        render_options.shadows = false;
+        render_options.shadows = Shadows::off;
         render_options.illuminance = true;
         render_options.skip = skip;
         render_options.threads = 1;

@@ -5,6 +5,7 @@
 #include <gonio/preview/detail/light_reach.hpp>
 #include <gonio/preview/detail/light_tree.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/shading/kernels.hpp>
 
@@ -27,24 +28,27 @@ struct LitLight {
     bool is_punctual = false;                            // or taken as a point
     std::optional<shading::Approximation> approximation; // of the irradiance, by the methods that have one
     LightReach reach;
-    double shadow_radius = 0.0;
+    // Whether soft shadows take its own surface (soft_shadow.hpp): it has one at a finite distance.
+    bool has_surface = false;
 };
 
 struct LitScene {
     LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options);
 
-    // Whether something may stand between the points within the bounds, of a surface, and the light.
-    bool may_be_shadowed(std::size_t surface, const SampleBounds& bounds, const LitLight& light) const;
+    // The surfaces that may stand between the points within the bounds, of a surface, and the light.
+    void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
+                        std::vector<std::uint32_t>& found) const;
 
     const Stage& stage;
     std::span<const Light> all_lights;
     const RenderOptions& options;
     const shading::Kernels& kernels;
     const preview::IntensityKernels& intensity;
-    std::vector<LitLight> lights; // one for each of all_lights
-    std::vector<shading::MaterialConstants> materials;
-    LightTree reaches; // by range, of the lights that are not dark
-    LightTree bodies;  // of the lights with a surface
+    std::vector<LitLight> lights;                      // one for each of all_lights
+    std::vector<shading::MaterialConstants> materials; // one for each surface
+    std::vector<CoreMaterial> core_materials;          // the same in double
+    LightTree reaches;                                 // by range, of the lights that are not dark
+    LightTree bodies;                                  // of the lights with a surface
 };
 
 } // namespace gonio::detail

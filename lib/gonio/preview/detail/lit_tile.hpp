@@ -3,6 +3,7 @@
 
 #include <gonio/preview/detail/lit_scene.hpp>
 #include <gonio/preview/detail/sample_shader.hpp>
+#include <gonio/preview/detail/soft_shadow.hpp>
 #include <gonio/preview/detail/tile_samples.hpp>
 #include <gonio/preview/render.hpp>
 
@@ -30,12 +31,29 @@ private:
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);
     void find_edges();
-    double visible(const LitLight& light, std::size_t surface, const glm::dvec3& position);
+    // What a light leaves of itself at a point: of its illuminance, and of the luminance that the surface shows.
+    struct Visible {
+        float lx = 1.0F;
+        glm::vec3 rgb{1.0F};
+
+        bool is_none() const { return lx == 0.0F && rgb == glm::vec3(0.0F); }
+    };
+    struct Place {
+        std::size_t surface;
+        glm::dvec3 position;
+        glm::dvec3 normal;
+        glm::dvec3 view; // towards the eye
+    };
+    static Place place_of(const Seen& seen);
+    static Place place_of(const SurfaceSamples& samples, std::size_t i);
+    bool softly(const LitLight& light) const;
+    Visible visible(const LitLight& light, const Place& place);
+    double hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const;
     void shade(const LitLight& light, const Group& group);
     void shade_edges(const LitLight& light);
-    // The samples [first, first + count), each times its `weight`.
+    // The samples [first, first + count), each times its `weight`, and where `visible` says so what comes through.
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
-               const float* weight);
+               const float* weight, const Visible* visible);
 
     const LitScene& scene_;
     TileSamples tile_;
@@ -46,10 +64,12 @@ private:
     // Of the light that is being added:
     std::vector<Group> groups_;
     bool is_shadowed_ = false;
-    std::vector<float> center_visible_;        // of each centre, 1 where no surface is seen
+    SoftShadow soft_shadow_;
+    std::vector<Visible> center_visible_;      // of each centre, 1 where no surface is seen
     std::vector<std::uint8_t> on_shadow_edge_; // of each centre
     std::vector<std::size_t> edges_;           // the centres that are
     std::vector<float> weight_;
+    std::vector<Visible> visible_;
 };
 
 } // namespace gonio::detail

@@ -1,0 +1,230 @@
+#include <gonio/preview/detail/soft_shadow.hpp>
+#include <gonio/scene/detail/shadow_line.hpp>
+#include <gonio/scene/occlusion.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+namespace gonio::detail {
+
+namespace {
+
+using Vec = shading::vec3<double>;
+
+Vec vec(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+// What is seen of a line, by the sine of the elevation: disjoint pieces in their order.
+class SeenPieces {
+public:
+    SeenPieces(double low, double high) { pieces_[count_++] = {low, high}; }
+
+    bool empty() const { return count_ == 0; }
+
+    void hide(double low, double high) {
+        std::array<Piece, most> left{};
+        std::size_t count = 0;
+        const auto keep = [&](double from, double to) {
+            if (from < to && count < most) left[count++] = {from, to};
+        };
+        for (std::size_t i = 0; i < count_; ++i) {
+            keep(pieces_[i].low, std::min(pieces_[i].high, low));
+            keep(std::max(pieces_[i].low, high), pieces_[i].high);
+        }
+        pieces_ = left;
+        count_ = count;
+    }
+
+    double within(double low, double high) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count_; ++i)
+            sum += std::max(std::min(pieces_[i].high, high) - std::max(pieces_[i].low, low), 0.0);
+        return sum;
+    }
+
+private:
+    struct Piece {
+        double low = 0.0;
+        double high = 0.0;
+    };
+    static constexpr std::size_t most = 16; // of a line behind a fence, whose last pieces are left out
+
+    std::array<Piece, most> pieces_{};
+    std::size_t count_ = 0;
+};
+
+double cell_middle(const LightLine& line, std::size_t cell, std::size_t cells) {
+    return line.low + (line.high - line.low) * (static_cast<double>(cell) + 0.5) / static_cast<double>(cells);
+}
+
+// Across an edge, turned a little: other edges often stand at right angles to it, and lines that run along an edge take
+// all of it or nothing.
+glm::dvec3 across(const ShadowEdge& edge, const glm::dvec3& towards) {
+    constexpr double turn = 0.6; // tangent of the angle
+    const glm::dvec3 straight = edge.across - glm::dot(edge.across, towards) * towards;
+    return straight + turn * glm::cross(towards, straight);
+}
+
+// Errs to false.
+bool is_apart(const Primitive& body, const Ball& light) {
+    const std::optional<Ball> around = bounds(body);
+    return around && glm::distance(around->center, light.center) > around->radius + light.radius;
+}
+
+} // namespace
+
+void SoftShadow::begin(const LitLight& light) {
+    light_ = &light;
+    bodies_.resize(scene_.stage.surfaces.size());
+    for (std::vector<std::uint32_t>& bodies : bodies_)
+        bodies.clear();
+}
+
+double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal) {
+    own_ = own;
+    point_ = point;
+    normal_ = normal;
+    share_ = 1.0;
+    by_lines_ = 1.0;
+    near_.clear();
+    const Ball light{light_->reach.center, light_->reach.body_radius};
+    const glm::dvec3 to_light = light.center - point;
+    const double distance = glm::length(to_light);
+    if (!(distance > light.radius)) return share_;
+    const glm::dvec3 towards = to_light / distance;
+    const double half_angle = std::asin(light.radius / distance);
+    ShadowEdge nearest;
+    for (const std::uint32_t i : bodies_[own]) {
+        const Primitive& body = scene_.stage.surfaces[i].geometry;
+        if (!may_stand_between(body, {point, 0.0}, light)) continue;
+        const ShadowEdge edge = nearest_edge(body, point, towards);
+        // Beside the light, if it does not reach into it; what has no edge before the light covers its middle too.
+        if (edge.distance > half_angle * (1.0 + 1e-9) && is_apart(body, light) &&
+            !stops(body, {point, towards}, distance))
+            continue;
+        near_.push_back(&body);
+        if (std::abs(edge.distance) < std::abs(nearest.distance)) nearest = edge;
+    }
+    if (near_.empty()) return share_;
+    lines_ = light_lines(light_->light, point, across(nearest, towards));
+    if (lines_.count == 0) return share_;
+    find_hidden();
+    const auto is = [&](double share) {
+        return std::all_of(seen_.begin(), seen_.end(), [&](double seen) { return seen == share; });
+    };
+    if (is(1.0)) return share_;
+    by_lines_ = is(0.0) ? 0.0 : integrated();
+    const std::optional<double> exact = near_.size() == 1 ? closed_form(*near_.front()) : std::nullopt;
+    share_ = exact.value_or(by_lines_);
+    return share_;
+}
+
+void SoftShadow::find_hidden() {
+    for (std::size_t i = 0; i < lines_.count; ++i) {
+        const LightLine& line = lines_.lines[i];
+        SeenPieces seen(line.low, line.high);
+        bool whole = true;
+        for (const Primitive* const body : near_) {
+            const HiddenPiece piece = hidden_piece(*body, point_, line.from, line.to);
+            if (piece.empty()) continue;
+            whole = false;
+            const auto sine_at = [&](double t) {
+                return t <= 0.0   ? line.low
+                       : t >= 1.0 ? line.high
+                                  : lines_.sine_of(line.from + t * (line.to - line.from));
+            };
+            seen.hide(sine_at(piece.low), sine_at(piece.high));
+        }
+        const double width = (line.high - line.low) / static_cast<double>(cell_count);
+        for (std::size_t cell = 0; cell < cell_count; ++cell) {
+            const double low = line.low + width * static_cast<double>(cell);
+            double share = whole ? 1.0 : 0.0;
+            if (!whole && !seen.empty() && width > 0.0) share = std::min(seen.within(low, low + width) / width, 1.0);
+            seen_[i * cell_count + cell] = share;
+        }
+    }
+}
+
+// The share of the illuminance that the lines let through.
+double SoftShadow::integrated() const {
+    double all = 0.0;
+    double seen = 0.0;
+    double all_above = 0.0;
+    double seen_above = 0.0;
+    for (std::size_t i = 0; i < lines_.count; ++i) {
+        const LightLine& line = lines_.lines[i];
+        const double solid_angle = line.turn * (line.high - line.low);
+        for (std::size_t cell = 0; cell < cell_count; ++cell) {
+            const glm::dvec3 l = lines_.direction(line, cell_middle(line, cell, cell_count));
+            const double weight = solid_angle * std::max(glm::dot(normal_, l), 0.0);
+            const double share = seen_[i * cell_count + cell];
+            all += solid_angle;
+            seen += solid_angle * share;
+            all_above += weight;
+            seen_above += weight * share;
+        }
+    }
+    if (all_above > 0.0) return std::min(seen_above / all_above, 1.0);
+    return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that no cell's middle lies in
+}
+
+// A sphere behind a ball, both whole above the horizon and the ball before the sphere.
+std::optional<double> SoftShadow::closed_form(const Primitive& body) const {
+    const auto* const light = std::get_if<SphereShape>(&light_->light.shape);
+    const auto* const ball = std::get_if<Ball>(&body);
+    if (light == nullptr || ball == nullptr) return std::nullopt;
+    const glm::dvec3 to_light = light_->reach.center - point_;
+    const glm::dvec3 to_ball = ball->center - point_;
+    const double light_distance = glm::length(to_light);
+    const double ball_distance = glm::length(to_ball);
+    const double sine = light->radius.value / light_distance;
+    const double cosine = glm::dot(normal_, to_light) / light_distance;
+    if (!(ball_distance > ball->radius) || !(cosine >= sine) ||
+        ball_distance + ball->radius > light_distance - light->radius.value)
+        return std::nullopt;
+    const double hidden = projected_cap_overlap(to_light / light_distance, std::asin(sine), to_ball / ball_distance,
+                                                std::asin(ball->radius / ball_distance), normal_);
+    return std::clamp(1.0 - hidden / (std::numbers::pi * sine * sine * cosine), 0.0, 1.0);
+}
+
+glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
+    const auto grey = glm::vec3(static_cast<float>(share_));
+    const CoreMaterial& material = scene_.core_materials[own_];
+    if (share_ == 0.0 || share_ == 1.0 || std::holds_alternative<shading::Lambert<double>>(material)) return grey;
+    glm::dvec3 all(0.0);
+    glm::dvec3 seen(0.0);
+    const Vec n = vec(normal_);
+    const Vec v = vec(view);
+    std::visit(
+        [&](const auto& core) {
+            for (std::size_t i = 0; i < lines_.count; ++i) {
+                const LightLine& line = lines_.lines[i];
+                const double solid_angle = line.turn * (line.high - line.low);
+                for (std::size_t cell = 0; cell < cell_count; ++cell) {
+                    const Vec l = vec(lines_.direction(line, cell_middle(line, cell, cell_count)));
+                    const double cosine = dot(n, l);
+                    if (!(cosine > 0.0)) continue;
+                    const Vec f = shading::brdf(core, n, l, v) * (solid_angle * cosine);
+                    const glm::dvec3 value(f.x, f.y, f.z);
+                    all += value;
+                    seen += value * seen_[i * cell_count + cell];
+                }
+            }
+        },
+        material);
+    // Where the illuminance has a closed form it mends the lines in the luminance too.
+    const double mended = by_lines_ > 0.0 ? share_ / by_lines_ : 1.0;
+    glm::vec3 shares = grey;
+    for (int channel = 0; channel < 3; ++channel)
+        if (all[channel] > 0.0)
+            shares[channel] = static_cast<float>(std::clamp(mended * seen[channel] / all[channel], 0.0, 1.0));
+    return shares;
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,45 @@
+// Directions towards a light with a size, whatever its shape, and what comes from them.
+#pragma once
+
+#include <gonio/light/light.hpp>
+#include <gonio/shading/sample_disk.hpp>
+#include <gonio/shading/sample_tube.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <variant>
+
+namespace gonio::detail {
+
+struct LightDirection {
+    double luminance_nt = 0.0; // towards the receiver; mask and range in it
+    double distance = 0.0;     // to the light's surface [m], infinite to the sun
+};
+
+class LightSampler {
+public:
+    // The light must have a size and outlive this.
+    LightSampler(const Light& light, const glm::dvec3& receiver);
+
+    // For two numbers in [0, 1): a direction in which the light is seen, and its density [1/sr]; 0 where it shows its
+    // dark side.
+    shading::LightSample<double> sample(double u0, double u1) const;
+    double pdf(shading::vec3<double> direction) const;
+
+    // In a direction that sample() drew or whose density is above 0.
+    LightDirection at(const glm::dvec3& direction) const;
+
+private:
+    using Sampler = std::variant<shading::SphereSampler<double>, shading::DiskSampler<double>,
+                                 shading::RectangleSampler<double>, shading::TubeSampler<double>>;
+
+    static Sampler sampler_of(const Light& light, const glm::dvec3& to_center);
+
+    const Light& light_;
+    const Web* mask_;
+    glm::dvec3 receiver_;
+    double luminance_nt_; // without a mask, 0 on the dark side
+    Sampler sampler_;
+};
+
+} // namespace gonio::detail

@@ -1,0 +1,189 @@
+#include <gonio/scene/detail/light_lines.hpp>
+
+#include <algorithm>
+#include <numbers>
+#include <variant>
+
+namespace gonio::detail {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Any unit vector across a unit vector.
+glm::dvec3 any_across(const glm::dvec3& z) {
+    const glm::dvec3 seed = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::normalize(seed - glm::dot(z, seed) * z);
+}
+
+struct Seen {
+    const Frame& frame;
+    glm::dvec3 center; // relative to the receiver
+    const glm::dvec3& hint;
+
+    // The place of a line in the unit interval.
+    static double place(std::size_t i) {
+        return (static_cast<double>(i) + 0.5) / static_cast<double>(light_line_count);
+    }
+
+    LightLines operator()(const SphereShape& sphere) const { return ball(center, sphere.radius.value); }
+
+    LightLines operator()(const TubeShape& tube) const {
+        const glm::dvec3& a = frame.x;
+        const double radius = tube.radius.value;
+        const double half = 0.5 * tube.length.value;
+        const double along = glm::dot(center, a);
+        if (glm::length(center - along * a) > radius) return capsule(center, a, radius, half);
+        // Within the prolonged tube: the nearer end is all there is to see, or the receiver is inside.
+        if (std::abs(along) <= half) return {};
+        return ball(center - std::copysign(half, along) * a, radius);
+    }
+
+    // Chords of the disk; their places by the angle at which they end on the rim, where a chord's length and its
+    // stripe's width fall to 0 together.
+    LightLines operator()(const DiskShape& disk) const {
+        LightLines seen = flat(disk.two_sided);
+        if (seen.count == 0) return seen;
+        const glm::dvec3 other = glm::cross(frame.z, seen.axis);
+        for (std::size_t i = 0; i < light_line_count; ++i) {
+            const double theta = pi * place(i);
+            const double half = disk.radius.value * std::sin(theta);
+            set_flat(seen, i, disk.radius.value * std::cos(theta) * other, -half, half,
+                     half * pi / static_cast<double>(light_line_count));
+        }
+        return seen;
+    }
+
+    // Evenly by the turn.
+    LightLines operator()(const RectShape& rect) const {
+        LightLines seen = flat(rect.two_sided);
+        if (seen.count == 0) return seen;
+        const glm::dvec3 other = glm::cross(frame.z, seen.axis);
+        const double half_x = 0.5 * rect.width.value;
+        const double half_y = 0.5 * rect.height.value;
+        const double axis_x = glm::dot(seen.axis, frame.x);
+        const double axis_y = glm::dot(seen.axis, frame.y);
+        const double half_width = half_x * std::abs(axis_y) + half_y * std::abs(axis_x);
+        const double height = std::abs(glm::dot(center, frame.z));
+        const double middle = glm::dot(center, other);
+        const double first = std::atan2(middle - half_width, height);
+        // The angle between the sides without cancellation.
+        const double angle =
+            std::atan2(2.0 * half_width * height, height * height + (middle - half_width) * (middle + half_width));
+        for (std::size_t i = 0; i < light_line_count; ++i) {
+            const double off =
+                std::clamp(height * std::tan(first + angle * place(i)) - middle, -half_width, half_width);
+            const glm::dvec3 from_center = off * other;
+            double low = -1e300;
+            double high = 1e300;
+            const auto clip = [&](double along, double at, double half) {
+                if (std::abs(along) < 1e-12) return;
+                low = std::max(low, (-std::copysign(half, along) - at) / along);
+                high = std::min(high, (std::copysign(half, along) - at) / along);
+            };
+            clip(axis_x, glm::dot(from_center, frame.x), half_x);
+            clip(axis_y, glm::dot(from_center, frame.y), half_y);
+            set_flat(seen, i, from_center, low, std::max(low, high), 1.0);
+            seen.lines[i].turn = angle / static_cast<double>(light_line_count);
+        }
+        return seen;
+    }
+
+    template<class Other>
+    LightLines operator()(const Other& /*no surface at a finite distance*/) const {
+        return {};
+    }
+
+private:
+    // The part of the hint that is across a unit vector.
+    glm::dvec3 across(const glm::dvec3& z) const {
+        const glm::dvec3 part = hint - glm::dot(hint, z) * z;
+        const double length2 = glm::dot(part, part);
+        return length2 > 1e-12 * glm::dot(hint, hint) ? part / std::sqrt(length2) : any_across(z);
+    }
+
+    LightLines flat(bool two_sided) const {
+        LightLines seen;
+        // The light shines along −Z.
+        const double before = glm::dot(center, frame.z);
+        if (!(before > 0.0) && !(two_sided && before < 0.0)) return seen;
+        seen.axis = across(frame.z);
+        seen.count = light_line_count;
+        return seen;
+    }
+
+    void set_flat(LightLines& seen, std::size_t i, const glm::dvec3& from_center, double low, double high,
+                  double width) const {
+        LightLine& line = seen.lines[i];
+        const glm::dvec3 middle = center + from_center;
+        line.from = middle + low * seen.axis;
+        line.to = middle + high * seen.axis;
+        const glm::dvec3 across = middle - glm::dot(middle, seen.axis) * seen.axis;
+        const double distance2 = glm::dot(across, across);
+        line.across = across / std::sqrt(distance2);
+        line.turn = width * std::abs(glm::dot(center, frame.z)) / distance2;
+        line.low = seen.sine_of(line.from);
+        line.high = seen.sine_of(line.to);
+    }
+
+    static LightLines none() { return {}; }
+
+    LightLines ball(const glm::dvec3& at, double radius) const {
+        const double distance = glm::length(at);
+        if (!(distance > radius)) return none();
+        return capsule(at, across(at / distance), radius, 0.0);
+    }
+
+    // A plane through the receiver and along the axis cuts the body in two circles and what is between them.
+    LightLines capsule(const glm::dvec3& at, const glm::dvec3& axis, double radius, double half) const {
+        LightLines seen;
+        seen.axis = axis;
+        seen.count = light_line_count;
+        const double along = glm::dot(at, axis);
+        const glm::dvec3 to_line = at - along * axis;
+        const double distance = glm::length(to_line);
+        const glm::dvec3 f = to_line / distance;
+        const glm::dvec3 g = glm::cross(axis, f);
+        const double s = radius / distance;
+        for (std::size_t i = 0; i < light_line_count; ++i) {
+            LightLine& line = seen.lines[i];
+            const double theta = pi * place(i);
+            const double sine = s * std::cos(theta);
+            const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+            line.across = cosine * f + sine * g;
+            line.turn = s * std::sin(theta) / cosine * pi / static_cast<double>(light_line_count);
+            const double away = distance * cosine;
+            const double circle = radius * std::sin(theta);
+            double low = pi;
+            double high = -pi;
+            for (const double end : {along - half, along + half}) {
+                const double to_middle = std::hypot(end, away);
+                const double tangent = std::sqrt(std::max((to_middle - circle) * (to_middle + circle), 0.0));
+                const double elevation = std::atan2(end, away);
+                const double half_angle = std::atan2(circle, tangent);
+                const auto touching = [&](double angle) {
+                    return tangent * (std::cos(angle) * line.across + std::sin(angle) * axis);
+                };
+                if (elevation - half_angle < low) {
+                    low = elevation - half_angle;
+                    line.from = touching(low);
+                }
+                if (elevation + half_angle > high) {
+                    high = elevation + half_angle;
+                    line.to = touching(high);
+                }
+            }
+            line.low = std::sin(low);
+            line.high = std::sin(high);
+        }
+        return seen;
+    }
+};
+
+} // namespace
+
+LightLines light_lines(const Light& light, const glm::dvec3& receiver, const glm::dvec3& along) {
+    return std::visit(Seen{light.frame, light.frame.origin - receiver, along}, light.shape);
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,391 @@
+#include <gonio/preview/reference_picture.hpp>
+#include <gonio/preview/render.hpp>
+#include <gonio/scene/detail/light_lines.hpp>
+#include <gonio/scene/detail/shadow_line.hpp>
+#include <gonio/scene/emitter.hpp>
+#include <gonio/scene/occlusion.hpp>
+#include <gonio/shading/sample_disk.hpp>
+#include <gonio/shading/sample_tube.hpp>
+
+#include "../light/lights.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gonio {
+namespace {
+
+using Vec = glm::dvec3;
+
+class Numbers {
+public:
+    explicit Numbers(unsigned seed) : engine_(seed) {}
+
+    double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
+    Vec in_box(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+    Vec direction() {
+        const double z = between(-1.0, 1.0);
+        const double phi = between(0.0, 2.0 * std::numbers::pi);
+        return {std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z};
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+Primitive any_body(Numbers& numbers, int kind) {
+    const Vec center = numbers.in_box(3.0);
+    const Vec axis = numbers.direction();
+    if (kind == 0) return Plane{center, axis};
+    if (kind == 1)
+        return panel_facing(center, axis, numbers.direction(), numbers.between(0.2, 6), numbers.between(0.2, 6));
+    if (kind == 2) return Ball{center, numbers.between(0.1, 3.0)};
+    if (kind == 3)
+        return Box{aimed_frame(center, axis, numbers.direction()),
+                   {numbers.between(0.1, 2), numbers.between(0.1, 2), numbers.between(0.1, 2)}};
+    return Capsule{center, axis, numbers.between(0.0, 3.0), numbers.between(0.05, 1.5)};
+}
+
+// Whether something of the body lies on the way; sheets from both sides.
+bool meets(const Primitive& body, const Vec& from, const Vec& way) {
+    const double length = glm::length(way);
+    const Ray ray{from, way / length};
+    const auto before = [&](const std::optional<double>& distance) { return distance && *distance <= length; };
+    if (const auto* plane = std::get_if<Plane>(&body))
+        return before(distance_to(*plane, ray)) || before(distance_to(Plane{plane->point, -plane->normal}, ray));
+    if (const auto* panel = std::get_if<Panel>(&body)) {
+        Panel back = *panel;
+        back.frame.z = -back.frame.z;
+        return before(distance_to(*panel, ray)) || before(distance_to(back, ray));
+    }
+    return std::visit([&](const auto& shape) { return before(distance_to(shape, ray)); }, body);
+}
+
+TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
+    Numbers numbers(5);
+    std::array<int, 5> partly{};
+    for (int i = 0; i < 6000; ++i) {
+        const int kind = i % 5;
+        const Primitive body = any_body(numbers, kind);
+        const Vec receiver = numbers.in_box(6.0);
+        if (kind > 1 && hides(body, receiver)) continue;
+        const Vec from = numbers.in_box(6.0) - receiver;
+        const Vec to = numbers.in_box(6.0) - receiver;
+        const detail::HiddenPiece piece = detail::hidden_piece(body, receiver, from, to);
+        for (int j = 0; j <= 40; ++j) {
+            const double t = j / 40.0;
+            if (!piece.empty() && std::min(std::abs(t - piece.low), std::abs(t - piece.high)) < 1e-7) continue;
+            const bool within = !piece.empty() && t > piece.low && t < piece.high;
+            ASSERT_EQ(within, meets(body, receiver, from + t * (to - from))) << kind << " in case " << i << " at " << t;
+        }
+        if (!piece.empty() && (piece.low > 0.0 || piece.high < 1.0)) ++partly[static_cast<std::size_t>(kind)];
+    }
+    for (const int count : partly)
+        EXPECT_GT(count, 50);
+}
+
+const std::array<Light, 5>& lights() {
+    static const std::array made{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
+                                 light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                                 light_of("rect:w=1m,h=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                                 light_of("rect:w=20cm,h=2m", "1000cd", {0.1, -0.2, 2.4}),
+                                 light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};
+    return made;
+}
+
+// Solid angle times cosine over all stripes against the closed form.
+TEST(LightLines, SumToTheLight) {
+    Numbers numbers(7);
+    for (const Light& light : lights())
+        for (int i = 0; i < 200; ++i) {
+            const Vec point = numbers.in_box(2.0) * Vec(1, 1, 0);
+            const detail::LightLines lines = detail::light_lines(light, point, numbers.direction());
+            ASSERT_GT(lines.count, 0U);
+            double sum = 0.0;
+            for (std::size_t l = 0; l < lines.count; ++l)
+                for (int cell = 0; cell < 16; ++cell) {
+                    const detail::LightLine& line = lines.lines[l];
+                    const double sine = line.low + (line.high - line.low) * (cell + 0.5) / 16.0;
+                    sum += line.turn * (line.high - line.low) / 16.0 * lines.direction(line, sine).z;
+                }
+            const Receiver receiver{point, {0, 0, 1}};
+            const double lx = probe({&light, 1}, {&receiver, 1}).value().illuminance_lx.front();
+            // Stripes that end at the corners of a rectangle are cut short there.
+            const bool round = !std::holds_alternative<RectShape>(light.shape);
+            EXPECT_NEAR(sum * light.luminance.value, lx, (round ? 0.007 : 0.08) * lx) << kind_of(light.shape);
+        }
+}
+
+// ∫ ⟨n·l⟩ V over the light by many stratified directions of its sampler, and what is not hidden of it.
+double counted_share(const Stage& stage, std::size_t own, const Light& light, const Vec& point, const Vec& normal,
+                     int side) {
+    const auto vec = [](const Vec& v) { return shading::vec3<double>{v.x, v.y, v.z}; };
+    const auto count = [&](const auto& sampler) {
+        double all = 0.0;
+        double seen = 0.0;
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j) {
+                const auto sample = sampler.sample((i + 0.5) / side, (j + 0.5) / side);
+                const Vec l(sample.direction.x, sample.direction.y, sample.direction.z);
+                const double weight = std::max(glm::dot(normal, l), 0.0) / sample.pdf;
+                const std::optional<double> reach = distance_to(light, {point, l});
+                if (!reach) continue; // by rounding
+                all += weight;
+                bool hidden = false;
+                for (std::size_t s = 0; s < stage.surfaces.size() && !hidden; ++s)
+                    hidden = s != own && meets(stage.surfaces[s].geometry, point, l * *reach);
+                if (!hidden) seen += weight;
+            }
+        return all > 0.0 ? seen / all : 1.0;
+    };
+    const shading::vec3<double> center = vec(light.frame.origin - point);
+    const shading::vec3<double> axis = vec(-light.frame.z);
+    if (const auto* s = std::get_if<SphereShape>(&light.shape))
+        return count(shading::SphereSampler<double>(center, s->radius.value));
+    if (const auto* s = std::get_if<DiskShape>(&light.shape))
+        return count(shading::DiskSampler<double>(center, axis, s->radius.value));
+    if (const auto* s = std::get_if<RectShape>(&light.shape))
+        return count(
+            shading::RectangleSampler<double>(center, axis, vec(light.frame.x), s->width.value, s->height.value));
+    const auto& s = std::get<TubeShape>(light.shape);
+    return count(shading::TubeSampler<double>(center, vec(light.frame.x), s.radius.value, s.length.value));
+}
+
+// A floor under what hides parts of the light, seen from above.
+Stage floor_under(std::initializer_list<Primitive> bodies) {
+    Stage stage;
+    stage.surfaces.push_back({"floor", Plane{}, LambertMaterial{}});
+    for (const Primitive& body : bodies)
+        stage.surfaces.push_back({"body", body, LambertMaterial{}});
+    stage.camera = {{0, 0, 12}, {0, 0, 0}, {0, 1, 0}, 20.0};
+    return stage;
+}
+
+Rendering lit(const Stage& stage, const Light& light, RenderOptions options) {
+    options.illuminance = true;
+    return render(stage, {&light, 1}, stage.camera, options).value();
+}
+
+// Soft shadows of all shapes behind all bodies, several of them overlapping each other, against counted rays: the error
+// in the penumbrae that the lines leave.
+TEST(ThreadsSoftShadows, PenumbraeAreThoseOfCountedRays) {
+    const std::array stages{
+        floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}}), floor_under({Capsule{{0, 0, 1.0}, {0.6, 0.8, 0.0}, 0.5, 0.12}}),
+        floor_under({Box{{{0.1, 0, 0.9}, {0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}, {0.4, 0.2, 0.1}}}),
+        floor_under({panel_facing({0, 0, 1.2}, {0.3, 0, 1}, {0, 1, 0}, 0.8, 0.5)}),
+        floor_under(
+            {Ball{{-0.1, 0.1, 1.0}, 0.25}, Ball{{0.1, 0.1, 1.4}, 0.2}, Capsule{{0, 0, 0.7}, {1, 0, 0}, 0.6, 0.05}})};
+    RenderOptions options;
+    options.width = 160;
+    options.height = 160;
+    double squares = 0.0;
+    int count = 0;
+    for (const Stage& stage : stages) {
+        const CameraRays rays(stage.camera, options.width, options.height);
+        for (const Light& light : lights()) {
+            options.shadows = Shadows::soft;
+            const Rendering soft = lit(stage, light, options);
+            options.shadows = Shadows::off;
+            const Rendering bare = lit(stage, light, options);
+            for (int y = 3; y + 1 < options.height; y += 8)
+                for (int x = 3; x + 1 < options.width; x += 8) {
+                    const std::optional<Hit> hit = first_hit(stage, rays.ray(x + 0.5, y + 0.5));
+                    const float all = *bare.illuminance_lx.at(x, y);
+                    const double share = *soft.illuminance_lx.at(x, y) / all;
+                    if (hit->surface != 0 || !(share > 0.0) || !(share < 1.0)) continue;
+                    // A mean over its outline has other points too.
+                    const auto floor_at = [&](double dx, double dy) {
+                        return first_hit(stage, rays.ray(x + 0.5 + dx, y + 0.5 + dy))->surface == 0;
+                    };
+                    if (!floor_at(1, 0) || !floor_at(-1, 0) || !floor_at(0, 1) || !floor_at(0, -1)) continue;
+                    const double truth = counted_share(stage, 0, light, hit->position, hit->normal, 64);
+                    squares += (share - truth) * (share - truth);
+                    ++count;
+                    EXPECT_NEAR(share, truth, 0.09) << kind_of(light.shape) << " at " << x << ", " << y;
+                }
+        }
+    }
+    EXPECT_GT(count, 500);
+    EXPECT_LT(std::sqrt(squares / count), 0.011);
+    RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(squares / count)));
+}
+
+// What a ball hides of a sphere, cosine and all, against the integral over the cap in rings.
+TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
+    Numbers numbers(9);
+    for (int i = 0; i < 60; ++i) {
+        const Vec a_axis(0, 0, 1);
+        const double a = std::exp(numbers.between(std::log(1e-3), std::log(0.6)));
+        const double b = std::exp(numbers.between(std::log(0.2), std::log(3.0))) * a;
+        const double apart = numbers.between(0.0, 1.1 * (a + b));
+        const Vec b_axis(std::sin(apart), 0.0, std::cos(apart));
+        const double tilt = numbers.between(0.0, 0.5 * std::numbers::pi - a);
+        const double turn = numbers.between(0.0, 2.0 * std::numbers::pi);
+        const Vec normal(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
+        // In rings about the first axis, each of which the other cap covers about the azimuth 0.
+        double sum = 0.0;
+        constexpr int rings = 4000;
+        for (int ring = 0; ring < rings; ++ring) {
+            const double theta = a * (ring + 0.5) / rings;
+            const double sine = std::sin(theta);
+            const double cosine = std::cos(theta);
+            const double x = (std::cos(b) - cosine * std::cos(apart)) / (sine * std::sin(apart));
+            const double half = std::acos(std::clamp(x, -1.0, 1.0));
+            sum += (2.0 * half * cosine * normal.z + 2.0 * std::sin(half) * sine * normal.x) * sine * (a / rings);
+        }
+        EXPECT_NEAR(projected_cap_overlap(a_axis, a, b_axis, b, normal), sum, 2e-4 * a * a) << i;
+    }
+}
+
+TEST(ThreadsSoftShadows, WhatIsLitIsUntouchedAndWhatIsDarkIsZero) {
+    const Stage stage = floor_under({panel_facing({1, 1, 1}, {0, 0, 1}, {0, 1, 0}, 1.6, 1.6)});
+    RenderOptions options;
+    options.width = 64;
+    options.height = 64;
+    for (const Light& light : lights()) {
+        options.shadows = Shadows::off;
+        const Rendering bare = lit(stage, light, options);
+        options.shadows = Shadows::soft;
+        const Rendering soft = lit(stage, light, options);
+        std::size_t same = 0;
+        std::size_t dark = 0;
+        for (std::size_t i = 0; i < bare.illuminance_lx.pixels.size(); ++i) {
+            EXPECT_LE(soft.illuminance_lx.pixels[i], bare.illuminance_lx.pixels[i] * (1.0F + 1e-6F));
+            if (soft.illuminance_lx.pixels[i] == bare.illuminance_lx.pixels[i]) ++same;
+            if (soft.illuminance_lx.pixels[i] == 0.0F && bare.illuminance_lx.pixels[i] > 0.0F) ++dark;
+        }
+        EXPECT_GT(same, 1000U) << kind_of(light.shape);
+        EXPECT_GT(dark, 0U) << kind_of(light.shape);
+    }
+    // Nothing stands on a bare floor.
+    const Stage bare = floor_under({});
+    for (const Light& light : lights()) {
+        options.shadows = Shadows::off;
+        const Rendering off = lit(bare, light, options);
+        options.shadows = Shadows::soft;
+        EXPECT_EQ(lit(bare, light, options).luminance_nt.pixels, off.luminance_nt.pixels);
+    }
+}
+
+TEST(ThreadsSoftShadows, ThreadsAndSkippingChangeNothing) {
+    const Stage stage = make_stage("spheres").value();
+    RenderOptions options;
+    options.width = 90;
+    options.height = 70;
+    for (const Light& light : lights()) {
+        options.threads = 1;
+        options.skip = true;
+        const Rendering one = lit(stage, light, options);
+        EXPECT_GT(one.stats.in_penumbra, 0U);
+        for (const unsigned threads : {2U, 5U}) {
+            options.threads = threads;
+            EXPECT_EQ(lit(stage, light, options).luminance_nt.pixels, one.luminance_nt.pixels);
+        }
+        options.skip = false;
+        EXPECT_EQ(lit(stage, light, options).luminance_nt.pixels, one.luminance_nt.pixels) << kind_of(light.shape);
+    }
+}
+
+double mean_of(const Image& image) {
+    double sum = 0.0;
+    for (const float value : image.pixels)
+        sum += value;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+Rendering traced(const Stage& stage, std::span<const Light> lights, RenderOptions options, std::size_t passes) {
+    options.illuminance = true;
+    ReferencePicture picture = ReferencePicture::begin(stage, lights, stage.camera, options).value();
+    while (picture.passes() < passes)
+        picture.add_pass();
+    return picture.picture();
+}
+
+// Closed forms and shadow ratios against light paths, which share neither: the same light in all, and no pixel off by
+// more than the noise.
+TEST(ThreadsReferencePicture, AgreesWithTheClosedForms) {
+    Stage stage = floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}, Box{{{-0.6, 0.4, 0.3}}, {0.3, 0.2, 0.3}}});
+    stage.surfaces[0].material = parse_material("frostbite:smoothness=0.5").value();
+    stage.surfaces[1].material = parse_material("ue4:base=rgb(0.8,0.3,0.1),roughness=0.5").value();
+    stage.camera = {{0, -6, 5}, {0, 0, 0.2}, {0, 0, 1}, 22.0};
+    std::vector<Light> all(lights().begin(), lights().end());
+    all.push_back(light_of("point", "300cd", {0.5, 0.4, 2.0}));
+    all.push_back(light_of("sun:angle=4deg", "300lx", {0, 0, 0}, {0.3, 0.5, -1.0}));
+    for (Light& light : all)
+        if (!std::holds_alternative<SunShape>(light.shape)) light.frame.origin.z += 1.0; // out of the picture
+    RenderOptions options;
+    options.width = 36;
+    options.height = 28;
+    for (const Light& light : all) {
+        const Rendering exact = lit(stage, light, options);
+        const Rendering truth = traced(stage, {&light, 1}, options, 96);
+        const double mean = mean_of(truth.luminance_nt);
+        EXPECT_NEAR(mean_of(exact.luminance_nt), mean, 0.004 * mean) << kind_of(light.shape);
+        EXPECT_NEAR(mean_of(exact.illuminance_lx), mean_of(truth.illuminance_lx), 0.003 * mean_of(truth.illuminance_lx))
+            << kind_of(light.shape);
+        double apart = 0.0;
+        for (std::size_t i = 0; i < truth.luminance_nt.pixels.size(); ++i)
+            apart += std::abs(exact.luminance_nt.pixels[i] - truth.luminance_nt.pixels[i]);
+        EXPECT_LT(apart / static_cast<double>(truth.luminance_nt.pixels.size()), 0.03 * mean) << kind_of(light.shape);
+    }
+}
+
+TEST(ThreadsReferencePicture, KnowsItsError) {
+    const Stage stage = floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}});
+    const Light& light = lights()[2];
+    RenderOptions options;
+    options.width = 32;
+    options.height = 32;
+    const Image truth = traced(stage, {&light, 1}, options, 1200).luminance_nt;
+    const double mean = mean_of(truth);
+    ReferencePicture picture = ReferencePicture::begin(stage, {&light, 1}, stage.camera, options).value();
+    EXPECT_EQ(picture.error_estimate(), 1.0);
+    for (const std::size_t passes : {8UL, 32UL, 128UL}) {
+        while (picture.passes() < passes)
+            picture.add_pass();
+        const Image image = picture.picture().luminance_nt;
+        double apart = 0.0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+            apart += std::abs(image.pixels[i] - truth.pixels[i]);
+        const double error = apart / static_cast<double>(truth.pixels.size()) / mean;
+        EXPECT_GT(picture.error_estimate(), 0.7 * error) << passes;
+        EXPECT_LT(picture.error_estimate(), 3.0 * error) << passes;
+    }
+}
+
+TEST(ThreadsReferencePicture, ThreadsChangeNothingAndRowsMayWait) {
+    const Stage stage = make_stage("floor").value();
+    RenderOptions options;
+    options.width = 40;
+    options.height = 30;
+    options.threads = 1;
+    const Image one = traced(stage, lights(), options, 3).luminance_nt;
+    for (const unsigned threads : {2U, 5U}) {
+        options.threads = threads;
+        EXPECT_EQ(traced(stage, lights(), options, 3).luminance_nt.pixels, one.pixels);
+    }
+    // Of a pass that is stopped the rows that are done stay; the next takes the rest.
+    options.threads = 1;
+    ReferencePicture picture = ReferencePicture::begin(stage, lights(), stage.camera, options).value();
+    int rows = 0;
+    picture.add_pass([&] { return ++rows > 11; });
+    EXPECT_EQ(picture.passes(), 0U);
+    picture.add_pass();
+    EXPECT_EQ(picture.passes(), 1U);
+    picture.add_pass();
+    picture.add_pass();
+    EXPECT_EQ(picture.picture().luminance_nt.pixels, one.pixels);
+}
+
+} // namespace
+} // namespace gonio
