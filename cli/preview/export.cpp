@@ -55,8 +55,8 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
         exported.files.push_back(
             {is_scene ? request.export_file : folder_of(request.export_file) + file.name, std::move(*bytes)});
     }
-    if (!request.render.shadows)
-        scene->instead.emplace_back("other renderers cast shadows, whatever --no-shadows says");
+    if (request.render.shadows != Shadows::soft)
+        scene->instead.emplace_back("other renderers cast soft shadows, whatever --shadows says");
     for (const std::string& line : scene->instead) {
         Diagnostic warning;
         warning.severity = Severity::warning;
