@@ -20,9 +20,13 @@
 #include <gonio/plot/look.hpp>
 #include <gonio/preview/tone_map.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/parameter.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
+
+#include "preview/layers.hpp"
+#include "preview/sweep_axis.hpp"
 
 #include <fmt/format.h>
 
@@ -202,6 +206,24 @@ Entries palettes() {
     return entries;
 }
 
+Entries layers() {
+    Entries entries;
+    for (const LayerKind& kind : layer_kinds)
+        entries.push_back({std::string(kind.name), std::string(kind.summary)});
+    return entries;
+}
+
+Entries sweeps() {
+    Entries entries;
+    for (const ParameterName& parameter : light_parameters())
+        entries.push_back({std::string(parameter.name), std::string(parameter.summary)});
+    for (const ParameterName& parameter : material_parameters())
+        entries.push_back({std::string(parameter.name), std::string(parameter.summary)});
+    for (const ViewParameter& parameter : view_parameters)
+        entries.push_back({std::string(parameter.name), std::string(parameter.summary)});
+    return entries;
+}
+
 Entries tone_maps() {
     Entries entries;
     for (const ToneMapName& map : gonio::tone_maps())
@@ -239,6 +261,7 @@ constexpr std::array lists{
     NamedList{"formats", "profile formats that are read", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that are written", images},
+    NamedList{"layers", "what a picture of preview can be divided into", layers},
     NamedList{"layouts", "texture layouts of bake", layouts},
     NamedList{"loci", "curves of colour over temperature", loci},
     NamedList{"looks", "what preview shows of the light", looks},
@@ -254,6 +277,7 @@ constexpr std::array lists{
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
     NamedList{"suites", "what bench measures", suites},
+    NamedList{"sweeps", "what a sweep of preview can change", sweeps},
     NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
     NamedList{"tone-maps", "curves in the stead of a display's view", tone_maps},

@@ -51,15 +51,18 @@ std::string text_of(const Grown& grown) {
     return text;
 }
 
-std::string csv_of(const std::vector<Grown>& all) {
-    std::string text = "scaling,curve,size,size_of,time_ns,time_median_ns,time_highest_ns,samples\n";
+std::string csv_of(const std::vector<Grown>& all, const BenchRun& run) {
+    std::string text =
+        "scaling,curve,size,size_of,time_ns,time_median_ns,time_highest_ns,samples,seed,processor,gonio,commit,"
+        "compiler\n";
     for (const Grown& grown : all)
         for (const measure::ScalingCurve& curve : grown.curves)
             for (const measure::ScalingPoint& point : curve.points)
-                text += fmt::format("{},\"{}\",{},{},{},{},{},{}\n", grown.scaling->name, curve.name,
-                                    shortest(point.size), grown.scaling->size, shortest(point.timing.lowest_ns),
-                                    shortest(point.timing.ns_per_item), shortest(point.timing.highest_ns),
-                                    point.timing.samples);
+                text += fmt::format("{},\"{}\",{},{},{},{},{},{},{},\"{}\",{},{},\"{}\"\n", grown.scaling->name,
+                                    curve.name, shortest(point.size), grown.scaling->size,
+                                    shortest(point.timing.lowest_ns), shortest(point.timing.ns_per_item),
+                                    shortest(point.timing.highest_ns), point.timing.samples, run.seed,
+                                    run.machine.processor, run.build.version, commit, run.build.compiler);
     return text;
 }
 
@@ -106,7 +109,7 @@ Result<std::string> chart_of(const std::vector<Grown>& all, const BenchRun& run)
 Result<void> write_all(const std::vector<std::string>& files, const std::vector<Grown>& all, const BenchRun& run) {
     for (const std::string& file : files) {
         Result<std::string> bytes = file.ends_with(".svg")   ? chart_of(all, run)
-                                    : file.ends_with(".csv") ? Result<std::string>(csv_of(all))
+                                    : file.ends_with(".csv") ? Result<std::string>(csv_of(all, run))
                                                              : Result<std::string>(json_of(all, run));
         if (!bytes) return pass_on(bytes);
         Result<void> written = write_output(file, *bytes);
@@ -160,7 +163,7 @@ Result<int> bench_scaling(const Arguments& arguments, Console& console) {
         status = console.flush(status);
     }
     run.complete = !interrupted();
-    if (arguments.has("--csv")) console.print(csv_of(all));
+    if (arguments.has("--csv")) console.print(csv_of(all, run));
     if (arguments.has("--json")) console.print(json_of(all, run));
     const bool any = std::any_of(all.begin(), all.end(), [](const Grown& grown) {
         return std::any_of(grown.curves.begin(), grown.curves.end(),

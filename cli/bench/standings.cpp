@@ -89,8 +89,8 @@ LogLogPanel panel_of(const Standings& standings) {
 } // namespace
 
 std::string run_text(const BenchRun& run) {
-    return fmt::format("gonio {} ({}{}{}) on {}, {} thread{}, {}; seed {}{}", run.build.version, run.build.compiler,
-                       run.build.optimized ? ", optimised" : ", not optimised",
+    return fmt::format("gonio {} ({}; {}{}{}) on {}, {} thread{}, {}; seed {}{}", run.build.version, commit,
+                       run.build.compiler, run.build.optimized ? ", optimised" : ", not optimised",
                        run.build.checked ? ", with sanitizers" : "", run.machine.processor, run.machine.threads,
                        run.machine.threads == 1 ? "" : "s", run.machine.widest, run.seed, run.quick ? ", quick" : "");
 }
@@ -127,12 +127,16 @@ std::string standings_markdown(const Standings& standings) {
 
 std::string standings_csv_header() {
     return "suite,cases,subset,error,item,method,code,error_median,error_p95,error_max,error_count,time_ns,"
-           "time_median_ns,time_highest_ns,samples,ratio_to_baseline,baseline_method,baseline_code,on_front\n";
+           "time_median_ns,time_highest_ns,samples,ratio_to_baseline,baseline_method,baseline_code,on_front,seed,"
+           "processor,gonio,commit,"
+           "compiler\n";
 }
 
-std::string standings_csv(const Standings& standings) {
+std::string standings_csv(const Standings& standings, const BenchRun& run) {
     const measure::ContestTitle& title = standings.title;
     const Standing& baseline = standings.rows[standings.baseline];
+    const std::string where = fmt::format("{},{},{},{},{}", run.seed, csv_field(run.machine.processor),
+                                          run.build.version, commit, csv_field(run.build.compiler));
     std::string text;
     for (const Standing& row : standings.rows) {
         std::string time = ",,,,";
@@ -140,10 +144,10 @@ std::string standings_csv(const Standings& standings) {
             time = fmt::format("{},{},{},{},{}", shortest(row.time->timing.lowest_ns),
                                shortest(row.time->timing.ns_per_item), shortest(row.time->timing.highest_ns),
                                row.time->timing.samples, shortest(row.time->ratio));
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", title.suite, csv_field(title.cases),
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", title.suite, csv_field(title.cases),
                             csv_field(title.subset), csv_field(title.error), csv_field(title.item), row.method,
                             row.code, shortest(row.error.median), shortest(row.error.p95), shortest(row.error.max),
-                            row.error.count, time, baseline.method, baseline.code, row.on_front);
+                            row.error.count, time, baseline.method, baseline.code, row.on_front, where);
     }
     return text;
 }
@@ -184,6 +188,7 @@ Json run_json(const BenchRun& run) {
     return {{"schema", "gonio.bench/1"},
             {"tool",
              {{"version", run.build.version},
+              {"commit", commit},
               {"compiler", run.build.compiler},
               {"optimized", run.build.optimized},
               {"sanitizers", run.build.checked}}},

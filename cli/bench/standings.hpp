@@ -6,6 +6,7 @@
 #include <gonio/measure/machine.hpp>
 
 #include "../json_text.hpp"
+#include "../revision.hpp"
 
 #include <cstdint>
 #include <span>
@@ -21,14 +22,14 @@ struct BenchRun {
     bool complete = true; // not ended by Ctrl-C
 };
 
-// "gonio 0.1.0 (g++ 12.2.0, optimised), AMD EPYC, 2 threads, avx512; seed 1, quick".
+// "gonio 0.1.0 (b23e719f3a50; g++ 12.2.0, optimised) on AMD EPYC, 2 threads, avx512; seed 1, quick".
 std::string run_text(const BenchRun& run);
 
 // One contest's rows.
 std::string standings_text(const measure::Standings& standings);
 std::string standings_markdown(const measure::Standings& standings);
 std::string standings_csv_header();
-std::string standings_csv(const measure::Standings& standings);
+std::string standings_csv(const measure::Standings& standings, const BenchRun& run);
 Json standings_json(const measure::Standings& standings);
 
 // schema, tool, machine, seed: the members that stand before the contests.

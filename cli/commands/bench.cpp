@@ -152,7 +152,7 @@ Result<std::string> file_bytes(const std::string& extension, const std::vector<S
     if (extension == ".json") return json_of(all, run);
     std::string text = extension == ".csv" ? standings_csv_header() : run_text(run) + "\n";
     for (const Standings& standings : all)
-        text += extension == ".csv" ? standings_csv(standings) : "\n" + standings_markdown(standings);
+        text += extension == ".csv" ? standings_csv(standings, run) : "\n" + standings_markdown(standings);
     return text;
 }
 
@@ -167,7 +167,7 @@ void say(const Standings& standings, const Request& request, const BenchRun& run
         console.print("\n" + standings_markdown(standings));
         break;
     case Form::csv:
-        console.print(standings_csv(standings));
+        console.print(standings_csv(standings, run));
         break;
     case Form::jsonl: {
         Json line = run_json(run);

@@ -9,16 +9,23 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
+#include "../preview/compare.hpp"
+#include "../preview/contact_sheet.hpp"
+#include "../preview/export.hpp"
+#include "../preview/layers.hpp"
 #include "../preview/picture.hpp"
 #include "../preview/refine.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
+#include "../preview/sweep.hpp"
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -34,8 +41,12 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"evaluation", preview_method_options},
                             OptionGroup{"look", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
+                            OptionGroup{"sweep", preview_sweep_options},
+                            OptionGroup{"layers", preview_layer_options},
+                            OptionGroup{"sheets of every kind", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
+                            OptionGroup{"export", preview_export_options},
                             json_group,
                             light_common_group};
 constexpr std::array examples{
@@ -51,7 +62,15 @@ constexpr std::array examples{
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
     Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
             "by light paths, as far as half a minute comes"},
+    Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
+            "how far a method is off, and where"},
+    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
+    Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
+            "five finishes of paint and of metal"},
+    Example{"gonio preview --rig room.json --aov lights -o room.exr",
+            "the share of each light, to mix them afterwards"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
+    Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -101,10 +120,53 @@ Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const
     return RefinedPicture{std::move(*rendered)};
 }
 
+Json names_of(std::span<const OutputFile> files) {
+    Json names = Json::array();
+    for (const OutputFile& file : files)
+        names.push_back(file.name);
+    return names;
+}
+
+// Appends the files of the scene, and says what it cannot hold.
+Result<void> add_export(const PreviewRequest& request, const std::vector<Light>& lights, std::optional<Nits> white,
+                        Console& console, Diagnostics& diagnostics, std::vector<OutputFile>& files) {
+    Result<ExportedScene> exported = export_scene(request, lights, white);
+    if (!exported) return pass_on(exported);
+    console.say(exported->diagnostics);
+    diagnostics.insert(diagnostics.end(), exported->diagnostics.begin(), exported->diagnostics.end());
+    std::move(exported->files.begin(), exported->files.end(), std::back_inserter(files));
+    return {};
+}
+
+Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>& lights, Diagnostics diagnostics,
+                         const Arguments& arguments, Console& console) {
+    std::optional<Nits> white; // of an exposure that follows from the picture nothing is known without it
+    if (request.exposure.mode != ExposureMode::automatic) white = white_luminance(request.exposure.ev);
+    std::vector<OutputFile> files;
+    Result<void> done = add_export(request, lights, white, console, diagnostics, files);
+    if (done) done = write_outputs(files);
+    if (!done) return Unexpected(done.error());
+    if (!arguments.has("--json") && !arguments.has("--jsonl")) return 0;
+    Json report{{"schema", "gonio.preview/1"},     {"output", nullptr},           {"width", request.render.width},
+                {"height", request.render.height}, {"stage", request.stage.name}, {"lights", lights.size()}};
+    report["export"] = names_of(files);
+    report["diagnostics"] = diagnostics_json(diagnostics);
+    console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
+    return 0;
+}
+
 Result<int> preview(const Arguments& arguments, Console& console) {
+    if (arguments.has("--export"))
+        for (const std::string_view option : {"--aov", "--sweep", "--sheet", "--compare"})
+            if (arguments.has(option))
+                return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
+                            "export without it");
+    if (arguments.has("--aov")) return preview_layers(arguments, console);
+    if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
-    for (const std::string_view option : {"--columns", "--title"})
-        if (arguments.has(option)) return fail(Failure::usage, fmt::format("{} is of a sheet", option), "add --sheet");
+    if (arguments.has("--compare")) return preview_compare(arguments, console);
+    if (arguments.has("--overwrite")) return fail(Failure::usage, "--overwrite is of -O", "add --sweep and -O DIR");
+    if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
     Diagnostics diagnostics = request->diagnostics;
@@ -112,9 +174,11 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (!lights) return pass_on(lights);
     console.say(diagnostics);
     if (arguments.has("--dry-run")) {
-        console.print(fmt::format("{}\n", request->output));
+        for (const std::string& file : {request->output, request->export_file})
+            if (!file.empty()) console.print(fmt::format("{}\n", file));
         return 0;
     }
+    if (request->output.empty()) return export_alone(*request, *lights, diagnostics, arguments, console);
     const Stopwatch rendering;
     Result<RefinedPicture> pictured = picture_of(*request, *lights, console);
     if (!pictured) return pass_on(pictured);
@@ -129,7 +193,13 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     Result<EncodedPicture> picture = encode_picture(std::move(rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
-    const Result<void> written = write_output(request->output, picture->bytes);
+    std::vector<OutputFile> files{{request->output, picture->bytes}};
+    if (!request->export_file.empty()) {
+        const Result<void> exported =
+            add_export(*request, *lights, white_luminance(picture->exposure), console, diagnostics, files);
+        if (!exported) return Unexpected(exported.error());
+    }
+    const Result<void> written = write_outputs(files);
     if (!written) return Unexpected(written.error());
     const bool as_json = arguments.has("--json") || arguments.has("--jsonl");
     if (as_json) {
@@ -138,6 +208,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
             report["reference"] = {{"passes", pictured->passes},
                                    {"error_estimate", pictured->error_estimate},
                                    {"complete", !pictured->interrupted}};
+        if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {

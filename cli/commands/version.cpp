@@ -6,6 +6,7 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../revision.hpp"
 
 #include <fmt/format.h>
 
@@ -22,18 +23,19 @@ int run(const Arguments& arguments, Console& console) {
     if (arguments.has("--json") || arguments.has("--jsonl"))
         console.print(dump({{"schema", "gonio.version/1"},
                             {"version", version},
+                            {"commit", commit},
                             {"instruction_set", set},
                             {"diagnostics", Json::array()}},
                            arguments.has("--jsonl") ? -1 : 2));
     else
-        console.print(fmt::format("gonio {} ({})\n", version, set));
+        console.print(fmt::format("gonio {} ({}, {})\n", version, commit, set));
     return 0;
 }
 
 } // namespace
 
 extern const Command version_command;
-const Command version_command{"version", "the version, and the instruction set that is used here", "", "", groups, {},
-                              run};
+const Command version_command{
+    "version", "the version, its commit, and the instruction set that is used here", "", "", groups, {}, run};
 
 } // namespace gonio::cli

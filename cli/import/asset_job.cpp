@@ -5,12 +5,11 @@
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/color/spectrum.hpp>
-#include <gonio/media/image_file.hpp>
 #include <gonio/scene/rig.hpp>
 
+#include "../asset_bytes.hpp"
 #include "../json_text.hpp"
 #include "../options/output.hpp"
-#include "../texel_pixel.hpp"
 
 #include <fmt/format.h>
 
@@ -131,14 +130,6 @@ Result<LightScene> scene_of(const Source& source, const Target& target, const Im
     options.description = fmt::format("{} of {}", source.description, source.input.file);
     options.unit = request.unit;
     return light_scene(target, source.lights, options);
-}
-
-Result<std::string> bytes_of(const AssetFile& file) {
-    if (!file.picture) return file.bytes;
-    media::ImageWriteOptions options;
-    options.pixel = pixel_of(file.picture->texel_type);
-    if (file.picture->image.channels == 1) options.channel_names = {"Y"};
-    return media::encode_image(file.picture->image, *media::find_image_format(file.name), options);
 }
 
 // What a target's writer could not say, for the people who get the files.

@@ -169,9 +169,7 @@ Ev100 ExposureRequest::of(const Rendering& rendering) const {
     return mode == ExposureMode::automatic ? auto_exposure(rendering.luminance_nt, rendering.shows_light) : ev;
 }
 
-Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {
-    ExposureRequest request;
-    const std::string text = arguments.value("--exposure").value_or("auto");
+Result<void> read_exposure_value(const std::string& text, ExposureRequest& request) {
     constexpr std::string_view card = "lux:";
     if (text.starts_with(card)) {
         Result<double> lux = parse_amount(std::string_view(text).substr(card.size()), Dimension::illuminance,
@@ -180,7 +178,9 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
         if (!(*lux > 0.0)) return fail(Failure::usage, fmt::format("--exposure {} needs an illuminance above 0", text));
         request.mode = ExposureMode::card;
         request.ev = exposure_of_card(Lux(*lux));
-    } else if (text != "auto") {
+    } else if (text == "auto") {
+        request.mode = ExposureMode::automatic;
+    } else {
         if (const Result<Amount> amount = parse_amount(text);
             amount && amount->unit->dimension == Dimension::illuminance)
             return fail(Failure::usage, fmt::format("--exposure is anchored in lux as lux:{}", text),
@@ -190,6 +190,13 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
         request.mode = ExposureMode::ev;
         request.ev = Ev100(*ev);
     }
+    return {};
+}
+
+Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {
+    ExposureRequest request;
+    if (Result<void> read = read_exposure_value(arguments.value("--exposure").value_or("auto"), request); !read)
+        return pass_on(read);
     Result<ToneMap> map = parse_tone_map(arguments.value("--tone-map").value_or("none"));
     if (!map) return pass_on(map);
     request.tone_map = *map;

@@ -60,6 +60,9 @@ struct ExposureRequest {
     Ev100 of(const Rendering& rendering) const;
 };
 
+// "auto", "8ev", "lux:300lx".
+Result<void> read_exposure_value(const std::string& text, ExposureRequest& request);
+
 Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format);
 
 std::string_view to_text(ExposureMode mode); // "auto", "ev", "lux"

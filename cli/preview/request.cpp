@@ -1,8 +1,10 @@
 #include "request.hpp"
 
 #include "../options/light_input.hpp"
+#include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
+#include "export.hpp"
 
 #include <fmt/format.h>
 
@@ -54,19 +56,59 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--compare");
+    if (!text) return {};
+    if (arguments.has("--method"))
+        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+    Result<std::vector<IrradianceMethod>> methods = method_list(*text);
+    if (!methods) return pass_on(methods);
+    if (methods->size() < 2)
+        return fail(Failure::usage, fmt::format("--compare {} names one method", *text),
+                    "name two or more, the one to measure by first: for example --compare exact,frostbite");
+    request.compared = std::move(*methods);
+    return {};
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
+    if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    Result<ReferenceBudget> budget = reference_budget(arguments, *method == IrradianceMethod::reference);
+    const auto by_reference = std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference);
+    Result<ReferenceBudget> budget =
+        reference_budget(arguments, *method == IrradianceMethod::reference || by_reference > 0);
     if (!budget) return pass_on(budget);
     request.budget = *budget;
+    if (arguments.has("--error")) request.render.goal.relative_error = std::min(*budget->relative_error, 0.1);
     request.render.skip = !arguments.has("--no-skip");
     return {};
 }
 
+// An exported scene says the exposure too; what else is said of a picture means nothing.
+Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
+    for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
+        if (arguments.has(option))
+            return fail(Failure::usage, fmt::format("{} is of a picture, and none is asked for", option),
+                        "add -o FILE, for example -o lamp.png");
+    Result<ExposureRequest> exposure = read_exposure(arguments, *media::find_image_format("a.png"));
+    if (!exposure) return pass_on(exposure);
+    request.exposure = *exposure;
+    return {};
+}
+
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
-    const auto output = arguments.value("--output");
+    auto output = arguments.value("--output");
+    if (arguments.has("--output-dir")) {
+        if (!arguments.has("--sweep"))
+            return fail(Failure::usage, "-O is of --sweep", "use -o FILE, for example -o lamp.png");
+        if (output) return fail(Failure::usage, "-o and -O are both given", "-o is a sheet, -O a file of each picture");
+        output = "picture.png"; // unless --to says otherwise
+    }
+    request.export_file = arguments.value("--export").value_or("");
+    if (arguments.has("--export"))
+        if (Result<void> checked = check_export(request.export_file); !checked) return checked;
+    if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();

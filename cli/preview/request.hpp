@@ -17,6 +17,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -33,8 +34,13 @@ inline constexpr std::array preview_picture_options{
 
 inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
-    Option{"--error", "E", "relative error that the method reference may leave in the picture (1%)"},
-    Option{"--time", "T", "how long the method reference may take, e.g. 30s; Ctrl-C ends it at once"},
+    Option{"--compare", "M1,M2",
+           "several methods side by side, with their differences from the first in numbers and colours", "methods"},
+    Option{
+        "--error", "E",
+        "relative error that the method reference may leave: in one picture 1%, with --compare, --sweep and --aov in "
+        "each of its values 1e-6"},
+    Option{"--time", "T", "how long the method reference may take for one picture, e.g. 30s; Ctrl-C ends it at once"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
 };
@@ -55,7 +61,9 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    std::string output;
+    std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
+    std::string output;                     // empty: no picture, but a scene to export
+    std::string export_file;                // empty: none
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

@@ -1,7 +1,6 @@
 #include "sheet.hpp"
 
 #include <gonio/base/unit_text.hpp>
-#include <gonio/plot/raster.hpp>
 #include <gonio/plot/sheet.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/web/integrate.hpp>
@@ -11,12 +10,11 @@
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
-#include "picture.hpp"
+#include "contact_sheet.hpp"
 #include "request.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,8 +25,7 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr int most_side_px = 16384;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
+constexpr PixelSize usual_size{176, 132};
 
 // What a profile's tile is made of. The picture is exposed and linear until all of them go through the display
 // transform together.
@@ -40,44 +37,16 @@ struct Thumbnail {
 Result<void> only_of_sheets(const Arguments& arguments) {
     std::string_view other = given_light_option(arguments);
     if (arguments.has("--rig")) other = "--rig";
-    for (const std::string_view option : {"--output-dir"})
+    for (const std::string_view option : {"--output-dir", "--export"})
         if (arguments.has(option)) other = option;
     if (!other.empty())
         return fail(Failure::usage, fmt::format("a sheet shows profiles as measured: it has no use for {}", other),
                     "leave it out, or render one light without --sheet");
+    if (arguments.has("--compare"))
+        return fail(Failure::usage, "--sheet and --compare are both given", "make a picture of each");
     if (arguments.value("--look").value_or("beauty") != "beauty")
         return fail(Failure::usage, "a sheet shows the look beauty", "render one light without --sheet");
     return {};
-}
-
-Result<SheetOptions> read_options(const Arguments& arguments, const PreviewRequest& request) {
-    SheetOptions options;
-    options.title = arguments.value("--title").value_or("");
-    if (arguments.has("--size")) {
-        options.picture_width_px = request.render.width;
-        options.picture_height_px = request.render.height;
-    }
-    if (options.picture_width_px < 32 || options.picture_height_px < 32 || options.picture_width_px > 2048 ||
-        options.picture_height_px > 2048)
-        return fail(Failure::usage, "the picture of a tile has 32 to 2048 pixels a side",
-                    "-s is the size of each tile's picture: for example 176x132");
-    if (const auto text = arguments.value("--columns")) {
-        const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), options.columns);
-        if (error != std::errc() || end != text->data() + text->size() || options.columns < 1)
-            return fail(Failure::usage, fmt::format("--columns takes a number from 1 up, not '{}'", *text));
-    }
-    return options;
-}
-
-Result<void> fits(std::size_t tiles, const SheetOptions& options) {
-    const SheetLayout layout = layout_of(tiles, options);
-    if (layout.width_px <= most_side_px && layout.height_px <= most_side_px &&
-        std::int64_t{layout.width_px} * layout.height_px <= most_pixels)
-        return {};
-    return fail(Failure::usage,
-                fmt::format("{} profiles make a sheet of {}x{} pixels, which is too large", tiles, layout.width_px,
-                            layout.height_px),
-                "use a smaller -s, or make several sheets");
 }
 
 // Three digits or the whole number, never an exponent below a million.
@@ -132,20 +101,6 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     return thumbnail;
 }
 
-// One display transform for all pictures: to set one up costs as much as to apply it.
-Result<void> develop_together(std::vector<SheetTile>& tiles, const SheetOptions& options, const PreviewRequest& request,
-                              const Console& console) {
-    const int height = options.picture_height_px;
-    Image all(options.picture_width_px, height * static_cast<int>(tiles.size()), 3);
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        paste(tiles[i].picture, all, 0, height * static_cast<int>(i));
-    Result<void> shown = show_exposed(all, request, console);
-    if (!shown) return shown;
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        if (!tiles[i].picture.pixels.empty()) paste(all, tiles[i].picture, 0, -height * static_cast<int>(i));
-    return {};
-}
-
 std::string reason_of(const Error& error) {
     return error.diagnostics.empty() ? std::string("cannot be shown") : error.diagnostics.back().message;
 }
@@ -157,14 +112,13 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     if (!fine) return Unexpected(fine.error());
     Result<PreviewRequest> request = parse_without_lights(arguments);
     if (!request) return pass_on(request);
-    if (!has_pixel(*request->format, media::Pixel::uint8) || has_pixel(*request->format, media::Pixel::float32))
-        return fail(Failure::usage, fmt::format("{} holds light, not sheets", request->format->title),
-                    "write .png or .jpg");
-    Result<SheetOptions> options = read_options(arguments, *request);
+    fine = holds_sheets(*request->format);
+    if (!fine) return Unexpected(fine.error());
+    Result<SheetOptions> options = read_sheet_options(arguments, *request, usual_size);
     if (!options) return pass_on(options);
     Result<std::vector<std::string>> files = input_files(arguments);
     if (!files) return pass_on(files);
-    fine = fits(files->size(), *options);
+    fine = fits_sheet(files->size(), *options, "profiles");
     if (!fine) return Unexpected(fine.error());
     if (arguments.has("--dry-run")) {
         console.print(fmt::format("{}\n", request->output));
@@ -190,7 +144,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
                 outcome.report["tile"] = index;
             return outcome;
         });
-    fine = develop_together(tiles, *options, *request, console);
+    fine = develop_tiles(tiles, *request, console);
     if (!fine) return Unexpected(fine.error());
     Result<std::string> bytes = encode_for_display(sheet(tiles, *options), *request->format);
     if (!bytes) return pass_on(bytes);

@@ -13,8 +13,6 @@ namespace gonio::cli {
 
 inline constexpr std::array preview_sheet_options{
     Option{"--sheet", "", "FILE… (folders and @LIST too) as labelled thumbnails: floor, polar diagram, lm, cd, beam"},
-    Option{"--columns", "N", "tiles side by side (as many as make the sheet about 4:3)"},
-    Option{"--title", "TEXT", "a headline of the sheet"},
 };
 
 // Returns the exit status: the worst of all profiles. One that cannot be read has a tile that says so. -s is the size

@@ -52,18 +52,21 @@ Result<void> apply_camera(const Arguments& arguments, Camera& camera) {
     Result<void> applied = read("--camera", camera.position);
     if (applied) applied = read("--target", camera.target);
     if (!applied) return applied;
-    if (const auto text = arguments.value("--fov")) {
-        Result<double> angle = parse_amount(*text, Dimension::angle, "--fov");
-        if (!angle) return pass_on(angle);
-        camera.vertical_fov_deg = to_degrees(Radians(*angle));
-        camera.least_horizontal_fov_deg = 0.0;
-        if (!(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
-            return fail(Failure::usage, fmt::format("--fov must lie between 0deg and 180deg, not {}", *text));
-    }
+    if (const auto text = arguments.value("--fov")) return read_field_of_view(*text, camera);
     return {};
 }
 
 } // namespace
+
+Result<void> read_field_of_view(const std::string& text, Camera& camera) {
+    Result<double> angle = parse_amount(text, Dimension::angle, "--fov");
+    if (!angle) return pass_on(angle);
+    camera.vertical_fov_deg = to_degrees(Radians(*angle));
+    camera.least_horizontal_fov_deg = 0.0;
+    if (!(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
+        return fail(Failure::usage, fmt::format("--fov must lie between 0deg and 180deg, not {}", text));
+    return {};
+}
 
 Result<Stage> named_stage(const Arguments& arguments) {
     return make_stage(arguments.value("--stage").value_or(std::string(stage_kinds().front().name)));

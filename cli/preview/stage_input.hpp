@@ -9,6 +9,7 @@
 #include "../command.hpp"
 
 #include <array>
+#include <string>
 
 namespace gonio::cli {
 
@@ -22,6 +23,9 @@ inline constexpr std::array preview_stage_options{
     Option{"--figure", "", "somebody of 1.75 m on the stage, to tell sizes by"},
     Option{"--ticks", "", "a thin dark line on every whole metre of floors and walls"},
 };
+
+// The full vertical angle. Fails (usage) on what is no angle between 0 and 180 degrees.
+Result<void> read_field_of_view(const std::string& text, Camera& camera);
 
 // The stage that --stage names, floor where it is not given. A light that is not placed hangs where this stage says.
 Result<Stage> named_stage(const Arguments& arguments);

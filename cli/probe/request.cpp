@@ -3,6 +3,7 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/material_charts.hpp>
 
+#include "../options/method_list.hpp"
 #include "../options/rig_input.hpp"
 #include "../options/values.hpp"
 
@@ -41,20 +42,17 @@ Result<void> read_methods(const Arguments& arguments, ProbeRequest& request) {
     const auto method = arguments.value("--method");
     if (compare && method)
         return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
-    std::string_view rest = compare ? *compare : method ? *method : std::string_view("exact");
     request.compare = compare.has_value();
     // Of luminance the quadrature is the truth, of illuminance the closed forms are.
     if (request.compare)
         request.methods.push_back(arguments.has("--view") ? IrradianceMethod::reference : IrradianceMethod::exact);
-    for (bool more = true; more;) {
-        const std::size_t comma = request.compare ? rest.find(',') : std::string_view::npos;
-        Result<IrradianceMethod> parsed = parse_irradiance_method(rest.substr(0, comma));
-        if (!parsed) return pass_on(parsed);
-        if (std::find(request.methods.begin(), request.methods.end(), *parsed) == request.methods.end())
-            request.methods.push_back(*parsed);
-        more = comma != std::string_view::npos;
-        if (more) rest.remove_prefix(comma + 1);
-    }
+    Result<std::vector<IrradianceMethod>> named = method_list(compare ? *compare : method.value_or("exact"));
+    if (!named) return pass_on(named);
+    if (!compare && named->size() > 1)
+        return fail(Failure::usage, "--method takes one method", "use --compare for several");
+    for (const IrradianceMethod each : *named)
+        if (std::find(request.methods.begin(), request.methods.end(), each) == request.methods.end())
+            request.methods.push_back(each);
     return read_error(arguments, request);
 }
 

@@ -1,21 +1,50 @@
 #!/usr/bin/env bash
-# The same scene in Blender's Cycles and in gonio's preview: planes and a ball under two profiles, a sphere and a
-# rectangle. Opt-in: needs Blender and python3-openimageio, takes a minute.
+# What preview exports for Blender, rendered by Cycles, against preview's own pictures, shadows included. Opt-in: needs
+# Blender and python3-openimageio, and takes minutes on one core.
 #
-#   bash tests/preview/run.sh GONIO
+#   bash tests/preview/run.sh GONIO [CASE…]
 set -euo pipefail
 
-gonio=$(realpath "${1:?"usage: run.sh GONIO"}")
+gonio=$(realpath "${1:?"usage: run.sh GONIO [CASE…]"}")
+shift
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+profiles=$here/../../profiles
+work=$(dirname "$gonio")/../preview-check
+mkdir -p "$work"
 cd "$work"
-
 command -v blender > /dev/null || { echo 'Blender is not installed: skipped'; exit 0; }
-mkdir lights
-"$gonio" import "$here/scene.json" --to blender -O lights -q
-"$gonio" preview --rig "$here/scene.json" -s 128x96 --look falsecolour -o lux.exr
-blender --background --factory-startup --python "$here/blender_scene.py" -- \
-    "$here/scene.json" lights/blender/scene.py "$work/blender.exr" 128 96 1024 > blender.log 2>&1 ||
-    { tail -n 40 blender.log; exit 1; }
-/usr/bin/python3 "$here/compare_pictures.py" blender.exr lux.exr
+
+wanted=" $* "
+failed=0
+# NAME LIGHT_NT PREVIEW-OPTION…: pixels above LIGHT_NT are lights that are seen.
+check() {
+    local name=$1 light_nt=$2
+    shift 2
+    [[ $wanted == "  " || $wanted == *" $name "* ]] || return 0
+    "$gonio" preview "$@" -s "${size:-256x256}" -o "$name.exr" --export "$name.py" -q
+    nice blender --background --factory-startup -t 1 --python "$name.py" \
+        --python-expr "import bpy; bpy.context.scene.cycles.samples = ${samples:-256}" \
+        -o "$PWD/$name.cycles." -f 1 > "$name.log" 2>&1 || { tail -n 40 "$name.log"; exit 1; }
+    mv "$name.cycles.0001.exr" "$name.cycles.exr"
+    echo "$name"
+    /usr/bin/python3 "$here/compare_pictures.py" "$name.cycles.exr" "$name.exr" "$light_nt" "$name.difference.png" ||
+        failed=1
+}
+
+matte() { # every surface of these names
+    local surface
+    for surface in "$@"; do echo "--material $surface=lambert:albedo=0.5"; done
+}
+# shellcheck disable=SC2046 # options are words
+{
+    check sphere 300 --shape sphere:r=10cm --intensity 800lm --stage floor $(matte floor wall sphere)
+    check disk 300 --shape disk:r=15cm --intensity 900lm --stage spheres $(matte floor sphere)
+    check rect 900 --shape rect:w=60cm,h=30cm --intensity 2000lm --stage room --position 0,0,2.3 $(matte floor ceiling wall box sphere)
+    check tube 900 --shape tube:r=2cm,l=1.2m --intensity 1500lm --stage room $(matte floor ceiling wall box sphere)
+    check spot 1e9 --shape spot:outer=30deg,inner=20deg --intensity 1000cd --stage card $(matte floor card stand)
+    check street 1e9 "$profiles/street.ies" --stage street $(matte road kerb pavement verge pole)
+    check figure 1e9 "$profiles/batwing.ies" --stage room --figure $(matte floor ceiling wall box sphere)
+    check sun 1e9 --shape sun:angle=0.53deg --intensity 1000lx --direction 0.3,0.5,-1 --stage floor $(matte floor wall sphere)
+    check outside 1e9 --shape point --intensity 100cd --stage room --camera 0,-6,1.5 --target 0,0,1.2 $(matte floor ceiling wall box sphere)
+}
+exit "$failed"

@@ -31,7 +31,7 @@ constexpr double lumens_per_watt = 177.83;
 
 constexpr const char* start = R"python(# {description}
 # Makes the lights for Cycles. Lux are Blender's W/m2 times 177.83.
-import bpy
+{imports}import bpy
 from mathutils import Matrix
 )python";
 
@@ -106,8 +106,18 @@ def glowing_mesh(name, points, faces, color, radiance):
     emission = nodes.new("ShaderNodeEmission")
     emission.inputs["Color"].default_value = color + (1.0,)
     emission.inputs["Strength"].default_value = radiance
+    # Like other lights it stands in no light's way, nor does its inside shine through.
+    links = material.node_tree.links
+    clear = nodes.new("ShaderNodeMath")
+    clear.operation = "MAXIMUM"
+    links.new(nodes.new("ShaderNodeLightPath").outputs["Is Shadow Ray"], clear.inputs[0])
+    links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], clear.inputs[1])
+    shown = nodes.new("ShaderNodeMixShader")
+    links.new(clear.outputs[0], shown.inputs[0])
+    links.new(emission.outputs[0], shown.inputs[1])
+    links.new(nodes.new("ShaderNodeBsdfTransparent").outputs[0], shown.inputs[2])
     output = nodes.new("ShaderNodeOutputMaterial")
-    material.node_tree.links.new(emission.outputs[0], output.inputs["Surface"])
+    links.new(shown.outputs[0], output.inputs["Surface"])
     mesh.materials.append(material)
     return mesh
 )python";
@@ -202,7 +212,9 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
 
 std::vector<AssetFile> blender_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::string text = fmt::format(start, "description"_a = scene.description);
+    std::string text =
+        fmt::format(start, "description"_a = scene.description, "imports"_a = scene.stage ? "import math\n\n" : "");
+    if (scene.stage) text += blender_stage_start(scene);
     text += place;
     if (!scene.profiles.empty()) text += profile_helper;
     const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
@@ -220,6 +232,7 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
         text += data_of(light, scene) + fmt::format("place({}, light, {}, {}, {}, {})\n", quoted(light.name),
                                                     tuple(light.frame.origin), tuple(light.frame.x),
                                                     tuple(light.frame.y), tuple(light.frame.z));
+    if (scene.stage) text += blender_stage(*scene.stage, lumens_per_watt);
     return {{scene.name + ".py", std::move(text), {}}};
 }
 

@@ -4,13 +4,12 @@
 //
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
 // colour is scaled to a greatest channel of 1 and the multiplier gives back what that takes.
+#include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/web/zones.hpp>
 
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -104,19 +103,12 @@ Json punctual(const SceneLight& light, const SceneContent& scene) {
     return json;
 }
 
-// The light's −Z, +X and +Y as a node's: of unit length to the last digit.
-Json rotation(const Frame& frame) {
-    const glm::dquat turn = glm::normalize(glm::quat_cast(glm::dmat3(y_up(frame.x), y_up(frame.y), y_up(frame.z))));
-    return {turn.x, turn.y, turn.z, turn.w};
-}
-
-// The document but for where the profiles are.
-Json document(const SceneContent& scene, Json profiles) {
+// The document but for where the profiles and what lies in buffers are.
+Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) {
     Json lights = Json::array();
-    Json nodes = Json::array();
-    Json roots = Json::array();
+    Json nodes = stage.nodes;
     for (const SceneLight& light : scene.lights) {
-        Json node{{"name", light.name}, {"rotation", rotation(light.frame)}};
+        Json node{{"name", light.name}, {"rotation", gltf_rotation(light.frame)}};
         if (light.frame.origin != glm::dvec3(0.0)) node["translation"] = numbers(y_up(light.frame.origin));
         node["extensions"] = Json::object();
         if (light.kind == LightKind::profile) {
@@ -127,7 +119,6 @@ Json document(const SceneContent& scene, Json profiles) {
                               {"peak_cd", scene.profiles[light.profile].peak.value}};
         }
         node["extensions"]["KHR_lights_punctual"] = {{"light", lights.size()}};
-        roots.push_back(nodes.size());
         nodes.push_back(std::move(node));
         lights.push_back(punctual(light, scene));
     }
@@ -140,8 +131,13 @@ Json document(const SceneContent& scene, Json profiles) {
         extensions["EXT_lights_ies"] = {{"lights", std::move(profiles)}};
     }
     used.push_back("KHR_lights_punctual");
+    for (const Json& extension : stage.extensions_used)
+        used.push_back(extension);
     extensions["KHR_lights_punctual"] = {{"lights", std::move(lights)}};
-    return {
+    Json roots = Json::array();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        roots.push_back(i);
+    Json json{
         {"asset", {{"version", "2.0"}, {"generator", std::string("gonio ") + version}}},
         {"extensionsUsed", std::move(used)},
         {"extensions", std::move(extensions)},
@@ -149,6 +145,14 @@ Json document(const SceneContent& scene, Json profiles) {
         {"scenes", Json::array({{{"nodes", std::move(roots)}}})},
         {"nodes", std::move(nodes)},
     };
+    if (!scene.stage) return json;
+    json["scenes"][0]["extras"] = {{"description", scene.description}};
+    if (scene.stage->white) json["scenes"][0]["extras"]["white_cd_per_m2"] = scene.stage->white->value;
+    json["meshes"] = stage.meshes;
+    json["materials"] = stage.materials;
+    json["cameras"] = stage.cameras;
+    json["accessors"] = stage.accessors;
+    return json;
 }
 
 void append_u32(std::string& bytes, std::size_t value) {
@@ -164,17 +168,22 @@ void append_chunk(std::string& bytes, std::string_view type, std::string data, c
     bytes += data;
 }
 
+GltfStage stage_of(const SceneContent& scene) {
+    return scene.stage ? gltf_stage(*scene.stage) : GltfStage{};
+}
+
 std::string binary(const SceneContent& scene) {
+    const GltfStage stage = stage_of(scene);
     Json profiles = Json::array();
-    Json views = Json::array();
-    std::string data;
+    Json views = stage.views;
+    std::string data = stage.bytes;
     for (const MeasuredLight& profile : scene.profiles) {
         profiles.push_back({{"bufferView", views.size()}, {"mimeType", mime_type}});
         views.push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", profile.portable_ies.size()}});
         data += profile.portable_ies;
         data.resize((data.size() + 3) / 4 * 4, '\0');
     }
-    Json json = document(scene, std::move(profiles));
+    Json json = document(scene, std::move(profiles), stage);
     if (!data.empty()) {
         json["buffers"] = Json::array({{{"byteLength", data.size()}}});
         json["bufferViews"] = std::move(views);
@@ -190,14 +199,30 @@ std::string binary(const SceneContent& scene) {
 
 } // namespace
 
-std::vector<AssetFile> gltf_files(const SceneContent& scene) {
+std::vector<AssetFile> gltf_text_files(const SceneContent& scene) {
     Json profiles = Json::array();
     for (const MeasuredLight& profile : scene.profiles)
         profiles.push_back({{"uri", profile.name + ".ies"}});
-    std::vector<AssetFile> files{{scene.name + ".gltf", document(scene, std::move(profiles)).dump(2) + "\n", {}}};
+    const GltfStage stage = stage_of(scene);
+    Json json = document(scene, std::move(profiles), stage);
+    if (scene.stage) {
+        json["buffers"] = Json::array({{{"uri", scene.name + ".bin"}, {"byteLength", stage.bytes.size()}}});
+        json["bufferViews"] = stage.views;
+    }
+    std::vector<AssetFile> files{{scene.name + ".gltf", json.dump(2) + "\n", {}}};
+    if (scene.stage) files.push_back({scene.name + ".bin", stage.bytes, {}});
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});
-    files.push_back({scene.name + ".glb", binary(scene), {}});
+    return files;
+}
+
+std::vector<AssetFile> gltf_binary_files(const SceneContent& scene) {
+    return {{scene.name + ".glb", binary(scene), {}}};
+}
+
+std::vector<AssetFile> gltf_files(const SceneContent& scene) {
+    std::vector<AssetFile> files = gltf_text_files(scene);
+    files.push_back(gltf_binary_files(scene).front());
     return files;
 }
 

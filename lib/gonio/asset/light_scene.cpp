@@ -129,7 +129,7 @@ public:
     }
 
     Result<void> add(const Light& light) {
-        const std::string name = unique(light.name);
+        const std::string name = asset_detail::unique_name(light.name, names_);
         const bool is_sun = std::holds_alternative<SunShape>(light.shape);
         const bool dark = is_sun ? !(light.illuminance.value > 0.0) : !emits(light);
         if (dark) {
@@ -165,18 +165,6 @@ private:
 
     void say(const Light& light, const std::string& what) {
         instead_.push_back(fmt::format("light '{}': {}", light.name, what));
-    }
-
-    // Letters, digits and '_', and no other light's.
-    std::string unique(const std::string& name) {
-        std::string plain;
-        for (const char c : name)
-            plain += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ? c : '_';
-        if (plain.empty()) plain = "light";
-        std::string free = plain;
-        for (int n = 2; !names_.insert(free).second; ++n)
-            free = fmt::format("{}_{}", plain, n);
-        return free;
     }
 
     Result<void> place_as(LightKind kind, SceneLight made) {
@@ -218,7 +206,7 @@ private:
         if (!two_sided) return place_as(kind, std::move(made));
         say(light, "two lights back to back, for its two sides");
         SceneLight back = made;
-        back.name = unique(made.name + "_back");
+        back.name = asset_detail::unique_name(made.name + "_back", names_);
         back.frame.z = -back.frame.z; // turned about Y
         back.frame.x = -back.frame.x;
         if (Result<void> front = place_as(kind, std::move(made)); !front) return front;
@@ -316,7 +304,8 @@ Result<void> check_unit(const Target& target, Meters unit) {
                 "leave --unit-scale out");
 }
 
-Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options) {
+Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& target, std::span<const Light> lights,
+                                                             const LightSceneOptions& options) {
     if (Result<void> unit = check_unit(target, options.unit); !unit) return pass_on(unit);
     SceneBuilder builder(target, options);
     for (const Light& light : lights)
@@ -324,7 +313,13 @@ Result<LightScene> light_scene(const Target& target, std::span<const Light> ligh
     if (builder.content().lights.empty())
         return fail(Failure::unsupported, fmt::format("{} has no place for any of the lights", target.name),
                     "see 'gonio list targets'");
-    return LightScene{target.files(builder.content()), std::move(builder.instead())};
+    return BuiltScene{std::move(builder.content()), std::move(builder.instead())};
+}
+
+Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options) {
+    Result<asset_detail::BuiltScene> built = asset_detail::scene_content(target, lights, options);
+    if (!built) return pass_on(built);
+    return LightScene{target.files(built->content), std::move(built->instead)};
 }
 
 Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit) {

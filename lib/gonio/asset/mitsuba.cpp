@@ -5,7 +5,7 @@
 // its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2: its texture, the first row at v = 0, is filtered linearly. So a
 // texel holds the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z; rectangles and disks emit
 // along +Z; a capsule is a cylinder and two spheres, whose inner halves light nothing but its inside.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/mitsuba_text.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -59,20 +59,9 @@ bool is_dark(const Image& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return value == 0.0F; });
 }
 
-std::string matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin) {
-    return fmt::format(R"(<transform name="to_world"><matrix value="{} {} {} 0 0 0 1"/></transform>)",
-                       triple({x.x, y.x, z.x}, " ") + fmt::format(" {}", origin.x),
-                       triple({x.y, y.y, z.y}, " ") + fmt::format(" {}", origin.y),
-                       triple({x.z, y.z, z.z}, " ") + fmt::format(" {} 0", origin.z));
-}
-
 // Mitsuba's +Z where ours is −Z.
 std::string aimed(const Frame& frame, double width = 1.0, double height = 1.0) {
-    return matrix(width * frame.x, -height * frame.y, -frame.z, frame.origin);
-}
-
-std::string rgb(std::string_view name, const glm::dvec3& color) {
-    return fmt::format(R"(<rgb name="{}" value="{}"/>)", name, triple(color));
+    return mitsuba_matrix(width * frame.x, -height * frame.y, -frame.z, frame.origin);
 }
 
 // Without what ends an XML comment.
@@ -84,7 +73,7 @@ std::string comment(std::string_view text) {
 }
 
 std::string emitting(const SceneLight& light) {
-    return fmt::format("<emitter type=\"area\">{}</emitter>", rgb("radiance", light.nits * light.color));
+    return fmt::format("<emitter type=\"area\">{}</emitter>", mitsuba_rgb("radiance", light.nits * light.color));
 }
 
 std::string ball(const SceneLight& light, const glm::dvec3& center) {
@@ -109,11 +98,11 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
     switch (light.kind) {
     case LightKind::point:
         return emitter("point", fmt::format(R"(<point name="position" value="{}"/>{})", triple(frame.origin),
-                                            rgb("intensity", light.intensity * light.color)));
+                                            mitsuba_rgb("intensity", light.intensity * light.color)));
     case LightKind::spot:
         return emitter("spot", fmt::format("{}\n        {}<float name=\"cutoff_angle\" value=\"{}\"/><float "
                                            "name=\"beam_width\" value=\"{}\"/>",
-                                           aimed(frame), rgb("intensity", light.intensity * light.color),
+                                           aimed(frame), mitsuba_rgb("intensity", light.intensity * light.color),
                                            light.outer * degree, light.inner * degree));
     case LightKind::profile: {
         std::string text;
@@ -128,7 +117,8 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
                     "{}\n        <float name=\"fov\" value=\"90\"/><float name=\"scale\" value=\"{}\"/>\n        "
                     "<texture type=\"bitmap\" name=\"irradiance\"><string name=\"filename\" value=\"{}\"/>"
                     "<string name=\"wrap_mode\" value=\"clamp\"/></texture>",
-                    matrix(frame.to_world(face.x), frame.to_world(face.y), frame.to_world(face.z), frame.origin),
+                    mitsuba_matrix(frame.to_world(face.x), frame.to_world(face.y), frame.to_world(face.z),
+                                   frame.origin),
                     light.intensity * scaled(light.color).factor, file));
         }
         return text;
@@ -148,12 +138,23 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
     }
     case LightKind::sun:
         return emitter("directional", fmt::format(R"(<vector name="direction" value="{}"/>{})", triple(-frame.z),
-                                                  rgb("irradiance", light.lux * light.color)));
+                                                  mitsuba_rgb("irradiance", light.lux * light.color)));
     }
     return {};
 }
 
 } // namespace
+
+std::string mitsuba_matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin) {
+    return fmt::format(R"(<transform name="to_world"><matrix value="{} {} {} 0 0 0 1"/></transform>)",
+                       triple({x.x, y.x, z.x}, " ") + fmt::format(" {}", origin.x),
+                       triple({x.y, y.y, z.y}, " ") + fmt::format(" {}", origin.y),
+                       triple({x.z, y.z, z.z}, " ") + fmt::format(" {} 0", origin.z));
+}
+
+std::string mitsuba_rgb(std::string_view name, const glm::dvec3& color) {
+    return fmt::format(R"(<rgb name="{}" value="{}"/>)", name, triple(color));
+}
 
 std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
     std::vector<AssetFile> faces;
@@ -171,6 +172,7 @@ std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
         }
     }
     std::string text = fmt::format("<!-- {} -->\n<scene version=\"3.0.0\">\n", comment(scene.description));
+    if (scene.stage) text += mitsuba_stage(*scene.stage);
     for (const SceneLight& light : scene.lights) {
         if (!scene.single) text += fmt::format("    <!-- {} -->\n", comment(light.name));
         text += text_of(light, scene, faces);

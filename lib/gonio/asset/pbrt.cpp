@@ -78,6 +78,7 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
 std::vector<AssetFile> pbrt_files(const SceneContent& scene) {
     std::string text = fmt::format("# {}\n", scene.description);
     if (scene.single) text += "# The beam goes along -Z, C0 along +X, C90 along +Y.\n";
+    if (scene.stage) text += pbrt_stage(*scene.stage, scene.name);
     for (const SceneLight& light : scene.lights) {
         text += "AttributeBegin\n";
         if (!scene.single)

@@ -114,15 +114,18 @@ std::vector<AssetFile> usd_files(const SceneContent& scene) {
                                    "    defaultPrim = \"{0}\"\n"
                                    "    doc = {1}\n"
                                    "    metersPerUnit = {2}\n"
-                                   "    upAxis = \"Z\"\n"
+                                   "{3}    upAxis = \"Z\"\n"
                                    ")\n"
                                    "\n"
                                    "def Xform \"{0}\"\n"
                                    "{{\n",
-                                   identifier(scene.name), quoted(scene.description), 1.0 / scene.units_per_meter);
+                                   identifier(scene.name), quoted(scene.description), 1.0 / scene.units_per_meter,
+                                   scene.stage ? "    renderSettingsPrimPath = \"/Render/settings\"\n" : "");
+    if (scene.stage) text += usd_stage(*scene.stage, identifier(scene.name));
     for (const SceneLight& light : scene.lights)
         text += text_of(light, scene);
     text += "}\n";
+    if (scene.stage) text += usd_render_settings(*scene.stage, identifier(scene.name));
     std::vector<AssetFile> files{{scene.name + ".usda", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});

@@ -109,6 +109,30 @@ std::vector<SpecularMethodUnderTest> specular_methods(Kind kind) {
     return methods;
 }
 
+double specular_in_double(const shading::LightConstants& light, SpecularMethod method, vec3<double> center,
+                          vec3<double> normal, vec3<double> view, double alpha) {
+    return with_light<double>(light, [&](const auto& shape) {
+        const auto by = [&]<SpecularMethod named>() {
+            return shading::specular_by<named>(shape, center, normal, view, alpha).scale;
+        };
+        switch (method) {
+        case SpecularMethod::ltc:
+            return by.template operator()<SpecularMethod::ltc>();
+        case SpecularMethod::representative_point:
+            return by.template operator()<SpecularMethod::representative_point>();
+        case SpecularMethod::dominant_direction:
+            return by.template operator()<SpecularMethod::dominant_direction>();
+        case SpecularMethod::specular_d:
+            return by.template operator()<SpecularMethod::specular_d>();
+        case SpecularMethod::spherical_hack:
+            return by.template operator()<SpecularMethod::spherical_hack>();
+        case SpecularMethod::sun_disk:
+            return by.template operator()<SpecularMethod::sun_disk>();
+        }
+        return 0.0;
+    });
+}
+
 std::vector<double> specular_truth(const SpecularCases& cases, unsigned threads) {
     std::vector<double> truth(cases.size());
     parallel_for(cases.size(), threads, [&](std::size_t i) {

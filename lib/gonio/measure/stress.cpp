@@ -47,9 +47,9 @@ void StressTally::add(const StressTally& next) {
 std::span<const StressSubject> stress_subjects() {
     static const std::vector<StressSubject> all = [] {
         std::vector<StressSubject> made;
-        for (const auto subjects :
-             {detail::irradiance_stress(), detail::specular_stress(), detail::brdf_stress(), detail::falloff_stress(),
-              detail::math_stress(), detail::color_stress(), detail::light_stress(), detail::web_stress()})
+        for (const auto subjects : {detail::irradiance_stress(), detail::specular_stress(), detail::brdf_stress(),
+                                    detail::falloff_stress(), detail::geometry_stress(), detail::math_stress(),
+                                    detail::color_stress(), detail::light_stress(), detail::web_stress()})
             made.insert(made.end(), subjects.begin(), subjects.end());
         return made;
     }();

@@ -26,6 +26,12 @@ constexpr std::array cividis{ink(0x00204d), ink(0x00336f), ink(0x39486b), ink(0x
                              ink(0x8a8779), ink(0xa69d75), ink(0xc4b56c), ink(0xe4cf5b), ink(0xffea46)};
 constexpr std::array gray{ink(0x000000), ink(0xffffff)};
 
+// The formula of the paper, from (59, 76, 192) to (180, 4, 38), at tenths.
+constexpr std::array blue_to_red{ink(0x3b4cc0), ink(0x5a77e3), ink(0x7b9ff9), ink(0x9fbeff),
+                                 ink(0xc0d4f5), ink(0xdddddd), ink(0xf2cbb7), ink(0xf7ad8f),
+                                 ink(0xee8568), ink(0xd75344), ink(0xb40426)};
+constexpr Palette diverging{"blue-red", "blue below 0, grey, red above", blue_to_red};
+
 constexpr std::array known{
     Palette{"viridis", "violet, green, yellow", viridis},
     Palette{"inferno", "black, red, yellow", inferno},
@@ -60,6 +66,10 @@ Ink Palette::ink_at(double value) const {
 
 std::span<const Palette> palettes() {
     return known;
+}
+
+const Palette& diverging_palette() {
+    return diverging;
 }
 
 Result<const Palette*> find_palette(std::string_view name) {

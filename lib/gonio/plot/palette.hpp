@@ -30,6 +30,10 @@ struct Palette {
 // viridis first, which is the default.
 std::span<const Palette> palettes();
 
+// For signed values, 0 in the middle: blue over grey to red (K. Moreland, "Diverging Color Maps for Scientific
+// Visualization", 2009). Not one of palettes(): its lightness rises and falls.
+const Palette& diverging_palette();
+
 // Fails (usage) on an unknown name, naming the nearest.
 Result<const Palette*> find_palette(std::string_view name);
 

@@ -30,11 +30,11 @@ constexpr double name_px = 13.0;
 constexpr double fact_px = 12.0;
 
 int tile_width(const SheetOptions& options) {
-    return options.picture_width_px + sheet_polar_px;
+    return options.picture_width_px + (options.polar ? sheet_polar_px : 0);
 }
 
 int tile_height(const SheetOptions& options) {
-    return std::max(options.picture_height_px, sheet_polar_px) + words_px;
+    return std::max(options.picture_height_px, options.polar ? sheet_polar_px : 0) + words_px;
 }
 
 // UTF-8 text cut before the byte where it becomes too wide.

@@ -1,4 +1,5 @@
-// A sheet: labelled thumbnails of many profiles in one picture, what the owner of a library of them opens first.
+// A sheet: labelled pictures side by side in one picture, of many profiles, what the owner of a library of them opens
+// first, or of one scene by several methods or with a value that changes.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -28,6 +29,7 @@ struct SheetOptions {
     std::string title;
     int picture_width_px = 176; // of every tile
     int picture_height_px = 132;
+    bool polar = true; // room for polar diagrams
 };
 
 struct SheetLayout {

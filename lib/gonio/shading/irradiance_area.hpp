@@ -73,7 +73,16 @@ GONIO_FORCE_INLINE auto survey_above(const Light& light, vec3<S> to_center, vec3
 }
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_above(const SphereLight<S>& light, vec3<S> to_center, vec3<S> normal) {
-    return {SphereAbove<S>(direction(to_center, normal), light.radius).irradiance, S(0) > S(1)};
+    const SphereAbove<S> uncut(direction(to_center, normal), light.radius);
+    return {uncut.irradiance, uncut.is_cut};
+}
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_above(const DiskLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_disk_above(to_center, light.axis, light.radius, normal, light.two_sided);
+}
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_above(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_tube_above(to_center, light.axis, light.radius, light.length, normal);
 }
 template<class S>
 GONIO_FORCE_INLINE auto survey_above(const RectangleLight<S>& light, vec3<S> to_center, vec3<S> normal) {

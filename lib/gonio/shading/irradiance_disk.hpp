@@ -138,6 +138,49 @@ inline constexpr double least_disk_height<double> = 0x1p-500;
 
 struct DiskInDouble;
 
+// E/L of what is all above the horizon, in front and apart from the rim; the other lanes are named hard. Needs no more
+// than float: without n_u and n_v by themselves nothing is divided by x, and no difference is small that is not so by
+// the light's own angle.
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
+    constexpr double pi = 3.14159265358979323846;
+    const S size = simd::abs(radius);
+    const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), size));
+    const vec3<S> c = center * scale;
+    const S r = size * scale;
+    const S depth = dot(axis, c);
+    const S facing = dot(axis, normal);
+    const vec3<S> across = c - axis * depth;
+    const vec3<S> tilt = normal - axis * facing;
+    const S x_n_u = dot(tilt, across);
+    const S height = simd::mul_add(depth, facing, x_n_u);
+    const S r2 = r * r;
+    const S x2 = dot(across, across);
+    const S z2 = depth * depth;
+    const S q = x2 + (r2 + z2);
+    const S rim2 = simd::mul_add(q, q, S(-4) * x2 * r2); // of the nearest and the farthest distance of the rim
+    const auto above = simd::both(height > S(0), height * height >= r2 * dot(tilt, tilt));
+    const auto apart = simd::both(rim2 > S(0.04) * q * q, r2 > S(0));
+    auto easy = simd::both(above, apart);
+    S z = -depth;
+    S n_w = -facing;
+    if (two_sided) {
+        n_w = simd::select(z < S(0), facing, n_w);
+        z = simd::abs(z);
+    }
+    easy = simd::both(easy, z > S(0));
+    if (!simd::any(easy)) return {S(0), !easy};
+    const S rim = simd::sqrt(simd::max(rim2, S(1e-30)));
+    // Y as in survey_disk, its denominator left for the one division.
+    const S behind = (x2 - r2) - z2;
+    const S sum = rim + simd::abs(behind);
+    const auto is_behind = behind > S(0);
+    const S y = simd::select(is_behind, S(4) * x2 * z2, sum);
+    const S divisor = simd::select(is_behind, sum, S(1));
+    const S numerator = simd::mul_add(n_w, y, S(2) * z * x_n_u * divisor);
+    return {clamp_irradiance(S(pi) * r2 * numerator / (divisor * rim * (rim + q))), !easy};
+}
+
 // As irradiance_disk, but for the hard lanes.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
@@ -188,6 +231,10 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
 // receiver is on.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided = false) {
+    if constexpr (!__is_same(S, double)) {
+        const auto above = detail::survey_disk_above(center, axis, radius, normal, two_sided);
+        if (!simd::any(above.hard)) return above.irradiance;
+    }
     const auto disk = detail::survey_disk(center, axis, radius, normal, two_sided);
     const S e = disk.irradiance;
     if constexpr (!__is_same(S, double)) {

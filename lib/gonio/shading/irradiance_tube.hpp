@@ -33,28 +33,26 @@ GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius,
     const auto depth = dot(a, c);
     const vec3<simd::wider<S>> across = c - a * depth;
     const auto across2 = dot(across, across);
-    // Mirrored along the axis where n_a < 0.
-    const auto z = depth * simd::widen(simd::copysign(S(1), t.n_a));
-    const auto half = simd::widen(t.half);
     const auto r = simd::widen(t.r);
-    const auto z0 = z - half;
-    const auto z1 = z + half;
-    const auto gap2 = across2 - r * r;
     vec3<S> f;
-    S d2;
+    S z;
+    S z_rest;
     simd::narrow(across.x, f.x);
     simd::narrow(across.y, f.y);
     simd::narrow(across.z, f.z);
-    simd::narrow(across2, d2);
-    simd::narrow(z, t.z);
-    simd::narrow(z - simd::widen(t.z), t.z_rest);
-    simd::narrow(z0, t.z0);
-    simd::narrow(z1, t.z1);
-    simd::narrow(gap2, t.gap2);
+    simd::narrow(depth, z);
+    simd::narrow(depth - simd::widen(z), z_rest);
+    simd::narrow(across2 - r * r, t.gap2);
+    // Mirrored along the axis where n_a < 0.
+    const S side = simd::copysign(S(1), t.n_a);
+    t.z = z * side;
+    t.z_rest = z_rest * side;
+    t.z0 = (t.z - t.half) + t.z_rest; // where this cancels the difference is exact
+    t.z1 = (t.z + t.half) + t.z_rest;
     t.tangent0 = simd::mul_add(t.z0, t.z0, t.gap2);
     t.tangent1 = simd::mul_add(t.z1, t.z1, t.gap2);
     constexpr double least_d = 1e-15; // on the axis line, where the tube is not what is seen
-    t.d = simd::sqrt(simd::max(d2, S(least_d * least_d)));
+    t.d = simd::sqrt(simd::max(dot(f, f), S(least_d * least_d)));
     t.inverse_d = S(1) / t.d;
     t.n_f = dot(normal - axis * t.n_a, f) * t.inverse_d; // f may be little more than rounding along the axis
     t.n_a = simd::abs(t.n_a);
@@ -86,6 +84,39 @@ GONIO_FORCE_INLINE S tube_above(const TubePose<S>& t) {
     const S cap0 = h0 * simd::mul_add(t.z0, t.n_a, up) * (inverse0 * inverse0) * inverse0;
     const S cap1 = h1 * simd::mul_add(t.z1, t.n_a, up) * (inverse1 * inverse1) * inverse1;
     return theta * s * t.n_f + t.r * simd::mul_add(t.r, cap0 + cap1, kappa * whole_slope(t, inverse * inverse));
+}
+
+// E/L of what is all above the horizon and well apart from the tube and from its prolongation; the other lanes are
+// named hard. Needs no more than float, so near in angle to the axis line that its distance has lost digits is left
+// too.
+template<class S>
+GONIO_FORCE_INLINE Survey<S> survey_tube_above(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
+    const S size = simd::abs(radius);
+    const S span = simd::abs(length_m);
+    const S scale =
+        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
+    const vec3<S> c = center * scale;
+    TubePose<S> t;
+    t.r = size * scale;
+    t.half = S(0.5) * (span * scale);
+    t.n_a = dot(normal, axis); // of either sign: nothing is clipped
+    const S z = dot(axis, c);
+    const vec3<S> across = c - axis * z;
+    const S d2 = dot(across, across);
+    t.z0 = z - t.half;
+    t.z1 = z + t.half;
+    t.gap2 = simd::mul_add(-t.r, t.r, d2);
+    const S d_n_f = dot(normal - axis * t.n_a, across);
+    const S lowest = simd::mul_add(z, t.n_a, d_n_f) - t.half * simd::abs(t.n_a);
+    const S extent2 = simd::max(simd::mul_add(z, z, d2), t.half * t.half);
+    const auto apart = simd::both(t.gap2 >= S(0.25) * t.r * t.r, t.gap2 > S(0.0025) * extent2);
+    const auto easy = simd::both(simd::both(lowest >= t.r, t.r > S(0)), apart);
+    if (!simd::any(easy)) return {S(0), !easy};
+    t.gap2 = simd::max(t.gap2, S(1e-30));
+    t.d = simd::sqrt(simd::max(d2, S(1e-30)));
+    t.inverse_d = S(1) / t.d;
+    t.n_f = d_n_f * t.inverse_d;
+    return {clamp_irradiance(tube_above(t)), !easy};
 }
 
 // The nearer end's sphere alone: what is seen from beyond an end and within the prolonged tube.
@@ -166,6 +197,10 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
 // distance from it is below 2.5e-6 of the square of half the length, are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
+    if constexpr (!__is_same(S, double)) {
+        const auto above = detail::survey_tube_above(center, axis, radius, length_m, normal);
+        if (!simd::any(above.hard)) return above.irradiance;
+    }
     const auto tube = detail::survey_tube(center, axis, radius, length_m, normal);
     S e = tube.irradiance;
     if constexpr (__is_same(S, double)) {

@@ -35,7 +35,8 @@ GONIO_FORCE_INLINE S places(std::size_t first) {
     return step + S(static_cast<float>(first));
 }
 
-// So cheap above the horizon that receivers are not worth the copying.
+// So cheap above the horizon that telling the kinds apart would take as long: all are computed so, and only the cut
+// ones are copied.
 template<class Light>
 inline constexpr bool is_cheap_above = false;
 template<class S>
@@ -69,54 +70,55 @@ struct ReceiverQueue {
     static constexpr std::size_t lanes = simd::Traits<S>::lanes;
 
     std::size_t count = 0;
-    float values[6][queue_length]; // position, normal
-    float place[queue_length];     // in the arrays; below 2²⁴
+    // Rows of queue_length: position, normal, and the place in the arrays, which is below 2²⁴.
+    static constexpr std::size_t rows = 7;
+    float values[rows * queue_length];
 
     // What lies beyond `count` is not read, and filling it would take as long as a packet.
     ReceiverQueue() {} // NOLINT(*-member-init, *-use-equals-default)
 
     GONIO_FORCE_INLINE void add(std::uint32_t lanes_chosen, const SurfacePoint<S>& point, S places) {
         const simd::Choice<S> which(lanes_chosen);
-        simd::store_chosen(which, point.position.x, &values[0][count]);
-        simd::store_chosen(which, point.position.y, &values[1][count]);
-        simd::store_chosen(which, point.position.z, &values[2][count]);
-        simd::store_chosen(which, point.normal.x, &values[3][count]);
-        simd::store_chosen(which, point.normal.y, &values[4][count]);
-        simd::store_chosen(which, point.normal.z, &values[5][count]);
-        simd::store_chosen(which, places, &place[count]);
+        // Packets may be stored over anything, `count` too for all that the compiler knows.
+        float* const to = row(0) + count;
+        simd::store_chosen(which, point.position.x, to);
+        simd::store_chosen(which, point.position.y, to + queue_length);
+        simd::store_chosen(which, point.position.z, to + 2 * queue_length);
+        simd::store_chosen(which, point.normal.x, to + 3 * queue_length);
+        simd::store_chosen(which, point.normal.y, to + 4 * queue_length);
+        simd::store_chosen(which, point.normal.z, to + 5 * queue_length);
+        simd::store_chosen(which, places, to + 6 * queue_length);
         count += simd::bit_count(lanes_chosen);
     }
 
     // The last receiver repeated until a packet is full.
     void pad() {
         for (std::size_t i = count; i % lanes != 0; ++i)
-            for (auto& value : values)
-                value[i] = value[count - 1];
+            for (std::size_t k = 0; k < rows; ++k)
+                row(k)[i] = row(k)[count - 1];
     }
 
     void drop(std::size_t first_ones) {
-        for (std::size_t i = first_ones; i < count; ++i) {
-            for (auto& value : values)
-                value[i - first_ones] = value[i];
-            place[i - first_ones] = place[i];
-        }
+        for (std::size_t i = first_ones; i < count; ++i)
+            for (std::size_t k = 0; k < rows; ++k)
+                row(k)[i - first_ones] = row(k)[i];
         count -= first_ones;
     }
 
     void append(const ReceiverQueue& other) {
-        for (std::size_t i = 0; i < other.count; ++i) {
-            for (std::size_t k = 0; k < 6; ++k)
-                values[k][count + i] = other.values[k][i];
-            place[count + i] = other.place[i];
-        }
+        for (std::size_t i = 0; i < other.count; ++i)
+            for (std::size_t k = 0; k < rows; ++k)
+                row(k)[count + i] = other.row(k)[i];
         count += other.count;
     }
 
+    [[nodiscard]] float* row(std::size_t k) { return &values[k * queue_length]; }
+    [[nodiscard]] const float* row(std::size_t k) const { return &values[k * queue_length]; }
     [[nodiscard]] Surfaces surfaces() const {
         Surfaces all;
         for (std::size_t k = 0; k < 3; ++k) {
-            all.position[k] = &values[k][0];
-            all.normal[k] = &values[3 + k][0];
+            all.position[k] = row(k);
+            all.normal[k] = row(3 + k);
         }
         all.count = count;
         return all;
@@ -140,19 +142,16 @@ template<class S, template<class> class Light>
 enum class Kind : std::uint8_t { above, cut, end };
 
 // Surely beyond an end of the tube and within its prolongation; the few that are as good as there are hard to the
-// others.
+// others, and so are those whose squares are no normal numbers.
 template<class S>
 GONIO_FORCE_INLINE simd::mask_of<S> sees_end_alone(const TubeLight<S>& light, vec3<S> c) {
-    // In units of the light, so that squares are normal numbers; what is too far for that sees more than an end.
-    const S size = simd::max(simd::abs(light.radius), simd::abs(light.length));
-    const S scale = simd::reciprocal_power_of_two(size);
-    const S r = simd::abs(light.radius) * scale;
-    const S half = S(0.5) * (simd::abs(light.length) * scale);
-    const vec3<S> scaled = c * scale;
-    const S along = dot(light.axis, scaled);
-    const vec3<S> across = scaled - light.axis * along;
-    const S slack = S(2e-6) * (simd::abs(along) + r);
-    return simd::both(dot(across, across) < r * (r - slack), simd::abs(along) - half > slack);
+    const S r = simd::abs(light.radius);
+    const S along = dot(light.axis, c);
+    const vec3<S> across = c - light.axis * along;
+    const S beyond = simd::abs(along);
+    const S slack = S(2e-6) * (beyond + r);
+    return simd::both(dot(across, across) < r * (r - slack),
+                      beyond > simd::mul_add(S(0.5), simd::abs(light.length), slack));
 }
 
 template<Kind kind, class Light, class S>
@@ -178,7 +177,35 @@ struct SortedBatch {
 
     // A block of whole packets, of which the first `count` receivers are real; the first of them is the `first` of all.
     // Each gets its illuminance [lx] for 1 nt, or 0 and is queued.
-    [[gnu::noinline]] void take(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
+    void take(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
+        if constexpr (is_cheap_above<Light<S>>) {
+            take_computed(block, count, first, lx);
+        } else {
+            take_told_apart(block, count, first, lx);
+        }
+    }
+
+    [[gnu::noinline]] void take_computed(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
+        Light<S> spread;
+        constants(light, spread);
+        std::uint32_t cut_bits[packets];
+        std::uint32_t count_cut = 0;
+        for (std::size_t at = 0; at < block.count; at += lanes) {
+            const SurfacePoint<S> point = receiver<S>(block, at);
+            const vec3<S> c = spread.center - point.position;
+            const Survey<S> seen = survey_above(spread, c, point.normal);
+            simd::store(seen.irradiance * window(c, spread.inverse_range), lx + at);
+            cut_bits[at / lanes] = simd::lane_bits(seen.hard) & lanes_below(count - at);
+            count_cut += simd::bit_count(cut_bits[at / lanes]);
+        }
+        if (count_cut == 0) return;
+        if (count == block.count && count_cut > nearly_all(count))
+            return in_order<Kind::cut>(block, count, nullptr, first, lx);
+        for (std::size_t at = 0; at < block.count; at += lanes)
+            if (cut_bits[at / lanes] != 0) cut.add(cut_bits[at / lanes], receiver<S>(block, at), places<S>(first + at));
+    }
+
+    [[gnu::noinline]] void take_told_apart(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
         Light<S> spread;
         constants(light, spread);
         const S size = largest_size(spread);
@@ -211,30 +238,24 @@ struct SortedBatch {
             count_above += simd::bit_count(is_above);
             count_cut += simd::bit_count(is_cut);
         }
-        // Copying takes the time of a tenth of a packet.
-        const std::size_t nearly_all = block.count - block.count / 8;
         if (count == block.count && count_end == 0) {
-            if (count_cut > nearly_all) return in_order<Kind::cut>(block, nullptr, first, lx);
-            if (count_cut == 0 && count_above > nearly_all) return in_order<Kind::above>(block, nullptr, first, lx);
+            if (count_cut > nearly_all(count)) return in_order<Kind::cut>(block, count, nullptr, first, lx);
+            if (count_cut == 0 && count_above > nearly_all(count))
+                return in_order<Kind::above>(block, count, nullptr, first, lx);
         }
         for (std::size_t at = 0; at < block.count; at += lanes) {
             const SurfacePoint<S> point = receiver<S>(block, at);
             const S place = places<S>(first + at);
-            S easy = S(0);
-            if (above_bits[at / lanes] != 0) {
-                if constexpr (is_cheap_above<Light<S>>) {
-                    const vec3<S> c = spread.center - point.position;
-                    easy = survey_above(spread, c, point.normal).irradiance * window(c, spread.inverse_range);
-                } else {
-                    above.add(above_bits[at / lanes], point, place);
-                }
-            }
-            simd::store(easy, lx + at);
+            simd::store(S(0), lx + at);
+            if (above_bits[at / lanes] != 0) above.add(above_bits[at / lanes], point, place);
             if (cut_bits[at / lanes] != 0) cut.add(cut_bits[at / lanes], point, place);
             if constexpr (has_ends<Light<S>>)
                 if (end_bits[at / lanes] != 0) end.add(end_bits[at / lanes], point, place);
         }
     }
+
+    // Copying takes the time of a tenth of a packet.
+    static std::size_t nearly_all(std::size_t count) { return count - count / 8; }
 
     // A bit for each of `count` lanes, at most all.
     GONIO_FORCE_INLINE static std::uint32_t lanes_below(std::size_t count) {
@@ -243,9 +264,10 @@ struct SortedBatch {
 
     // The illuminance [lx] for 1 nt of `surfaces`, packet after packet: a whole number of packets, no more than a
     // queue. The few that are not of their kind after all are queued as cut; their places are `place` or count from
-    // `first` on.
+    // `first` on. Those beyond the first `count` only fill their packet.
     template<Kind kind>
-    [[gnu::noinline]] void in_order(const Surfaces& surfaces, const float* place, std::size_t first, float* lx) {
+    [[gnu::noinline]] void in_order(const Surfaces& surfaces, std::size_t count, const float* place, std::size_t first,
+                                    float* lx) {
         Light<S> spread;
         constants(light, spread);
         std::uint32_t hard[queue_length / lanes];
@@ -254,7 +276,7 @@ struct SortedBatch {
             const SurfacePoint<S> point = receiver<S>(surfaces, at);
             const vec3<S> c = spread.center - point.position;
             const Survey<S> seen = survey_kind<kind>(spread, c, point.normal);
-            hard[at / lanes] = simd::lane_bits(seen.hard);
+            hard[at / lanes] = simd::lane_bits(seen.hard) & lanes_below(count - at);
             any_hard |= hard[at / lanes];
             simd::store(seen.irradiance * window(c, spread.inverse_range), lx + at);
         }
@@ -284,15 +306,24 @@ struct SortedBatch {
         Surfaces surfaces = queue.surfaces();
         surfaces.count = (some + lanes - 1) / lanes * lanes;
         float results[queue_length];
-        in_order<kind>(surfaces, &queue.place[0], 0, &results[0]);
+        const float* const place = queue.row(6);
+        in_order<kind>(surfaces, some, place, 0, &results[0]);
         for (std::size_t i = 0; i < some; ++i)
-            lx[static_cast<std::int32_t>(queue.place[i])] = results[i];
+            lx[static_cast<std::int32_t>(place[i])] = results[i];
         queue.drop(some);
     }
 
     void compute(bool all, float* lx) {
         compute<Kind::above>(above, false, lx);
-        if (all) cut.append(above); // what fills no packet shares one
+        if (all && above.count != 0) {
+            // What fills no packet joins a cut one that has room.
+            const std::size_t cut_rest = cut.count % lanes;
+            if (cut_rest != 0 && cut_rest + above.count <= lanes) {
+                cut.append(above);
+            } else {
+                compute<Kind::above>(above, true, lx);
+            }
+        }
         compute<Kind::cut>(cut, all, lx);
         if constexpr (has_ends<Light<S>>) compute<Kind::end>(end, all, lx);
     }

@@ -94,25 +94,27 @@ struct EndArcs {
 template<class S>
 GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags<S>& has, S distance_n_v) {
     const S zero = S(0);
-    // From −h or the rise to h or the sink; where both are, a second interval from the rise to h is added below.
+    // From −h or the rise to h or the sink. Where both are, −h to the sink and the rise to h are as much as from the rise
+    // to the sink and 2h more.
     const auto twice = simd::both(has.start, has.rises);
     const auto to_end = simd::both(has.end, !twice);
+    const auto from_start = simd::both(has.start, !twice);
     const S to_cos = simd::select(to_end, c.cos_h, c.cos_sink);
     const S to_sin = simd::select(to_end, c.sin_h, c.sin_sink);
-    const S from_cos = simd::select(has.start, c.cos_h, c.cos_rise);
-    const S from_sin = simd::select(has.start, -c.sin_h, c.sin_rise);
+    const S from_cos = simd::select(from_start, c.cos_h, c.cos_rise);
+    const S from_sin = simd::select(from_start, -c.sin_h, c.sin_rise);
     S cosine = simd::mul_add(to_cos, from_cos, to_sin * from_sin);
     S sine = simd::mul_add(to_sin, from_cos, -(to_cos * from_sin));
     S sines = to_sin - from_sin;
-    S cosines = to_cos - from_cos;
+    const S cosines = to_cos - from_cos;
     if (simd::any(twice)) {
-        const S more_cos = simd::select(twice, simd::mul_add(c.cos_h, c.cos_rise, c.sin_h * c.sin_rise), S(1));
-        const S more_sin = simd::select(twice, simd::mul_add(c.sin_h, c.cos_rise, -(c.cos_h * c.sin_rise)), zero);
+        const S more = simd::select(twice, c.sin_h + c.sin_h, zero);
+        const S more_cos = simd::mul_add(-more, c.sin_h, S(1));
+        const S more_sin = more * c.cos_h;
         const S alone = cosine;
         cosine = simd::mul_add(alone, more_cos, -(sine * more_sin));
         sine = simd::mul_add(sine, more_cos, alone * more_sin);
-        sines = sines + simd::select(twice, c.sin_h - c.sin_rise, zero);
-        cosines = cosines + simd::select(twice, c.cos_h - c.cos_rise, zero);
+        sines = sines + more;
     }
     const S angle = simd::atan2_above(simd::abs(sine), cosine);
     // Of its values modulo 2π the one in [0, 2π], but for rounding at its ends: close to 2π are visible only where both

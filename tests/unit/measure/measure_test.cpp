@@ -1,6 +1,7 @@
 #include <gonio/measure/contest.hpp>
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/pareto.hpp>
+#include <gonio/measure/picture_error.hpp>
 #include <gonio/measure/scaling.hpp>
 #include <gonio/measure/sphere_cases.hpp>
 #include <gonio/measure/sphere_methods.hpp>
@@ -47,6 +48,35 @@ TEST(ErrorStatistics, RelativeErrorsNeedATruthAboveTheFloor) {
 }
 
 // A clock that the work itself moves: what is reported is then known.
+TEST(PictureError, IsThatOfThePixelsThatCount) {
+    gonio::Image truth(4, 2, 1);
+    truth.pixels = {1.0F, 2.0F, 4.0F, 8.0F, 0.0F, 0.0004F, 10.0F, 5.0F};
+    gonio::Image values = truth;
+    values.pixels = {1.5F, 2.0F, 3.0F, 8.0F, 1.0F, 0.0F, 10.0F, 500.0F};
+    const std::vector<std::uint8_t> lamp{0, 0, 0, 0, 0, 0, 0, 1};
+    const PictureError error = picture_error(values, truth, lamp);
+    EXPECT_EQ(error.pixels, 7U);
+    EXPECT_DOUBLE_EQ(error.greatest, 10.0);
+    EXPECT_NEAR(error.mean, 25.0004 / 7.0, 1e-8);
+    EXPECT_NEAR(error.bias, (0.5 - 1.0 + 1.0 - 0.0004) / 7.0, 1e-8);
+    EXPECT_NEAR(error.mean_absolute, (0.5 + 1.0 + 1.0 + 0.0004) / 7.0, 1e-8);
+    EXPECT_NEAR(error.rms, std::sqrt((0.25 + 1.0 + 1.0) / 7.0), 1e-7);
+    EXPECT_NEAR(error.psnr_db.value(), 20.0 * std::log10(10.0 / error.rms), 1e-12);
+    // 0 and 0.0004 lie below 1e-4 of the greatest.
+    EXPECT_EQ(error.of_pixels.relative.count, 5U);
+    EXPECT_DOUBLE_EQ(error.of_pixels.relative.max, 0.5);
+    EXPECT_DOUBLE_EQ(error.mean_relative, (0.5 + 0.25) / 5.0);
+    EXPECT_EQ(error.worst.column, 2);
+    EXPECT_EQ(error.worst.row, 0);
+    EXPECT_DOUBLE_EQ(error.worst.value, 3.0);
+
+    const PictureError none = picture_error(truth, truth);
+    EXPECT_FALSE(none.psnr_db.has_value());
+    EXPECT_EQ(none.rms, 0.0);
+    EXPECT_EQ(none.pixels, 8U);
+    EXPECT_EQ(picture_error(values, truth, std::vector<std::uint8_t>(8, 1)).pixels, 0U);
+}
+
 TEST(Timing, ReportsWhatTheClockSays) {
     double now = 0.0;
     const Clock clock = [&] { return now += 1e-9; };

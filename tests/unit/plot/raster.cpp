@@ -175,6 +175,22 @@ TEST(Palette, LightnessRisesEvenly) {
     }
 }
 
+TEST(Palette, OfSignedValuesIsAsDarkToBothSides) {
+    const Palette& signed_values = diverging_palette();
+    const std::array<float, 3> zero = signed_values.at(0.5);
+    EXPECT_EQ(zero[0], zero[1]);
+    EXPECT_EQ(zero[1], zero[2]);
+    for (int i = 1; i <= 10; ++i) {
+        const auto below = signed_values.at(0.5 - i / 20.0);
+        const auto above = signed_values.at(0.5 + i / 20.0);
+        // Bytes are what it is rounded to; the paper makes both halves equal in Lab lightness.
+        EXPECT_NEAR(lightness(below), lightness(above), 2.0) << i;
+        EXPECT_LT(lightness(below), lightness(signed_values.at(0.5 - (i - 1) / 20.0)));
+        EXPECT_GT(below[2], below[0]);
+        EXPECT_GT(above[0], above[2]);
+    }
+}
+
 TEST(Palette, EndsHoldBeyond) {
     for (const Palette& palette : palettes()) {
         EXPECT_EQ(palette.at(-3.0), palette.at(0.0));

@@ -1,6 +1,8 @@
 // The lights of a scene as a target's writer gets them: of the kinds that it holds, in its unit of length.
 #pragma once
 
+#include <gonio/asset/detail/scene_stage.hpp>
+#include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/bake/bake.hpp>
@@ -11,6 +13,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,8 +46,17 @@ struct SceneContent {
     double units_per_meter = 1.0;
     std::vector<MeasuredLight> profiles; // named as their files
     std::vector<SceneLight> lights;
-    bool single = false; // one luminaire alone: the profile's own name
+    bool single = false;             // one luminaire alone: the profile's own name
+    std::optional<SceneStage> stage; // in metres; then the file is a whole scene
 };
+
+struct BuiltScene {
+    SceneContent content;
+    std::vector<std::string> instead;
+};
+
+// What light_scene() writes, before it is text.
+Result<BuiltScene> scene_content(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 
 // Half angle of a hard spot's inner cone over its outer one: no target takes two that are the same.
 inline constexpr double hard_edge = 0.9995;
@@ -107,10 +119,23 @@ AssetPicture engine_picture(std::string_view engine, const Web& web);
 // The same for options of one's own, that do not fail for any web.
 AssetPicture baked_picture(const Web& web, BakeOptions options, int channels = 1);
 
-// The files of each target, for target.cpp.
+// What a script for Blender has of a stage: before all else, and after the lights, whose place() it calls.
+std::string blender_stage_start(const SceneContent& scene);
+std::string blender_stage(const SceneStage& stage, double lumens_per_watt);
+
+// The stage of a scene for pbrt, before its lights; the picture is called `picture`.exr.
+std::string pbrt_stage(const SceneStage& stage, std::string_view picture);
+
+// What the prim `root` has of a stage, and what stands beside it.
+std::string usd_stage(const SceneStage& stage, std::string_view root);
+std::string usd_render_settings(const SceneStage& stage, std::string_view root);
+
+// The files of each target, for target.cpp and stage_scene.cpp.
 std::vector<AssetFile> babylon_files(const SceneContent& scene);
 std::vector<AssetFile> blender_files(const SceneContent& scene);
 std::vector<AssetFile> gltf_files(const SceneContent& scene);
+std::vector<AssetFile> gltf_text_files(const SceneContent& scene); // .gltf and what it reads
+std::vector<AssetFile> gltf_binary_files(const SceneContent& scene);
 std::vector<AssetFile> godot_files(const SceneContent& scene);
 std::vector<AssetFile> luxcore_files(const SceneContent& scene);
 std::vector<AssetFile> mitsuba_files(const SceneContent& scene);

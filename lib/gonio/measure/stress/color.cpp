@@ -1,8 +1,10 @@
 // Colours of temperatures and temperatures of colours: within what the headers state, and NaN outside their ranges.
+#include <gonio/base/exposure_value.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/kernels.hpp>
 #include <gonio/color/named_methods.hpp>
 #include <gonio/color/planckian.hpp>
+#include <gonio/color/rgb_space.hpp>
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -70,6 +72,69 @@ void round_trip(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
+// The fit beside the sum that it was made from: 1.2e-12 in u'v' on the locus, 6e-11 off it.
+void fit_to_sum(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    for (std::uint64_t done = 0; done < evaluations; ++done) {
+        const double duv = random.bits() % 2 == 0 ? 0.0 : random.uniform(-0.05, 0.05);
+        const Cct cct{Kelvin(temperature(random, 800.0, 1e6)), duv};
+        const auto input = [&] { return fmt::format("{:a} K {:a}", cct.temperature.value, duv); };
+        const Result<Uv> sum = exact_uv(cct);
+        if (!sum) { // off the real colours
+            tally.looked_at(1);
+            tally.require(duv != 0.0, input);
+            continue;
+        }
+        tally.hold(delta_uv_prime(fast_uv(cct), *sum) / (duv == 0.0 ? 1.2e-12 : 6e-11), input);
+    }
+}
+
+// Chromaticity to coordinates and to every space, and back; black bodies' amounts of light.
+void spaces(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    for (std::uint64_t done = 0; done < evaluations; ++done) {
+        const Uv at{random.uniform(0.05, 0.6), random.uniform(0.1, 0.39)};
+        const auto input = [&] { return fmt::format("u {:a} v {:a}", at.u, at.v); };
+        double off = 0.0;
+        const auto look = [&](Uv back) { off = std::fmax(off, delta_uv_prime(at, back)); };
+        look(to_uv(to_xy(at)));
+        look(to_uv(to_xyz(at)));
+        look(to_uv(to_xyz(to_xy(at))));
+        look(to_uv(to_uv_prime(at)));
+        for (const RgbSpaceName& space : rgb_spaces()) {
+            const RgbSpace* const found = find_rgb_space(space.name);
+            const SpaceColor kept = to_space(at, *found);
+            const Result<Uv> back = uv_of_rgb(kept.rgb, *found);
+            tally.require(back.has_value(), input);
+            if (back) look(*back);
+            const SpaceColor clipped = to_space(at, *found, Gamut::clip, Normalize::max);
+            for (const double c : {clipped.rgb.x, clipped.rgb.y, clipped.rgb.z})
+                tally.require(c >= 0.0 && c <= 1.0 + 1e-12, input);
+        }
+        // Of X, Y and Z of the greatest, which v divides by, 1e-15 each.
+        tally.hold(off / 1e-13, input);
+        const Kelvin T(std::exp(random.uniform(std::log(coolest.value), std::log(hottest.value))));
+        const BlackbodyEfficacy efficacy = blackbody_efficacy(T);
+        tally.require(is_amount(efficacy.total_lm_per_w) && efficacy.band_lm_per_w >= efficacy.total_lm_per_w &&
+                          efficacy.band_lm_per_w <= 683.0 && is_amount(blackbody_luminance(T).value),
+                      [&] { return fmt::format("black body of {:a} K", T.value); });
+    }
+}
+
+// sRGB's curve (whose two pieces meet within 2e-8) and exposure values, each with its inverse.
+void curves(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    for (std::uint64_t done = 0; done < evaluations; done += 3) {
+        const double linear = random.bits() % 2 == 0 ? random.uniform() : std::exp(random.uniform(-30.0, 5.0));
+        tally.hold(std::fabs(decode_srgb(encode_srgb(linear)) - linear) / (1e-14 * linear + 3e-8 * (linear < 0.0032)),
+                   [&] { return fmt::format("sRGB of {:a}", linear); });
+        const double amount = std::exp(random.uniform(-600.0, 600.0));
+        // A rounding of the exponent is as much of the amount as the exponent is large.
+        const double bar = (4.0 + std::fabs(std::log2(amount))) * 4e-16 * amount;
+        tally.hold(std::fabs(luminance_of_ev(ev_of_luminance(amount)) - amount) / bar,
+                   [&] { return fmt::format("EV of {:a} nt", amount); });
+        tally.hold(std::fabs(illuminance_of_ev(ev_of_illuminance(amount)) - amount) / bar,
+                   [&] { return fmt::format("EV of {:a} lx", amount); });
+    }
+}
+
 // Any numbers: an answer within its range or none, and every named method a number where it is made for.
 void any_numbers(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const auto coordinate = [&] {
@@ -100,6 +165,9 @@ std::span<const StressSubject> color_stress() {
         StressSubject{"colours of temperatures", "4e-7 in u'v' from 800 K to 1e6 K, NaN outside", 0.5,
                       kernels_of_temperature},
         StressSubject{"temperature to colour and back", "1e-5 K and 1e-10 in Duv, 1500-40000 K", 0.05, round_trip},
+        StressSubject{"the fit to the sum", "1.2e-12 in u'v' on the locus, 6e-11 off it", 0.003, fit_to_sum},
+        StressSubject{"colour spaces and back", "1e-13 in u'v'; clipped in [0, 1]", 0.01, spaces},
+        StressSubject{"sRGB and exposure values and back", "1e-14, and 4e-16 of the exponent", 0.2, curves},
         StressSubject{"temperatures of any numbers", "an answer in its range or none; named methods finite", 0.02,
                       any_numbers},
     };

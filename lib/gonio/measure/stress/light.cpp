@@ -1,6 +1,10 @@
-// Photometric units of random shapes, there and back; and the illuminance of random lights at random points.
+// Photometric units of random shapes, there and back, and as other programs count them; the flux of lobes against
+// quadrature; and the illuminance of random lights at random points.
+#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/lobe.hpp>
 #include <gonio/light/photometry.hpp>
+#include <gonio/light/policy.hpp>
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/scene/probe.hpp>
@@ -80,6 +84,72 @@ void units(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
+// Φ/I of a spot and of a frustum: the closed forms beside quadrature of the lobe itself.
+void lobes(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    static constexpr auto rule = gauss_legendre<20>();
+    const auto integral = [](double from, double to, const auto& f) {
+        double sum = 0.0;
+        constexpr int pieces = 2;
+        for (int piece = 0; piece < pieces; ++piece) {
+            const double half = 0.5 * (to - from) / pieces;
+            const double middle = from + (2 * piece + 1) * half;
+            for (const QuadratureNode& node : rule)
+                sum += half * node.weight * f(middle + half * node.at);
+        }
+        return sum;
+    };
+    for (std::uint64_t done = 0; done < evaluations; done += 2) {
+        const double outer = log_uniform(random, 1e-6, std::numbers::pi / 2.0);
+        const double inner = outer * (random.bits() % 4 == 0 ? 1.0 - log_uniform(random, 1e-6, 1.0) : random.uniform());
+        const SpotShape spot{Radians(outer), Radians(inner), static_cast<Falloff>(random.bits() % 6), {}, {}};
+        const double edge = spot.falloff == Falloff::hard ? outer : inner; // where it begins to fall
+        const double core = 4.0 * std::numbers::pi * std::sin(0.5 * edge) * std::sin(0.5 * edge);
+        const double ramp =
+            edge < outer
+                ? 2.0 * std::numbers::pi *
+                      integral(edge, outer, [&](double theta) { return lobe(spot, Radians(theta)) * std::sin(theta); })
+                : 0.0;
+        const double found = lobe_solid_angle(spot).value;
+        tally.hold(std::fabs(found - core - ramp) / (1e-11 * (core + ramp)), [&] {
+            return fmt::format("spot falloff {} inner {:a} outer {:a}: {} for {}", static_cast<int>(spot.falloff),
+                               inner, outer, found, core + ramp);
+        });
+        // The pyramid between the longitudes ±a: its latitudes end where tan is tan b cos.
+        const double a = log_uniform(random, 1e-6, 1.2);
+        const double b = log_uniform(random, 1e-6, 1.2);
+        const double pyramid = 2.0 * integral(-a, a, [&](double longitude) {
+                                   return std::sin(std::atan(std::tan(b) * std::cos(longitude)));
+                               });
+        const double stated = lobe_solid_angle(FrustumShape{Radians(2.0 * a), Radians(2.0 * b), {}, {}}).value;
+        tally.hold(std::fabs(stated - pyramid) / (1e-11 * pyramid),
+                   [&] { return fmt::format("frustum half angles {:a} {:a}: {} for {}", a, b, stated, pyramid); });
+    }
+}
+
+// What a program means by a number, and the number to write in it for that.
+void programs(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    static const std::array<PhotometricUnit, 4> known{
+        parse_photometric_unit("lm").value(), parse_photometric_unit("cd").value(),
+        parse_photometric_unit("nt").value(), parse_photometric_unit("W@90lm/W").value()};
+    for (std::uint64_t done = 0; done < evaluations; ++done) {
+        const Shape shape = random_shape(random);
+        const Policy& policy = policies()[random.bits() % policies().size()];
+        const PhotometricUnit& unit = known[random.bits() % known.size()];
+        const double number = log_uniform(random, 1e-9, 1e9);
+        const Result<PolicyMeaning> meaning = policy_meaning(policy, shape, unit.unit->dimension);
+        if (!meaning) { // it has no such light
+            tally.looked_at(1);
+            continue;
+        }
+        const PhotometricValue emitted = physical_value(*meaning, {number, unit});
+        const double back = policy_number(*meaning, unit, emitted.number);
+        tally.hold(std::fabs(back - number) / (1e-12 * number), [&] {
+            return fmt::format("{}: {:a} {} of shape {}: {} and back {}", policy.name, number, unit.unit->symbol,
+                               shape.index(), emitted.number, back);
+        });
+    }
+}
+
 // Probe: any lights and points give numbers, or a refusal.
 void probes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const auto place = [&] {
@@ -128,6 +198,8 @@ void probes(Random& random, std::uint64_t evaluations, StressTally& tally) {
 std::span<const StressSubject> light_stress() {
     static constexpr std::array subjects{
         StressSubject{"photometric units there and back", "1e-12 of the value, or a refusal", 0.05, units},
+        StressSubject{"flux of spots and frusta", "1e-11 of quadrature of the lobe", 0.02, lobes},
+        StressSubject{"units of other programs and back", "1e-12 of the value, or a refusal", 0.02, programs},
         StressSubject{"probe of any lights", "finite and not negative, or a refusal", 0.05, probes},
     };
     return subjects;

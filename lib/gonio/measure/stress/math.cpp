@@ -36,6 +36,15 @@ struct Function {
     long double (*truth)(long double);
 };
 
+// atan(x)/x − 1 for 0 < x ≤ 1, by its series where the difference cancels.
+long double arc_excess(long double x) {
+    if (x > 0.1L) return std::atan(x) / x - 1.0L;
+    long double sum = 0.0L;
+    for (int k = 12; k >= 1; --k)
+        sum = x * x * (sum + (k % 2 == 0 ? 1.0L : -1.0L) / static_cast<long double>(2 * k + 1));
+    return sum;
+}
+
 constexpr auto quarter = std::numbers::pi_v<float> / 4.0F;
 
 constexpr std::array functions{
@@ -47,6 +56,12 @@ constexpr std::array functions{
     Function{"cos", &ArrayMath::cos, 1e-30F, quarter, true, 2.0, [](long double x) { return std::cos(x); }},
     Function{"exp2", &ArrayMath::exp2, 1e-10F, 126.0F, true, 2.0, [](long double x) { return std::exp2(x); }},
     Function{"log2", &ArrayMath::log2, 0x1p-149F, 3.4e38F, false, 3.0, [](long double x) { return std::log2(x); }},
+    Function{"atan_excess", &ArrayMath::atan_excess, 1e-10F, 1.0F, false, 6.0,
+             [](long double x) { return arc_excess(x) * x; }},
+    Function{"atan_ratio_excess", &ArrayMath::atan_ratio_excess, 1e-20F, 1.0F, false, 4.0,
+             [](long double t) { return arc_excess(std::sqrt(t)); }},
+    Function{"atanh_ratio", &ArrayMath::atanh_ratio, 1e-20F, 0.25F, false, 2.0,
+             [](long double t) { return std::atanh(std::sqrt(t)) / std::sqrt(t); }},
 };
 
 // Even over the bit patterns of [low, high], so over the exponents.
@@ -107,6 +122,12 @@ void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
+// A quotient that is no normal number has an error of its own.
+double ulp_of_angle(double x) {
+    return std::max(ulp(x), static_cast<double>(0x1p-146F));
+}
+
+// 4 ulp; atan2_above where y is not negative, and takes what is below 1e-37 for 0.
 void arc_tangent_of_two(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t count = 256;
     std::vector<float> x(count);
@@ -115,22 +136,60 @@ void arc_tangent_of_two(Random& random, std::uint64_t evaluations, StressTally& 
     std::vector<double> truth(count);
     constexpr Function domain{"", nullptr, 1e-30F, 1e30F, true, 4.0, nullptr};
     for (std::uint64_t done = 0; done < evaluations; done += count * simd::available_sets().size()) {
+        const bool above = random.bits() % 2 == 0;
         for (std::size_t i = 0; i < count; ++i) {
             x[i] = by_bits(domain, random);
             // As often as not about as large.
             y[i] =
                 random.bits() % 2 == 0 ? by_bits(domain, random) : x[i] * static_cast<float>(random.uniform(-3.0, 3.0));
+            if (above) y[i] = std::fabs(y[i]);
             truth[i] = static_cast<double>(std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i])));
         }
         for (const simd::InstructionSet set : simd::available_sets()) {
-            simd::array_math(set).atan2(y.data(), x.data(), result.data(), count);
+            (above ? simd::array_math(set).atan2_above : simd::array_math(set).atan2)(y.data(), x.data(), result.data(),
+                                                                                      count);
             for (std::size_t i = 0; i < count; ++i) {
-                // A quotient that is no normal number has an error of its own.
-                const double off = std::fabs(static_cast<double>(result[i]) - truth[i]) /
-                                   std::max(ulp(truth[i]), static_cast<double>(0x1p-146F));
+                const double off = std::fabs(static_cast<double>(result[i]) - truth[i]) / ulp_of_angle(truth[i]);
                 tally.hold(off / domain.bound_ulp, [&] {
-                    return fmt::format("atan2 {}: {:.2f} ulp at y {:a} x {:a}", simd::to_text(set), off, y[i], x[i]);
+                    return fmt::format("{} {}: {:.2f} ulp at y {:a} x {:a}", above ? "atan2_above" : "atan2",
+                                       simd::to_text(set), off, y[i], x[i]);
                 });
+            }
+        }
+    }
+}
+
+// 4 + 3 |y log₂x| ulp where the result is a normal number, for x ≥ 0.
+void powers(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    constexpr std::size_t count = 256;
+    std::vector<float> x(count);
+    std::vector<float> y(count);
+    std::vector<float> result(count);
+    constexpr Function domain{"", nullptr, 1e-30F, 1e30F, false, 0.0, nullptr};
+    for (std::uint64_t done = 0; done < evaluations; done += count * simd::available_sets().size()) {
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = random.bits() % 2 == 0 ? by_bits(domain, random) : static_cast<float>(random.uniform(0.0, 2.0));
+            y[i] = static_cast<float>(random.uniform(-8.0, 8.0));
+            if (random.bits() % 8 == 0) y[i] = 0.0F;
+        }
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            simd::array_math(set).pow(x.data(), y.data(), result.data(), count);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto truth =
+                    static_cast<double>(std::pow(static_cast<long double>(x[i]), static_cast<long double>(y[i])));
+                const auto input = [&] {
+                    return fmt::format("pow {}: {} for {} at x {:a} y {:a}", simd::to_text(set), result[i], truth, x[i],
+                                       y[i]);
+                };
+                if (!(truth >= static_cast<double>(std::numeric_limits<float>::min()) &&
+                      truth <= static_cast<double>(std::numeric_limits<float>::max()))) {
+                    tally.looked_at(1);
+                    tally.require(result[i] >= 0.0F, input);
+                    continue;
+                }
+                const double exponent = std::fabs(std::log2(truth));
+                tally.hold(std::fabs(static_cast<double>(result[i]) - truth) / ulp(truth) / (4.0 + 3.0 * exponent),
+                           input);
             }
         }
     }
@@ -140,8 +199,9 @@ void arc_tangent_of_two(Random& random, std::uint64_t evaluations, StressTally& 
 
 std::span<const StressSubject> math_stress() {
     static constexpr std::array subjects{
-        StressSubject{"elementary functions", "1 (sqrt) to 3 ulp, as simd/math.hpp says of each", 1.0, unary},
+        StressSubject{"elementary functions", "1 (sqrt) to 6 ulp, as simd/math.hpp says of each", 1.0, unary},
         StressSubject{"atan2", "4 ulp", 1.0, arc_tangent_of_two},
+        StressSubject{"pow", "4 + 3 |y log2 x| ulp", 0.5, powers},
         StressSubject{"elementary functions of any floats", "a NaN stays one", 0.5, outside},
     };
     return subjects;

@@ -1,5 +1,7 @@
-// Specular luminance of lights with a size, by every method and instruction set.
+// Specular luminance of lights with a size, by every method and instruction set: in its range on any input, and against
+// double where the light has an outside.
 #include <gonio/measure/hostile_poses.hpp>
+#include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -7,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace gonio::measure::detail {
@@ -84,6 +88,111 @@ void specular(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
+// Receivers that the light is farther from than it is large; closer than that, whether a point lies in it or before it
+// is a rounding's choice.
+constexpr std::array outside{Stratum::above, Stratum::straddling, Stratum::below, Stratum::grazing, Stratum::far};
+
+// One pose in doubles that are all floats: centre, normal, view, axis, across.
+using Asked = std::array<double, 15>;
+
+double in_double(const Asked& at, shading::LightConstants light, SpecularMethod method, double alpha) {
+    const auto vec = [&](std::size_t first) { return hostile::Vec{at[first], at[first + 1], at[first + 2]}; };
+    for (std::size_t k = 0; k < 3; ++k) {
+        light.axis[k] = static_cast<float>(at[9 + k]);
+        light.width_direction[k] = static_cast<float>(at[12 + k]);
+    }
+    return specular_in_double(light, method, vec(0), vec(3), vec(6), alpha);
+}
+
+// What the value in double changes by at most, summed over its numbers, when each moves by a unit in the last place
+// (of the distance for the centre, of 1 for directions).
+double sensitivity(const Asked& at, const shading::LightConstants& light, SpecularMethod method, double alpha,
+                   double value) {
+    constexpr double ulp = 0x1p-23;
+    const double distance = std::sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const double step = i < 3 ? distance * ulp : ulp;
+        Asked up = at;
+        Asked down = at;
+        up[i] += step;
+        down[i] -= step;
+        sum += std::fmax(std::fabs(in_double(up, light, method, alpha) - value),
+                         std::fabs(in_double(down, light, method, alpha) - value));
+    }
+    for (float shading::LightConstants::*const size :
+         {&shading::LightConstants::radius, &shading::LightConstants::width, &shading::LightConstants::height,
+          &shading::LightConstants::length}) {
+        shading::LightConstants larger = light;
+        larger.*size = std::nextafter(larger.*size, HUGE_VALF);
+        sum += std::fabs(in_double(at, larger, method, alpha) - value);
+    }
+    return sum + std::fabs(in_double(at, light, method, alpha * (1.0 + ulp)) - value);
+}
+
+// Every set's kernel and the formula in double. α from 1e-2 on: of narrower lobes, whose width goes with its square,
+// what a rounding changes is no longer its slope times the rounding.
+template<Shape shape>
+void against_double(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    constexpr std::size_t of_one_light = outside.size() * 3;
+    const std::size_t sets = simd::available_sets().size();
+    std::array<std::vector<float>, 9> columns;
+    for (auto& each : columns)
+        each.resize(of_one_light);
+    std::vector<float> scale(of_one_light);
+    std::vector<float> grazing(of_one_light);
+    std::vector<Asked> asked(of_one_light);
+    std::vector<Pose> poses(of_one_light);
+    for (std::uint64_t done = 0; done < evaluations; done += of_one_light * sets) {
+        const Pose light = hostile::as_float(hostile::random_light(shape, random));
+        for (std::size_t i = 0; i < of_one_light; ++i) {
+            poses[i] = hostile::as_float(hostile::receiver(light, outside[i % outside.size()], random));
+            const Pose& p = poses[i];
+            const hostile::Vec v = eye(p.normal, i, random);
+            const auto narrow = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+            asked[i] = {p.center.x, p.center.y,  p.center.z,  p.normal.x,  p.normal.y,
+                        p.normal.z, narrow(v.x), narrow(v.y), narrow(v.z), p.axis.x,
+                        p.axis.y,   p.axis.z,    p.across.x,  p.across.y,  p.across.z};
+            for (std::size_t k = 0; k < 9; ++k)
+                columns[k][i] = static_cast<float>(k < 3 ? -asked[i][k] : asked[i][k]);
+        }
+        shading::Surfaces surfaces;
+        for (std::size_t k = 0; k < 3; ++k) {
+            surfaces.position[k] = columns[k].data();
+            surfaces.normal[k] = columns[3 + k].data();
+            surfaces.view[k] = columns[6 + k].data();
+        }
+        surfaces.count = of_one_light;
+        const shading::LightConstants constants = hostile::light_constants(light);
+        const auto alpha = static_cast<float>(std::exp(random.uniform(std::log(1e-2), 0.0)));
+        const auto method = static_cast<SpecularMethod>(random.bits() % method_count);
+        std::vector<std::pair<double, double>> truth; // and its bar
+        for (const Asked& at : asked) {
+            const double value = in_double(at, constants, method, static_cast<double>(alpha));
+            truth.emplace_back(value, 1e-5 * value + 2e-2 +
+                                          8.0 * sensitivity(at, constants, method, static_cast<double>(alpha), value));
+        }
+        for (const simd::InstructionSet set : simd::available_sets()) {
+            const shading::SpecularKernels& kernels = shading::specular_kernels(set);
+            kernels.specular(surfaces, constants, alpha, method, scale.data(), grazing.data());
+            for (std::size_t i = 0; i < of_one_light; ++i) {
+                const Asked& at = asked[i];
+                // Below 1e-6 floats cannot tell from which side the surface is seen.
+                if (std::fabs(at[3] * at[6] + at[4] * at[7] + at[5] * at[8]) < 1e-6) {
+                    tally.looked_at(1);
+                    continue;
+                }
+                tally.hold(std::fabs(static_cast<double>(scale[i]) - truth[i].first) / truth[i].second, [&] {
+                    return fmt::format("method {} {}: {:.9g} for {:.9g}, alpha {:a} view {:a} {:a} {:a} {}",
+                                       static_cast<int>(method), kernels.name, scale[i], truth[i].first, alpha, at[6],
+                                       at[7], at[8], hostile::to_text(poses[i]));
+                });
+            }
+        }
+    }
+}
+
+constexpr const char* double_bar = "2e-2 of the light's luminance, 1e-5 of the value, 8 times what 1 ulp changes";
 constexpr const char* bar = "finite and not negative; ltc not above 1; the share of grazing light in [0, 1]";
 
 } // namespace
@@ -94,6 +203,10 @@ std::span<const StressSubject> specular_stress() {
         StressSubject{"specular of a disk", bar, 1.0, specular<Shape::disk>},
         StressSubject{"specular of a rectangle", bar, 1.0, specular<Shape::rectangle>},
         StressSubject{"specular of a tube", bar, 1.0, specular<Shape::tube>},
+        StressSubject{"specular of a sphere to double", double_bar, 0.05, against_double<Shape::sphere>},
+        StressSubject{"specular of a disk to double", double_bar, 0.05, against_double<Shape::disk>},
+        StressSubject{"specular of a rectangle to double", double_bar, 0.05, against_double<Shape::rectangle>},
+        StressSubject{"specular of a tube to double", double_bar, 0.05, against_double<Shape::tube>},
     };
     return subjects;
 }

@@ -12,6 +12,7 @@ std::span<const StressSubject> irradiance_stress();
 std::span<const StressSubject> specular_stress();
 std::span<const StressSubject> brdf_stress();
 std::span<const StressSubject> falloff_stress();
+std::span<const StressSubject> geometry_stress();
 std::span<const StressSubject> math_stress();
 std::span<const StressSubject> color_stress();
 std::span<const StressSubject> light_stress();

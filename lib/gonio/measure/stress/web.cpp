@@ -1,4 +1,5 @@
-// Webs of random tables: what they give in any direction, their flux, their textures, and numbers as files write them.
+// Webs of random tables: what they give in any direction, their flux, what is made of them, their textures, and numbers
+// as files write them.
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/kernels.hpp>
 #include <gonio/measure/hostile_poses.hpp>
@@ -6,17 +7,24 @@
 #include <gonio/profile/fast_number.hpp>
 #include <gonio/profile/number_text.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/web/combine.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/metrics.hpp>
+#include <gonio/web/symmetry.hpp>
+#include <gonio/web/transform.hpp>
 #include <gonio/web/web.hpp>
+#include <gonio/web/zones.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +32,14 @@ namespace gonio::measure::detail {
 
 namespace {
 
-// Strictly ascending, from `first` to at most `last`; uneven, now and then with steps as fine as doubles have.
-std::vector<double> angles(Random& random, double first, double last, std::size_t count) {
+// Strictly ascending, from `first` to at most `last`; uneven, and if `finest` now and then with steps as fine as
+// doubles have.
+std::vector<double> angles(Random& random, double first, double last, std::size_t count, bool finest) {
     std::vector<double> at{first};
     for (std::size_t i = 1; i < count; ++i) {
         const double left = last - at.back();
         double step = left * random.uniform(0.05, 0.6);
-        if (random.bits() % 16 == 0) step = left * 1e-12;
+        if (finest && random.bits() % 16 == 0) step = left * 1e-12;
         if (i + 1 == count && random.bits() % 2 == 0) step = left;
         if (at.back() + step > at.back() && at.back() + step <= last) at.push_back(at.back() + step);
     }
@@ -42,13 +51,13 @@ struct RandomWeb {
     double greatest = 0.0; // of its table
 };
 
-Result<RandomWeb> random_web(Random& random) {
+Result<RandomWeb> random_web(Random& random, bool finest = true) {
     constexpr std::array symmetries{Symmetry::axial, Symmetry::quadrant, Symmetry::bilateral_0_180, Symmetry::none};
     const Symmetry symmetry = symmetries[random.bits() % symmetries.size()];
     const double last = symmetry == Symmetry::quadrant ? 90.0 : symmetry == Symmetry::none ? 360.0 : 180.0;
-    std::vector<double> planes =
-        symmetry == Symmetry::axial ? std::vector<double>{0.0} : angles(random, 0.0, last, 1 + random.bits() % 6);
-    std::vector<double> gammas = angles(random, 0.0, 180.0, 1 + random.bits() % 9);
+    std::vector<double> planes = symmetry == Symmetry::axial ? std::vector<double>{0.0}
+                                                             : angles(random, 0.0, last, 1 + random.bits() % 6, finest);
+    std::vector<double> gammas = angles(random, 0.0, 180.0, 1 + random.bits() % 9, finest);
     std::vector<double> candela(planes.size() * gammas.size());
     const double scale = std::exp(random.uniform(std::log(1e-30), std::log(1e30)));
     double greatest = 0.0;
@@ -56,6 +65,9 @@ Result<RandomWeb> random_web(Random& random) {
         cd = random.bits() % 4 == 0 ? 0.0 : scale * random.uniform();
         greatest = std::max(greatest, cd);
     }
+    // All around, the last plane is the first one.
+    if (symmetry == Symmetry::none && planes.back() == 360.0)
+        std::copy_n(candela.begin(), gammas.size(), candela.end() - static_cast<std::ptrdiff_t>(gammas.size()));
     Result<Web> web = Web::create(symmetry, std::move(planes), std::move(gammas), std::move(candela));
     if (!web) return pass_on(web);
     return RandomWeb{std::move(*web), greatest};
@@ -112,6 +124,66 @@ void fluxes(Random& random, std::uint64_t evaluations, StressTally& tally) {
         for (const double lm : {flux(made->web).value, zonal_flux(made->web).value})
             tally.require(lm >= 0.0 && lm <= most,
                           [&] { return fmt::format("{:a} lm of a web of at most {:a} cd", lm, made->greatest); });
+    }
+}
+
+// Whether its planes end before the range of its symmetry does, so that a sector of it is dark.
+bool has_gap(const Web& web) {
+    const double last = web.planes_deg().back();
+    return !(web.stored_symmetry() == Symmetry::axial || last == (web.stored_symmetry() == Symmetry::quadrant ? 90.0
+                                                                  : web.stored_symmetry() == Symmetry::none   ? 360.0
+                                                                                                              : 180.0));
+}
+
+// Turned, mirrored, evened out, written out, cut, scaled, added: the flux that each must have. And its zones, which are
+// parts of it.
+void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) {
+    for (std::uint64_t done = 0; done < evaluations; done += 10) {
+        // What a turned angle is rounded by is the more of a step the finer that is.
+        const Result<RandomWeb> made = random_web(random, false);
+        if (!made || !(peak(made->web).intensity.value > 0.0) || has_gap(made->web)) {
+            tally.looked_at(10);
+            continue;
+        }
+        const Web web = made->web.scaled(1000.0 / made->greatest);
+        const double whole = flux(web).value;
+        // Of a web that is as bright all around.
+        const double size = 4.0 * std::numbers::pi * peak(web).intensity.value;
+        const auto hold = [&](const char* what, double lm, double expected, double bar) {
+            tally.hold(std::fabs(lm - expected) / (bar * size), [&] {
+                std::string text = fmt::format("{}: {:a} lm for {:a} of planes", what, lm, expected);
+                for (const double angle : web.horizontal_deg())
+                    text += fmt::format(" {:a}", angle);
+                text += " gammas";
+                for (const double angle : web.vertical_deg())
+                    text += fmt::format(" {:a}", angle);
+                return text;
+            });
+        };
+        const double angle = random.uniform(-720.0, 720.0);
+        hold("rotated", flux(rotated(web, angle).web).value, whole, 1e-10);
+        hold("mirrored", flux(mirrored(web, MirrorPlane::c90_270)).value, whole, 1e-10);
+        hold("expanded", flux(expanded(web)).value, whole, 1e-10);
+        hold("compacted", flux(compacted(web)).value, whole, 1e-8); // 1e-9 of the peak all around
+        if (const Result<Web> even = symmetrized(web, Symmetry::quadrant))
+            hold("even", flux(*even).value, whole, 1e-10);
+        const double low = random.uniform(0.0, 170.0);
+        const double high = random.uniform(low + 1e-3, 180.0);
+        const double zone = zone_flux(web, low, high).value;
+        if (const Result<Web> cut = cropped(web, low, high)) hold("cropped", flux(*cut).value, zone, 1e-10);
+        hold("zones", zone_flux(web, 0.0, low).value + zone + zone_flux(web, high, 180.0).value, whole, 1e-10);
+        double tens = 0.0;
+        for (const Lumens lm : ten_degree_zones(web))
+            tens += lm.value;
+        hold("zones of 10 degrees", tens, whole, 1e-10);
+        if (const Result<Web> scaled = whole > 0.0 ? scaled_to(web, Lumens(800.0)) : Result<Web>(web); scaled)
+            hold("scaled", whole > 0.0 ? flux(*scaled).value * whole / 800.0 : 0.0, whole, 1e-10);
+        const std::array<WeightedWeb, 2> both{WeightedWeb{&web, 0.25}, WeightedWeb{&web, 1.5}};
+        // A ramp of 1e-4 degrees where a table ends in the bright.
+        if (const Result<CombinedWeb> sum = combined(both)) hold("combined", flux(sum->web).value, 1.75 * whole, 1e-5);
+        if (const std::optional<Radians> beam = spread_angle(web, random.uniform(0.0, 360.0), 0.5))
+            tally.require(beam->value >= 0.0 && beam->value <= 2.0 * std::numbers::pi,
+                          [&] { return fmt::format("a beam of {:a} rad", beam->value); });
     }
 }
 
@@ -208,6 +280,8 @@ std::span<const StressSubject> web_stress() {
     static constexpr std::array subjects{
         StressSubject{"candela by direction", "from 0 to the table's greatest", 0.5, lookups},
         StressSubject{"flux of webs", "from 0 to the greatest intensity all around", 0.02, fluxes},
+        StressSubject{"webs turned, cut and added", "1e-10 of a web as bright all around; added 1e-5, compacted 1e-8",
+                      0.02, transformed},
         StressSubject{"textures of webs", "1e-6 of the flux, texels from 0 to the greatest intensity", 0.05, textures},
         StressSubject{"runs of texels", "the same bits from every instruction set", 0.5, ramps},
         StressSubject{"numbers in files", "the same double, to the bit", 0.5, numbers},

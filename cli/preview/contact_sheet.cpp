@@ -1,0 +1,89 @@
+#include "contact_sheet.hpp"
+
+#include <gonio/plot/raster.hpp>
+
+#include "../options/output.hpp"
+#include "picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr int most_side_px = 16384;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
+
+} // namespace
+
+Result<void> no_sheet_options(const Arguments& arguments) {
+    for (const Option& option : contact_sheet_options)
+        if (arguments.has(option.names))
+            return fail(Failure::usage, fmt::format("{} is of a sheet", option.names),
+                        "add --sheet, --compare or --sweep");
+    return {};
+}
+
+Result<SheetOptions> read_sheet_options(const Arguments& arguments, const PreviewRequest& request, PixelSize usual) {
+    SheetOptions options;
+    options.title = arguments.value("--title").value_or("");
+    const bool sized = arguments.has("--size");
+    options.picture_width_px = sized ? request.render.width : usual.width;
+    options.picture_height_px = sized ? request.render.height : usual.height;
+    if (options.picture_width_px < 32 || options.picture_height_px < 32 || options.picture_width_px > 2048 ||
+        options.picture_height_px > 2048)
+        return fail(Failure::usage, "the picture of a tile has 32 to 2048 pixels a side",
+                    fmt::format("-s is the size of each tile's picture: for example {}x{}", usual.width, usual.height));
+    if (const auto text = arguments.value("--columns")) {
+        const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), options.columns);
+        if (error != std::errc() || end != text->data() + text->size() || options.columns < 1)
+            return fail(Failure::usage, fmt::format("--columns takes a number from 1 up, not '{}'", *text));
+    }
+    return options;
+}
+
+Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hint) {
+    if (has_pixel(format, media::Pixel::uint8) && !has_pixel(format, media::Pixel::float32)) return {};
+    return fail(Failure::usage, fmt::format("{} holds light, not sheets", format.title), std::string(hint));
+}
+
+Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what) {
+    const SheetLayout layout = layout_of(tiles, options);
+    if (layout.width_px <= most_side_px && layout.height_px <= most_side_px &&
+        std::int64_t{layout.width_px} * layout.height_px <= most_pixels)
+        return {};
+    return fail(Failure::usage,
+                fmt::format("{} {} make a sheet of {}x{} pixels, which is too large", tiles, what, layout.width_px,
+                            layout.height_px),
+                "use a smaller -s, or make several sheets");
+}
+
+Result<void> develop_tiles(std::vector<SheetTile>& tiles, const PreviewRequest& request, const Console& console) {
+    int width = 0;
+    int height = 0;
+    for (const SheetTile& tile : tiles) {
+        width = std::max(width, tile.picture.width);
+        height += tile.picture.height;
+    }
+    if (height == 0) return {};
+    Image all(width, height, 3);
+    int top = 0;
+    for (const SheetTile& tile : tiles) {
+        paste(tile.picture, all, 0, top);
+        top += tile.picture.height;
+    }
+    Result<void> shown = show_exposed(all, request, console);
+    if (!shown) return shown;
+    top = 0;
+    for (SheetTile& tile : tiles) {
+        paste(all, tile.picture, 0, -top);
+        top += tile.picture.height;
+    }
+    return {};
+}
+
+} // namespace gonio::cli

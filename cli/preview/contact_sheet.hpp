@@ -1,0 +1,44 @@
+// What every sheet of `gonio preview` shares: the size of its tiles, their display transform, the file.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/plot/legend.hpp>
+#include <gonio/plot/sheet.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../options/values.hpp"
+#include "request.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::array contact_sheet_options{
+    Option{"--columns", "N", "tiles side by side (as many as make the sheet about 4:3)"},
+    Option{"--title", "TEXT", "a headline of the sheet"},
+};
+
+// Fails (usage) on an option of sheets.
+Result<void> no_sheet_options(const Arguments& arguments);
+
+// -s (else `usual`) for each tile's picture, --columns and --title. Fails (usage) on what they cannot mean.
+Result<SheetOptions> read_sheet_options(const Arguments& arguments, const PreviewRequest& request, PixelSize usual);
+
+// Fails (usage) on a format of light, which cannot hold labels.
+Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hint = "write .png or .jpg");
+
+// Fails (usage) where so many tiles ("profiles") make too large a picture.
+Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what);
+
+// Exposed linear pictures of tiles through the display transform, all together: to set one up costs as much as to
+// apply it. Those that are empty stay empty.
+Result<void> develop_tiles(std::vector<SheetTile>& tiles, const PreviewRequest& request, const Console& console);
+
+} // namespace gonio::cli

@@ -1,0 +1,28 @@
+// `gonio preview --sweep`: the same picture with one value, or two, that change.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+
+#include <array>
+
+namespace gonio::cli {
+
+inline constexpr std::array preview_sweep_options{
+    Option{
+        "--sweep", "KEY=VALUES",
+        "a picture for each value: cct=2000K:8000K:7, radius=1cm:1m:5:log, roughness=0.1,0.4; NAME.KEY for one light "
+        "or surface; a second one makes rows",
+        "sweeps"},
+    Option{"-O,--output-dir", "DIR", "with --sweep: each picture as a file of its own (png, or --to)"},
+    Option{"--overwrite", "", "with -O: replace what exists"},
+};
+
+// A labelled sheet (-o) or files (-O), each equal to the picture of a light or stage that is written with the value,
+// under the exposure of the first unless that is what changes. Returns the exit status.
+Result<int> preview_sweep(const Arguments& arguments, Console& console);
+
+} // namespace gonio::cli

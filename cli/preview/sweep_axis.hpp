@@ -1,0 +1,48 @@
+// What --sweep says: a parameter and the values that it takes, one after the other.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::cli {
+
+inline constexpr std::size_t most_sweep_values = 1024;
+
+struct SweepAxis {
+    std::string text;                // as given
+    std::string target;              // the light or surface; empty: all that have the parameter
+    std::string key;                 // as `gonio list sweeps` has it
+    std::vector<std::string> values; // as the parameter's own option takes it
+
+    // "key.radius 5cm": four digits of what was computed.
+    std::string label(std::size_t value) const;
+    // The parameter as given: "key.radius".
+    std::string name() const;
+};
+
+// "KEY=FROM:TO:COUNT", evenly, or "…:log", in even ratios; "KEY=A,B,C". Units may differ between FROM and TO where they
+// are of one quantity: TO is converted. Ends are exact, what lies between has 12 digits. KEY may be NAME.KEY, and a
+// short name of the shape's grammar (r, w, l). Fails (usage), with the column of the text, on anything else; an unknown
+// KEY with the nearest.
+Result<SweepAxis> parse_sweep_axis(std::string_view text);
+
+// The error of a value of the axis, saying which.
+Unexpected refused_value(const SweepAxis& axis, std::size_t value, const Error& error);
+
+// Parameters that belong to no light and to no material.
+struct ViewParameter {
+    std::string_view name;
+    std::string_view example;
+    std::string_view summary;
+};
+inline constexpr ViewParameter view_parameters[] = {
+    {"exposure", "8ev", "as --exposure takes it: then the cells do not share one"},
+    {"fov", "40deg", "full vertical field of view of the camera"},
+    {"method", "ltc", "how the light is computed"},
+};
+
+} // namespace gonio::cli

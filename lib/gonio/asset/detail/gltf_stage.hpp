@@ -1,0 +1,25 @@
+// The stage of a scene as parts of a glTF document.
+#pragma once
+
+#include <gonio/asset/detail/scene_stage.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace gonio::asset_detail {
+
+struct GltfStage {
+    nlohmann::ordered_json nodes = nlohmann::ordered_json::array(); // of surfaces and the camera, none of them a child
+    nlohmann::ordered_json meshes, materials, cameras, accessors;
+    nlohmann::ordered_json views = nlohmann::ordered_json::array(); // of `bytes`, which are buffer 0
+    nlohmann::ordered_json extensions_used = nlohmann::ordered_json::array();
+    std::string bytes; // whole words
+};
+
+GltfStage gltf_stage(const SceneStage& stage);
+
+// The frame as a node's turn, of a world whose Y is up; of unit length to the last digit.
+nlohmann::ordered_json gltf_rotation(const Frame& frame);
+
+} // namespace gonio::asset_detail

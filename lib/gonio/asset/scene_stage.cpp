@@ -1,0 +1,154 @@
+#include <gonio/asset/detail/scene_stage.hpp>
+#include <gonio/base/gauss_legendre.hpp>
+#include <gonio/scene/core_material.hpp>
+#include <gonio/shading/gloss.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gonio::asset_detail {
+
+namespace {
+
+using std::numbers::pi;
+using Vec = shading::vec3<double>;
+
+glm::dvec3 color(const Vec& v) {
+    return {v.x, v.y, v.z};
+}
+
+// The share of even light from all sides that the diffuse part gives back: (1/π) ∬ f ⟨n·l⟩⟨n·v⟩ dl dv over both
+// hemispheres, for f that depends on the azimuth between l and v alone. 1e-5 or better.
+template<class Core>
+glm::dvec3 mean_albedo(const Core& core) {
+    constexpr auto rule = gauss_legendre<12>();
+    constexpr int turns = 16; // of half the azimuth, which mirrors the other
+    const Vec n{0.0, 0.0, 1.0};
+    Vec sum{0.0, 0.0, 0.0};
+    for (const QuadratureNode& eye : rule)
+        for (const QuadratureNode& light : rule) {
+            const double mu_v = 0.5 + 0.5 * eye.at;
+            const double mu_l = 0.5 + 0.5 * light.at;
+            const Vec v{std::sqrt(1.0 - mu_v * mu_v), 0.0, mu_v};
+            const double across = std::sqrt(1.0 - mu_l * mu_l);
+            const double weight = 0.25 * eye.weight * light.weight * mu_v * mu_l * 4.0 * pi / turns;
+            for (int i = 0; i < turns; ++i) {
+                const double phi = pi * (i + 0.5) / turns;
+                const Vec l{across * std::cos(phi), across * std::sin(phi), mu_l};
+                sum = sum + diffuse_part(core, n, l, v) * weight;
+            }
+        }
+    return color(sum);
+}
+
+template<class Core>
+void take_lobe(const Core& core, SceneMaterial& made, std::vector<std::string>& losses) {
+    const auto gloss = shading::gloss(core);
+    made.f0 = color(gloss.f0 * gloss.factor);
+    made.alpha = gloss.lobe.alpha;
+    if (made.has_lobe() && gloss.f90 * gloss.factor < 1.0)
+        losses.emplace_back("its reflection at grazing angles, which is dimmed, is written as a whole one");
+}
+
+struct Reduction {
+    std::vector<std::string>& losses;
+
+    SceneMaterial operator()(const LambertMaterial& material) const {
+        SceneMaterial made;
+        made.diffuse = material.albedo;
+        return made;
+    }
+    SceneMaterial operator()(const EonMaterial& material) const {
+        SceneMaterial made;
+        made.diffuse = mean_albedo(core_material(material));
+        if (material.roughness > 0.0) say_diffuse();
+        return made;
+    }
+    SceneMaterial operator()(const FrostbiteMaterial& material) const {
+        SceneMaterial made;
+        const auto core = core_material(material);
+        made.diffuse = mean_albedo(core);
+        if (made.has_diffuse()) say_diffuse();
+        take_lobe(core, made, losses);
+        return made;
+    }
+    SceneMaterial operator()(const Ue4Material& material) const {
+        SceneMaterial made;
+        const auto core = core_material(material);
+        made.diffuse = color(core.albedo);
+        take_lobe(core, made, losses);
+        return made;
+    }
+    SceneMaterial operator()(const GgxMaterial& material) const {
+        SceneMaterial made;
+        take_lobe(core_material(material), made, losses);
+        return made;
+    }
+    SceneMaterial operator()(const KullaContyMaterial& material) const {
+        SceneMaterial made;
+        take_lobe(core_material(material), made, losses);
+        losses.emplace_back("what its facets scatter more than once is left out");
+        return made;
+    }
+    SceneMaterial operator()(const BlinnMaterial& material) const {
+        SceneMaterial made;
+        const auto core = core_material(material);
+        made.diffuse = color(core.albedo);
+        take_lobe(core, made, losses);
+        if (made.has_lobe()) losses.emplace_back("its cosine lobe is written as a GGX lobe as wide");
+        return made;
+    }
+
+    void say_diffuse() const {
+        losses.emplace_back("its rough diffuse part is written as Lambert's of the same albedo");
+    }
+};
+
+} // namespace
+
+SceneMaterial scene_material(const Material& material, std::vector<std::string>& losses) {
+    return std::visit(Reduction{losses}, material);
+}
+
+MixedMaterial mixed(const SceneMaterial& material) {
+    const double least = std::min({material.f0.x, material.f0.y, material.f0.z});
+    const double most = std::max({material.f0.x, material.f0.y, material.f0.z});
+    if (!material.has_diffuse()) return {1.0, material.f0, {}, 0.0};
+    if (most - least <= 1e-9) return {0.0, {}, material.diffuse, most};
+    // As little metal as can be, whose greatest channel is 1; the dielectric takes what all channels have.
+    MixedMaterial made;
+    made.f0 = std::min(least, 0.04);
+    made.metal = (most - made.f0) / (1.0 - made.f0);
+    made.metal_f0 = (material.f0 - (1.0 - made.metal) * glm::dvec3(made.f0)) / made.metal;
+    made.diffuse = material.diffuse / (1.0 - made.metal);
+    return made;
+}
+
+double refractive_index(double f0) {
+    const double root = std::sqrt(f0);
+    return (1.0 + root) / (1.0 - root);
+}
+
+Frame frame_of(const Ball& ball) {
+    Frame frame;
+    frame.origin = ball.center;
+    return frame;
+}
+
+Frame frame_of(const Capsule& capsule) {
+    return aimed_frame(capsule.center, -capsule.axis, {0.0, 1.0, 0.0});
+}
+
+std::string unique_name(std::string_view name, std::set<std::string>& taken) {
+    std::string plain;
+    for (const char c : name)
+        plain += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ? c : '_';
+    if (plain.empty()) plain = "light";
+    std::string free = plain;
+    for (int n = 2; !taken.insert(free).second; ++n)
+        free = plain + "_" + std::to_string(n);
+    return free;
+}
+
+} // namespace gonio::asset_detail

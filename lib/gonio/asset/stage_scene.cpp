@@ -1,0 +1,131 @@
+#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/stage_scene.hpp>
+#include <gonio/base/kind_text.hpp>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+using namespace asset_detail;
+
+constexpr std::array formats{
+    StageFormat{".gltf", "glTF 2.0 with .bin and .ies beside it", "gltf", gltf_text_files},
+    StageFormat{".glb", "glTF 2.0 in one file", "gltf", gltf_binary_files},
+    StageFormat{".usda", "OpenUSD with UsdLux, UsdPreviewSurface", "usd", usd_files},
+    StageFormat{".pbrt", "pbrt-v4", "pbrt", pbrt_files},
+    StageFormat{".xml", "Mitsuba 3", "mitsuba", mitsuba_files},
+    StageFormat{".py", "a script for Blender that makes a scene for Cycles", "blender", blender_files},
+};
+
+// The square of an endless plane, in the middle of which the eye stands.
+Panel cut(const Plane& plane, const glm::dvec3& eye) {
+    const glm::dvec3 middle = eye - glm::dot(eye - plane.point, plane.normal) * plane.normal;
+    return panel_facing(middle, plane.normal, {0.0, 1.0, 0.0}, plane_size.value, plane_size.value);
+}
+
+SceneShape scene_shape(const Primitive& primitive, const glm::dvec3& eye) {
+    if (const auto* plane = std::get_if<Plane>(&primitive)) return cut(*plane, eye);
+    if (const auto* panel = std::get_if<Panel>(&primitive)) return *panel;
+    if (const auto* ball = std::get_if<Ball>(&primitive)) return *ball;
+    if (const auto* box = std::get_if<Box>(&primitive)) return *box;
+    return std::get<Capsule>(primitive);
+}
+
+// As CameraRays sees it.
+SceneCamera scene_camera(const Camera& camera, int width, int height) {
+    const double half_height = std::tan(0.5 * degrees(camera.vertical_fov_deg).value);
+    const double half_width = std::tan(0.5 * degrees(camera.least_horizontal_fov_deg).value);
+    return {aimed_frame(camera.position, camera.target - camera.position, camera.up),
+            2.0 * std::atan(std::max(half_height, half_width * height / width)), width, height};
+}
+
+class StageBuilder {
+public:
+    StageBuilder(const glm::dvec3& eye, std::set<std::string>& names, std::vector<std::string>& instead)
+        : eye_(eye), names_(names), instead_(instead) {}
+
+    void add(const Surface& surface) {
+        const SceneShape shape = scene_shape(surface.geometry, eye_);
+        if (const auto* panel = std::get_if<Panel>(&shape))
+            stage_.shows_backs |= glm::dot(eye_ - panel->frame.origin, panel->frame.z) < 0.0;
+        stage_.surfaces.push_back({unique_name(surface.name, names_), shape, material_of(surface)});
+    }
+
+    SceneStage& stage() { return stage_; }
+
+private:
+    // The same material of surfaces of the same name is one.
+    std::size_t material_of(const Surface& surface) {
+        std::vector<std::string> losses;
+        SceneMaterial material = scene_material(surface.material, losses);
+        for (const std::string& loss : losses) {
+            std::string line = fmt::format("surface '{}': {}", surface.name, loss);
+            if (std::find(instead_.begin(), instead_.end(), line) == instead_.end())
+                instead_.push_back(std::move(line));
+        }
+        for (std::size_t i = 0; i < stage_.materials.size(); ++i) {
+            const SceneMaterial& other = stage_.materials[i];
+            if (sources_[i] == surface.name && other.diffuse == material.diffuse && other.f0 == material.f0 &&
+                other.alpha == material.alpha)
+                return i;
+        }
+        material.name = unique_name(surface.name + "_material", names_);
+        stage_.materials.push_back(std::move(material));
+        sources_.push_back(surface.name);
+        return stage_.materials.size() - 1;
+    }
+
+    glm::dvec3 eye_;
+    std::set<std::string>& names_;
+    std::vector<std::string>& instead_;
+    SceneStage stage_;
+    std::vector<std::string> sources_; // of each material, the surfaces' name
+};
+
+} // namespace
+
+std::span<const StageFormat> stage_formats() {
+    return formats;
+}
+
+Result<const StageFormat*> stage_format_of(std::string_view file) {
+    std::string known;
+    for (const StageFormat& format : formats) {
+        if (file.size() > format.extension.size() && file.ends_with(format.extension)) return &format;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
+    }
+    return fail(Failure::usage, fmt::format("a scene cannot be written as '{}'", file),
+                fmt::format("its name ends in one of {}", known));
+}
+
+Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, const Camera& camera,
+                               std::span<const Light> lights, const StageSceneOptions& options) {
+    const Target& target = **find_target(format.target);
+    Result<BuiltScene> built = scene_content(target, lights, {options.name, options.description, Meters(1.0)});
+    if (!built) return pass_on(built);
+    std::set<std::string> names;
+    for (const SceneLight& light : built->content.lights)
+        names.insert(light.name);
+    StageBuilder builder(camera.position, names, built->instead);
+    for (const Surface& surface : stage.surfaces)
+        builder.add(surface);
+    SceneStage& made = builder.stage();
+    made.camera = scene_camera(camera, options.width, options.height);
+    made.white = options.white;
+    if (made.shows_backs && (format.target == "pbrt" || format.target == "mitsuba"))
+        built->instead.push_back(fmt::format("the camera stands behind a wall that is seen from its lit side only: {} "
+                                             "shows its back",
+                                             format.target));
+    built->content.stage = std::move(made);
+    return LightScene{format.files(built->content), std::move(built->instead)};
+}
+
+} // namespace gonio

@@ -1,0 +1,39 @@
+// How far a picture is from another one, in numbers.
+#pragma once
+
+#include <gonio/base/image.hpp>
+#include <gonio/measure/error_statistics.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace gonio::measure {
+
+// Pixels of the truth below this share of its greatest value have no relative error: what is all but dark has no say.
+inline constexpr double relative_floor_share = 1e-4;
+
+struct PictureError {
+    std::size_t pixels = 0;        // that were compared
+    double mean = 0.0;             // of the truth
+    double greatest = 0.0;         // of the truth
+    double bias = 0.0;             // mean of value − truth
+    double mean_absolute = 0.0;    // mean of |value − truth|
+    double mean_relative = 0.0;    // mean of |value − truth|/truth above the floor
+    double rms = 0.0;              // root of the mean of (value − truth)²
+    std::optional<double> psnr_db; // 20 log10(greatest/rms); nothing where the pictures are the same
+    ErrorStatistics of_pixels;     // |value − truth|, and relative above the floor
+    struct {
+        int column = 0;
+        int row = 0;
+        double value = 0.0;
+        double truth = 0.0;
+    } worst; // where |value − truth| is largest
+};
+
+// Pictures of one size and one channel. Pixels of which `left_out` (empty, or one for each pixel) is not 0 are not
+// compared.
+PictureError picture_error(const Image& values, const Image& truth, std::span<const std::uint8_t> left_out = {});
+
+} // namespace gonio::measure

@@ -1,0 +1,84 @@
+#include <gonio/preview/picture_parts.hpp>
+#include <gonio/scene/core_material.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace gonio {
+
+namespace {
+
+Light darkened(Light light) {
+    light.color = glm::dvec3(0.0);
+    light.intensity = Candelas();
+    light.luminance = Nits();
+    light.illuminance = Lux();
+    light.web_scale = 0.0;
+    return light;
+}
+
+LambertMaterial lambert(const shading::vec3<double>& albedo) {
+    return {{albedo.x, albedo.y, albedo.z}};
+}
+
+// The diffuse part of a material as a material.
+struct DiffusePart {
+    Material operator()(const LambertMaterial& material) const { return material; }
+    Material operator()(const EonMaterial& material) const { return material; }
+    Material operator()(const GgxMaterial&) const { return LambertMaterial{glm::dvec3(0.0)}; }
+    Material operator()(const KullaContyMaterial&) const { return LambertMaterial{glm::dvec3(0.0)}; }
+    Material operator()(const FrostbiteMaterial& material) const {
+        // Without reflectance f0 and f90 are 0, and Disney's diffuse remains.
+        return FrostbiteMaterial{material.base * (1.0 - material.metal), material.smoothness, 0.0, 0.0};
+    }
+    Material operator()(const Ue4Material& material) const { return lambert(core_material(material).albedo); }
+    Material operator()(const BlinnMaterial& material) const { return lambert(core_material(material).albedo); }
+};
+
+Image minus(Image from, const Image& what) {
+    std::transform(from.pixels.begin(), from.pixels.end(), what.pixels.begin(), from.pixels.begin(), std::minus<>());
+    return from;
+}
+
+} // namespace
+
+Result<void> render_each_light(const Stage& stage, std::span<const Light> lights, const Camera& camera,
+                               const RenderOptions& options,
+                               const std::function<Result<void>(std::size_t light, Rendering share)>& use) {
+    std::vector<Light> one_lit;
+    one_lit.reserve(lights.size());
+    for (const Light& light : lights)
+        one_lit.push_back(darkened(light));
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        Light dark = std::exchange(one_lit[i], lights[i]);
+        Result<Rendering> share = render(stage, one_lit, camera, options);
+        if (!share) return pass_on(share);
+        one_lit[i] = std::move(dark);
+        if (Result<void> used = use(i, std::move(*share)); !used) return used;
+    }
+    return {};
+}
+
+Result<PictureParts> picture_parts(const Image& picture, Stage stage, std::span<const Light> lights,
+                                   const Camera& camera, const RenderOptions& options) {
+    RenderOptions luminance_only = options;
+    luminance_only.illuminance = false;
+    for (Surface& surface : stage.surfaces)
+        surface.material = std::visit(DiffusePart(), surface.material);
+    Result<Rendering> diffuse = render(stage, lights, camera, luminance_only);
+    if (!diffuse) return pass_on(diffuse);
+    for (Surface& surface : stage.surfaces)
+        surface.material = LambertMaterial{glm::dvec3(0.0)};
+    Result<Rendering> emission = render(stage, lights, camera, luminance_only);
+    if (!emission) return pass_on(emission);
+    PictureParts parts;
+    parts.specular_nt = minus(picture, diffuse->luminance_nt);
+    parts.diffuse_nt = minus(std::move(diffuse->luminance_nt), emission->luminance_nt);
+    parts.emission_nt = std::move(emission->luminance_nt);
+    return parts;
+}
+
+} // namespace gonio
