@@ -37,7 +37,7 @@ struct Thumbnail {
 Result<void> only_of_sheets(const Arguments& arguments) {
     std::string_view other = given_light_option(arguments);
     if (arguments.has("--rig")) other = "--rig";
-    for (const std::string_view option : {"--output-dir", "--export"})
+    for (const std::string_view option : {"--output-dir"})
         if (arguments.has(option)) other = option;
     if (!other.empty())
         return fail(Failure::usage, fmt::format("a sheet shows profiles as measured: it has no use for {}", other),

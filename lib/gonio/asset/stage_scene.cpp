@@ -119,8 +119,16 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
         builder.add(surface);
     SceneStage& made = builder.stage();
     made.camera = scene_camera(camera, options.width, options.height);
+    const bool mixes = format.target == "pbrt" || format.target == "mitsuba";
+    for (const SceneMaterial& material : made.materials) {
+        const glm::dvec3 diffuse = mixed(material).diffuse;
+        if (mixes && std::max({diffuse.x, diffuse.y, diffuse.z}) > 1.0)
+            built->instead.push_back(fmt::format("{}: its albedo and its coloured reflection are more together than {} "
+                                                 "mixes: an albedo above 1 is written",
+                                                 material.name, format.target));
+    }
     made.white = options.white;
-    if (made.shows_backs && (format.target == "pbrt" || format.target == "mitsuba"))
+    if (made.shows_backs && mixes)
         built->instead.push_back(fmt::format("the camera stands behind a wall that is seen from its lit side only: {} "
                                              "shows its back",
                                              format.target));
