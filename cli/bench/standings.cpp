@@ -1,6 +1,7 @@
 #include "standings.hpp"
 
 #include <gonio/base/unit_text.hpp>
+#include <gonio/measure/verdict.hpp>
 #include <gonio/plot/log_log.hpp>
 
 #include <fmt/format.h>
@@ -8,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gonio::cli {
@@ -76,7 +79,13 @@ LogLogPanel panel_of(const Standings& standings) {
         if (series == panel.series.end()) series = panel.series.insert(series, {row.method, {}, false});
         MarkedPoint point{row.time->timing.lowest_ns, row.error.median, mark_of(row.code), row.on_front, {}};
         if (row.on_front) {
-            point.label = fmt::format("{} {}", row.method, row.code);
+            // The fastest of those of a method that are as close.
+            const bool another = std::any_of(standings.rows.begin(), standings.rows.end(), [&](const Standing& other) {
+                return other.method == row.method && other.on_front && other.time &&
+                       other.time->timing.lowest_ns < row.time->timing.lowest_ns &&
+                       other.error.median <= 2.0 * row.error.median;
+            });
+            if (!another) point.label = fmt::format("{} {}", row.method, row.code);
             panel.front.push_back(point);
         }
         series->points.push_back(std::move(point));
@@ -111,7 +120,48 @@ std::string standings_text(const Standings& standings) {
     for (const Standing& row : standings.rows)
         line(row.on_front ? "*" : "", {row.method, row.code, error_text(row.error.median), error_text(row.error.p95),
                                        error_text(row.error.max), ns_text(row), ratio_text(row)});
+    if (const std::string verdict = verdict_text(standings); !verdict.empty()) text += fmt::format("  {}\n", verdict);
     return text;
+}
+
+std::string verdict_text(const Standings& standings) {
+    const std::optional<measure::Verdict> verdict = measure::verdict_of(standings);
+    if (!verdict) return {};
+    std::string text =
+        fmt::format("default: {}, {}", verdict->standard, verdict->on_front ? "on the front" : "not on the front");
+    using enum measure::Rival::Standing;
+    for (const auto& [how, name] : {std::pair{cheaper, "cheaper"}, {closer, "closer"}, {dominated, "dominated"}}) {
+        std::string list;
+        for (const measure::Rival& rival : verdict->rivals) {
+            if (rival.standing != how) continue;
+            list += list.empty() ? fmt::format("; {}: ", name) : ", ";
+            list += rival.method;
+            if (how == cheaper) list += fmt::format(" {} times as fast", rounded(rival.times_as_fast, 2));
+            if (how == closer) list += fmt::format(" in {} times the time", rounded(1.0 / rival.times_as_fast, 2));
+            if (how != dominated)
+                list +=
+                    fmt::format(" (off by {}, 95 % {})", error_text(rival.error_median), error_text(rival.error_p95));
+        }
+        text += list;
+    }
+    return text;
+}
+
+std::string summary_text(std::span<const Standings> all) {
+    std::size_t with_default = 0;
+    std::size_t on_front = 0;
+    std::string others;
+    for (const Standings& standings : all) {
+        const std::optional<measure::Verdict> verdict = measure::verdict_of(standings);
+        if (!verdict) continue;
+        ++with_default;
+        if (verdict->on_front)
+            ++on_front;
+        else
+            others += fmt::format("{} {}", others.empty() ? "; not of" : ",", title_text(standings));
+    }
+    if (with_default == 0) return {};
+    return fmt::format("the default is on the front of {} of {} tables{}", on_front, with_default, others);
 }
 
 std::string standings_markdown(const Standings& standings) {
@@ -122,6 +172,7 @@ std::string standings_markdown(const Standings& standings) {
         text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.method, row.code,
                             error_text(row.error.median), error_text(row.error.p95), error_text(row.error.max),
                             ns_text(row), ratio_text(row), row.on_front ? "★" : "");
+    if (const std::string verdict = verdict_text(standings); !verdict.empty()) text += fmt::format("\n{}\n", verdict);
     return text;
 }
 
@@ -181,6 +232,7 @@ Json standings_json(const Standings& standings) {
             {"item", title.item},
             {"truth", title.truth},
             {"baseline", {{"method", baseline.method}, {"code", baseline.code}}},
+            {"default", title.standard.empty() ? Json(nullptr) : Json(title.standard)},
             {"rows", std::move(rows)}};
 }
 

@@ -30,6 +30,11 @@ std::string standings_text(const measure::Standings& standings);
 std::string standings_markdown(const measure::Standings& standings);
 std::string standings_csv_header();
 std::string standings_csv(const measure::Standings& standings, const BenchRun& run);
+// "default: exact, on the front; cheaper: frostbite 1.2 times as fast, off by 2e-07 (95 %: 8e-03); dominated: point";
+// empty where there is no default.
+std::string verdict_text(const measure::Standings& standings);
+// "the default is on the front of 20 of 21 tables; not of: …"; empty where no table has one.
+std::string summary_text(std::span<const measure::Standings> all);
 Json standings_json(const measure::Standings& standings);
 
 // schema, tool, machine, seed: the members that stand before the contests.

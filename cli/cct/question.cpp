@@ -270,7 +270,7 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
         if (Result<Cct> found = exact_cct(*at)) answer.cct->duv = found->duv;
     } else if (cct->duv == 0.0) {
         answer.blackbody = blackbody_efficacy(cct->temperature);
-        answer.blackbody_luminance = blackbody_luminance(cct->temperature);
+        answer.blackbody_luminance = blackbody_luminance(cct->temperature, *answer.blackbody);
     }
     answer.diagnostics = remarks(*answer.cct);
     if (Result<void> compared = compare_colors(request, answer); !compared) return pass_on(compared);

@@ -217,6 +217,9 @@ Result<std::vector<Standings>> measure_all(const Request& request, BenchRun& run
     }
     progress.clear();
     run.complete = !interrupted();
+    const bool words = request.form == Form::words || request.form == Form::markdown;
+    if (const std::string summary = summary_text(all); all.size() > 1 && words && !request.chart_to_standard_output)
+        if (!summary.empty()) console.print(fmt::format("\n{}\n", summary));
     return all;
 }
 
@@ -273,7 +276,8 @@ const Command bench_command{
     "the truth, the time of one\n"
     "evaluation (the least of all samples) and the median ratio to a named baseline, taken in "
     "turn in the same rounds.\n"
-    "A star marks what no other row beats in both median error and time: the Pareto front.\n"
+    "A star marks what no other row beats in both median error and time: the Pareto front. Below a table stands where\n"
+    "the method is that is used where none is asked for, and what the others' errors buy.\n"
     "--stress looks for input that breaks a function instead: it prints the worst share of each bar, every broken one\n"
     "with its input in hexadecimal floats, and exits 1 where there is any.",
     groups,

@@ -4,6 +4,7 @@
 
 #include "../command.hpp"
 #include "../console.hpp"
+#include "../interrupt.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
@@ -13,6 +14,7 @@
 #include "../preview/export.hpp"
 #include "../preview/layers.hpp"
 #include "../preview/picture.hpp"
+#include "../preview/refine.hpp"
 #include "../preview/request.hpp"
 #include "../preview/sheet.hpp"
 #include "../preview/stats.hpp"
@@ -65,6 +67,8 @@ constexpr std::array examples{
             "five finishes of paint and of metal"},
     Example{"gonio preview --rig room.json --aov lights -o room.exr",
             "the share of each light, to mix them afterwards"},
+    Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
+            "by light paths, as far as half a minute comes"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
@@ -107,13 +111,13 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     return report;
 }
 
-Diagnostics check_convergence(const RenderStats& stats) {
-    if (stats.not_converged == 0) return {};
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::warning;
-    diagnostic.message =
-        fmt::format("the error asked for was not reached in {} evaluations of a light", stats.not_converged);
-    return {diagnostic};
+// By the method reference in passes, else at once.
+Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const Light> lights,
+                                  const Console& console) {
+    if (request.render.method == IrradianceMethod::reference) return refine(request, lights, console);
+    Result<Rendering> rendered = render(request.stage, lights, request.stage.camera, request.render);
+    if (!rendered) return pass_on(rendered);
+    return RefinedPicture{std::move(*rendered)};
 }
 
 Json names_of(std::span<const OutputFile> files) {
@@ -153,7 +157,7 @@ Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>
 
 Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--export"))
-        for (const std::string_view option : {"--aov", "--sweep", "--sheet", "--compare"})
+        for (const std::string_view option : several_pictures)
             if (arguments.has(option))
                 return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
                             "export without it");
@@ -176,20 +180,17 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     }
     if (request->output.empty()) return export_alone(*request, *lights, diagnostics, arguments, console);
     const Stopwatch rendering;
-    Result<Rendering> rendered = render(request->stage, *lights, request->stage.camera, request->render);
-    if (!rendered) return pass_on(rendered);
+    Result<RefinedPicture> pictured = picture_of(*request, *lights, console);
+    if (!pictured) return pass_on(pictured);
     const double render_ms = rendering.milliseconds();
-    const RenderStats stats = rendered->stats;
-    if (const Diagnostics judged = check_convergence(stats); !judged.empty()) {
-        console.say(judged);
-        diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
-    }
+    Rendering& rendered = pictured->rendering;
+    const RenderStats stats = rendered.stats;
     if (arguments.has("--ticks"))
-        draw_ticks(rendered->luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
+        draw_ticks(rendered.luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
     console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", request->render.width,
                                request->render.height, render_ms, simd::to_text(request->render.instruction_set)));
     const Stopwatch encoding;
-    Result<EncodedPicture> picture = encode_picture(std::move(*rendered), *request, *lights, console);
+    Result<EncodedPicture> picture = encode_picture(std::move(rendered), *request, *lights, console);
     if (!picture) return pass_on(picture);
     console.remark(fmt::format("display transform and encoding: {:.1f} ms", encoding.milliseconds()));
     std::vector<OutputFile> files{{request->output, picture->bytes}};
@@ -204,6 +205,10 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (as_json) {
         Json report = preview_json(*request, *lights, *picture, diagnostics);
         if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
+        if (request->render.method == IrradianceMethod::reference)
+            report["reference"] = {{"passes", pictured->passes},
+                                   {"error_estimate", pictured->error_estimate},
+                                   {"complete", !pictured->interrupted}};
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {
@@ -214,7 +219,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         else
             console.print(text);
     }
-    return 0;
+    return pictured->interrupted ? interrupted_status : 0;
 }
 
 int run(const Arguments& arguments, Console& console) {

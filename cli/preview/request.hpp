@@ -12,6 +12,7 @@
 #include "../command.hpp"
 #include "../options/rig_input.hpp"
 #include "look_options.hpp"
+#include "refine.hpp"
 #include "stage_input.hpp"
 
 #include <array>
@@ -35,7 +36,11 @@ inline constexpr std::array preview_method_options{
     Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
     Option{"--compare", "M1,M2",
            "several methods side by side, with their differences from the first in numbers and colours", "methods"},
-    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
+    Option{
+        "--error", "E",
+        "relative error that the method reference may leave: in one picture 1%, with --compare, --sweep and --aov in "
+        "each of its values 1e-6"},
+    Option{"--time", "T", "how long the method reference may take for one picture, e.g. 30s; Ctrl-C ends it at once"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
 };
@@ -48,16 +53,21 @@ inline constexpr std::array preview_output_options{
     Option{"-n,--dry-run", "", "check everything, render nothing"},
 };
 
+// Options that make more than one picture.
+inline constexpr std::array several_pictures{std::string_view("--aov"), std::string_view("--sweep"),
+                                             std::string_view("--sheet"), std::string_view("--compare")};
+
 struct PreviewRequest {
     LightsInput lights;
     Stage stage;
     RenderOptions render;
+    ReferenceBudget budget; // of the method reference
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
     std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
-    std::string output;      // empty: no picture, but a scene to export
-    std::string export_file; // empty: none
+    std::string output;                     // empty: no picture, but a scene to export
+    std::string export_file;                // empty: none
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

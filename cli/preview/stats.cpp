@@ -55,8 +55,7 @@ Json stats_json(const RenderStats& stats, double milliseconds) {
             {"skipped_below_horizon", stats.below_horizon},
             {"skipped_in_shadow", stats.in_shadow},
             {"shadow_tested", stats.shadow_tested},
-            {"in_penumbra", stats.in_penumbra},
-            {"not_converged", stats.not_converged}};
+            {"in_penumbra", stats.in_penumbra}};
 }
 
 } // namespace gonio::cli

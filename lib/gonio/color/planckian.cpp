@@ -31,8 +31,9 @@ Radiance radiance(Kelvin temperature) {
     Radiance sum;
     for (std::size_t i = 0; i < samples; ++i) {
         const double lambda = (detail::observer_first_nm + static_cast<double>(i)) * nm;
+        const double lambda2 = lambda * lambda;
         const double spectral =
-            2.0 * h * c * c / std::pow(lambda, 5) / std::expm1(c2_meter_kelvin / (lambda * temperature.value));
+            2.0 * h * c * c / (lambda2 * lambda2 * lambda) / std::expm1(c2_meter_kelvin / (lambda * temperature.value));
         sum.luminous += spectral * detail::observer[i][1] * nm;
         sum.band += spectral * nm;
     }
@@ -88,15 +89,28 @@ glm::dvec3 planckian_xyz(Kelvin temperature, double c2) {
     return xyz / xyz.y;
 }
 
+namespace {
+
+// [W/(m²·sr)], of all wavelengths: σT⁴/π.
+double total_radiance(Kelvin temperature) {
+    const double sigma = 2.0 * std::pow(std::numbers::pi, 5) * std::pow(k, 4) / (15.0 * std::pow(h, 3) * c * c);
+    return sigma * std::pow(temperature.value, 4) / std::numbers::pi;
+}
+
+} // namespace
+
 BlackbodyEfficacy blackbody_efficacy(Kelvin temperature) {
     const Radiance sum = radiance(temperature);
-    const double sigma = 2.0 * std::pow(std::numbers::pi, 5) * std::pow(k, 4) / (15.0 * std::pow(h, 3) * c * c);
-    const double total = sigma * std::pow(temperature.value, 4) / std::numbers::pi;
-    return {luminous_efficacy_constant * sum.luminous / total, luminous_efficacy_constant * sum.luminous / sum.band};
+    return {luminous_efficacy_constant * sum.luminous / total_radiance(temperature),
+            luminous_efficacy_constant * sum.luminous / sum.band};
 }
 
 Nits blackbody_luminance(Kelvin temperature) {
     return Nits(luminous_efficacy_constant * radiance(temperature).luminous);
+}
+
+Nits blackbody_luminance(Kelvin temperature, const BlackbodyEfficacy& efficacy) {
+    return Nits(efficacy.total_lm_per_w * total_radiance(temperature));
 }
 
 } // namespace gonio

@@ -42,7 +42,8 @@ struct BlackbodyEfficacy {
 };
 BlackbodyEfficacy blackbody_efficacy(Kelvin temperature);
 
-// Luminance [nt] of a black body.
+// Luminance [nt] of a black body; in no time from its efficacy.
 Nits blackbody_luminance(Kelvin temperature);
+Nits blackbody_luminance(Kelvin temperature, const BlackbodyEfficacy& efficacy);
 
 } // namespace gonio

@@ -24,6 +24,8 @@ struct ContestTitle {
     std::string error;  // "relative to E/L"
     std::string item;   // what a time is of: "receiver"
     std::string truth;  // whence the truth is
+    // The method that is used where none is asked for; empty where there is no such thing.
+    std::string standard{};
 };
 
 struct Contestant {

@@ -1,5 +1,6 @@
 #include <gonio/preview/detail/lit_scene.hpp>
 #include <gonio/preview/shading_constants.hpp>
+#include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/reference.hpp>
 
@@ -126,7 +127,14 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
         const Primitive& primitive = stage.surfaces[i].geometry;
         // What is seen of a stage is before its planes: they can hide only a light that reaches behind them.
         if (const auto* plane = std::get_if<Plane>(&primitive))
-            if (glm::dot(plane->normal, body.center - plane->point) >= body.radius) continue;
+            if (glm::dot(plane->normal, body.center - plane->point) >=
+                (light.has_surface ? reach_along(light.light, plane->normal) * (1.0 + 1e-9) : body.radius))
+                continue;
+        // A flat or a long light reaches less far towards a sheet than the ball around it.
+        if (const auto* panel = std::get_if<Panel>(&primitive); panel != nullptr && light.has_surface) {
+            const Ball towards{body.center, reach_along(light.light, panel->frame.z) * (1.0 + 1e-9)};
+            if (!may_stand_between(Plane{panel->frame.origin, panel->frame.z}, points, towards)) continue;
+        }
         if (may_stand_between(primitive, points, body)) found.push_back(static_cast<std::uint32_t>(i));
     }
 }

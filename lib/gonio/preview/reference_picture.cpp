@@ -130,7 +130,8 @@ ReferencePicture::ReferencePicture(const Stage& stage, std::span<const Light> li
       lights_(lights),
       options_(options),
       rays_(camera, options.width, options.height),
-      pixels_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
+      pixels_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)),
+      row_passes_(static_cast<std::size_t>(options.height)) {
     for (const Surface& surface : stage.surfaces)
         materials_.push_back(core_material(surface.material));
     for (const Light& light : lights)
@@ -143,19 +144,25 @@ Result<ReferencePicture> ReferencePicture::begin(const Stage& stage, std::span<c
     return ReferencePicture(stage, lights, camera, options);
 }
 
-void ReferencePicture::add_pass() {
-    parallel_for(static_cast<std::size_t>(options_.height), options_.threads, [&](std::size_t row) {
-        const std::size_t width = static_cast<std::size_t>(options_.width);
+void ReferencePicture::add_pass(const std::function<bool()>& stop) {
+    const std::size_t pass = passes();
+    const auto width = static_cast<std::size_t>(options_.width);
+    parallel_for(row_passes_.size(), options_.threads, [&](std::size_t row) {
+        if (row_passes_[row] > pass || (stop && stop())) return;
         for (std::size_t x = 0; x < width; ++x)
-            sample(pixels_[row * width + x], static_cast<int>(x), static_cast<int>(row));
+            sample(pixels_[row * width + x], static_cast<int>(x), static_cast<int>(row), pass);
+        ++row_passes_[row];
     });
-    ++passes_;
 }
 
-void ReferencePicture::sample(Pixel& pixel, int x, int y) const {
+std::size_t ReferencePicture::passes() const {
+    return *std::min_element(row_passes_.begin(), row_passes_.end());
+}
+
+void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) const {
     const auto index =
         static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.width) + static_cast<std::uint32_t>(x);
-    const Sequence numbers(passes_, index);
+    const Sequence numbers(pass, index);
     const Ray ray = rays_.ray(x + numbers(0, 0), y + numbers(1, 0));
     const std::optional<Hit> hit = first_hit(*stage_, ray);
     const Light* emitter = nullptr;
@@ -187,23 +194,25 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y) const {
             }
         },
         materials_[hit->surface]);
-    pixel.surface[passes_ % 2] += glm::vec3(rgb);
+    pixel.surface[pass % 2] += glm::vec3(rgb);
     pixel.illuminance_lx += static_cast<float>(lx);
 }
 
 double ReferencePicture::error_estimate() const {
-    if (passes_ < 2) return 1.0;
-    const double odd = static_cast<double>(passes_ / 2);
-    const double even = static_cast<double>(passes_) - odd;
+    if (passes() < 2) return 1.0;
     double apart = 0.0;
     double all = 0.0;
-    for (const Pixel& pixel : pixels_)
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const std::size_t passes = row_passes_[i / static_cast<std::size_t>(options_.width)];
+        const auto odd = static_cast<double>(passes / 2);
+        const double even = static_cast<double>(passes) - odd;
         for (int channel = 0; channel < 3; ++channel) {
-            const double a = pixel.surface[0][channel] / even;
-            const double b = pixel.surface[1][channel] / odd;
+            const double a = pixels_[i].surface[0][channel] / even;
+            const double b = pixels_[i].surface[1][channel] / odd;
             apart += 0.5 * std::abs(a - b);
             all += 0.5 * (a + b);
         }
+    }
     return all > 0.0 ? apart / all : 0.0;
 }
 
@@ -211,21 +220,23 @@ Rendering ReferencePicture::picture() const {
     Rendering rendering{Image(options_.width, options_.height, 3), {}, {}, {}};
     if (options_.illuminance) rendering.illuminance_lx = Image(options_.width, options_.height, 1);
     rendering.shows_light.resize(pixels_.size());
-    const float scale = passes_ > 0 ? 1.0F / static_cast<float>(passes_) : 0.0F;
+    RenderStats& stats = rendering.stats;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const Pixel& pixel = pixels_[i];
+        const std::size_t passes = row_passes_[i / static_cast<std::size_t>(options_.width)];
+        const float scale = passes > 0 ? 1.0F / static_cast<float>(passes) : 0.0F;
         const glm::vec3 rgb = (pixel.surface[0] + pixel.surface[1] + pixel.emitter) * scale;
         for (int channel = 0; channel < 3; ++channel)
             rendering.luminance_nt.pixels[3 * i + static_cast<std::size_t>(channel)] = rgb[channel];
         if (options_.illuminance) rendering.illuminance_lx.pixels[i] = pixel.illuminance_lx * scale;
         rendering.shows_light[i] = pixel.shows_light ? 1 : 0;
+        stats.samples += passes;
     }
-    rendering.stats.lights = lights_.size();
-    rendering.stats.dark_lights = static_cast<std::size_t>(std::count(is_dark_.begin(), is_dark_.end(), 1));
-    rendering.stats.samples = pixels_.size() * passes_;
-    rendering.stats.evaluations = lights_.size() * rendering.stats.samples;
-    rendering.stats.evaluated = (lights_.size() - rendering.stats.dark_lights) * rendering.stats.samples;
-    rendering.stats.dark = rendering.stats.evaluations - rendering.stats.evaluated;
+    stats.lights = lights_.size();
+    stats.dark_lights = static_cast<std::size_t>(std::count(is_dark_.begin(), is_dark_.end(), 1));
+    stats.evaluations = lights_.size() * stats.samples;
+    stats.dark = stats.dark_lights * stats.samples;
+    stats.evaluated = stats.evaluations - stats.dark;
     return rendering;
 }
 

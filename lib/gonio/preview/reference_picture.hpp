@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,15 +29,18 @@ public:
     static Result<ReferencePicture> begin(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                           const RenderOptions& options);
 
-    void add_pass();
-    std::size_t passes() const { return passes_; }
+    // Rows may be left out when `stop` says so, which is asked from all threads, once a row; the next pass takes them.
+    void add_pass(const std::function<bool()>& stop = {});
+
+    // Of the row that has the fewest.
+    std::size_t passes() const;
 
     // What is left of the picture's error, relative: half the mean difference between the pictures of the even and the
-    // odd passes, over the mean of both; of what surfaces show. 1 before there are two, 0 of a picture without light.
-    // An estimate: the pictures of few passes may agree by chance.
+    // odd passes, over the mean of both; of what surfaces show. 1 before each row has two, 0 of a picture without
+    // light. An estimate: the pictures of few passes may agree by chance.
     double error_estimate() const;
 
-    // As far as it is; black before the first pass.
+    // As far as it is; rows without a pass are black.
     Rendering picture() const;
 
 private:
@@ -49,7 +53,7 @@ private:
         float illuminance_lx = 0.0F;
         bool shows_light = false;
     };
-    void sample(Pixel& pixel, int x, int y) const;
+    void sample(Pixel& pixel, int x, int y, std::size_t pass) const;
 
     const Stage* stage_;
     std::span<const Light> lights_;
@@ -58,7 +62,7 @@ private:
     std::vector<CoreMaterial> materials_; // one for each surface
     std::vector<std::uint8_t> is_dark_;   // of each light
     std::vector<Pixel> pixels_;
-    std::size_t passes_ = 0;
+    std::vector<std::size_t> row_passes_;
 };
 
 } // namespace gonio

@@ -53,7 +53,32 @@ struct Distance {
     }
 };
 
+struct Reach {
+    const Frame& frame;
+    const glm::dvec3& direction;
+
+    double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
+    double operator()(const DiskShape& disk) const {
+        return disk.radius.value * glm::length(glm::cross(frame.z, direction));
+    }
+    double operator()(const RectShape& rect) const {
+        return 0.5 * rect.width.value * std::abs(glm::dot(frame.x, direction)) +
+               0.5 * rect.height.value * std::abs(glm::dot(frame.y, direction));
+    }
+    double operator()(const TubeShape& tube) const {
+        return 0.5 * tube.length.value * std::abs(glm::dot(frame.x, direction)) + tube.radius.value;
+    }
+    template<class Other>
+    double operator()(const Other& /*no surface*/) const {
+        return 0.0;
+    }
+};
+
 } // namespace
+
+double reach_along(const Light& light, const glm::dvec3& direction) {
+    return std::visit(Reach{light.frame, direction}, light.shape);
+}
 
 std::optional<double> distance_to(const Light& light, const Ray& ray) {
     return std::visit(Distance{light, ray}, light.shape);

@@ -12,4 +12,7 @@ namespace gonio {
 // where the shape has no surface at a finite distance (punctual lights, the sun).
 std::optional<double> distance_to(const Light& light, const Ray& ray);
 
+// How far the luminous surface reaches from the light's centre along a unit direction [m]; 0 where there is none.
+double reach_along(const Light& light, const glm::dvec3& direction);
+
 } // namespace gonio

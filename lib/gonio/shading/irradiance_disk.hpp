@@ -168,7 +168,7 @@ GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S r
         n_w = simd::select(z < S(0), facing, n_w);
         z = simd::abs(z);
     }
-    easy = simd::both(easy, z > S(0));
+    easy = simd::both(easy, simd::both(z > S(0), z2 > S(1e-11) * q)); // surely in front
     if (!simd::any(easy)) return {S(0), !easy};
     const S rim = simd::sqrt(simd::max(rim2, S(1e-30)));
     // Y as in survey_disk, its denominator left for the one division.

@@ -142,16 +142,19 @@ template<class S, template<class> class Light>
 enum class Kind : std::uint8_t { above, cut, end };
 
 // Surely beyond an end of the tube and within its prolongation; the few that are as good as there are hard to the
-// others, and so are those whose squares are no normal numbers.
+// others.
 template<class S>
 GONIO_FORCE_INLINE simd::mask_of<S> sees_end_alone(const TubeLight<S>& light, vec3<S> c) {
-    const S r = simd::abs(light.radius);
-    const S along = dot(light.axis, c);
-    const vec3<S> across = c - light.axis * along;
-    const S beyond = simd::abs(along);
-    const S slack = S(2e-6) * (beyond + r);
-    return simd::both(dot(across, across) < r * (r - slack),
-                      beyond > simd::mul_add(S(0.5), simd::abs(light.length), slack));
+    // In units of the light, so that squares are normal numbers; what is too far for that sees more than an end.
+    const S size = simd::max(simd::abs(light.radius), simd::abs(light.length));
+    const S scale = simd::reciprocal_power_of_two(size);
+    const S r = simd::abs(light.radius) * scale;
+    const S half = S(0.5) * (simd::abs(light.length) * scale);
+    const vec3<S> scaled = c * scale;
+    const S along = dot(light.axis, scaled);
+    const vec3<S> across = scaled - light.axis * along;
+    const S slack = S(2e-6) * (simd::abs(along) + r);
+    return simd::both(dot(across, across) < r * (r - slack), simd::abs(along) - half > slack);
 }
 
 template<Kind kind, class Light, class S>

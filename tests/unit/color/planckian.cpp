@@ -40,7 +40,10 @@ TEST(Planckian, TheSumIsTheReference) {
         const Xy of_xyz = to_xy(planckian_xyz(Kelvin(r.kelvin)));
         EXPECT_NEAR(of_xyz.x, xy.x, 1e-14) << r.kelvin;
         EXPECT_NEAR(blackbody_efficacy(Kelvin(r.kelvin)).total_lm_per_w / r.lm_per_w, 1.0, 4e-3) << r.kelvin;
-        EXPECT_NEAR(blackbody_luminance(Kelvin(r.kelvin)).value / r.nits, 1.0, 4e-3) << r.kelvin;
+        const Nits luminance = blackbody_luminance(Kelvin(r.kelvin));
+        EXPECT_NEAR(luminance.value / r.nits, 1.0, 4e-3) << r.kelvin;
+        const Nits at_once = blackbody_luminance(Kelvin(r.kelvin), blackbody_efficacy(Kelvin(r.kelvin)));
+        EXPECT_NEAR(at_once.value / luminance.value, 1.0, 1e-15) << r.kelvin;
     }
     const Uv infinite = to_uv(planckian_xyz(Kelvin(std::numeric_limits<double>::infinity())));
     EXPECT_NEAR(infinite.u, 0.180064, 6e-7);

@@ -8,6 +8,7 @@
 #include <gonio/measure/sphere_truth.hpp>
 #include <gonio/measure/suite.hpp>
 #include <gonio/measure/timing.hpp>
+#include <gonio/measure/verdict.hpp>
 
 #include <gtest/gtest.h>
 
@@ -264,6 +265,34 @@ TEST(Contest, ErrorsTimesRatiosAndFront) {
         ASSERT_TRUE(standings->rows[i].time.has_value());
         EXPECT_NEAR(standings->rows[i].time->ratio, ratios[i], 1e-6) << i;
     }
+}
+
+TEST(Verdict, OfTheMethodThatIsUsedUnasked) {
+    const auto row = [](const char* method, const char* code, double error, double ns, bool on_front) {
+        RelativeTiming time{};
+        time.timing.lowest_ns = ns;
+        return Standing{method, code, {error, 2.0 * error, 3.0 * error, 10}, time, on_front};
+    };
+    Standings standings;
+    standings.rows = {row("exact", "double", 1e-9, 40.0, true),    row("exact", "float", 1e-7, 20.0, true),
+                      row("rough", "float", 1e-2, 30.0, false),    row("rough", "pack", 1e-1, 5.0, true),
+                      row("long", "double", 1e-12, 80.0, true),    row("late", "float", 1e-2, 19.8, true),
+                      row("none", "float", std::nan(""), 1, false)};
+    EXPECT_FALSE(verdict_of(standings)) << "no standard";
+    standings.title.standard = "missing";
+    EXPECT_FALSE(verdict_of(standings));
+    standings.title.standard = "exact";
+    const auto verdict = verdict_of(standings);
+    ASSERT_TRUE(verdict);
+    EXPECT_TRUE(verdict->on_front);
+    ASSERT_EQ(verdict->rivals.size(), 3U);
+    EXPECT_EQ(verdict->rivals[0].standing, Rival::Standing::cheaper);
+    EXPECT_EQ(verdict->rivals[0].times_as_fast, 4.0);
+    EXPECT_EQ(verdict->rivals[0].error_median, 1e-1);
+    EXPECT_EQ(verdict->rivals[0].error_p95, 2e-1);
+    EXPECT_EQ(verdict->rivals[1].standing, Rival::Standing::closer);
+    EXPECT_EQ(verdict->rivals[1].error_median, 1e-12);
+    EXPECT_EQ(verdict->rivals[2].standing, Rival::Standing::dominated) << "a clock does not tell 1 %";
 }
 
 TEST(Contest, KeepsTheNamedMethodsAndTheBaseline) {

@@ -1,3 +1,4 @@
+#include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/detail/light_lines.hpp>
 #include <gonio/scene/detail/shadow_line.hpp>
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -291,6 +294,97 @@ TEST(ThreadsSoftShadows, ThreadsAndSkippingChangeNothing) {
         options.skip = false;
         EXPECT_EQ(lit(stage, light, options).luminance_nt.pixels, one.luminance_nt.pixels) << kind_of(light.shape);
     }
+}
+
+double mean_of(const Image& image) {
+    double sum = 0.0;
+    for (const float value : image.pixels)
+        sum += value;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+Rendering traced(const Stage& stage, std::span<const Light> lights, RenderOptions options, std::size_t passes) {
+    options.illuminance = true;
+    ReferencePicture picture = ReferencePicture::begin(stage, lights, stage.camera, options).value();
+    while (picture.passes() < passes)
+        picture.add_pass();
+    return picture.picture();
+}
+
+// Closed forms and shadow ratios against light paths, which share neither: the same light in all, and no pixel off by
+// more than the noise.
+TEST(ThreadsReferencePicture, AgreesWithTheClosedForms) {
+    Stage stage = floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}, Box{{{-0.6, 0.4, 0.3}}, {0.3, 0.2, 0.3}}});
+    stage.surfaces[0].material = parse_material("frostbite:smoothness=0.5").value();
+    stage.surfaces[1].material = parse_material("ue4:base=rgb(0.8,0.3,0.1),roughness=0.5").value();
+    stage.camera = {{0, -6, 5}, {0, 0, 0.2}, {0, 0, 1}, 22.0};
+    std::vector<Light> all(lights().begin(), lights().end());
+    all.push_back(light_of("point", "300cd", {0.5, 0.4, 2.0}));
+    all.push_back(light_of("sun:angle=4deg", "300lx", {0, 0, 0}, {0.3, 0.5, -1.0}));
+    for (Light& light : all)
+        if (!std::holds_alternative<SunShape>(light.shape)) light.frame.origin.z += 1.0; // out of the picture
+    RenderOptions options;
+    options.width = 36;
+    options.height = 28;
+    for (const Light& light : all) {
+        const Rendering exact = lit(stage, light, options);
+        const Rendering truth = traced(stage, {&light, 1}, options, 96);
+        const double mean = mean_of(truth.luminance_nt);
+        EXPECT_NEAR(mean_of(exact.luminance_nt), mean, 0.004 * mean) << kind_of(light.shape);
+        EXPECT_NEAR(mean_of(exact.illuminance_lx), mean_of(truth.illuminance_lx), 0.003 * mean_of(truth.illuminance_lx))
+            << kind_of(light.shape);
+        double apart = 0.0;
+        for (std::size_t i = 0; i < truth.luminance_nt.pixels.size(); ++i)
+            apart += std::abs(exact.luminance_nt.pixels[i] - truth.luminance_nt.pixels[i]);
+        EXPECT_LT(apart / static_cast<double>(truth.luminance_nt.pixels.size()), 0.03 * mean) << kind_of(light.shape);
+    }
+}
+
+TEST(ThreadsReferencePicture, KnowsItsError) {
+    const Stage stage = floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}});
+    const Light& light = lights()[2];
+    RenderOptions options;
+    options.width = 32;
+    options.height = 32;
+    const Image truth = traced(stage, {&light, 1}, options, 1200).luminance_nt;
+    const double mean = mean_of(truth);
+    ReferencePicture picture = ReferencePicture::begin(stage, {&light, 1}, stage.camera, options).value();
+    EXPECT_EQ(picture.error_estimate(), 1.0);
+    for (const std::size_t passes : {8UL, 32UL, 128UL}) {
+        while (picture.passes() < passes)
+            picture.add_pass();
+        const Image image = picture.picture().luminance_nt;
+        double apart = 0.0;
+        for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+            apart += std::abs(image.pixels[i] - truth.pixels[i]);
+        const double error = apart / static_cast<double>(truth.pixels.size()) / mean;
+        EXPECT_GT(picture.error_estimate(), 0.7 * error) << passes;
+        EXPECT_LT(picture.error_estimate(), 3.0 * error) << passes;
+    }
+}
+
+TEST(ThreadsReferencePicture, ThreadsChangeNothingAndRowsMayWait) {
+    const Stage stage = make_stage("floor").value();
+    RenderOptions options;
+    options.width = 40;
+    options.height = 30;
+    options.threads = 1;
+    const Image one = traced(stage, lights(), options, 3).luminance_nt;
+    for (const unsigned threads : {2U, 5U}) {
+        options.threads = threads;
+        EXPECT_EQ(traced(stage, lights(), options, 3).luminance_nt.pixels, one.pixels);
+    }
+    // Of a pass that is stopped the rows that are done stay; the next takes the rest.
+    options.threads = 1;
+    ReferencePicture picture = ReferencePicture::begin(stage, lights(), stage.camera, options).value();
+    int rows = 0;
+    picture.add_pass([&] { return ++rows > 11; });
+    EXPECT_EQ(picture.passes(), 0U);
+    picture.add_pass();
+    EXPECT_EQ(picture.passes(), 1U);
+    picture.add_pass();
+    picture.add_pass();
+    EXPECT_EQ(picture.picture().luminance_nt.pixels, one.pixels);
 }
 
 } // namespace

@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace gonio {
 namespace {
@@ -90,6 +93,49 @@ TEST(SpacingCriterion, OfALambertianSource) {
     EXPECT_NEAR(*sc.along_c90, *sc.along_c0, 1e-12);
     EXPECT_NEAR(*sc.diagonal, std::sqrt(2.0), 1e-6);
     EXPECT_FALSE(spacing_criterion(*Web::create(Symmetry::axial, {0}, {90, 180}, {5, 5})).along_c0);
+}
+
+// Step by step over γ, as it was done before the angles of the table were found to be enough.
+std::optional<double> spacing_by_steps(const Web& web, const std::vector<double>& planes_deg, double share,
+                                       double factor) {
+    const auto illuminance = [&](double gamma) {
+        double sum = 0.0;
+        for (const double c : planes_deg)
+            sum += web.candela(c, gamma);
+        return sum / static_cast<double>(planes_deg.size()) * std::pow(std::cos(gamma * rad), 3);
+    };
+    const double threshold = share * illuminance(0.0);
+    if (!(threshold > 0.0)) return std::nullopt;
+    for (double bright = 0.0; bright < 90.0; bright += 0.01) {
+        double dark = bright + 0.01;
+        if (illuminance(dark) >= threshold) continue;
+        for (int k = 0; k < 50; ++k) {
+            const double middle = 0.5 * (bright + dark);
+            (illuminance(middle) >= threshold ? bright : dark) = middle;
+        }
+        return factor * std::tan(bright * rad);
+    }
+    return std::nullopt;
+}
+
+TEST(SpacingCriterion, AsStepByStep) {
+    for (const Web& web :
+         {lambertian(), random_web(Symmetry::axial, {0}, {0, 3, 7.5, 40, 90}, 1),
+          random_web(Symmetry::quadrant, {0, 11, 45, 90}, steps(0, 90, 19), 2),
+          random_web(Symmetry::bilateral_0_180, steps(0, 180, 13), {0, 10, 30, 45, 170}, 3),
+          random_web(Symmetry::bilateral_90_270, {90, 100, 200, 270}, {0, 20, 35}, 4), // ends in the bright
+          random_web(Symmetry::none, {10, 50, 200, 370}, steps(0, 180, 3), 5)}) {
+        const SpacingCriterion sc = spacing_criterion(web);
+        const double root = std::numbers::sqrt2;
+        for (const auto& [found, stepped] : {std::pair{sc.along_c0, spacing_by_steps(web, {0, 180}, 0.5, 2.0)},
+                                             {sc.along_c90, spacing_by_steps(web, {90, 270}, 0.5, 2.0)},
+                                             {sc.diagonal, spacing_by_steps(web, {45, 135, 225, 315}, 0.25, root)}}) {
+            ASSERT_EQ(found.has_value(), stepped.has_value());
+            if (found) {
+                EXPECT_NEAR(*found, *stepped, 1e-12 * *stepped);
+            }
+        }
+    }
 }
 
 TEST(Beam, CieTakesHalfOfTheAxis) {

@@ -105,7 +105,7 @@ Result<Contest> of_question(Question question, const SuiteOptions& options) {
     const bool by_flux = question == Question::flux;
     Contest contest{{"bake", by_flux ? "flux of the texture" : "intensity in any direction", "all",
                      by_flux ? "relative to the flux" : "relative to the peak intensity", "texel",
-                     by_flux ? "the exact integral of the web" : "the web's interpolant in double"},
+                     by_flux ? "the exact integral of the web" : "the web's interpolant in double", "latlong"},
                     0,
                     {}};
     const std::shared_ptr<const Web> web = street();

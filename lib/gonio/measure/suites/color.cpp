@@ -21,7 +21,7 @@ struct Range {
 // `range`: the same temperatures for all; nothing: each over its own.
 Result<Contest> of_temperature(const char* subset, std::optional<Range> range, const SuiteOptions& options) {
     const std::size_t count = options.quick ? 500 : 2000;
-    Contest contest{{"colour", "temperature to colour", subset, "Δu'v'", "temperature", sum}, 0, {}};
+    Contest contest{{"colour", "temperature to colour", subset, "Δu'v'", "temperature", sum, "fit"}, 0, {}};
     for (const ColorSubject& subject : color_subjects()) {
         if (subject.name == "krystek" && subject.code == "double") contest.baseline = contest.contestants.size();
         const std::vector<Kelvin> kelvin = temperatures_between(range ? range->coolest : subject.coolest,
@@ -42,7 +42,7 @@ Result<Contest> of_temperature(const char* subset, std::optional<Range> range, c
 Result<Contest> of_color(const char* subset, Range range, double greatest_duv, const SuiteOptions& options) {
     const std::vector<OffLocus> cases =
         chromaticities_between(range.coolest, range.hottest, greatest_duv, options.quick ? 300 : 2000);
-    Contest contest{{"colour", "colour to temperature", subset, "kelvin", "chromaticity", sum}, 0, {}};
+    Contest contest{{"colour", "colour to temperature", subset, "kelvin", "chromaticity", sum, "fit"}, 0, {}};
     const std::vector<OffLocus> timed(cases.begin(), cases.begin() + 256);
     for (const CctSubject& subject : cct_subjects()) {
         if (subject.name == "mccamy") contest.baseline = contest.contestants.size();

@@ -16,7 +16,7 @@ using Kind = shading::LightConstants::Kind;
 constexpr double floor_e_over_l = 1e-6;
 
 ContestTitle title(const char* shape, std::optional<Stratum> stratum, const char* truth) {
-    return {"irradiance", shape, stratum ? to_text(*stratum) : "all", "relative to E/L", "receiver", truth};
+    return {"irradiance", shape, stratum ? to_text(*stratum) : "all", "relative to E/L", "receiver", truth, "exact"};
 }
 
 Result<Contest> of_sphere(std::optional<Stratum> stratum, const SuiteOptions& options) {

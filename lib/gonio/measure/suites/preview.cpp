@@ -82,7 +82,7 @@ Result<Contest> of_scene(const char* name, Scene made, const SuiteOptions& optio
     const auto truth = std::make_shared<const std::vector<double>>(truth_of(*scene, size));
     const double brightest = *std::max_element(truth->begin(), truth->end());
     Contest contest{{"preview", name, "all", "relative to the illuminance where it is above 1e-3 of the greatest",
-                     "pixel", "probe in double at the middle of each pixel"},
+                     "pixel", "probe in double at the middle of each pixel", "skip"},
                     0,
                     {}};
     const auto add = [&](const char* method, bool skip, simd::InstructionSet set) {

@@ -110,7 +110,7 @@ Result<Contest> of_flux() {
     for (const Web& web : *webs)
         truth->push_back(flux_by_quadrature(web));
     Contest contest{{"profiles", "flux", "all", "relative to the flux", "luminaire",
-                     "8 x 8 Gauss-Legendre points in each cell of the interpolant"},
+                     "8 x 8 Gauss-Legendre points in each cell of the interpolant", "exact"},
                     1,
                     {}};
     const auto add = [&](const char* name, double (*flux_lm)(const Web&)) {
@@ -166,7 +166,7 @@ Result<Contest> of_intensity(double horizontal_step_deg, double vertical_step_de
     for (int i = 0; i < (options.quick ? 500 : 5000); ++i)
         angles->push_back({random.uniform(0.0, 360.0), random.uniform(0.0, 90.0)});
     Contest contest{{"profiles", "intensity between the table's angles", subset, "relative to the peak intensity",
-                     "direction", "the formula that the table was made from"},
+                     "direction", "the formula that the table was made from", "interpolant"},
                     0,
                     {}};
     const auto add = [&](const char* name, double (*candela)(const Web&, double, double)) {

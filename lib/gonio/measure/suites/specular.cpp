@@ -21,7 +21,7 @@ Result<Contest> of_shape(Kind kind, const char* shape, const SuiteOptions& optio
     std::vector<double> truth = specular_truth(cases, options.threads);
     const auto methods = measure::specular_methods(kind);
     return contest_of({"specular", shape, "all", "relative to the luminance by GGX with F = 1", "receiver",
-                       "adaptive quadrature over the light's solid angle"},
+                       "adaptive quadrature over the light's solid angle", "ltc"},
                       methods, place_of(methods, "representative-point", "float"), std::move(cases), std::move(truth),
                       floor_luminance);
 }
