@@ -5,6 +5,7 @@
 #include <gonio/plot/svg.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -98,32 +99,47 @@ std::size_t draw_legend(Drawing* page, const LogLogPanel& panel, const Area& are
     return line + 1;
 }
 
-// Beside their points, above or below, where no other label is; what finds no place is left out.
-void draw_labels(Drawing& page, const LogLogPanel& panel, const Chart& chart,
+bool overlap(const Area& a, const Area& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+// Beside their points, above or below, off the marks where that can be and off each other always; what finds no place
+// is left out.
+void draw_labels(Drawing& page, const LogLogPanel& panel, const Area& inner,
                  const std::function<PagePoint(const MarkedPoint&)>& place) {
     constexpr double size_px = 10.0;
-    std::vector<Area> taken;
+    std::vector<Area> marks;
+    for (const MarkedSeries& series : panel.series)
+        for (const MarkedPoint& point : series.points)
+            if (const PagePoint at = place(point); drawn(point))
+                marks.push_back({at.x - 4.0, at.y - 4.0, at.x + 4.0, at.y + 4.0});
+    std::vector<Area> labels;
     for (const MarkedSeries& series : panel.series)
         for (const MarkedPoint& point : series.points) {
             if (!drawn(point) || point.label.empty()) continue;
             const PagePoint at = place(point);
-            const Area inner = chart.inner();
             const bool left = at.x > 0.5 * (inner.left + inner.right);
             const double x = at.x + (left ? -8.0 : 8.0);
             const double width = text_width_px(point.label, size_px);
-            for (const double down : {-5.0, 14.0, -17.0, 26.0}) {
-                const double base = at.y + down;
-                const Area box{left ? x - width : x, base - size_px, left ? x : x + width, base + 2.0};
-                const bool free = std::none_of(taken.begin(), taken.end(), [&](const Area& other) {
-                    return box.left < other.right && other.left < box.right && box.top < other.bottom &&
-                           other.top < box.bottom;
-                });
-                if (!free || box.top < inner.top || box.bottom > inner.bottom) continue;
-                taken.push_back(box);
-                page.text({x, base}, point.label,
-                          {left ? TextAnchor::end : TextAnchor::start, size_px, ink(0x333333), false, 1.5});
-                break;
-            }
+            const auto box = [&](double down) {
+                return Area{left ? x - width : x, at.y + down - size_px, left ? x : x + width, at.y + down + 2.0};
+            };
+            const auto free = [&](const std::vector<Area>& others, const Area& own) {
+                return std::none_of(others.begin(), others.end(),
+                                    [&](const Area& other) { return overlap(own, other); });
+            };
+            constexpr std::array places{-5.0, 14.0, -17.0, 26.0};
+            const auto fits = [&](double down) {
+                const Area own = box(down);
+                return own.top >= inner.top && own.bottom <= inner.bottom && free(labels, own);
+            };
+            const auto* found = std::find_if(places.begin(), places.end(),
+                                             [&](double down) { return fits(down) && free(marks, box(down)); });
+            if (found == places.end()) found = std::find_if(places.begin(), places.end(), fits);
+            if (found == places.end()) continue;
+            labels.push_back(box(*found));
+            page.text({x, at.y + *found}, point.label,
+                      {left ? TextAnchor::end : TextAnchor::start, size_px, ink(0x333333), false, 1.5});
         }
 }
 
@@ -148,7 +164,7 @@ void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
     if (y.high == 0.0) y = {1e-17, 1e-16};
     if (zero) y.low *= 0.1;
     // No mark on the frame.
-    x = {x.low * 0.9, x.high * 1.1};
+    x = {x.low * 0.95, x.high * 1.05};
     y = {y.low * 0.75, y.high * 1.33};
     const Chart chart(area, {panel.x_name, decades(x), true}, {panel.y_name, decades(y), true});
     chart.draw_lines(page, ink(0xdddddd));
@@ -173,7 +189,7 @@ void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
         for (const MarkedPoint& point : panel.series[i].points)
             if (drawn(point)) draw_mark(page, place(point), point, color);
     }
-    draw_labels(page, panel, chart, place);
+    draw_labels(page, panel, chart.inner(), place);
 }
 
 bool has_points(const LogLogPanel& panel) {
