@@ -79,7 +79,13 @@ LogLogPanel panel_of(const Standings& standings) {
         if (series == panel.series.end()) series = panel.series.insert(series, {row.method, {}, false});
         MarkedPoint point{row.time->timing.lowest_ns, row.error.median, mark_of(row.code), row.on_front, {}};
         if (row.on_front) {
-            point.label = fmt::format("{} {}", row.method, row.code);
+            // The fastest of those of a method that are as close.
+            const bool another = std::any_of(standings.rows.begin(), standings.rows.end(), [&](const Standing& other) {
+                return other.method == row.method && other.on_front && other.time &&
+                       other.time->timing.lowest_ns < row.time->timing.lowest_ns &&
+                       other.error.median <= 2.0 * row.error.median;
+            });
+            if (!another) point.label = fmt::format("{} {}", row.method, row.code);
             panel.front.push_back(point);
         }
         series->points.push_back(std::move(point));
@@ -134,7 +140,7 @@ std::string verdict_text(const Standings& standings) {
             if (how == closer) list += fmt::format(" in {} times the time", rounded(1.0 / rival.times_as_fast, 2));
             if (how != dominated)
                 list +=
-                    fmt::format(" off by {} (95 %: {})", error_text(rival.error_median), error_text(rival.error_p95));
+                    fmt::format(" (off by {}, 95 % {})", error_text(rival.error_median), error_text(rival.error_p95));
         }
         text += list;
     }

@@ -60,8 +60,6 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
     Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
-    Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
-            "by light paths, as far as half a minute comes"},
     Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
             "how far a method is off, and where"},
     Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
@@ -69,6 +67,8 @@ constexpr std::array examples{
             "five finishes of paint and of metal"},
     Example{"gonio preview --rig room.json --aov lights -o room.exr",
             "the share of each light, to mix them afterwards"},
+    Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
+            "by light paths, as far as half a minute comes"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
@@ -157,7 +157,7 @@ Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>
 
 Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--export"))
-        for (const std::string_view option : {"--aov", "--sweep", "--sheet", "--compare"})
+        for (const std::string_view option : several_pictures)
             if (arguments.has(option))
                 return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
                             "export without it");
@@ -204,11 +204,11 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     const bool as_json = arguments.has("--json") || arguments.has("--jsonl");
     if (as_json) {
         Json report = preview_json(*request, *lights, *picture, diagnostics);
+        if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
         if (request->render.method == IrradianceMethod::reference)
             report["reference"] = {{"passes", pictured->passes},
                                    {"error_estimate", pictured->error_estimate},
                                    {"complete", !pictured->interrupted}};
-        if (files.size() > 1) report["export"] = names_of(std::span(files).subspan(1));
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {

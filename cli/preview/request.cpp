@@ -70,17 +70,30 @@ Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) 
     return {};
 }
 
+bool is_one_picture(const Arguments& arguments) {
+    return std::none_of(several_pictures.begin(), several_pictures.end(),
+                        [&](std::string_view option) { return arguments.has(option); });
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
     request.render.method = *method;
-    const auto by_reference = std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference);
-    Result<ReferenceBudget> budget =
-        reference_budget(arguments, *method == IrradianceMethod::reference || by_reference > 0);
-    if (!budget) return pass_on(budget);
-    request.budget = *budget;
-    if (arguments.has("--error")) request.render.goal.relative_error = std::min(*budget->relative_error, 0.1);
+    const bool by_reference =
+        *method == IrradianceMethod::reference ||
+        std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference) != 0;
+    if (!is_one_picture(arguments)) {
+        // Pictures that are to be compared, summed or put beside each other have no noise: by quadrature.
+        Result<std::optional<double>> error = reference_error(arguments, by_reference);
+        if (!error) return pass_on(error);
+        if (*error) request.render.goal.relative_error = **error;
+        if (arguments.has("--time")) return fail(Failure::usage, "--time is of one picture alone", "use --error E");
+    } else {
+        Result<ReferenceBudget> budget = reference_budget(arguments, by_reference);
+        if (!budget) return pass_on(budget);
+        request.budget = *budget;
+    }
     request.render.skip = !arguments.has("--no-skip");
     return {};
 }

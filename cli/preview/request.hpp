@@ -53,6 +53,10 @@ inline constexpr std::array preview_output_options{
     Option{"-n,--dry-run", "", "check everything, render nothing"},
 };
 
+// Options that make more than one picture.
+inline constexpr std::array several_pictures{std::string_view("--aov"), std::string_view("--sweep"),
+                                             std::string_view("--sheet"), std::string_view("--compare")};
+
 struct PreviewRequest {
     LightsInput lights;
     Stage stage;

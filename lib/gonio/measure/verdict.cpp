@@ -27,6 +27,14 @@ Best best_of(const std::vector<Standing>& rows, const std::string& method) {
     return best;
 }
 
+// Two clocks' readings of the same work differ by less.
+constexpr double told_apart = 1.05;
+
+bool clearly_beats(const Standing& a, const Standing& b) {
+    return counts(a) && counts(b) && a.error.median <= b.error.median &&
+           a.time->timing.lowest_ns * told_apart < b.time->timing.lowest_ns;
+}
+
 } // namespace
 
 std::optional<Verdict> verdict_of(const Standings& standings) {
@@ -37,7 +45,10 @@ std::optional<Verdict> verdict_of(const Standings& standings) {
     Verdict verdict{standard, false, {}};
     for (const Standing& row : rows) {
         if (row.method == standard) {
-            verdict.on_front = verdict.on_front || row.on_front;
+            const bool beaten = std::any_of(rows.begin(), rows.end(), [&](const Standing& other) {
+                return other.method != standard && clearly_beats(other, row);
+            });
+            verdict.on_front = verdict.on_front || (counts(row) && !beaten);
             continue;
         }
         const bool seen = std::any_of(verdict.rivals.begin(), verdict.rivals.end(),
@@ -46,7 +57,7 @@ std::optional<Verdict> verdict_of(const Standings& standings) {
         if (seen || !other.fastest) continue;
         const double times_as_fast = own.fastest->time->timing.lowest_ns / other.fastest->time->timing.lowest_ns;
         using enum Rival::Standing;
-        const auto how = times_as_fast > 1.05                                      ? cheaper
+        const auto how = times_as_fast > told_apart                                ? cheaper
                          : other.closest->error.median < own.closest->error.median ? closer
                                                                                    : dominated;
         const Standing& told = how == closer ? *other.closest : *other.fastest;

@@ -1,11 +1,14 @@
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/log_log.hpp>
 #include <gonio/plot/palette.hpp>
+#include <gonio/plot/stroke_font.hpp>
 #include <gonio/plot/svg.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -95,6 +98,35 @@ std::size_t draw_legend(Drawing* page, const LogLogPanel& panel, const Area& are
     return line + 1;
 }
 
+// Beside their points, above or below, where no other label is; what finds no place is left out.
+void draw_labels(Drawing& page, const LogLogPanel& panel, const Chart& chart,
+                 const std::function<PagePoint(const MarkedPoint&)>& place) {
+    constexpr double size_px = 10.0;
+    std::vector<Area> taken;
+    for (const MarkedSeries& series : panel.series)
+        for (const MarkedPoint& point : series.points) {
+            if (!drawn(point) || point.label.empty()) continue;
+            const PagePoint at = place(point);
+            const Area inner = chart.inner();
+            const bool left = at.x > 0.5 * (inner.left + inner.right);
+            const double x = at.x + (left ? -8.0 : 8.0);
+            const double width = text_width_px(point.label, size_px);
+            for (const double down : {-5.0, 14.0, -17.0, 26.0}) {
+                const double base = at.y + down;
+                const Area box{left ? x - width : x, base - size_px, left ? x : x + width, base + 2.0};
+                const bool free = std::none_of(taken.begin(), taken.end(), [&](const Area& other) {
+                    return box.left < other.right && other.left < box.right && box.top < other.bottom &&
+                           other.top < box.bottom;
+                });
+                if (!free || box.top < inner.top || box.bottom > inner.bottom) continue;
+                taken.push_back(box);
+                page.text({x, base}, point.label,
+                          {left ? TextAnchor::end : TextAnchor::start, size_px, ink(0x333333), false, 1.5});
+                break;
+            }
+        }
+}
+
 void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
     page.text({area.left, area.top + 12.0}, panel.title, {TextAnchor::start, 13.0, {}, true});
     area.top += 20.0;
@@ -115,6 +147,9 @@ void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
             }
     if (y.high == 0.0) y = {1e-17, 1e-16};
     if (zero) y.low *= 0.1;
+    // No mark on the frame.
+    x = {x.low * 0.9, x.high * 1.1};
+    y = {y.low * 0.75, y.high * 1.33};
     const Chart chart(area, {panel.x_name, decades(x), true}, {panel.y_name, decades(y), true});
     chart.draw_lines(page, ink(0xdddddd));
     chart.draw_numbers(page);
@@ -138,14 +173,7 @@ void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
         for (const MarkedPoint& point : panel.series[i].points)
             if (drawn(point)) draw_mark(page, place(point), point, color);
     }
-    for (const MarkedSeries& series : panel.series)
-        for (const MarkedPoint& point : series.points)
-            if (drawn(point) && !point.label.empty()) {
-                const PagePoint at = place(point);
-                const bool right = at.x > 0.5 * (chart.inner().left + chart.inner().right);
-                page.text({at.x + (right ? -8.0 : 8.0), at.y - 5.0}, point.label,
-                          {right ? TextAnchor::end : TextAnchor::start, 10.0, ink(0x333333), false, 1.5});
-            }
+    draw_labels(page, panel, chart, place);
 }
 
 bool has_points(const LogLogPanel& panel) {

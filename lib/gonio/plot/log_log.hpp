@@ -18,7 +18,7 @@ struct MarkedPoint {
     double y = 0.0; // > 0; 0 stands on the panel's lowest line
     Mark mark = Mark::circle;
     bool filled = true;
-    std::string label = {}; // beside it; may be empty
+    std::string label = {}; // beside it, where there is room; may be empty
 };
 
 struct MarkedSeries {

@@ -131,7 +131,9 @@ TEST(SpacingCriterion, AsStepByStep) {
                                              {sc.along_c90, spacing_by_steps(web, {90, 270}, 0.5, 2.0)},
                                              {sc.diagonal, spacing_by_steps(web, {45, 135, 225, 315}, 0.25, root)}}) {
             ASSERT_EQ(found.has_value(), stepped.has_value());
-            if (found) EXPECT_NEAR(*found, *stepped, 1e-12 * *stepped);
+            if (found) {
+                EXPECT_NEAR(*found, *stepped, 1e-12 * *stepped);
+            }
         }
     }
 }
