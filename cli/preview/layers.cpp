@@ -23,13 +23,15 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> own_names{"emission", "diffuse", "specular", "illuminance"};
+constexpr std::array<std::string_view, 6> own_names{"emission", "diffuse",         "specular",
+                                                    "sky",      "illuminance-sky", "illuminance"};
 
 struct LayerChoice {
     bool lights = false;
     bool parts = false;
     bool illuminance = false;
 
+    // With an ambient sky, which counts as a light.
     std::size_t channels(std::size_t light_count) const {
         const std::size_t each = lights ? (illuminance ? 4U : 3U) : 0U;
         return 3U + (parts ? 9U : 0U) + (illuminance ? 1U : 0U) + each * light_count;
@@ -95,12 +97,13 @@ double mean_of(const Image& image) {
 class LayerMaker {
 public:
     LayerMaker(const PreviewRequest& request, std::span<const Light> lights, const LayerChoice& choice,
-               media::LayeredImage layered, const Console& console)
-        : request_(request), lights_(lights), choice_(choice), layered_(std::move(layered)), console_(console) {}
+               const Console& console)
+        : request_(request), lights_(lights), choice_(choice), console_(console) {}
 
     Result<std::string> make(Diagnostics& diagnostics) {
         RenderOptions options = request_.render;
         options.illuminance = choice_.illuminance;
+        if (Result<void> begun = begin(options); !begun) return pass_on(begun);
         Result<Rendering> all = render(request_.stage, lights_, request_.stage.camera, options);
         if (!all) return pass_on(all);
         exposure_ = request_.exposure.of(*all);
@@ -117,11 +120,27 @@ public:
     const Json& layers_json() const { return layers_; }
 
 private:
+    // What is no light's comes first, since it says how many layers there are.
+    Result<void> begin(const RenderOptions& options) {
+        if (choice_.lights) {
+            Result<Rendering> unlit = render_unlit(request_.stage, lights_, request_.stage.camera, options);
+            if (!unlit) return pass_on(unlit);
+            unlit_ = std::move(*unlit);
+        }
+        const std::vector<float>& nt = unlit_.luminance_nt.pixels;
+        has_sky_ = std::any_of(nt.begin(), nt.end(), [](float value) { return value > 0.0F; });
+        Result<media::LayeredImage> layered = room_for(choice_, request_, lights_.size() + (has_sky_ ? 1 : 0));
+        if (!layered) return pass_on(layered);
+        layered_ = std::move(*layered);
+        return {};
+    }
+
     void add_light(const std::string& layer, const Rendering& rendering, const std::string& light) {
         layered_.add(layer, rendering.luminance_nt);
-        layers_.push_back({{"layer", layer},
-                           {"light", light},
-                           {"mean_nt", mean_of(quantity_image(rendering, PictureQuantity::luminance))}});
+        Json entry{{"layer", layer}};
+        if (!light.empty()) entry["light"] = light;
+        entry["mean_nt"] = mean_of(quantity_image(rendering, PictureQuantity::luminance));
+        layers_.push_back(std::move(entry));
     }
 
     void add_lux(const std::string& layer, const Image& lux, const std::string& light) {
@@ -157,12 +176,17 @@ private:
             wanted.clear();
             for (const std::string& name : names)
                 wanted.push_back("illuminance-" + name);
-            const std::vector<std::string_view> taken(names.begin(), names.end());
+            std::vector<std::string_view> taken(names.begin(), names.end());
+            taken.insert(taken.end(), own_names.begin(), own_names.end());
             Diagnostics obvious; // that of its light is said
             lux_names = media::layer_names(wanted, taken, obvious);
         }
+        if (has_sky_) {
+            add_light("sky", unlit_, "");
+            if (choice_.illuminance) add_lux("illuminance-sky", unlit_.illuminance_lx, "");
+        }
         Progress progress(lights_.size(), console_.shows_progress());
-        Result<void> added = render_each_light(request_.stage, lights_, request_.stage.camera, options,
+        Result<void> added = render_each_light(request_.stage, lights_, request_.stage.camera, options, unlit_,
                                                [&](std::size_t i, const Rendering& share) {
                                                    progress.show(i, names[i]);
                                                    add_light(names[i], share, lights_[i].name);
@@ -179,6 +203,8 @@ private:
     LayerChoice choice_;
     media::LayeredImage layered_;
     const Console& console_;
+    Rendering unlit_;
+    bool has_sky_ = false;
     Ev100 exposure_;
     Json layers_ = Json::array();
 };
@@ -192,8 +218,8 @@ Result<int> preview_layers(const Arguments& arguments, Console& console) {
     if (!request) return pass_on(request);
     Result<void> fine = fits_layers(arguments, *request);
     if (!fine) return Unexpected(fine.error());
-    Result<media::LayeredImage> layered = room_for(*choice, *request, request->lights.rig.lights.size());
-    if (!layered) return pass_on(layered);
+    if (Result<media::LayeredImage> room = room_for(*choice, *request, request->lights.rig.lights.size()); !room)
+        return pass_on(room);
     Diagnostics diagnostics = request->diagnostics;
     Result<std::vector<Light>> lights = resolve_input(request->lights, diagnostics, request->render.threads);
     if (!lights) return pass_on(lights);
@@ -203,7 +229,7 @@ Result<int> preview_layers(const Arguments& arguments, Console& console) {
         return 0;
     }
     Diagnostics renamed;
-    LayerMaker maker(*request, *lights, *choice, std::move(*layered), console);
+    LayerMaker maker(*request, *lights, *choice, console);
     Result<std::string> bytes = maker.make(renamed);
     if (!bytes) return pass_on(bytes);
     console.say(renamed);

@@ -23,6 +23,8 @@ inline constexpr std::size_t max_layered_values = std::size_t{1} << 27;
 
 class LayeredImage {
 public:
+    LayeredImage() = default; // without room
+
     // Room for layers of `channels` channels together. Fails (unsupported) on more than max_layered_values, before
     // anything is allocated.
     static Result<LayeredImage> create(int width, int height, std::size_t channels);

@@ -20,6 +20,14 @@ Light darkened(Light light) {
     return light;
 }
 
+std::vector<Light> all_dark(std::span<const Light> lights) {
+    std::vector<Light> dark;
+    dark.reserve(lights.size());
+    for (const Light& light : lights)
+        dark.push_back(darkened(light));
+    return dark;
+}
+
 LambertMaterial lambert(const shading::vec3<double>& albedo) {
     return {{albedo.x, albedo.y, albedo.z}};
 }
@@ -45,18 +53,22 @@ Image minus(Image from, const Image& what) {
 
 } // namespace
 
+Result<Rendering> render_unlit(const Stage& stage, std::span<const Light> lights, const Camera& camera,
+                               const RenderOptions& options) {
+    return render(stage, all_dark(lights), camera, options);
+}
+
 Result<void> render_each_light(const Stage& stage, std::span<const Light> lights, const Camera& camera,
-                               const RenderOptions& options,
+                               const RenderOptions& options, const Rendering& unlit,
                                const std::function<Result<void>(std::size_t light, Rendering share)>& use) {
-    std::vector<Light> one_lit;
-    one_lit.reserve(lights.size());
-    for (const Light& light : lights)
-        one_lit.push_back(darkened(light));
+    std::vector<Light> one_lit = all_dark(lights);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         Light dark = std::exchange(one_lit[i], lights[i]);
         Result<Rendering> share = render(stage, one_lit, camera, options);
         if (!share) return pass_on(share);
         one_lit[i] = std::move(dark);
+        share->luminance_nt = minus(std::move(share->luminance_nt), unlit.luminance_nt);
+        share->illuminance_lx = minus(std::move(share->illuminance_lx), unlit.illuminance_lx);
         if (Result<void> used = use(i, std::move(*share)); !used) return used;
     }
     return {};

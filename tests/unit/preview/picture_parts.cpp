@@ -68,8 +68,11 @@ TEST(PictureParts, SharesOfLightsInAFileAddUpToThePicture) {
             const Rendering picture = render(stage, all, stage.camera, options).value();
             media::LayeredImage layered = media::LayeredImage::create(80, 60, 3 + 4 * all.size()).value();
             layered.add("", picture.luminance_nt);
+            const Rendering unlit = render_unlit(stage, all, stage.camera, options).value();
+            EXPECT_TRUE(std::all_of(unlit.luminance_nt.pixels.begin(), unlit.luminance_nt.pixels.end(),
+                                    [](float value) { return value == 0.0F; }));
             const auto added =
-                render_each_light(stage, all, stage.camera, options, [&](std::size_t i, Rendering share) {
+                render_each_light(stage, all, stage.camera, options, unlit, [&](std::size_t i, Rendering share) {
                     layered.add("light" + std::to_string(i), share.luminance_nt);
                     layered.add("lux" + std::to_string(i), share.illuminance_lx);
                     return Result<void>();
@@ -99,10 +102,13 @@ TEST(PictureParts, ShareOfALightIsThatLight) {
     const std::vector<Light> all{light_of("spot:outer=35deg", "900cd", {-0.8, 0.0, 2.2}),
                                  light_of("point", "900lm", {0.8, 0.0, 2.2})};
     std::vector<Image> shares;
-    ASSERT_TRUE(render_each_light(stage, all, stage.camera, small(), [&](std::size_t, Rendering share) {
-                    shares.push_back(std::move(share.luminance_nt));
-                    return Result<void>();
-                }).has_value());
+    ASSERT_TRUE(render_each_light(stage, all, stage.camera, small(),
+                                  render_unlit(stage, all, stage.camera, small()).value(),
+                                  [&](std::size_t, Rendering share) {
+                                      shares.push_back(std::move(share.luminance_nt));
+                                      return Result<void>();
+                                  })
+                    .has_value());
     ASSERT_EQ(shares.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i)
         EXPECT_EQ(shares[i].pixels, render(stage, {&all[i], 1}, stage.camera, small()).value().luminance_nt.pixels);
@@ -144,11 +150,12 @@ TEST(PictureParts, StopAtTheFirstFailure) {
     const std::vector<Light> all = lights();
     int calls = 0;
     const auto stopped =
-        render_each_light(stage, all, stage.camera, small(), [&](std::size_t i, Rendering) -> Result<void> {
-            ++calls;
-            if (i == 1) return fail(Failure::io, "full");
-            return {};
-        });
+        render_each_light(stage, all, stage.camera, small(), render_unlit(stage, all, stage.camera, small()).value(),
+                          [&](std::size_t i, Rendering) -> Result<void> {
+                              ++calls;
+                              if (i == 1) return fail(Failure::io, "full");
+                              return {};
+                          });
     EXPECT_FALSE(stopped.has_value());
     EXPECT_EQ(calls, 2);
     RenderOptions empty;
