@@ -33,6 +33,11 @@ stage card profiles/flood.ies
 stage room --shape tube:r=2cm,l=1.2m --intensity 2500lm --color 4000K
 "$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
     -o $here/sheet.png
+"$gonio" preview --shape tube:r=2cm,l=1.2m --intensity 2500lm --fov 26deg --target 0.2,0,0.6 \
+    --compare exact,frostbite -s 220x165 -o $here/methods.png > /dev/null
+"$gonio" preview --shape sphere:r=8cm --intensity 900lm --material ue4:base='rgb(0.9,0.6,0.3)' \
+    --fov 14deg --target 0.42,-0.28,0.36 \
+    --sweep roughness=0.15:0.75:4 --sweep metallic=0,1 -s 130x110 -o $here/sweep.png
 
 for picture in $here/*.png; do
     bytes=$(stat -c %s "$picture")

@@ -29,8 +29,8 @@ Result<double> parse_error(std::string_view text) {
     const double error = number.value_or(-1.0) * (percent ? 0.01 : 1.0);
     if (error == 0.0)
         return fail(Failure::usage, "--error 0 would take for ever", "for example --error 1%, or --time 30s");
-    if (!(error >= 1e-6) || !(error <= 0.5))
-        return fail(Failure::usage, fmt::format("--error must lie in [1e-6, 0.5], not '{}'", text),
+    if (!(error >= 1e-12) || !(error <= 0.5))
+        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.5], not '{}'", text),
                     "it is relative: 1% is 0.01");
     return error;
 }
@@ -61,6 +61,10 @@ Result<ReferenceBudget> reference_budget(const Arguments& arguments, bool by_ref
         return fail(Failure::usage,
                     fmt::format("{} is given without the method reference", error ? "--error" : "--time"),
                     "add --method reference");
+    for (const std::string_view option : {"--aov", "--compare", "--sheet", "--sweep"})
+        if (time && arguments.has(option))
+            return fail(Failure::usage, fmt::format("--time is of one picture, not of {}", option),
+                        "there the method reference ends by --error");
     if (error) {
         Result<double> parsed = parse_error(*error);
         if (!parsed) return pass_on(parsed);

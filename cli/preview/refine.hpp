@@ -1,4 +1,4 @@
-// The method reference: a picture in passes, until it is good enough, its time is over or Ctrl-C ends it.
+// The method reference of one picture: passes, until it is good enough, its time is over or Ctrl-C ends it.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -38,8 +38,9 @@ inline constexpr std::array preview_method_options{
            "several methods side by side, with their differences from the first in numbers and colours", "methods"},
     Option{
         "--error", "E",
-        "relative error that the method reference may leave: in the picture (1%), to be compared each light's (1e-6)"},
-    Option{"--time", "T", "how long the method reference may take, e.g. 30s; Ctrl-C ends it at once"},
+        "relative error that the method reference may leave: in one picture 1%, with --compare, --sweep and --aov in "
+        "each of its values 1e-6"},
+    Option{"--time", "T", "how long the method reference may take for one picture, e.g. 30s; Ctrl-C ends it at once"},
     Option{"--stats", "", "say what was skipped because no light reaches it"},
     Option{"--no-skip", "", "the same picture the long way: every light at every point"},
 };

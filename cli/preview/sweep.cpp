@@ -284,8 +284,12 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
     Result<void> made =
         sweeper.render_all(options.picture_width_px, options.picture_height_px, [&](Cell cell, std::size_t index) {
             SheetTile& tile = tiles[index];
-            tile.name = sweeper.sweep().label(index);
-            tile.facts = {fmt::format("mean {} cd/m²", rounded(Sweeper::mean_nt(cell.rendering), 4))};
+            // A line for each of two values, which one line has no room for.
+            const Sweep& sweep = sweeper.sweep();
+            tile.name = sweep.axes[0].label(sweep.value_of(index, 0));
+            tile.facts = {sweep.axes.size() == 2
+                              ? sweep.axes[1].label(sweep.value_of(index, 1))
+                              : fmt::format("mean {} cd/m²", rounded(Sweeper::mean_nt(cell.rendering), 4))};
             const Ev100 exposure = cell.request.exposure.of(cell.rendering);
             tile.picture = std::move(cell.rendering.luminance_nt);
             expose(tile.picture, exposure);

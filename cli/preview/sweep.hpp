@@ -22,7 +22,8 @@ inline constexpr std::array preview_sweep_options{
 };
 
 // A labelled sheet (-o) or files (-O), each equal to the picture of a light or stage that is written with the value,
-// under the exposure of the first unless that is what changes. Returns the exit status.
+// under the exposure of the first unless that is what changes. The method reference integrates by quadrature here,
+// without the noise of its passes. Returns the exit status.
 Result<int> preview_sweep(const Arguments& arguments, Console& console);
 
 } // namespace gonio::cli

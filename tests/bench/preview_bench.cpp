@@ -1,7 +1,8 @@
 // Google Benchmark of the preview's renderer; CPU time of all threads together is what `process_time` counts.
 //
 // How to read it: times swing with the machine, ratios within one run hold. Baselines: `…/whole` is the picture of the
-// same name without skipping (--no-skip); `pixels` the smallest picture, `lights` the smallest rig.
+// same name without skipping (--no-skip); `pixels` the smallest picture, `lights` the smallest rig; `shadows/…/off` the
+// picture of the same name without shadows.
 //   gonio-bench-preview                     everything
 //   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, of 100 m a side
 #include <gonio/base/atomic_file.hpp>
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -87,6 +89,16 @@ void add_all() {
                         lights_of(R"({"schema": "gonio.rig/1", "lights": [{"shape": "ies:)" + profiles_folder +
                                   R"(/wall-washer.ies", "position": [0, -0.2, 2.4]}]})"),
                         sized(512, 512)});
+    for (const char* stage : {"floor", "spheres", "room"})
+        for (const char* shape : {"rect:w=60cm,h=60cm", "disk:r=30cm", "sphere:r=10cm", "tube:r=2cm,l=1.2m"})
+            for (const auto& [name, shadows] : {std::pair{"soft", Shadows::soft}, std::pair{"off", Shadows::off}}) {
+                RenderOptions options = sized(512, 512);
+                options.shadows = shadows;
+                const Stage shown = make_stage(stage).value();
+                std::vector<Light> light = one_light(shape);
+                light.front().frame.origin = shown.light.position;
+                add(std::string("shadows/") + stage + "/" + shape + "/" + name, {shown, light, options});
+            }
     for (const int size : {256, 512, 1024, 2048})
         add("pixels/" + std::to_string(size) + "x" + std::to_string(size),
             {floor, one_light("rect:w=60cm,h=60cm"), sized(size, size)});

@@ -44,15 +44,15 @@ std::string named(std::string_view name, std::string_view type, const std::strin
 
 std::string metal(std::string_view name, const glm::dvec3& f0, double alpha) {
     return named(name, "conductor",
-                 fmt::format(" \"rgb reflectance\" [ {} ] \"float roughness\" [ {} ] \"bool remaproughness\" false",
+                 fmt::format(R"( "rgb reflectance" [ {} ] "float roughness" [ {} ] "bool remaproughness" false)",
                              triple(f0, " "), alpha));
 }
 
 std::string dielectric(std::string_view name, const glm::dvec3& diffuse, double f0, double alpha) {
-    const std::string reflectance = fmt::format(" \"rgb reflectance\" [ {} ]", triple(diffuse, " "));
+    const std::string reflectance = fmt::format(R"( "rgb reflectance" [ {} ])", triple(diffuse, " "));
     if (f0 == 0.0) return named(name, "diffuse", reflectance);
     return named(name, "coateddiffuse",
-                 fmt::format("{} \"float eta\" [ {} ] \"float roughness\" [ {} ] \"bool remaproughness\" false",
+                 fmt::format(R"({} "float eta" [ {} ] "float roughness" [ {} ] "bool remaproughness" false)",
                              reflectance, refractive_index(f0), alpha));
 }
 
@@ -64,8 +64,8 @@ std::string material_text(const SceneMaterial& material) {
     return dielectric(material.name + ".rest", parts.diffuse, parts.f0, material.alpha) +
            metal(material.name + ".metal", parts.metal_f0, material.alpha) +
            named(material.name, "mix",
-                 fmt::format(" \"string materials\" [ \"{0}.rest\" \"{0}.metal\" ] \"float amount\" [ {1} ]",
-                             material.name, parts.metal));
+                 fmt::format(R"( "string materials" [ "{0}.rest" "{0}.metal" ] "float amount" [ {1} ])", material.name,
+                             parts.metal));
 }
 
 std::string placed(const Frame& frame) {

@@ -1,8 +1,9 @@
 // The preview: lights on a stage, as a picture in scene-linear luminance.
 //
 // Noise-free: every pixel is an exact evaluation of the lights at its surface point, pixels on outlines and hard shadow
-// edges are the mean of 4×4 such points. Tiles run on all threads; the picture does not depend on how many.
-// What cannot change the picture is not computed; README.md says what that is and what it saves.
+// edges are the mean of 4×4 such points; soft shadows are integrated along lines over the light (README.md). Tiles run
+// on all threads; the picture does not depend on how many. What cannot change the picture is not computed; README.md
+// says what that is and what it saves.
 #pragma once
 
 #include <gonio/base/image.hpp>

@@ -244,12 +244,14 @@ GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
     const S aside = kappa * t.n_g;
     const S great = simd::mul_add(facing - aside, angle_plus, (facing + aside) * angle_minus);
 
-    // Without a cut the slopes are joined, and nothing cancels.
-    const S inverse = end0.inverse_distance * end1.inverse_distance;
     const auto single = simd::either(single0, single1);
     const auto closed = simd::both(above0_minus, !single);
-    const S closing = simd::select(closed, S(0), closing_angle) - S(0.5) * slanted;
-    const S rest = simd::select(cut, closing, t.r * kappa * whole_slope(t, inverse * inverse));
+    S rest = simd::select(closed, S(0), closing_angle) - S(0.5) * slanted;
+    if (!simd::all(cut)) {
+        // Without a cut the slopes are joined, and nothing cancels.
+        const S inverse = end0.inverse_distance * end1.inverse_distance;
+        rest = simd::select(cut, rest, t.r * kappa * whole_slope(t, inverse * inverse));
+    }
     const auto hidden = simd::both(none, !single);
     return simd::select(hidden, S(0), simd::mul_add(S(0.5), great + caps, rest));
 }
