@@ -57,6 +57,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     }
     if (request.render.shadows != Shadows::soft)
         scene->instead.emplace_back("other renderers cast soft shadows, whatever --shadows says");
+    if (request.render.sky.value > 0.0) scene->instead.emplace_back("the sky of --sky is left out");
     for (const std::string& line : scene->instead) {
         Diagnostic warning;
         warning.severity = Severity::warning;

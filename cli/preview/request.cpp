@@ -1,5 +1,7 @@
 #include "request.hpp"
 
+#include <gonio/scene/sky.hpp>
+
 #include "../options/light_input.hpp"
 #include "../options/method_list.hpp"
 #include "../options/output.hpp"
@@ -47,6 +49,13 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     Result<Shadows> shadows = read_shadows(arguments);
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
+    if (const auto text = arguments.value("--sky")) {
+        if (arguments.has("--aov"))
+            return fail(Failure::unsupported, "--aov has no layer for a sky", "leave --sky out");
+        Result<Nits> sky = parse_sky(*text);
+        if (!sky) return pass_on(sky);
+        request.render.sky = *sky;
+    }
     // The library never reads the environment; the tool hands $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);

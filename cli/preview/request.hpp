@@ -24,6 +24,8 @@ namespace gonio::cli {
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
     Option{"--shadows", "KIND", "off, hard (of each light's centre) or soft (of its size and shape; the default)"},
+    Option{"--sky", "AMOUNT",
+           "an even sky all around: 500lx on an open plane, or 150nt; what stands on the stage hides it"},
     Option{"--no-shadows", "", "let the light through what stands on the stage: --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},

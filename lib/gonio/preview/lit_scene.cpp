@@ -112,6 +112,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
     for (const Surface& surface : stage.surfaces) {
         materials.push_back(material_constants(surface.material));
         core_materials.push_back(core_material(surface.material));
+        if (options.sky.value > 0.0) sky_albedos.emplace_back(core_materials.back());
     }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace gonio::detail {
 
@@ -24,6 +25,7 @@ LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
 void LitTile::light_up() {
     show_emitters();
     count_samples();
+    if (scene_.options.sky.value > 0.0) add_sky();
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -55,6 +57,24 @@ void LitTile::count_samples() {
         stats_.pairs += scene_.lights.size();
         stats_.evaluations += scene_.lights.size() * samples.size();
     }
+}
+
+void LitTile::add_sky() {
+    const double nt = scene_.options.sky.value;
+    for (const SurfaceSamples& samples : tile_.surfaces())
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
+            const double free = scene_.options.shadows == Shadows::off
+                                    ? 1.0
+                                    : sky_share(scene_.stage, samples.surface, samples.position_of(i), normal);
+            const double weight = samples.share[i] * free * nt;
+            const glm::dvec3 rgb = weight * scene_.sky_albedos[samples.surface](glm::dot(normal, samples.view_of(i)));
+            for (int channel = 0; channel < 3; ++channel)
+                picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
+                    static_cast<float>(rgb[channel]);
+            if (scene_.options.illuminance)
+                picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(std::numbers::pi * weight);
+        }
 }
 
 // The lights that may reach the tile by their range, in their order.

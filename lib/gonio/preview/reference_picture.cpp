@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace gonio {
 
@@ -72,6 +74,22 @@ public:
 
     Shown of(const Light& light, const Sequence& numbers, std::uint32_t turn) const {
         return has_extent(light.shape) ? of_surface(light, numbers, turn) : of_point(light);
+    }
+
+    // Of an even sky of luminance 1: a direction of the material's own for what it shows, one by the cosine for the
+    // lux.
+    Shown of_sky(const Sequence& numbers) const {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        Shown shown;
+        const Vec n = vec(hit_.normal);
+        const auto own = shading::sample_brdf(material_, n, vec(view_), {numbers(2, 0), numbers(3, 0), numbers(4, 0)});
+        const double cosine = dot(n, own.l);
+        if (own.pdf > 0.0 && cosine > 0.0 && !hidden(vec(own.l), far))
+            shown.rgb = brdf(vec(own.l)) * (cosine / own.pdf);
+        const shading::TangentFrame<double> frame(n);
+        const Vec l = frame.to_world(shading::cosine_direction(numbers(5, 0), numbers(6, 0)));
+        if (!hidden(vec(l), far)) shown.lx = std::numbers::pi;
+        return shown;
     }
 
 private:
@@ -186,6 +204,11 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
     std::visit(
         [&](const auto& core) {
             const LitPoint point(*stage_, core, *hit, view, options_.shadows != Shadows::off);
+            if (options_.sky.value > 0.0) {
+                const Shown shown = point.of_sky(numbers);
+                rgb += options_.sky.value * shown.rgb;
+                lx += options_.sky.value * shown.lx;
+            }
             for (std::size_t i = 0; i < lights_.size(); ++i) {
                 if (is_dark_[i] != 0) continue;
                 const Shown shown = point.of(lights_[i], numbers, static_cast<std::uint32_t>(i) + 1);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <gonio/base/image.hpp>
+#include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/preview/render_stats.hpp>
@@ -38,6 +39,7 @@ struct RenderOptions {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
+    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not seen itself
     bool illuminance = false; // asks for Rendering::illuminance_lx
     bool skip = true;         // false: every light at every point, whether it can reach it or not
     unsigned threads = 0;     // 0 = as many as there are

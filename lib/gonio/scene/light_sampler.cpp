@@ -49,7 +49,6 @@ LightSampler::LightSampler(const Light& light, const glm::dvec3& receiver)
     : light_(light),
       mask_(mask_of(light.shape).web),
       receiver_(receiver),
-      luminance_nt_(0.0),
       sampler_(sampler_of(light, light.frame.origin - receiver)) {
     const glm::dvec3 to_center = light.frame.origin - receiver;
     if (!shines_on(light, to_center)) return;

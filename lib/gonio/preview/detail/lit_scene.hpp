@@ -6,6 +6,7 @@
 #include <gonio/preview/detail/light_tree.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/core_material.hpp>
+#include <gonio/scene/sky.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/shading/kernels.hpp>
 
@@ -47,6 +48,7 @@ struct LitScene {
     std::vector<LitLight> lights;                      // one for each of all_lights
     std::vector<shading::MaterialConstants> materials; // one for each surface
     std::vector<CoreMaterial> core_materials;          // the same in double
+    std::vector<SkyAlbedo> sky_albedos;                // what they show under a sky; none without one
     LightTree reaches;                                 // by range, of the lights that are not dark
     LightTree bodies;                                  // of the lights with a surface
 };

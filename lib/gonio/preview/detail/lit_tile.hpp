@@ -27,6 +27,7 @@ private:
 
     void show_emitters();
     void count_samples();
+    void add_sky();
     std::vector<std::uint32_t> candidates() const;
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);

@@ -39,8 +39,8 @@ struct LightLines {
     }
 };
 
-// Of spheres, disks, rectangles and tubes; no lines of others. They run as near to the direction `along` (of any length)
-// as the shape lets them, a tube's along the tube, each in the middle of its stripe.
+// Of spheres, disks, rectangles and tubes; no lines of others. They run as near to the direction `along` (of any
+// length) as the shape lets them, a tube's along the tube, each in the middle of its stripe.
 LightLines light_lines(const Light& light, const glm::dvec3& receiver, const glm::dvec3& along);
 
 } // namespace gonio::detail

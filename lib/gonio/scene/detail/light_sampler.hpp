@@ -38,7 +38,7 @@ private:
     const Light& light_;
     const Web* mask_;
     glm::dvec3 receiver_;
-    double luminance_nt_; // without a mask, 0 on the dark side
+    double luminance_nt_ = 0.0; // without a mask, 0 on the dark side
     Sampler sampler_;
 };
 
