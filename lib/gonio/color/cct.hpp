@@ -44,8 +44,8 @@ Result<Locus> parse_locus(std::string_view text);
 // Duv other than 0 off the Planckian locus (daylight has its own), and where the offset leaves the real colours.
 Result<Uv> exact_uv(Cct cct, Locus locus = Locus::planckian);
 
-// The same from the fit wherever it reaches (800 K): some 0.1 µs, at most 1.2e-12 in u'v' away on the locus and 2e-11
-// at |Duv| = 0.05, where the fit's normal counts.
+// The same from the fit wherever it reaches (800 K): some 0.1 µs, at most 1.2e-12 in u'v' away on the locus and 6e-11
+// to |Duv| = 0.05, where the fit's normal counts.
 Result<Uv> uv_of(Cct cct, Locus locus = Locus::planckian);
 
 // The nearest black body. Fails (usage) where there is none: outside 500 K to 1e6 K, |Duv| > 0.1, not finite.
