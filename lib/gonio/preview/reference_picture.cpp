@@ -227,8 +227,9 @@ double ReferencePicture::error_estimate() const {
     double all = 0.0;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const std::size_t passes = row_passes_[i / static_cast<std::size_t>(options_.width)];
-        const auto odd = static_cast<double>(passes / 2);
-        const double even = static_cast<double>(passes) - odd;
+        const std::size_t odd_passes = passes / 2;
+        const auto odd = static_cast<double>(odd_passes);
+        const auto even = static_cast<double>(passes - odd_passes);
         for (int channel = 0; channel < 3; ++channel) {
             const double a = pixels_[i].surface[0][channel] / even;
             const double b = pixels_[i].surface[1][channel] / odd;
