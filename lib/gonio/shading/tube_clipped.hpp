@@ -94,8 +94,8 @@ struct EndArcs {
 template<class S>
 GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags<S>& has, S distance_n_v) {
     const S zero = S(0);
-    // From −h or the rise to h or the sink. Where both are, −h to the sink and the rise to h are as much as from the rise
-    // to the sink and 2h more.
+    // From −h or the rise to h or the sink. Where there are two intervals, from −h to the sink and from the rise to h,
+    // they are as much as from the rise to the sink and 2h more.
     const auto twice = simd::both(has.start, has.rises);
     const auto to_end = simd::both(has.end, !twice);
     const auto from_start = simd::both(has.start, !twice);
