@@ -50,8 +50,6 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
     if (const auto text = arguments.value("--sky")) {
-        if (arguments.has("--aov"))
-            return fail(Failure::unsupported, "--aov has no layer for a sky", "leave --sky out");
         Result<Nits> sky = parse_sky(*text);
         if (!sky) return pass_on(sky);
         request.render.sky = *sky;

@@ -152,29 +152,27 @@ private:
             const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
             line.across = cosine * f + sine * g;
             line.turn = s * std::sin(theta) / cosine * pi / static_cast<double>(light_line_count);
-            const double away = distance * cosine;
+            const double away = distance * cosine; // more than the circles' radius, as the receiver is outside
             const double circle = radius * std::sin(theta);
-            double low = pi;
-            double high = -pi;
+            line.low = 1.0;
+            line.high = -1.0;
             for (const double end : {along - half, along + half}) {
-                const double to_middle = std::hypot(end, away);
+                const double to_middle2 = end * end + away * away;
+                const double to_middle = std::sqrt(to_middle2);
                 const double tangent = std::sqrt(std::max((to_middle - circle) * (to_middle + circle), 0.0));
-                const double elevation = std::atan2(end, away);
-                const double half_angle = std::atan2(circle, tangent);
-                const auto touching = [&](double angle) {
-                    return tangent * (std::cos(angle) * line.across + std::sin(angle) * axis);
-                };
-                if (elevation - half_angle < low) {
-                    low = elevation - half_angle;
-                    line.from = touching(low);
+                // Elevation of the middle, less and more the half angle of the circle.
+                const double low = (end * tangent - away * circle) / to_middle2;
+                const double high = (end * tangent + away * circle) / to_middle2;
+                if (low < line.low) {
+                    line.low = low;
+                    line.from = tangent * ((away * tangent + end * circle) / to_middle2 * line.across + low * axis);
                 }
-                if (elevation + half_angle > high) {
-                    high = elevation + half_angle;
-                    line.to = touching(high);
+                if (high > line.high) {
+                    line.high = high;
+                    line.to = tangent * ((away * tangent - end * circle) / to_middle2 * line.across + high * axis);
                 }
+                if (half == 0.0) break;
             }
-            line.low = std::sin(low);
-            line.high = std::sin(high);
         }
         return seen;
     }

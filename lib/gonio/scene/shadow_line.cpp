@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,6 +32,7 @@ struct Line {
     glm::dvec3 along; // to − from
 
     glm::dvec3 at(double t) const { return from + t * along; }
+    glm::dvec3 normal() const { return glm::cross(from, along); } // of the plane of the rays, of any length
 };
 
 // How a line passes a ball, or the endless cylinder that the same formulas are of in the plane across its axis.
@@ -97,17 +99,26 @@ struct Hidden {
     HiddenPiece operator()(const Ball& ball) const {
         HiddenPiece hidden;
         const glm::dvec3 center = ball.center - receiver;
-        if (glm::dot(center, center) > ball.radius * ball.radius) add_ball(hidden, line, center, ball.radius);
+        if (!(glm::dot(center, center) > ball.radius * ball.radius)) return hidden;
+        const glm::dvec3 normal = line.normal();
+        if (std::abs(glm::dot(normal, center)) <= ball.radius * glm::length(normal))
+            add_ball(hidden, line, center, ball.radius);
         return hidden;
     }
 
     HiddenPiece operator()(const Capsule& capsule) const {
         HiddenPiece hidden;
-        if (hides(capsule, receiver)) return hidden;
         const glm::dvec3 center = capsule.center - receiver;
         const glm::dvec3& w = capsule.axis;
-        for (const double side : {-1.0, 1.0})
-            add_ball(hidden, line, center + side * capsule.half_length * w, capsule.radius);
+        const std::array<glm::dvec3, 2> ends{center - capsule.half_length * w, center + capsule.half_length * w};
+        // What the plane of the rays misses hides nothing, and costs nearly nothing.
+        const glm::dvec3 normal = line.normal();
+        const double reach = capsule.radius * glm::length(normal);
+        const std::array<double, 2> heights{glm::dot(normal, ends[0]), glm::dot(normal, ends[1])};
+        if (std::min(heights[0], heights[1]) > reach || std::max(heights[0], heights[1]) < -reach) return hidden;
+        if (hides(capsule, receiver)) return hidden;
+        for (std::size_t i = 0; i < 2; ++i)
+            if (std::abs(heights[i]) <= reach) add_ball(hidden, line, ends[i], capsule.radius);
         // The side between the ends.
         const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, w) * w; };
         const Round round(across(line.from), across(line.along), across(center), capsule.radius);
@@ -130,7 +141,6 @@ struct Hidden {
         const glm::dvec3 from = box.frame.to_local(line.from);
         const glm::dvec3 along = box.frame.to_local(line.along);
         const glm::dvec3& half = box.half_size;
-        if (hides(box, receiver)) return {};
         HiddenPiece hidden;
         // Where the plane of the rays cuts its edges.
         const glm::dvec3 normal = glm::cross(from, along);
@@ -142,6 +152,7 @@ struct Hidden {
                         origin;
             side[i] = glm::dot(normal, corner[i]);
         }
+        if (is_one_sided(side) || hides(box, receiver)) return hidden;
         for (unsigned i = 0; i < 8; ++i)
             for (unsigned bit = 1; bit < 8; bit *= 2)
                 if ((i & bit) == 0) add_edge(hidden, normal, from, along, corner, side, i, i | bit);
@@ -170,6 +181,7 @@ struct Hidden {
             corner[i] -= receiver;
             side[i] = glm::dot(normal, corner[i]);
         }
+        if (is_one_sided(side)) return hidden;
         for (std::size_t i = 0; i < 4; ++i)
             add_edge(hidden, normal, line.from, line.along, corner, side, i, (i + 1) % 4);
         const auto within = [&](const glm::dvec3& point) {
@@ -200,6 +212,13 @@ struct Hidden {
 private:
     // How far before a sheet a receiver counts as lying in it: as occlusion.cpp has it.
     double touching() const { return 1e-7 * (1.0 + glm::length(receiver)); }
+
+    // Whether the plane of the rays misses all of the corners' body.
+    template<std::size_t n>
+    static bool is_one_sided(const std::array<double, n>& side) {
+        return std::all_of(side.begin(), side.end(), [](double height) { return height > 0.0; }) ||
+               std::all_of(side.begin(), side.end(), [](double height) { return height < 0.0; });
+    }
 
     // Where the plane of the rays cuts an edge, if that is before the line.
     template<std::size_t n>
