@@ -1,4 +1,5 @@
 #include <gonio/preview/detail/soft_shadow.hpp>
+#include <gonio/scene/capsule_overlap.hpp>
 #include <gonio/scene/detail/shadow_line.hpp>
 #include <gonio/scene/occlusion.hpp>
 
@@ -174,22 +175,33 @@ double SoftShadow::integrated() const {
     return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that no cell's middle lies in
 }
 
-// A sphere behind a ball, both whole above the horizon and the ball before the sphere.
+// A sphere behind a ball or a capsule: the sphere whole above the horizon, what hides it before it.
 std::optional<double> SoftShadow::closed_form(const Primitive& body) const {
     const auto* const light = std::get_if<SphereShape>(&light_->light.shape);
     const auto* const ball = std::get_if<Ball>(&body);
-    if (light == nullptr || ball == nullptr) return std::nullopt;
+    const auto* const capsule = std::get_if<Capsule>(&body);
+    if (light == nullptr || (ball == nullptr && capsule == nullptr) || hides(body, point_)) return std::nullopt;
     const glm::dvec3 to_light = light_->reach.center - point_;
-    const glm::dvec3 to_ball = ball->center - point_;
     const double light_distance = glm::length(to_light);
-    const double ball_distance = glm::length(to_ball);
     const double sine = light->radius.value / light_distance;
     const double cosine = glm::dot(normal_, to_light) / light_distance;
-    if (!(ball_distance > ball->radius) || !(cosine >= sine) ||
-        ball_distance + ball->radius > light_distance - light->radius.value)
-        return std::nullopt;
-    const double hidden = projected_cap_overlap(to_light / light_distance, std::asin(sine), to_ball / ball_distance,
-                                                std::asin(ball->radius / ball_distance), normal_);
+    const double nearest = light_distance - light->radius.value;
+    if (!(cosine >= sine)) return std::nullopt;
+    double hidden = 0.0;
+    if (ball != nullptr) {
+        const glm::dvec3 to_ball = ball->center - point_;
+        const double ball_distance = glm::length(to_ball);
+        if (ball_distance + ball->radius > nearest) return std::nullopt;
+        hidden = projected_cap_overlap(to_light / light_distance, std::asin(sine), to_ball / ball_distance,
+                                       std::asin(ball->radius / ball_distance), normal_);
+    } else {
+        Capsule seen = *capsule;
+        seen.center -= point_;
+        const glm::dvec3 half = seen.half_length * seen.axis;
+        if (std::max(glm::length(seen.center - half), glm::length(seen.center + half)) + seen.radius > nearest)
+            return std::nullopt;
+        hidden = projected_capsule_overlap(to_light / light_distance, std::asin(sine), seen, normal_);
+    }
     return std::clamp(1.0 - hidden / (std::numbers::pi * sine * sine * cosine), 0.0, 1.0);
 }
 

@@ -1,5 +1,6 @@
 #include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/scene/capsule_overlap.hpp>
 #include <gonio/scene/detail/light_lines.hpp>
 #include <gonio/scene/detail/shadow_line.hpp>
 #include <gonio/scene/emitter.hpp>
@@ -245,6 +246,51 @@ TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
             sum += (2.0 * half * cosine * normal.z + 2.0 * std::sin(half) * sine * normal.x) * sine * (a / rings);
         }
         EXPECT_NEAR(projected_cap_overlap(a_axis, a, b_axis, b, normal), sum, 2e-4 * a * a) << i;
+    }
+}
+
+// What a capsule hides of a sphere, against directions over the cap, each asked for by a ray.
+TEST(SoftShadows, CapsulesHideWhatRaysSay) {
+    Numbers numbers(11);
+    int cut = 0;
+    for (int i = 0; i < 120; ++i) {
+        const double a = std::exp(numbers.between(std::log(1e-2), std::log(0.6)));
+        const double length = std::exp(numbers.between(std::log(0.3), std::log(30.0)));
+        const double radius = std::exp(numbers.between(std::log(0.03), std::log(1.5))) * a;
+        Capsule capsule{numbers.direction(), numbers.direction(), 0.5 * length * a, radius};
+        capsule.center = Vec(1.5 * a * capsule.center.x, 1.5 * a * capsule.center.y, 1.0);
+        if (hides(capsule, Vec(0.0))) continue;
+        const double tilt = numbers.between(0.0, 0.5 * std::numbers::pi - a);
+        const Vec normal(std::sin(tilt), 0.0, std::cos(tilt));
+        // Evenly by height, on a lattice.
+        constexpr int count = 40000;
+        const double height = 1.0 - std::cos(a);
+        double sum = 0.0;
+        for (int k = 0; k < count; ++k) {
+            const double z = 1.0 - height * (k + 0.5) / count;
+            const double phi = 2.399963229728653 * k;
+            const double across = std::sqrt((1.0 - z) * (1.0 + z));
+            const Vec direction(across * std::cos(phi), across * std::sin(phi), z);
+            if (distance_to(capsule, {Vec(0.0), direction})) sum += glm::dot(normal, direction);
+        }
+        sum *= 2.0 * std::numbers::pi * height / count;
+        const double found = projected_capsule_overlap({0, 0, 1}, a, capsule, normal);
+        EXPECT_NEAR(found, sum, 3e-3 * a * a) << i; // the lattice's own error at the edges
+        if (sum > 0.0 && sum < 0.9 * std::numbers::pi * a * a * normal.z) ++cut;
+    }
+    EXPECT_GT(cut, 40);
+}
+
+// A short capsule is nearly its ball.
+TEST(SoftShadows, ACapsuleTurnsIntoItsBall) {
+    const Vec normal = glm::normalize(Vec(0.3, -0.2, 1.0));
+    for (const double off : {0.0, 0.05, 0.12, 0.2}) {
+        const Vec center(off, 0.5 * off, 1.0);
+        const double ball = projected_cap_overlap({0, 0, 1}, 0.15, glm::normalize(center),
+                                                  std::asin(0.1 / glm::length(center)), normal);
+        for (const double half : {1e-6, 1e-9, 0.0})
+            EXPECT_NEAR(projected_capsule_overlap({0, 0, 1}, 0.15, {center, {1, 0, 0}, half, 0.1}, normal), ball,
+                        2.0 * half + 1e-12);
     }
 }
 
