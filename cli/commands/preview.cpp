@@ -232,7 +232,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command preview_command;
 const Command preview_command{"preview",
                               "a picture of how lights fall on a stage",
-                              "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT",
+                              "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT | -O DIR | --export SCENE",
                               "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1, which "
                               "may name\nthe stage, camera and materials too; options win over it.",
                               groups,
