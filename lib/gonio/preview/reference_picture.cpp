@@ -3,6 +3,7 @@
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/detail/unit_hash.hpp>
 #include <gonio/preview/reference_picture.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/light_sampler.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/emitter.hpp>
@@ -22,14 +23,8 @@ namespace {
 
 using detail::LightDirection;
 using detail::LightSampler;
+using detail::vec;
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-glm::dvec3 vec(Vec v) {
-    return {v.x, v.y, v.z};
-}
 
 // The numbers in [0, 1) of one pass and pixel: the fractional parts of multiples of 1/g, 1/g², …, where g⁸ = g + 1.
 class Sequence {

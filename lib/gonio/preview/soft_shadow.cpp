@@ -1,5 +1,6 @@
 #include <gonio/preview/detail/soft_shadow.hpp>
 #include <gonio/scene/capsule_overlap.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/shadow_line.hpp>
 #include <gonio/scene/occlusion.hpp>
 
@@ -16,10 +17,6 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // What is seen of a line, by the sine of the elevation: disjoint pieces in their order.
 class SeenPieces {

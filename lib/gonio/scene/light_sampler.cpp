@@ -1,3 +1,4 @@
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/light_sampler.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/shading/falloff.hpp>
@@ -13,10 +14,6 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // Whether the receiver is before a side that shines.
 bool shines_on(const Light& light, const glm::dvec3& to_center) {

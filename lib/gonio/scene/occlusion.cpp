@@ -1,4 +1,5 @@
 #include <gonio/base/frame.hpp>
+#include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/occlusion.hpp>
 
 #include <glm/common.hpp>
@@ -195,18 +196,13 @@ private:
     double tangent_;
 };
 
-// How far before a sheet something counts as touching it: a receiver on the next one of a room is not behind this one.
-double touching(const glm::dvec3& point) {
-    return 1e-7 * (1.0 + glm::length(point));
-}
-
 // The share of a light that a primitive covers.
 struct Covered {
     const SeenLight& light;
 
     double operator()(const Plane& plane) const {
         const double receiver = glm::dot(light.point() - plane.point, plane.normal);
-        if (std::abs(receiver) <= touching(light.point())) return 0.0;
+        if (std::abs(receiver) <= detail::touching(light.point())) return 0.0;
         const double side = receiver < 0.0 ? -1.0 : 1.0;
         const double slope = side * glm::dot(light.direction(), plane.normal);
         if (!std::isfinite(light.distance())) return slope < 0.0 ? 1.0 : 0.0;
@@ -221,7 +217,7 @@ struct Covered {
 
     double operator()(const Panel& panel) const {
         const double receiver = glm::dot(light.point() - panel.frame.origin, panel.frame.z);
-        if (std::abs(receiver) <= touching(light.point())) return 0.0;
+        if (std::abs(receiver) <= detail::touching(light.point())) return 0.0;
         const double side = receiver < 0.0 ? -1.0 : 1.0;
         const double slope = side * glm::dot(light.direction(), panel.frame.z);
         if (std::isfinite(light.distance()) && std::abs(receiver) + slope * light.distance() >= light.radius())
@@ -308,7 +304,7 @@ private:
         const double of_points = glm::dot(points.center - middle, normal);
         const double of_light = glm::dot(light.center - middle, normal);
         const double side = of_points < 0.0 ? -1.0 : 1.0;
-        return side * of_points - points.radius >= half - touching(points.center) &&
+        return side * of_points - points.radius >= half - detail::touching(points.center) &&
                side * of_light - light.radius >= half;
     }
 };
@@ -320,12 +316,12 @@ struct Stops {
 
     bool operator()(const Plane& plane) const {
         const double height = glm::dot(ray.origin - plane.point, plane.normal);
-        if (std::abs(height) <= touching(ray.origin)) return false;
+        if (std::abs(height) <= detail::touching(ray.origin)) return false;
         return reaches(distance_to(height > 0.0 ? plane : Plane{plane.point, -plane.normal}, ray));
     }
     bool operator()(const Panel& panel) const {
         const double height = glm::dot(ray.origin - panel.frame.origin, panel.frame.z);
-        if (std::abs(height) <= touching(ray.origin)) return false;
+        if (std::abs(height) <= detail::touching(ray.origin)) return false;
         if (height > 0.0) return reaches(distance_to(panel, ray));
         Panel back = panel;
         back.frame.z = -back.frame.z;

@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
@@ -19,10 +20,6 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // A sum or product of finite terms ≥ 0, whatever overflow made of it; NaN becomes 0.
 double bounded(double lx) {

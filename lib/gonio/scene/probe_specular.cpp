@@ -1,5 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/core_material.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/shade.hpp>
@@ -17,10 +18,6 @@ namespace gonio::detail {
 namespace {
 
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // A lobe of GGX: (f0 + (f90 − f0)·grazing)·factor of what a reflectance of 1 gives.
 struct Lobe {

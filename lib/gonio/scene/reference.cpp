@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
@@ -20,10 +21,7 @@ using detail::CubatureResult;
 using detail::LightRegion;
 using detail::PolarPeak;
 using detail::Vec;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
+using detail::vec;
 
 // Lights that are seen smaller than this have no digits left of their own outline; they are a direction.
 constexpr double least_reach = 1e-8; // [rad]

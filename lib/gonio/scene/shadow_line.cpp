@@ -1,4 +1,5 @@
 #include <gonio/scene/detail/shadow_line.hpp>
+#include <gonio/scene/detail/touching.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -173,7 +174,7 @@ struct Hidden {
     HiddenPiece operator()(const Panel& panel) const {
         HiddenPiece hidden;
         const double height = glm::dot(receiver - panel.frame.origin, panel.frame.z);
-        if (std::abs(height) <= touching()) return hidden;
+        if (std::abs(height) <= touching(receiver)) return hidden;
         const glm::dvec3 normal = glm::cross(line.from, line.along);
         std::array<glm::dvec3, 4> corner = corners(panel);
         std::array<double, 4> side{};
@@ -200,7 +201,7 @@ struct Hidden {
     HiddenPiece operator()(const Plane& plane) const {
         HiddenPiece hidden;
         const double height = glm::dot(receiver - plane.point, plane.normal);
-        if (std::abs(height) <= touching()) return hidden;
+        if (std::abs(height) <= touching(receiver)) return hidden;
         const double from = height + glm::dot(line.from, plane.normal);
         const double to = from + glm::dot(line.along, plane.normal);
         if (from * to < 0.0) hidden.add(from / (from - to));
@@ -210,9 +211,6 @@ struct Hidden {
     }
 
 private:
-    // How far before a sheet a receiver counts as lying in it: as occlusion.cpp has it.
-    double touching() const { return 1e-7 * (1.0 + glm::length(receiver)); }
-
     // Whether the plane of the rays misses all of the corners' body.
     template<std::size_t n>
     static bool is_one_sided(const std::array<double, n>& side) {

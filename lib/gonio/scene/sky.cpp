@@ -1,4 +1,6 @@
 #include <gonio/base/unit_text.hpp>
+#include <gonio/scene/detail/core_vector.hpp>
+#include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/occlusion.hpp>
@@ -15,11 +17,8 @@ namespace gonio {
 
 namespace {
 
+using detail::vec;
 using Vec = shading::vec3<double>;
-
-Vec vec(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 // The share of a sky that a primitive covers.
 struct CoveredSky {
@@ -28,12 +27,12 @@ struct CoveredSky {
 
     double operator()(const Plane& plane) const {
         const double height = glm::dot(point - plane.point, plane.normal);
-        if (std::abs(height) <= touching()) return 0.0;
+        if (std::abs(height) <= detail::touching(point)) return 0.0;
         // The half space of directions towards it, above the receiver's horizon.
         return 0.5 * (1.0 - std::copysign(1.0, height) * glm::dot(normal, plane.normal));
     }
     double operator()(const Panel& panel) const {
-        if (std::abs(glm::dot(point - panel.frame.origin, panel.frame.z)) <= touching()) return 0.0;
+        if (std::abs(glm::dot(point - panel.frame.origin, panel.frame.z)) <= detail::touching(point)) return 0.0;
         return std::numbers::inv_pi * shading::irradiance_rectangle(vec(panel.frame.origin - point), vec(panel.frame.z),
                                                                     vec(panel.frame.x), panel.width, panel.height,
                                                                     vec(normal), true);
@@ -53,10 +52,6 @@ struct CoveredSky {
         }
         return covered;
     }
-
-private:
-    // How far from a sheet a receiver counts as lying in it: as occlusion.cpp has it.
-    double touching() const { return 1e-7 * (1.0 + glm::length(point)); }
 };
 
 } // namespace

@@ -1,0 +1,17 @@
+// Vectors of scenes as those of the shading core, and back.
+#pragma once
+
+#include <gonio/shading/vec3.hpp>
+
+#include <glm/vec3.hpp>
+
+namespace gonio::detail {
+
+inline shading::vec3<double> vec(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline glm::dvec3 vec(shading::vec3<double> v) {
+    return {v.x, v.y, v.z};
+}
+
+} // namespace gonio::detail
