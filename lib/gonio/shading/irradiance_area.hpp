@@ -66,6 +66,17 @@ GONIO_FORCE_INLINE auto survey_end(const TubeLight<S>& light, vec3<S> to_center,
     return survey_tube_end(to_center, light.axis, light.radius, light.length, normal);
 }
 
+// As `survey`, where the horizon passes between a tube's ends, and where it cuts a tube that is well apart; hard are
+// the lanes that `survey` should be asked for.
+template<class S>
+GONIO_FORCE_INLINE auto survey_split(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_tube_split(to_center, light.axis, light.radius, light.length, normal);
+}
+template<class S>
+GONIO_FORCE_INLINE auto survey_cut(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return survey_tube_cut(to_center, light.axis, light.radius, light.length, normal);
+}
+
 // The same where the sphere about the light is above the horizon; hard are the lanes that `survey` should be asked for.
 template<class Light, class S>
 GONIO_FORCE_INLINE auto survey_above(const Light& light, vec3<S> to_center, vec3<S> normal) {

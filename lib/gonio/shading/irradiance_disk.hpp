@@ -57,7 +57,7 @@ GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius,
     [[maybe_unused]] const auto on_axis = x2 < S(least * least);
     d.x = simd::sqrt(simd::max(x2, S(least * least)));
     d.inverse_x = S(1) / d.x;
-    d.n_u = dot(normal + axis * d.n_w, u) * d.inverse_x; // u may be little more than rounding along the axis
+    d.n_u = dot(mul_add(axis, d.n_w, normal), u) * d.inverse_x; // u may be little more than rounding along the axis
     d.n_v = simd::abs(dot(normal, fused_cross(axis, u))) * d.inverse_x;
     if constexpr (__is_same(S, double)) {
         if (on_axis) { // û is then free: along the normal
@@ -150,8 +150,8 @@ GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S r
     const S r = size * scale;
     const S depth = dot(axis, c);
     const S facing = dot(axis, normal);
-    const vec3<S> across = c - axis * depth;
-    const vec3<S> tilt = normal - axis * facing;
+    const vec3<S> across = mul_add(axis, -depth, c);
+    const vec3<S> tilt = mul_add(axis, -facing, normal);
     const S x_n_u = dot(tilt, across);
     const S height = simd::mul_add(depth, facing, x_n_u);
     const S r2 = r * r;

@@ -305,8 +305,8 @@ GONIO_FORCE_INLINE S rectangle_in_front(RectanglePose<S>& p) {
     // From the nearer end: as a sum from the other it would not know where it is.
     const vec3<S> step{c.b_x - c.a_x, c.b_y - c.a_y, S(0)};
     const auto from_b = d_b < d_a;
-    const S closing =
-        horizon_arc(select(from_b, b, a), select(from_b, vec3<S>{-step.x, -step.y, S(0)}, step), {p.n_x, p.n_y, p.n_z});
+    const S closing = horizon_arc({simd::select(from_b, b.x, a.x), simd::select(from_b, b.y, a.y), p.z},
+                                  select(from_b, vec3<S>{-step.x, -step.y, S(0)}, step), {p.n_x, p.n_y, p.n_z});
     return clamp_irradiance(simd::mul_add(S(0.5), sum, simd::select(cut, closing, S(0))));
 }
 

@@ -22,9 +22,9 @@ namespace gonio::shading {
 template<class S>
 GONIO_FORCE_INLINE S irradiance_straddling_cap(S s, S kappa, S c) {
     const S w = simd::sqrt(simd::max((s - c) * (s + c), S(0)));
-    const S phi = simd::atan2(w, -kappa * c);
+    const S phi = simd::atan2_above(w, -kappa * c);
     const S larger = simd::max(w, kappa);
-    const S tau = simd::min(w, kappa) * reciprocal_or_zero(larger);
+    const S tau = simd::min(w, kappa) / simd::max(larger, S(1e-37)); // 0 where both are
     const S excess = simd::atan_excess(tau);
     const S narrow = simd::mul_add(tau, s * s, excess);
     const S wide = (S(std::numbers::pi / 2.0) - kappa * w) - (tau + excess);

@@ -4,12 +4,13 @@
 // two arcs of the end spheres' circles. In the frame a (axis), f (from the receiver to the axis line, distance D), g =
 // a × f, with s = r/D and κ = √(1 − s²), the tangent planes have the unit normals −m±, m± = ±κ g − s f, and both great
 // arcs span the same angle θ. Summing all four arcs where nothing is cut leaves a form without cancellation
-// (`tube_above`). Where the horizon cuts, tube_clipped.hpp. What cancels near the surface and beside the ends is formed
-// in double and rounded once. README.md derives both.
+// (`tube_above`, tube_apart.hpp). Where the horizon cuts, tube_clipped.hpp. What cancels near the surface and beside
+// the ends is formed in double and rounded once. README.md derives both.
 #pragma once
 
 #include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/outline.hpp>
+#include <gonio/shading/tube_apart.hpp>
 #include <gonio/shading/tube_clipped.hpp>
 
 namespace gonio::shading {
@@ -54,69 +55,11 @@ GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius,
     constexpr double least_d = 1e-15; // on the axis line, where the tube is not what is seen
     t.d = simd::sqrt(simd::max(dot(f, f), S(least_d * least_d)));
     t.inverse_d = S(1) / t.d;
-    t.n_f = dot(normal - axis * t.n_a, f) * t.inverse_d; // f may be little more than rounding along the axis
+    t.n_f = dot(mul_add(axis, -t.n_a, normal), f) * t.inverse_d; // f may be little more than rounding along the axis
     t.n_a = simd::abs(t.n_a);
     t.n_g = simd::abs(dot(normal, fused_cross(axis, f))) * t.inverse_d;
     t.up = simd::mul_add(t.d, t.n_f, t.z * t.n_a);
     return t;
-}
-
-// The whole capsule above the horizon, D > r. The arcs' sum: ends' circles by their azimuths h, great arcs θ s n·f, and
-// what is left of the circles' and arcs' slopes, joined over one denominator.
-template<class S>
-GONIO_FORCE_INLINE S tube_above(const TubePose<S>& t) {
-    const S d2 = t.d * t.d;
-    const S square0 = simd::mul_add(t.z0, t.z0, d2);
-    const S square1 = simd::mul_add(t.z1, t.z1, d2);
-    const S distance0 = simd::sqrt(square0);
-    const S distance1 = simd::sqrt(square1);
-    const S gap = simd::sqrt(t.gap2);
-    const S s = t.r * t.inverse_d;
-    const S kappa = gap * t.inverse_d;
-    const S theta = simd::atan2_above(S(2) * gap * t.half, simd::mul_add(t.z0, t.z1, t.gap2));
-    const S inverse = S(1) / (distance0 * distance1); // one division for two
-    const S inverse0 = inverse * distance1;
-    const S inverse1 = inverse * distance0;
-    const S h0 = simd::atan2_above(distance0 * kappa, -s * t.z0);
-    const S h1 = simd::atan2_above(distance1 * kappa, s * t.z1);
-    // n·P / |P|³ of the ends, each times r² h.
-    const S up = t.d * t.n_f;
-    const S cap0 = h0 * simd::mul_add(t.z0, t.n_a, up) * (inverse0 * inverse0) * inverse0;
-    const S cap1 = h1 * simd::mul_add(t.z1, t.n_a, up) * (inverse1 * inverse1) * inverse1;
-    return theta * s * t.n_f + t.r * simd::mul_add(t.r, cap0 + cap1, kappa * whole_slope(t, inverse * inverse));
-}
-
-// E/L of what is all above the horizon and well apart from the tube and from its prolongation; the other lanes are
-// named hard. Needs no more than float, so near in angle to the axis line that its distance has lost digits is left
-// too.
-template<class S>
-GONIO_FORCE_INLINE Survey<S> survey_tube_above(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    const S size = simd::abs(radius);
-    const S span = simd::abs(length_m);
-    const S scale =
-        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
-    const vec3<S> c = center * scale;
-    TubePose<S> t;
-    t.r = size * scale;
-    t.half = S(0.5) * (span * scale);
-    t.n_a = dot(normal, axis); // of either sign: nothing is clipped
-    const S z = dot(axis, c);
-    const vec3<S> across = c - axis * z;
-    const S d2 = dot(across, across);
-    t.z0 = z - t.half;
-    t.z1 = z + t.half;
-    t.gap2 = simd::mul_add(-t.r, t.r, d2);
-    const S d_n_f = dot(normal - axis * t.n_a, across);
-    const S lowest = simd::mul_add(z, t.n_a, d_n_f) - t.half * simd::abs(t.n_a);
-    const S extent2 = simd::max(simd::mul_add(z, z, d2), t.half * t.half);
-    const auto apart = simd::both(t.gap2 >= S(0.25) * t.r * t.r, t.gap2 > S(0.0025) * extent2);
-    const auto easy = simd::both(simd::both(lowest >= t.r, t.r > S(0)), apart);
-    if (!simd::any(easy)) return {S(0), !easy};
-    t.gap2 = simd::max(t.gap2, S(1e-30));
-    t.d = simd::sqrt(simd::max(d2, S(1e-30)));
-    t.inverse_d = S(1) / t.d;
-    t.n_f = d_n_f * t.inverse_d;
-    return {clamp_irradiance(tube_above(t)), !easy};
 }
 
 // The nearer end's sphere alone: what is seen from beyond an end and within the prolonged tube.
@@ -157,6 +100,11 @@ inline constexpr double least_tube_gap2<double> = 1e-24;
 struct TubeInDouble;
 
 template<class S>
+GONIO_FORCE_INLINE FlatTubePose<S> flat(const TubePose<S>& t) {
+    return {t.r, t.half, t.z, t.z0, t.z1, t.d * t.d, t.gap2, t.n_a, t.d * t.n_f};
+}
+
+template<class S>
 struct TubeSurvey {
     S irradiance;
     simd::mask_of<S> hard; // the tangent points turn within the rounding of the way to the surface
@@ -184,7 +132,7 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
     const auto hard = simd::both(outside, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
     t.gap2 = simd::max(t.gap2, S(least_tube_gap2<S>) * t.d * t.d);
     const auto cut = t.up - t.half * t.n_a < t.r;
-    const S e = simd::any(simd::both(outside, cut)) ? tube_clipped(t, cut) : tube_above(t);
+    const S e = simd::any(simd::both(outside, cut)) ? tube_clipped(t, cut) : tube_above(flat(t));
     return {simd::select(outside, clamp_irradiance(e), easy), hard, end};
 }
 

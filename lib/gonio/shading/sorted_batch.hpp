@@ -1,9 +1,9 @@
 // The exact irradiance of many receivers, those that share a packet sorted by what their horizon does to the light.
 //
 // A packet takes the time of the dearest of its lanes, so lanes that the horizon cuts, lanes that see all of the light
-// and lanes that see nothing should not share one. Receivers are taken by blocks and told apart by height and reach. A
-// block of one kind is computed where it lies; of others the receivers are copied into a queue for each kind and packed
-// full. Which packet a receiver gets into depends on the arrays alone.
+// and lanes that see nothing should not share one. Receivers are taken by blocks and told apart by height and reach,
+// and before a tube by where they are. A block of one kind is computed where it lies; of others the receivers are
+// copied into a queue for each kind and packed full. Which packet a receiver gets into depends on the arrays alone.
 #pragma once
 
 #include <gonio/shading/irradiance_area.hpp>
@@ -19,20 +19,25 @@ inline constexpr std::size_t most_lanes = 32;
 inline constexpr std::size_t queue_length = 2 * receivers_per_block + 4 * most_lanes;
 
 template<class Light>
-inline constexpr bool has_ends = false;
+inline constexpr bool is_tube = false;
 template<class S>
-inline constexpr bool has_ends<TubeLight<S>> = true;
+inline constexpr bool is_tube<TubeLight<S>> = true;
 
-// first, first + 1, …: exact below 2²⁴.
+// The integers first, first + 1, … as bits of lanes, to be stored and moved but not calculated with.
 template<class S>
 GONIO_FORCE_INLINE S places(std::size_t first) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
     float numbers[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane)
-        numbers[lane] = static_cast<float>(lane);
-    S step;
-    simd::load(&numbers[0], step);
-    return step + S(static_cast<float>(first));
+        numbers[lane] = __builtin_bit_cast(float, static_cast<std::int32_t>(lane));
+    S steps;
+    simd::load(&numbers[0], steps);
+    S all;
+    simd::from_bits(simd::bits(steps) + static_cast<std::int32_t>(first), all);
+    return all;
+}
+GONIO_FORCE_INLINE std::size_t place_of(float bits) {
+    return static_cast<std::size_t>(__builtin_bit_cast(std::int32_t, bits));
 }
 
 // So cheap above the horizon that telling the kinds apart would take as long: all are computed so, and only the cut
@@ -70,7 +75,7 @@ struct ReceiverQueue {
     static constexpr std::size_t lanes = simd::Traits<S>::lanes;
 
     std::size_t count = 0;
-    // Rows of queue_length: position, normal, and the place in the arrays, which is below 2²⁴.
+    // Rows of queue_length: position, normal, and the place in the arrays.
     static constexpr std::size_t rows = 7;
     float values[rows * queue_length];
 
@@ -91,24 +96,23 @@ struct ReceiverQueue {
         count += simd::bit_count(lanes_chosen);
     }
 
-    // The last receiver repeated until a packet is full.
+    // The last receiver repeated until a packet is full, and beyond.
     void pad() {
-        for (std::size_t i = count; i % lanes != 0; ++i)
-            for (std::size_t k = 0; k < rows; ++k)
-                row(k)[i] = row(k)[count - 1];
+        for (std::size_t k = 0; k < rows; ++k)
+            simd::store(S(row(k)[count - 1]), row(k) + count);
     }
 
+    // All but fewer than a packet.
     void drop(std::size_t first_ones) {
-        for (std::size_t i = first_ones; i < count; ++i)
-            for (std::size_t k = 0; k < rows; ++k)
-                row(k)[i - first_ones] = row(k)[i];
+        for (std::size_t k = 0; k < rows; ++k)
+            copy(row(k) + first_ones, row(k));
         count -= first_ones;
     }
 
+    // Fewer than a packet.
     void append(const ReceiverQueue& other) {
-        for (std::size_t i = 0; i < other.count; ++i)
-            for (std::size_t k = 0; k < rows; ++k)
-                row(k)[count + i] = other.row(k)[i];
+        for (std::size_t k = 0; k < rows; ++k)
+            copy(other.row(k), row(k) + count);
         count += other.count;
     }
 
@@ -122,6 +126,14 @@ struct ReceiverQueue {
         }
         all.count = count;
         return all;
+    }
+
+private:
+    // A packet; what lies beyond the last receiver is not read.
+    GONIO_FORCE_INLINE static void copy(const float* from, float* to) {
+        S packet;
+        simd::load(from, packet);
+        simd::store(packet, to);
     }
 };
 
@@ -138,23 +150,40 @@ template<class S, template<class> class Light>
     return static_cast<float>(illuminance(point, light));
 }
 
-// What a block is sorted into; what is left is dark.
-enum class Kind : std::uint8_t { above, cut, end };
+// What a block is sorted into; what is left is dark. `plain`: all that no other kind takes, for disks and rectangles
+// the cut ones. Only a tube is split between its ends by the horizon, cut though well apart, or seen from beyond an
+// end.
+enum class Kind : std::uint8_t { above, plain, split, cut, end };
 
-// Surely beyond an end of the tube and within its prolongation; the few that are as good as there are hard to the
-// others.
+template<class Light>
+inline constexpr std::size_t kind_count = is_tube<Light> ? 5 : 2;
+
+constexpr std::size_t index_of(Kind kind) {
+    return static_cast<std::size_t>(kind);
+}
+
+// From where a tube is seen. The few that rounding leaves open are neither.
 template<class S>
-GONIO_FORCE_INLINE simd::mask_of<S> sees_end_alone(const TubeLight<S>& light, vec3<S> c) {
-    // In units of the light, so that squares are normal numbers; what is too far for that sees more than an end.
+struct TubeSight {
+    simd::mask_of<S> end; // beyond an end and within the prolongation
+    TubeApart<S> apart;
+};
+
+template<class S>
+GONIO_FORCE_INLINE TubeSight<S> sight(const TubeLight<S>& light, vec3<S> c) {
+    // In units of the light, so that squares are normal numbers; what is too far for that is plain.
     const S size = simd::max(simd::abs(light.radius), simd::abs(light.length));
     const S scale = simd::reciprocal_power_of_two(size);
     const S r = simd::abs(light.radius) * scale;
     const S half = S(0.5) * (simd::abs(light.length) * scale);
     const vec3<S> scaled = c * scale;
     const S along = dot(light.axis, scaled);
-    const vec3<S> across = scaled - light.axis * along;
+    const vec3<S> across = mul_add(light.axis, -along, scaled);
+    const S d2 = dot(across, across);
     const S slack = S(2e-6) * (simd::abs(along) + r);
-    return simd::both(dot(across, across) < r * (r - slack), simd::abs(along) - half > slack);
+    const S within2 = r * (r - slack);
+    const S beyond = simd::abs(along) - half;
+    return {simd::both(d2<within2, beyond> slack), tube_apart(d2, along * along, r, half)};
 }
 
 template<Kind kind, class Light, class S>
@@ -163,6 +192,10 @@ GONIO_FORCE_INLINE Survey<S> survey_kind(const Light& light, vec3<S> to_center, 
         return survey_end(light, to_center, normal);
     } else if constexpr (kind == Kind::above) {
         return survey_above(light, to_center, normal);
+    } else if constexpr (kind == Kind::split) {
+        return survey_split(light, to_center, normal);
+    } else if constexpr (kind == Kind::cut) {
+        return survey_cut(light, to_center, normal);
     } else {
         return survey(light, to_center, normal);
     }
@@ -173,10 +206,19 @@ struct SortedBatch {
     static constexpr std::size_t lanes = simd::Traits<S>::lanes;
     static constexpr std::size_t packets = receivers_per_block / lanes;
 
+    using Queue = ReceiverQueue<S>;
+    using Half = simd::half<S>;
+    static constexpr std::size_t half_lanes = simd::Traits<Half>::lanes;
+
     const LightConstants& light;
-    ReceiverQueue<S> above, cut, end;
+    Queue queues[kind_count<Light<S>>];
 
     explicit SortedBatch(const LightConstants& of) : light(of) {}
+
+    template<Kind kind>
+    Queue& queue() {
+        return queues[index_of(kind)];
+    }
 
     // A block of whole packets, of which the first `count` receivers are real; the first of them is the `first` of all.
     // Each gets its illuminance [lx] for 1 nt, or 0 and is queued.
@@ -203,57 +245,81 @@ struct SortedBatch {
         }
         if (count_cut == 0) return;
         if (count == block.count && count_cut > nearly_all(count))
-            return in_order<Kind::cut>(block, count, nullptr, first, lx);
+            return in_order<Kind::plain>(block, count, nullptr, first, lx);
         for (std::size_t at = 0; at < block.count; at += lanes)
-            if (cut_bits[at / lanes] != 0) cut.add(cut_bits[at / lanes], receiver<S>(block, at), places<S>(first + at));
+            if (cut_bits[at / lanes] != 0)
+                queue<Kind::plain>().add(cut_bits[at / lanes], receiver<S>(block, at), places<S>(first + at));
     }
 
     [[gnu::noinline]] void take_told_apart(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
+        constexpr std::size_t kinds = kind_count<Light<S>>;
         Light<S> spread;
         constants(light, spread);
         const S size = largest_size(spread);
-        std::uint32_t above_bits[packets];
-        std::uint32_t cut_bits[packets];
-        std::uint32_t end_bits[packets];
-        std::uint32_t count_above = 0;
-        std::uint32_t count_cut = 0;
-        std::uint32_t count_end = 0;
+        std::uint32_t bits[packets][kinds];
+        std::size_t counts[kinds] = {};
         for (std::size_t at = 0; at < block.count; at += lanes) {
             const SurfacePoint<S> point = receiver<S>(block, at);
             const vec3<S> c = spread.center - point.position;
-            const S height = dot(point.normal, c);
-            const S most = reach(spread, point.normal);
-            // More than rounding leaves open: a receiver on the light, turned to it, sees all of it in its own plane.
-            const S least = -(most + S(3e-6) * ((simd::abs(c.x) + simd::abs(c.y)) + (simd::abs(c.z) + size)));
-            std::uint32_t real = lanes_below(count - at);
-            if constexpr (has_ends<Light<S>>) {
-                const std::uint32_t is_end =
-                    simd::lane_bits(simd::both(sees_end_alone(spread, c), height >= least)) & real;
-                end_bits[at / lanes] = is_end;
-                count_end += simd::bit_count(is_end);
-                real &= ~is_end;
+            const Kinds of_packet = tell_apart(spread, c, point.normal, size, lanes_below(count - at));
+            for (std::size_t kind = 0; kind < kinds; ++kind) {
+                bits[at / lanes][kind] = of_packet.bits[kind];
+                counts[kind] += simd::bit_count(of_packet.bits[kind]);
             }
-            const std::uint32_t is_above = simd::lane_bits(height > most) & real;
-            // What is no number, of a product that overflows, counts as cut.
-            const std::uint32_t is_cut = ~(simd::lane_bits(height < least) | is_above) & real;
-            above_bits[at / lanes] = is_above;
-            cut_bits[at / lanes] = is_cut;
-            count_above += simd::bit_count(is_above);
-            count_cut += simd::bit_count(is_cut);
         }
-        if (count == block.count && count_end == 0) {
-            if (count_cut > nearly_all(count)) return in_order<Kind::cut>(block, count, nullptr, first, lx);
-            if (count_cut == 0 && count_above > nearly_all(count))
-                return in_order<Kind::above>(block, count, nullptr, first, lx);
-        }
+        if (count == block.count && take_in_order<Kind::above>(block, counts, first, lx)) return;
         for (std::size_t at = 0; at < block.count; at += lanes) {
             const SurfacePoint<S> point = receiver<S>(block, at);
             const S place = places<S>(first + at);
             simd::store(S(0), lx + at);
-            if (above_bits[at / lanes] != 0) above.add(above_bits[at / lanes], point, place);
-            if (cut_bits[at / lanes] != 0) cut.add(cut_bits[at / lanes], point, place);
-            if constexpr (has_ends<Light<S>>)
-                if (end_bits[at / lanes] != 0) end.add(end_bits[at / lanes], point, place);
+            for (std::size_t kind = 0; kind < kinds; ++kind)
+                if (bits[at / lanes][kind] != 0) queues[kind].add(bits[at / lanes][kind], point, place);
+        }
+    }
+
+    // For each kind the lanes that are of it.
+    struct Kinds {
+        std::uint32_t bits[kind_count<Light<S>>];
+    };
+
+    GONIO_FORCE_INLINE static Kinds tell_apart(const Light<S>& spread, vec3<S> c, vec3<S> normal, S size,
+                                               std::uint32_t real) {
+        const S height = dot(normal, c);
+        const S most = reach(spread, normal);
+        // More than rounding leaves open: a receiver on the light, turned to it, sees all of it in its own plane.
+        const S least = -(most + S(3e-6) * ((simd::abs(c.x) + simd::abs(c.y)) + (simd::abs(c.z) + size)));
+        // What is no number, of a product that overflows, is not dark.
+        const std::uint32_t lit = ~simd::lane_bits(height < least) & real;
+        const std::uint32_t is_above = simd::lane_bits(height > most) & lit;
+        if constexpr (is_tube<Light<S>>) {
+            const TubeSight<S> seen = sight(spread, c);
+            const std::uint32_t is_end = simd::lane_bits(seen.end) & lit;
+            const std::uint32_t is_apart = simd::lane_bits(seen.apart.whole) & lit;
+            // From the middle to an end's sphere.
+            const std::uint32_t is_split =
+                simd::lane_bits(simd::abs(height) < most - S(2) * simd::abs(spread.radius)) & is_apart;
+            return {
+                {is_above & is_apart, lit & ~(is_apart | is_end), is_split, is_apart & ~(is_above | is_split), is_end}};
+        } else {
+            return {{is_above, lit & ~is_above}};
+        }
+    }
+
+    // Computes a block where it lies that is nearly all of one kind, the rest dark or known by that kind as hard.
+    template<Kind kind>
+    bool take_in_order(const Surfaces& block, const std::size_t* counts, std::size_t first, float* lx) {
+        if constexpr (index_of(kind) == kind_count<Light<S>>) {
+            return false;
+        } else {
+            constexpr Kind next{index_of(kind) + 1};
+            constexpr bool knows_others = kind == Kind::plain || (is_tube<Light<S>> && kind != Kind::end);
+            std::size_t others = 0;
+            for (std::size_t k = 0; k < kind_count<Light<S>>; ++k)
+                if (k != index_of(kind)) others += counts[k];
+            if (counts[index_of(kind)] <= nearly_all(block.count) || (!knows_others && others != 0))
+                return take_in_order<next>(block, counts, first, lx);
+            in_order<kind>(block, block.count, nullptr, first, lx);
+            return true;
         }
     }
 
@@ -265,9 +331,28 @@ struct SortedBatch {
         return ~std::uint32_t{0} >> (32 - (count < lanes ? count : lanes));
     }
 
-    // The illuminance [lx] for 1 nt of `surfaces`, packet after packet: a whole number of packets, no more than a
-    // queue. The few that are not of their kind after all are queued as cut; their places are `place` or count from
-    // `first` on. Those beyond the first `count` only fill their packet.
+    // Those lanes of a packet that are not of the kind after all; the others get their illuminance [lx] for 1 nt.
+    template<Kind kind, class Lanes>
+    GONIO_FORCE_INLINE static std::uint32_t step(const Light<Lanes>& spread, const Surfaces& surfaces, std::size_t at,
+                                                 float* lx) {
+        const SurfacePoint<Lanes> point = receiver<Lanes>(surfaces, at);
+        const vec3<Lanes> c = spread.center - point.position;
+        const Survey<Lanes> seen = survey_kind<kind>(spread, c, point.normal);
+        simd::store(seen.irradiance * window(c, spread.inverse_range), lx + at);
+        return simd::lane_bits(seen.hard);
+    }
+
+    // The same for one packet of half the lanes.
+    template<Kind kind>
+    [[gnu::noinline]] std::uint32_t step_of_half(const Surfaces& surfaces, std::size_t at, float* lx) {
+        Light<Half> spread;
+        constants(light, spread);
+        return step<kind>(spread, surfaces, at, lx);
+    }
+
+    // The illuminance [lx] for 1 nt of `surfaces`, packet after packet: a whole number of packets and half packets, no
+    // more than a queue. The few that are not of their kind after all are queued as plain; their places are `place` or
+    // count from `first` on. Those beyond the first `count` only fill their packet.
     template<Kind kind>
     [[gnu::noinline]] void in_order(const Surfaces& surfaces, std::size_t count, const float* place, std::size_t first,
                                     float* lx) {
@@ -275,21 +360,22 @@ struct SortedBatch {
         constants(light, spread);
         std::uint32_t hard[queue_length / lanes];
         std::uint32_t any_hard = 0;
-        for (std::size_t at = 0; at < surfaces.count; at += lanes) {
-            const SurfacePoint<S> point = receiver<S>(surfaces, at);
-            const vec3<S> c = spread.center - point.position;
-            const Survey<S> seen = survey_kind<kind>(spread, c, point.normal);
-            hard[at / lanes] = simd::lane_bits(seen.hard) & lanes_below(count - at);
+        const std::size_t whole = surfaces.count - surfaces.count % lanes;
+        for (std::size_t at = 0; at < whole; at += lanes) {
+            hard[at / lanes] = step<kind>(spread, surfaces, at, lx) & lanes_below(count - at);
             any_hard |= hard[at / lanes];
-            simd::store(seen.irradiance * window(c, spread.inverse_range), lx + at);
+        }
+        if (whole < surfaces.count) {
+            hard[whole / lanes] = step_of_half<kind>(surfaces, whole, lx) & lanes_below(count - whole);
+            any_hard |= hard[whole / lanes];
         }
         if (any_hard == 0) return;
-        if constexpr (kind == Kind::above) {
+        if constexpr (kind != Kind::plain && kind != Kind::end) {
             for (std::size_t at = 0; at < surfaces.count; at += lanes) {
                 if (hard[at / lanes] == 0) continue;
                 S where = places<S>(first + at);
                 if (place != nullptr) simd::load(place + at, where);
-                cut.add(hard[at / lanes], receiver<S>(surfaces, at), where);
+                queue<Kind::plain>().add(hard[at / lanes], receiver<S>(surfaces, at), where);
             }
         } else {
             for (std::size_t at = 0; at < surfaces.count; at += lanes)
@@ -302,37 +388,53 @@ struct SortedBatch {
 
     // Computes what fills packets, or all, of a queue.
     template<Kind kind>
-    void compute(ReceiverQueue<S>& queue, bool all, float* lx) {
-        const std::size_t some = all ? queue.count : queue.count - queue.count % lanes;
+    void compute(bool all, float* lx) {
+        Queue& of_kind = queue<kind>();
+        const std::size_t some = all ? of_kind.count : of_kind.count - of_kind.count % lanes;
         if (some == 0) return;
-        if (all) queue.pad();
-        Surfaces surfaces = queue.surfaces();
-        surfaces.count = (some + lanes - 1) / lanes * lanes;
+        if (all) of_kind.pad();
+        Surfaces surfaces = of_kind.surfaces();
+        surfaces.count = (some + half_lanes - 1) / half_lanes * half_lanes;
         float results[queue_length];
-        const float* const place = queue.row(6);
+        const float* const place = of_kind.row(6);
         in_order<kind>(surfaces, some, place, 0, &results[0]);
-        for (std::size_t i = 0; i < some; ++i)
-            lx[static_cast<std::int32_t>(place[i])] = results[i];
-        queue.drop(some);
+        std::size_t i = 0;
+        for (; i + half_lanes <= some; i += half_lanes)
+            for (std::size_t lane = 0; lane < half_lanes; ++lane)
+                lx[place_of(place[i + lane])] = results[i + lane];
+        for (; i < some; ++i)
+            lx[place_of(place[i])] = results[i];
+        of_kind.drop(some);
+    }
+
+    // What fills no packet of its kind joins one of a kind that can compute it and has room.
+    template<Kind kind, Kind other>
+    void join() {
+        Queue& few = queue<kind>();
+        const std::size_t rest = queue<other>().count % half_lanes;
+        if (rest == 0 || rest + few.count > half_lanes) return;
+        queue<other>().append(few);
+        few.count = 0;
     }
 
     void compute(bool all, float* lx) {
-        compute<Kind::above>(above, false, lx);
-        if (all && above.count != 0) {
-            // What fills no packet joins a cut one that has room.
-            const std::size_t cut_rest = cut.count % lanes;
-            if (cut_rest != 0 && cut_rest + above.count <= lanes) {
-                cut.append(above);
-            } else {
-                compute<Kind::above>(above, true, lx);
-            }
+        compute<Kind::above>(false, lx);
+        if constexpr (is_tube<Light<S>>) {
+            compute<Kind::split>(false, lx);
+            if (all) join<Kind::split, Kind::cut>();
+            compute<Kind::split>(all, lx);
+            compute<Kind::cut>(false, lx);
+            if (all) join<Kind::cut, Kind::plain>();
+            compute<Kind::cut>(all, lx);
         }
-        compute<Kind::cut>(cut, all, lx);
-        if constexpr (has_ends<Light<S>>) compute<Kind::end>(end, all, lx);
+        if (all) join<Kind::above, Kind::plain>();
+        compute<Kind::above>(all, lx);
+        compute<Kind::plain>(all, lx);
+        if constexpr (is_tube<Light<S>>) compute<Kind::end>(all, lx);
     }
 };
 
-// At most 2²⁴ receivers.
+// Fewer than 2³¹ receivers.
 template<class S, template<class> class Light>
 void irradiance_of_part(const Surfaces& surfaces, const LightConstants& light, float* lx) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
@@ -341,7 +443,7 @@ void irradiance_of_part(const Surfaces& surfaces, const LightConstants& light, f
     for (std::size_t first = 0; first < whole; first += receivers_per_block) {
         const std::size_t count = whole - first < receivers_per_block ? whole - first : receivers_per_block;
         batch.take(part_of<S>(surfaces, first, count), count, first, lx + first);
-        batch.compute(false, lx);
+        if (first + count < whole) batch.compute(false, lx);
     }
     if (whole < surfaces.count) {
         const PaddedPacket<S> last(surfaces, whole);

@@ -91,7 +91,20 @@ struct EndArcs {
     S slanted; // ∮ of the circle's slope: Σ (sin φ) d n_u − (cos φ) d n_v over the intervals' ends
 };
 
+// Angle of the unit vector (cosine, sine) within rounding, sine ≥ 0.
 template<class S>
+GONIO_FORCE_INLINE S unit_angle(S sine, S cosine) {
+    if constexpr (__is_same(S, double)) {
+        return simd::atan2_above(sine, cosine);
+    } else {
+        const S t = sine / (S(1) + simd::abs(cosine)); // tangent of half of it, or of half of what is left to π
+        const S half = simd::mul_add(t, simd::atan_ratio_excess(t * t), t);
+        return simd::select(cosine < S(0), S(3.14159274F) - (half + half), half + half);
+    }
+}
+
+// `apart`: D² ≥ 1.25 r².
+template<bool apart, class S>
 GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags<S>& has, S distance_n_v) {
     const S zero = S(0);
     // From −h or the rise to h or the sink. Where there are two intervals, from −h to the sink and from the rise to h,
@@ -116,13 +129,15 @@ GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags
         sine = simd::mul_add(sine, more_cos, alone * more_sin);
         sines = sines + more;
     }
-    const S angle = simd::atan2_above(simd::abs(sine), cosine);
+    const S angle = unit_angle(simd::abs(sine), cosine);
     // Of its values modulo 2π the one in [0, 2π], but for rounding at its ends: close to 2π are visible only where both
     // h and the reach are above π/2, and where both are close to π, no less than 4 are.
     const auto large = simd::both(c.cos_h < zero, c.cos_reach < zero);
-    const auto full = simd::both(c.cos_h < S(-0.9), c.cos_reach < S(-0.9));
-    const auto beyond =
-        simd::either(simd::both(sine < zero, simd::either(large, angle > S(1))), simd::both(full, angle < S(2)));
+    auto beyond = simd::both(sine < zero, simd::either(large, angle > S(1)));
+    if constexpr (!apart) { // else |cos h| ≤ r/D < 0.9
+        const auto full = simd::both(c.cos_h < S(-0.9), c.cos_reach < S(-0.9));
+        beyond = simd::either(beyond, simd::both(full, angle < S(2)));
+    }
     const S azimuth = simd::select(beyond, S(6.28318530717958647693) - angle, angle);
     const auto seen = simd::either(simd::either(has.start, has.end), has.rises);
     return {simd::select(seen, azimuth, zero),
@@ -159,22 +174,35 @@ GONIO_FORCE_INLINE Crossing<S> on_circle(const TubePose<S>& t, const EndCircle<S
 }
 
 // Half the angle between two crossings.
-template<class S>
+template<bool apart, class S>
 GONIO_FORCE_INLINE S closing_arc(const TubePose<S>& t, const Crossing<S>& sink, const Crossing<S>& rise) {
-    // Far away the offsets know the step between them better than the points themselves.
+    const vec3<S>& p = sink.direct;
+    const vec3<S> n{t.n_f, t.n_a, t.n_g};
+    const vec3<S> step{rise.offset.x - sink.offset.x, rise.offset.y - sink.offset.y, rise.direct.z - p.z};
+    if constexpr (apart) {
+        const vec3<S> q = p + step;
+        const S along = simd::mul_add(-dot(n, p), dot(n, q), dot(p, q)); // as horizon_arc
+        return S(0.5) * simd::atan2_above(simd::abs(dot(n, fused_cross(p, step))), along);
+    }
+    // Far away the offsets know the step between them better than the points themselves, and near the other way round.
     const S size = t.r + t.half;
     const auto far = simd::mul_add(t.d, t.d, t.z * t.z) > S(16) * size * size;
-    const vec3<S>& p = sink.direct;
-    const vec3<S> step{rise.offset.x - sink.offset.x, rise.offset.y - sink.offset.y, rise.direct.z - p.z};
     const vec3<S> across = fused_cross(p, select(far, step, rise.direct));
-    const vec3<S> n{t.n_f, t.n_a, t.n_g};
     const S along = simd::mul_add(-dot(n, p), dot(n, rise.direct), dot(p, rise.direct)); // as horizon_arc
     return S(0.5) * simd::atan2_above(simd::abs(dot(n, across)), along);
 }
 
-// Receiver outside, gap2 > 0, r > 0. Where not `cut` as tube_above.
+// What is above the horizon of a tube that it cuts, in two parts.
 template<class S>
-GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
+struct ClippedTube {
+    S arcs;    // great arcs, and the circles' azimuths
+    S rest;    // the circles' slopes, and the arc along the horizon
+    S inverse; // 1/(|P0| |P1|)
+};
+
+// Receiver outside, gap2 > 0, r > 0; `apart`: D² ≥ 1.25 r², and the centre no more than 20 D away.
+template<bool apart, class S>
+GONIO_FORCE_INLINE ClippedTube<S> clipped_tube(const TubePose<S>& t) {
     const S gap = simd::sqrt(t.gap2);
     const S s = t.r * t.inverse_d;
     const S kappa = gap * t.inverse_d;
@@ -224,12 +252,12 @@ GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
         select(rise_on_great, Crossing<S>{{base, z_plus, side}, {back, from_plus, side}},
                on_circle(t, end0, end1, !single1, simd::select(single1, end1.cos_rise, end0.cos_rise),
                          simd::select(single1, end1.sin_rise, end0.sin_rise)));
-    const S closing_angle = closing_arc(t, sink, rise); // the longest chain: the rest is computed meanwhile
+    const S closing_angle = closing_arc<apart>(t, sink, rise); // the longest chain: the rest is computed meanwhile
 
     const S distance0 = simd::mul_add(t.d, t.d, t.z0 * t.z0) * end0.inverse_distance;
     const S distance1 = simd::mul_add(t.d, t.d, t.z1 * t.z1) * end1.inverse_distance;
-    const EndArcs<S> arcs0 = visible_arcs(end0, has0, distance0 * end0.n_v);
-    const EndArcs<S> arcs1 = visible_arcs(end1, has1, distance1 * end1.n_v);
+    const EndArcs<S> arcs0 = visible_arcs<apart>(end0, has0, distance0 * end0.n_v);
+    const EndArcs<S> arcs1 = visible_arcs<apart>(end1, has1, distance1 * end1.n_v);
 
     const S angle_plus = simd::atan2_above(gap * (t.half - from_plus), simd::mul_add(z_plus, t.z1, t.gap2));
     const S angle_minus = simd::atan2_above(gap * (t.half - from_minus), simd::mul_add(z_minus, t.z1, t.gap2));
@@ -246,14 +274,24 @@ GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
 
     const auto single = simd::either(single0, single1);
     const auto closed = simd::both(above0_minus, !single);
-    S rest = simd::select(closed, S(0), closing_angle) - S(0.5) * slanted;
+    const auto hidden = simd::both(none, !single);
+    const S zero = S(0);
+    return {simd::select(hidden, zero, S(0.5) * (great + caps)),
+            simd::select(hidden, zero, simd::select(closed, zero, closing_angle) - S(0.5) * slanted),
+            end0.inverse_distance * end1.inverse_distance};
+}
+
+// The same where `cut`, else as tube_above.
+template<class S>
+GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
+    const ClippedTube<S> visible = clipped_tube<false>(t);
+    S rest = visible.rest;
     if (!simd::all(cut)) {
         // Without a cut the slopes are joined, and nothing cancels.
-        const S inverse = end0.inverse_distance * end1.inverse_distance;
-        rest = simd::select(cut, rest, t.r * kappa * whole_slope(t, inverse * inverse));
+        const S kappa = simd::sqrt(t.gap2) * t.inverse_d;
+        rest = simd::select(cut, rest, t.r * kappa * whole_slope(t, visible.inverse * visible.inverse));
     }
-    const auto hidden = simd::both(none, !single);
-    return simd::select(hidden, S(0), simd::mul_add(S(0.5), great + caps, rest));
+    return visible.arcs + rest;
 }
 
 } // namespace gonio::shading::detail

@@ -32,6 +32,12 @@ GONIO_FORCE_INLINE vec3<S> fused_cross(vec3<S> a, vec3<S> b) {
             simd::mul_add(a.x, b.y, -(a.y * b.x))};
 }
 
+// a·s + b, rounded once per component where there is FMA.
+template<class S>
+GONIO_FORCE_INLINE vec3<S> mul_add(vec3<S> a, S s, vec3<S> b) {
+    return {simd::mul_add(a.x, s, b.x), simd::mul_add(a.y, s, b.y), simd::mul_add(a.z, s, b.z)};
+}
+
 template<class S>
 GONIO_FORCE_INLINE S length(vec3<S> a) {
     return simd::sqrt(dot(a, a));

@@ -211,4 +211,16 @@ struct Paired<pack<float, Isa>> {
 template<class S>
 using paired = typename Paired<S>::type;
 
+// The pack of a pair; what is no pair stays itself.
+template<class S>
+struct Half {
+    using type = S;
+};
+template<class P>
+struct Half<twin<P>> {
+    using type = P;
+};
+template<class S>
+using half = typename Half<S>::type;
+
 } // namespace gonio::simd
