@@ -15,11 +15,11 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-// Whether the receiver is before a side that shines.
+// Whether the receiver is before a side that shines, or in its plane: what is seen there the sampler says.
 bool shines_on(const Light& light, const glm::dvec3& to_center) {
     const auto before = [&](bool two_sided) {
         const double height = glm::dot(to_center, light.frame.z); // the light shines along −Z
-        return height > 0.0 || (two_sided && height < 0.0);
+        return height >= 0.0 || two_sided;
     };
     if (const auto* disk = std::get_if<DiskShape>(&light.shape)) return before(disk->two_sided);
     if (const auto* rect = std::get_if<RectShape>(&light.shape)) return before(rect->two_sided);

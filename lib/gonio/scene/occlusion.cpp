@@ -1,4 +1,5 @@
 #include <gonio/base/frame.hpp>
+#include <gonio/scene/detail/cap.hpp>
 #include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/occlusion.hpp>
 
@@ -16,35 +17,13 @@ namespace gonio {
 
 namespace {
 
+using detail::angle_between;
+using detail::cap_area;
+
 constexpr double pi = std::numbers::pi;
 
 double safe_acos(double x) {
     return std::acos(std::clamp(x, -1.0, 1.0));
-}
-
-// 2π(1−cos a) without cancellation.
-double cap_area(double a) {
-    const double s = std::sin(0.5 * a);
-    return 4.0 * pi * s * s;
-}
-
-double lens_area(double a, double b, double d) {
-    const double from_a = safe_acos((d * d + a * a - b * b) / (2.0 * d * a));
-    const double from_b = safe_acos((d * d + b * b - a * a) / (2.0 * d * b));
-    return a * a * (from_a - 0.5 * std::sin(2.0 * from_a)) + b * b * (from_b - 0.5 * std::sin(2.0 * from_b));
-}
-
-// The angle opposite side x of a spherical triangle with sides x, y, z, by its half: keeps its digits in small
-// triangles, where the law of cosines loses them.
-double triangle_angle(double x, double y, double z) {
-    const double s = 0.5 * (x + y + z);
-    const double up = std::max(std::sin(s - y) * std::sin(s - z), 0.0);
-    const double down = std::max(std::sin(s) * std::sin(s - x), 0.0);
-    return 2.0 * std::atan2(std::sqrt(up), std::sqrt(down));
-}
-
-double angle_between(const glm::dvec3& p, const glm::dvec3& q) {
-    return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
 }
 
 double cross(const glm::dvec2& p, const glm::dvec2& q) {
@@ -380,37 +359,6 @@ bool may_stand_between(const Primitive& body, const Ball& points, const Ball& li
     const double near = (around->radius + width) * (1.0 + 1e-6);
     const glm::dvec3 apart = to_body - along * way;
     return glm::dot(apart, apart) <= near * near;
-}
-
-double cap_overlap(double a, double b, double d) {
-    const double small = std::min(a, b);
-    if (d >= a + b) return 0.0;
-    if (d <= std::abs(a - b)) return cap_area(small);
-    if (std::max(a, b) < 1e-4) return std::min(lens_area(a, b, d), cap_area(small));
-    const double at_crossing = triangle_angle(d, a, b);
-    const double at_a = triangle_angle(b, d, a);
-    const double at_b = triangle_angle(a, d, b);
-    const double area = 2.0 * (pi - at_crossing - at_a * std::cos(a) - at_b * std::cos(b));
-    return std::clamp(area, 0.0, cap_area(small));
-}
-
-double projected_cap_overlap(const glm::dvec3& axis_a, double a, const glm::dvec3& axis_b, double b,
-                             const glm::dvec3& normal) {
-    const double d = angle_between(axis_a, axis_b);
-    if (d >= a + b) return 0.0;
-    const double sine_a = std::sin(a);
-    const double sine_b = std::sin(b);
-    if (d <= std::abs(a - b))
-        return a <= b ? pi * sine_a * sine_a * glm::dot(normal, axis_a)
-                      : pi * sine_b * sine_b * glm::dot(normal, axis_b);
-    // Half the arcs of either cap within the other, and half the chord between their ends.
-    const double at_a = triangle_angle(b, d, a);
-    const double at_b = triangle_angle(a, d, b);
-    const double half_chord = sine_a * std::sin(at_a);
-    const glm::dvec3 from_a_to_b = glm::normalize(axis_b - glm::dot(axis_a, axis_b) * axis_a);
-    const glm::dvec3 from_b_to_a = glm::normalize(axis_a - glm::dot(axis_a, axis_b) * axis_b);
-    return at_a * sine_a * sine_a * glm::dot(normal, axis_a) + at_b * sine_b * sine_b * glm::dot(normal, axis_b) -
-           half_chord * glm::dot(normal, std::cos(a) * from_a_to_b + std::cos(b) * from_b_to_a);
 }
 
 double polygon_overlap(double a, std::span<const glm::dvec2> corners) {

@@ -46,13 +46,14 @@ bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, con
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
 
 // Solid angle common to two caps of half angles a and b ∈ [0, π/2] whose axes are d ∈ [0, π] apart [sr].
-// Closed form of the two overlapping circular segments on the sphere (Mazonka 2012); planar lens below 1e-4 rad,
-// where the spherical form cancels.
+// Closed form of the two circular segments on the sphere that the great arc between the outlines' crossings parts it
+// into (the area of Mazonka 2012), each without cancellation: small caps beside large ones and narrow lenses keep their
+// digits.
 double cap_overlap(double a, double b, double d);
 
 // ∫ n·ω dω over what two caps have in common, of half angles a and b ∈ [0, π/2] about unit axes [sr]: the illuminance
-// that it gives at a luminance of 1 where all of it is above the horizon of n. Closed form of the two arcs that bound
-// it (the outline integral of area lights).
+// that it gives at a luminance of 1 where all of it is above the horizon of n. Closed form of the two segments as in
+// cap_overlap (the outline integral of area lights over each), without cancellation in small caps and narrow lenses.
 double projected_cap_overlap(const glm::dvec3& axis_a, double a, const glm::dvec3& axis_b, double b,
                              const glm::dvec3& normal);
 

@@ -4,8 +4,9 @@
 // the lobe's albedo. Poses are given in the lobe's frame (ltc_frame), so the horizon is z = 0. The outline is clipped
 // there, transformed, and integrated as in outline.hpp: great arcs stay great arcs, circles become elliptic cones
 // (ltc_cone.hpp), what the horizon cuts off is closed by an arc in the transformed horizon. In float and packs, the
-// lanes in which the sum would cancel (a light that is small after the transform and cut by the horizon, or all but
-// touched) are evaluated in double. Finite and not negative for any finite input; a shape without size gives 0.
+// lanes in which the sum would cancel (a tube that is small after the transform, or a disk that is seen at its edge,
+// cut by the horizon; what is all but touched) are evaluated in double. Finite and not negative for any finite input; a
+// shape without size gives 0.
 #pragma once
 
 #include <gonio/shading/ltc_cone.hpp>
@@ -70,11 +71,12 @@ GONIO_FORCE_INLINE S ltc_patch(vec3<S> p, vec3<S> area) {
     return (p.z * inverse) * (dot(p, area) * inverse);
 }
 
-// The cone about a + u cos t + v sin t, a·(u × v) > 0.
+// The cone about a + u cos t + v sin t, a·(u × v) > 0. Hard where it is cut and so flat that floats do not know where
+// on it the cut is: the ends of the arc are off by a rounding over the shorter axis.
 template<class S>
-GONIO_FORCE_INLINE S ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
+GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
     const CircleCut<S> horizon(a.z, u.z, v.z);
-    if (!simd::any(!horizon.below)) return S(0);
+    if (!simd::any(!horizon.below)) return {S(0), horizon.cut};
     const vec3<S> to_a = lobe(a);
     const S inverse = reciprocal_or_zero(length(to_a));
     const vec3<S> a1 = to_a * inverse;
@@ -82,7 +84,7 @@ GONIO_FORCE_INLINE S ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, ve
     const vec3<S> v1 = lobe(v) * inverse;
     const LtcCone<S> cone(a1, u1, v1);
     const S e = simd::select(horizon.below, S(0), cone.whole());
-    if (!simd::any(horizon.cut)) return e;
+    if (!simd::any(horizon.cut)) return {e, horizon.cut};
     const auto at = [&](S cosine, S sine) { return a1 + u1 * cosine + v1 * sine; };
     const vec3<S> sink = at(horizon.cos_sink(), horizon.sin_sink());
     const vec3<S> rise = at(horizon.cos_rise(), horizon.sin_rise());
@@ -99,7 +101,11 @@ GONIO_FORCE_INLINE S ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, ve
     const auto small = simd::either(dot(u1, u1) + dot(v1, v1) < S(least), sliver);
     // All but whole: the arc's span, just below 2π, could be rounded to just above 0.
     const auto whole = horizon.cos_reach < S(__is_same(S, double) ? -0.99999999 : -0.9999);
-    return simd::select(simd::both(horizon.cut, !whole), simd::select(small, patch, cut), e);
+    const auto cut_by_arc = simd::both(horizon.cut, !whole);
+    constexpr double flattest = 2e-4; // as good as 1e-3; from 1e-4 down errors grow to 1e-3 of the light's luminance
+    const auto flat = cone.v2 * cone.a2 < S(flattest * flattest) * (cone.a2 + cone.u2) * cone.u2;
+    return {simd::select(cut_by_arc, simd::select(small, patch, cut), e),
+            simd::both(simd::both(cut_by_arc, !small), flat)};
 }
 
 // The straight edge from p on to q, as far as it is above the horizon, and where it sinks or rises through it.
@@ -141,7 +147,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S>& lobe, vec3<S
     const S cosine = simd::max(simd::sqrt(simd::max(gap, S(0))) * inverse, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const vec3<S> l = select(distance > S(0), c * inverse, vec3<S>{S(0), S(0), S(1)});
     const TangentFrame<S> frame(l);
-    const S circle = ltc_circle(lobe, l * cosine, frame.x * sine, frame.y * sine);
+    const S circle = ltc_circle(lobe, l * cosine, frame.x * sine, frame.y * sine).integral;
     const auto inside = gap < S(0);
     constexpr double pi = 3.14159265358979323846;
     const S e = simd::select(inside, S(pi) * lobe.horizon_z, circle);
@@ -167,9 +173,9 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_disk(const LtcLobe<S>& lobe, vec3<S> 
     const S floor = r * S(__is_same(S, double) ? 1e-9 : 1e-6);
     const vec3<S> raised = c + away * simd::max(floor - depth, S(0));
     const TangentFrame<S> frame(away);
-    const S circle = ltc_circle(lobe, raised, frame.x * r, frame.y * r);
+    const LtcSurvey<S> circle = ltc_circle(lobe, raised, frame.x * r, frame.y * r);
     const auto close = simd::both(depth < S(0.02) * r, dot(c, c) < S(2) * r * r);
-    return {simd::select(seen, circle, S(0)), simd::both(seen, close)};
+    return {simd::select(seen, circle.integral, S(0)), simd::both(seen, simd::either(close, circle.hard))};
 }
 
 template<class S>
@@ -313,7 +319,7 @@ GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S>& lobe, vec3<S> toward, S sine, S c
     // A hemisphere's cone is all but flat, not flat: it would not know its axis.
     const S narrow = simd::max(cosine, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const TangentFrame<S> frame(toward);
-    return detail::lobe_share(detail::ltc_circle(lobe, toward * narrow, frame.x * sine, frame.y * sine), lobe);
+    return detail::lobe_share(detail::ltc_circle(lobe, toward * narrow, frame.x * sine, frame.y * sine).integral, lobe);
 }
 
 // A disk that emits towards +`axis` (unit), or to both sides. Behind its plane 0.

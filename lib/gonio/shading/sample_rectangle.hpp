@@ -1,9 +1,13 @@
 // Directions towards a rectangle: even over its solid angle (C. Ureña, M. Fajardo, A. King, "An Area-Preserving
 // Parametrization for Spherical Rectangles", Computer Graphics Forum 32(4), 2013).
 //
-// The solid angle is a sum of four angles, here arctangents, that cancels for far rectangles, and the map is
-// ill-conditioned for those that fill their half of the sky. Both are drawn by area instead, with the density d²/(A
-// cos) that this has: there it is even enough, and exact.
+// The solid angle is a sum of four angles, here arctangents, that cancels for far rectangles: they are drawn by area
+// instead, with the density d²/(A cos) that this has; there it is even enough, and exact. The map is ill-conditioned
+// for rectangles that fill their half of the sky. They are drawn about their foot, evenly in azimuth and then in solid
+// angle as far as the edge reaches, which is within 4 % of even, and exact.
+//
+// In the rectangle's plane: inside the outline that is the hemisphere before the emitting side, whose directions are
+// drawn evenly; on the outline and outside nothing is seen. So it is with −0 as with +0.
 #pragma once
 
 #include <gonio/shading/sample_light.hpp>
@@ -15,11 +19,12 @@ namespace gonio::shading {
 template<class S>
 class RectangleSampler {
 public:
-    // Of either side: the receiver is before whichever it sees. `width_direction` is perpendicular to the axis.
+    // Of either side: the receiver is before whichever it sees, in the plane before the emitting one. `width_direction`
+    // is perpendicular to the axis.
     RectangleSampler(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height)
         : x_(width_direction), y_(cross(axis, width_direction)), z_(axis) {
         if (dot(center, z_) > S(0)) z_ = z_ * S(-1); // the frame may be left-handed; only lengths matter in it
-        z0_ = dot(center, z_);                       // ≤ 0
+        z0_ = -simd::abs(dot(center, z_));           // ≤ 0
         const S cx = dot(center, x_);
         const S cy = dot(center, y_);
         x0_ = cx - S(0.5) * width;
@@ -36,14 +41,24 @@ public:
         b1_ = y1_ / simd::sqrt(y1_ * y1_ + z0_ * z0_);
         // 2π less the angles at the two corners of x0.
         k_ = S(std::numbers::pi) + corner(x0_, y1_) - corner(x0_, y0_);
-        even_ = z0_ < S(0) && solid_angle_ > least_even && solid_angle_ < S(6.22);
+        const bool over = x0_ < S(0) && x1_ > S(0) && y0_ < S(0) && y1_ > S(0);
+        const S reach = simd::max(simd::max(x1_, -x0_), simd::max(y1_, -y0_));
+        if (over && !(solid_angle_ < most_even))
+            map_ = Map::about_the_foot;
+        else if (!(far > least_slope * reach))
+            map_ = Map::nothing;
+        else
+            map_ = solid_angle_ > least_even && solid_angle_ < most_even ? Map::even : Map::by_area;
     }
 
     // Of the rectangle, to about the last digits of 2π.
     S solid_angle() const { return solid_angle_; }
 
+    // Where nothing is seen the density is 0, and the direction that to the middle.
     LightSample<S> sample(S u0, S u1) const {
-        if (!even_) return by_area(x0_ + u0 * (x1_ - x0_), y0_ + u1 * (y1_ - y0_));
+        if (map_ == Map::nothing) return {normalized(x_ * (S(0.5) * (x0_ + x1_)) + y_ * (S(0.5) * (y0_ + y1_))), S(0)};
+        if (map_ == Map::about_the_foot) return about_the_foot(u0, u1);
+        if (map_ == Map::by_area) return by_area(x0_ + u0 * (x1_ - x0_), y0_ + u1 * (y1_ - y0_));
         const S turn = u0 * solid_angle_ + k_;
         const S fu = (simd::cos(turn) * b0_ - b1_) / simd::sin(turn);
         const S cu = simd::min(simd::max(simd::copysign(S(1) / simd::sqrt(fu * fu + b0_ * b0_), fu), S(-1)), S(1));
@@ -60,7 +75,7 @@ public:
 
     bool contains(vec3<S> direction) const {
         const S down = dot(direction, z_);
-        if (!(down < S(0)) || !(z0_ < S(0))) return false;
+        if (!(down < S(0)) || map_ == Map::nothing) return false;
         const S t = z0_ / down;
         const S x = dot(direction, x_) * t;
         const S y = dot(direction, y_) * t;
@@ -69,7 +84,13 @@ public:
 
     S pdf(vec3<S> direction) const {
         if (!contains(direction)) return S(0);
-        if (even_) return S(1) / solid_angle_;
+        if (map_ == Map::even) return S(1) / solid_angle_;
+        if (map_ == Map::about_the_foot) {
+            const S x = dot(direction, x_);
+            const S y = dot(direction, y_);
+            const S across = simd::sqrt(x * x + y * y);
+            return across > S(0) ? foot_pdf(fall(x / across, y / across)) : foot_pdf(fall(S(1), S(0)));
+        }
         const S t = z0_ / dot(direction, z_);
         return area_pdf(t * t, direction);
     }
@@ -77,6 +98,11 @@ public:
 private:
     // What cancels in the solid angle is below 1e-3 of it in float, 1e-7 in double.
     static constexpr S least_even = __is_same(S, double) ? S(1e-8) : S(3e-4);
+    static constexpr S most_even = S(6.22);
+    // Of the height over the plane to the way along it: where densities would overflow.
+    static constexpr S least_slope = __is_same(S, double) ? S(1e-280) : S(1e-30);
+
+    enum class Map { even, by_area, about_the_foot, nothing };
 
     S area_pdf(S distance2, vec3<S> direction) const {
         return distance2 / (area_ * simd::max(-dot(direction, z_), S(1e-30)));
@@ -88,11 +114,37 @@ private:
         return {direction, area_pdf(dot(p, p), direction)};
     }
 
+    // 1 − cos of the angle from the foot to the edge in the direction (c, s) along the rectangle.
+    S fall(S c, S s) const {
+        S edge2 = S(-1); // squared way to the edge
+        const auto nearer = [&](S to, S along) {
+            if (along == S(0)) return;
+            const S way = to / along;
+            if (edge2 < S(0) || way * way < edge2) edge2 = way * way;
+        };
+        nearer(c > S(0) ? x1_ : x0_, c);
+        nearer(s > S(0) ? y1_ : y0_, s);
+        const S slant = simd::sqrt(edge2 + z0_ * z0_);
+        return edge2 / (slant * (slant - z0_));
+    }
+
+    S foot_pdf(S fall_there) const { return S(0.5 * std::numbers::inv_pi) / fall_there; }
+
+    LightSample<S> about_the_foot(S u0, S u1) const {
+        const S phi = S(2.0 * std::numbers::pi) * u0;
+        const S c = simd::cos(phi);
+        const S s = simd::sin(phi);
+        const S there = fall(c, s);
+        const S fallen = u1 * there;
+        const S across = simd::sqrt(simd::max(fallen * (S(2) - fallen), S(0)));
+        return {normalized(x_ * (c * across) + y_ * (s * across) - z_ * (S(1) - fallen)), foot_pdf(there)};
+    }
+
     vec3<S> x_, y_, z_;
     S x0_, x1_, y0_, y1_, z0_;
     S area_, solid_angle_;
     S b0_, b1_, k_;
-    bool even_;
+    Map map_;
 };
 
 } // namespace gonio::shading

@@ -7,7 +7,8 @@
 
 namespace gonio::shading {
 
-// 1 − cos σ is formed from sin²σ, so that far spheres keep their digits. From inside, all directions see the sphere.
+// 1 − cos σ is formed from sin²σ, so that far spheres keep their digits. From inside, all directions see the sphere;
+// on its surface, the hemisphere about the centre.
 template<class S>
 class SphereSampler {
 public:
@@ -22,6 +23,14 @@ public:
             height_ = s * s / (S(1) + kappa);
             axis_ = center * (S(1) / distance);
         }
+    }
+
+    // The directions on the side of a plane through the receiver to which the unit `axis` points.
+    static SphereSampler hemisphere(vec3<S> axis) {
+        SphereSampler half({S(0), S(0), S(0)}, S(1));
+        half.axis_ = axis;
+        half.height_ = S(1);
+        return half;
     }
 
     S solid_angle() const { return S(2.0 * std::numbers::pi) * height_; }

@@ -35,8 +35,10 @@ public:
         } else if (along > half || along < -half) {
             weights_[along > S(0) ? 1 : 0] = S(0); // within the prolonged tube the nearer end hides the rest
         } else {
-            weights_[1] = S(0); // inside: the first end's sphere is all directions
-            ends_[0] = SphereSampler<S>({S(0), S(0), S(0)}, radius);
+            // Inside the first end's sphere is all directions; on the side it is those before the tangent plane.
+            weights_[1] = S(0);
+            ends_[0] = d < radius ? SphereSampler<S>({S(0), S(0), S(0)}, radius)
+                                  : SphereSampler<S>::hemisphere(to_line * (S(1) / d));
             weights_[0] = ends_[0].solid_angle();
         }
         const S sum = weights_[0] + weights_[1] + weights_[2];

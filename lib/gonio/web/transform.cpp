@@ -1,5 +1,6 @@
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/goniometer.hpp>
+#include <gonio/web/grid.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/plane_range.hpp>
@@ -57,6 +58,12 @@ double folded(Symmetry symmetry, double c_deg) {
     return symmetry == Symmetry::quadrant && c > 90.0 ? 180.0 - c : c;
 }
 
+// What 360° − offset and the like round.
+double tidy(double deg) {
+    const double even = std::round(deg * 1e9) / 1e9;
+    return (std::abs(even - deg) < 1e-12 ? even : deg) + 0.0; // no −0
+}
+
 // Type C on the given planes, its columns those of `web` where they come from.
 Web on_planes(const Web& web, Symmetry stored, std::vector<double> planes_deg, const Azimuth& azimuth) {
     std::vector<double> candela;
@@ -69,6 +76,27 @@ Web on_planes(const Web& web, Symmetry stored, std::vector<double> planes_deg, c
     }
     std::vector<double> gammas(web.gammas_deg().begin(), web.gammas_deg().end());
     Result<Web> made = Web::create(stored, std::move(planes_deg), std::move(gammas), std::move(candela));
+    if (!made) return web;
+    return std::move(*made);
+}
+
+// The stored planes where a change of azimuth that keeps the mirrors takes them, in the range of `target`. Keeps ends
+// that do not reach those of the range.
+Web permuted_planes(const Web& web, Symmetry target, const Azimuth& azimuth) {
+    const std::span<const double> planes = web.planes_deg();
+    std::vector<std::pair<double, std::size_t>> moved;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        moved.emplace_back(folded(target, in_one_turn(tidy(azimuth.to(planes[i])))), i);
+    std::sort(moved.begin(), moved.end());
+    std::vector<double> angles;
+    std::vector<double> candela;
+    for (const auto& [angle, source] : moved) {
+        if (!angles.empty() && angle == angles.back()) continue; // apart by less than a rounding
+        angles.push_back(angle);
+        candela.insert(candela.end(), web.column(source).begin(), web.column(source).end());
+    }
+    std::vector<double> gammas(web.gammas_deg().begin(), web.gammas_deg().end());
+    Result<Web> made = Web::create(target, std::move(angles), std::move(gammas), std::move(candela));
     if (!made) return web;
     return std::move(*made);
 }
@@ -99,28 +127,132 @@ bool closes_evenly(const Web& web) {
     return std::equal(web.column(0).begin(), web.column(0).end(), web.column(planes.size() - 1).begin());
 }
 
+bool is_bright(std::span<const double> candela) {
+    return std::any_of(candela.begin(), candela.end(), [](double cd) { return cd != 0.0; });
+}
+
+// Type C: every C in [0°, 360°) at which the web jumps, because its planes end there in the bright or its last plane
+// comes round as another.
+std::vector<double> jumps_deg(const Web& web) {
+    const Symmetry stored = web.stored_symmetry();
+    const std::span<const double> planes = web.planes_deg();
+    const std::size_t last = planes.size() - 1;
+    if (stored == Symmetry::axial || (stored == Symmetry::none && closes_evenly(web))) return {};
+    const AngleRange range = plane_range(stored);
+    const bool turns = stored == Symmetry::none;
+    std::vector<double> jumps;
+    for (const bool front : {true, false}) {
+        const std::size_t end = front ? 0 : last;
+        const double c = planes[end];
+        if (!turns && c == (front ? range.low : range.high)) continue; // its image goes on
+        const bool whole_turn = turns && planes[last] - planes[0] >= 360.0 - 1e-9;
+        if (!whole_turn && !is_bright(web.column(end))) continue;
+        jumps.push_back(in_one_turn(c));
+        if (stored == Symmetry::quadrant || stored == Symmetry::bilateral_0_180) jumps.push_back(in_one_turn(-c));
+        if (stored == Symmetry::quadrant || stored == Symmetry::bilateral_90_270)
+            jumps.push_back(in_one_turn(180.0 - c));
+        if (stored == Symmetry::quadrant) jumps.push_back(in_one_turn(180.0 + c));
+    }
+    sort_unique(jumps);
+    return jumps;
+}
+
+// A list of angles of [low, high] at which a function is linear in between, but jumps at some: it is to be followed on
+// either side of a jump, as far off as half the ramp that files have. With the ramp's middle on the jump the integral
+// stays. Angles apart by a rounding count as one.
+class RampedAngles {
+public:
+    RampedAngles(std::vector<double> angles, std::vector<double> jumps, double low, double high)
+        : angles_({low}), jumps_(std::move(jumps)), high_(high) {
+        std::sort(angles.begin(), angles.end());
+        for (const double angle : angles)
+            if (angle > angles_.back() + same && angle < high - same) angles_.push_back(angle);
+        angles_.push_back(high);
+        for (std::size_t i = 0; i + 1 < angles_.size(); ++i)
+            off_ = std::min(off_, 0.25 * (angles_[i + 1] - angles_[i]));
+    }
+
+    // add(angle, value) in ascending order for every angle of the new table, `value` a function of `at`, which asks for
+    // intensities. Where the range itself ends in a jump, the limit from within.
+    template<class At, class Add>
+    void each(const At& at, const Add& add) const {
+        for (const double angle : angles_) {
+            if (!jumps(angle)) {
+                add(angle, at(angle));
+            } else if (angle == angles_.front() || angle == high_) {
+                const double inwards = angle == high_ ? -off_ : off_;
+                std::vector<double> limit = at(angle + inwards);
+                const std::vector<double> further = at(angle + 2.0 * inwards);
+                for (std::size_t j = 0; j < limit.size(); ++j) {
+                    const double linear = 2.0 * limit[j] - further[j];
+                    limit[j] = limit[j] >= 0.0 && further[j] >= 0.0 ? std::max(linear, 0.0) : linear;
+                }
+                add(angle, limit);
+            } else {
+                add(angle - off_, at(angle - off_));
+                add(angle + off_, at(angle + off_));
+            }
+        }
+    }
+
+private:
+    static constexpr double same = 1e-9;
+
+    bool jumps(double angle) const {
+        return std::any_of(jumps_.begin(), jumps_.end(), [&](double at) { return std::abs(at - angle) <= same; });
+    }
+
+    std::vector<double> angles_;
+    std::vector<double> jumps_;
+    double high_;
+    double off_ = 0.5 * web_detail::dark_step_deg;
+};
+
+// A type C web with the γ of `web`, `at` the intensities of a plane.
+template<class At>
+Result<Web> on_ramped_planes(const Web& web, Symmetry stored, const RampedAngles& planes, const At& at) {
+    std::vector<double> angles;
+    std::vector<double> candela;
+    planes.each(at, [&](double angle, const std::vector<double>& column) {
+        angles.push_back(angle);
+        candela.insert(candela.end(), column.begin(), column.end());
+    });
+    std::vector<double> gammas(web.gammas_deg().begin(), web.gammas_deg().end());
+    return Web::create(stored, std::move(angles), std::move(gammas), std::move(candela));
+}
+
+// A mirrored web whose planes leave dark sectors, written out over the whole turn, a ramp for every jump.
+Web with_ramps(const Web& web) {
+    std::vector<double> jumps = jumps_deg(web);
+    if (std::find(jumps.begin(), jumps.end(), 0.0) != jumps.end()) jumps.push_back(360.0);
+    const RampedAngles planes(plane_bends_deg(web), std::move(jumps), 0.0, 360.0);
+    const auto at = [&](double c) {
+        std::vector<double> column;
+        for (const double gamma : web.gammas_deg())
+            column.push_back(web.candela(c, gamma));
+        return column;
+    };
+    Result<Web> made = on_ramped_planes(web, Symmetry::none, planes, at);
+    if (!made) return web;
+    return std::move(*made);
+}
+
 Web with_azimuth(const Web& web, const Azimuth& azimuth) {
     const Symmetry stored = web.stored_symmetry();
     if (stored == Symmetry::axial) return web;
     if (stored == Symmetry::none && !closes_evenly(web)) return moved_planes(web, azimuth);
     const double quarters = azimuth.offset_deg / 90.0;
-    const bool keeps_mirrors = stored != Symmetry::none && quarters == std::round(quarters);
-    const bool odd = keeps_mirrors && std::fmod(std::abs(quarters), 2.0) == 1.0;
-    const Web source = keeps_mirrors ? web : expanded(web);
-    const Symmetry target = !keeps_mirrors ? source.stored_symmetry() : odd ? swapped(stored) : stored;
-    // A gap that cannot be written out stays as it is: nothing of it is known to lie elsewhere.
-    if (!keeps_mirrors && target != Symmetry::none) return web;
-    std::vector<double> planes;
-    if (target == Symmetry::none) {
-        planes = {0.0, 360.0};
-        for (const double bend : plane_bends_deg(source))
-            planes.push_back(in_one_turn(std::round(azimuth.to(bend) * 1e9) / 1e9));
-    } else {
-        for (const double c : source.planes_deg())
-            planes.push_back(folded(target, in_one_turn(std::round(azimuth.to(c) * 1e9) / 1e9)));
+    if (stored != Symmetry::none && quarters == std::round(quarters)) {
+        const bool odd = std::fmod(std::abs(quarters), 2.0) == 1.0;
+        return permuted_planes(web, odd ? swapped(stored) : stored, azimuth);
     }
+    if (!jumps_deg(web).empty()) return moved_planes(with_ramps(web), azimuth);
+    const Web source = expanded(web);
+    std::vector<double> planes{0.0, 360.0};
+    for (const double bend : plane_bends_deg(source))
+        planes.push_back(in_one_turn(std::round(azimuth.to(bend) * 1e9) / 1e9));
     sort_unique(planes);
-    return on_planes(source, target, std::move(planes), azimuth);
+    return on_planes(source, Symmetry::none, std::move(planes), azimuth);
 }
 
 // Types A and B by (H, V) → (±H, ±V) or (±V, ±H), the other type then.
@@ -221,14 +353,28 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry) {
         const Web full = expanded(web);
         std::vector<double> h(full.horizontal_deg().begin(), full.horizontal_deg().end());
         std::vector<double> v(full.vertical_deg().begin(), full.vertical_deg().end());
-        const auto with_images = [](std::vector<double>& angles) {
+        // Both signs of the angles; a table that ends in the bright, nearer to 0 on one side, jumps.
+        const auto with_images = [](std::vector<double>& angles, bool first_is_bright, bool last_is_bright) {
+            std::vector<double> jumps;
+            if (first_is_bright) jumps.insert(jumps.end(), {angles.front(), -angles.front()});
+            if (last_is_bright) jumps.insert(jumps.end(), {angles.back(), -angles.back()});
+            const double most = std::max(std::abs(angles.front()), std::abs(angles.back()));
+            if (!(most > 0.0)) return;
             const std::size_t count = angles.size();
             for (std::size_t i = 0; i < count; ++i)
                 angles.push_back(-angles[i] + 0.0);
-            sort_unique(angles);
+            const RampedAngles both(std::move(angles), std::move(jumps), -most, most);
+            angles.clear();
+            both.each([](double) { return std::vector<double>{}; },
+                      [&](double angle, const std::vector<double>&) { angles.push_back(angle); });
         };
-        if (across_c90) with_images(h);
-        if (across_c0) with_images(v);
+        const auto row_is_bright = [&](std::size_t row) {
+            for (std::size_t i = 0; i < full.horizontal_deg().size(); ++i)
+                if (full.column(i)[row] != 0.0) return true;
+            return false;
+        };
+        if (across_c90) with_images(h, is_bright(full.column(0)), is_bright(full.column(h.size() - 1)));
+        if (across_c0) with_images(v, row_is_bright(0), row_is_bright(v.size() - 1));
         std::vector<double> candela;
         for (const double at_h : h)
             for (const double at_v : v) {
@@ -256,22 +402,41 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry) {
         }
         return Web::create(symmetry, {0.0}, std::move(gammas), std::move(candela));
     }
+    const std::vector<double> jumps = jumps_deg(web);
+    if (!jumps.empty() && web.stored_symmetry() == symmetry) return web;
     const AngleRange range = plane_range(symmetry);
-    std::vector<double> planes{range.low, range.high};
-    for (const double bend : bends)
-        for (const double image : {bend, in_one_turn(360.0 - bend), in_one_turn(540.0 - bend)})
-            if (image > range.low && image < range.high) planes.push_back(image);
+    const auto within_range = [&](const std::vector<double>& angles) {
+        std::vector<double> images;
+        for (const double angle : angles)
+            for (const double image :
+                 {angle, in_one_turn(360.0 - angle), in_one_turn(540.0 - angle), in_one_turn(180.0 + angle)})
+                if (image >= range.low && image <= range.high) images.push_back(image);
+        return images;
+    };
+    const auto mean = [&](double at, double gamma) {
+        const double own = web.candela(at, gamma);
+        const double over_c0 = across_c0 ? web.candela(-at, gamma) : own;
+        const double over_c90 = across_c90 ? web.candela(180.0 - at, gamma) : own;
+        const double over_both = across_c0 && across_c90 ? web.candela(180.0 + at, gamma)
+                                 : across_c90            ? over_c90
+                                                         : over_c0;
+        return 0.25 * ((own + over_both) + (over_c0 + over_c90));
+    };
+    const auto column_at = [&](double at) {
+        std::vector<double> column;
+        for (const double gamma : gammas)
+            column.push_back(mean(at, gamma));
+        return column;
+    };
+    if (!jumps.empty())
+        return on_ramped_planes(
+            web, symmetry, RampedAngles(within_range(bends), within_range(jumps), range.low, range.high), column_at);
+    std::vector<double> planes = within_range(bends);
+    planes.insert(planes.end(), {range.low, range.high});
     sort_unique(planes);
     for (const double at : planes)
-        for (const double gamma : gammas) {
-            const double own = web.candela(at, gamma);
-            const double over_c0 = across_c0 ? web.candela(-at, gamma) : own;
-            const double over_c90 = across_c90 ? web.candela(180.0 - at, gamma) : own;
-            const double over_both = across_c0 && across_c90 ? web.candela(180.0 + at, gamma)
-                                     : across_c90            ? over_c90
-                                                             : over_c0;
-            candela.push_back(0.25 * ((own + over_both) + (over_c0 + over_c90)));
-        }
+        for (const double gamma : gammas)
+            candela.push_back(mean(at, gamma));
     return Web::create(symmetry, std::move(planes), std::move(gammas), std::move(candela));
 }
 

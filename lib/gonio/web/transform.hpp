@@ -2,7 +2,9 @@
 //
 // Exact unless said: the interpolant of the result is the transformed interpolant of the web, at all angles. What has
 // to be resampled comes back as a ResampledWeb (gonio/web/resample.hpp) and states its error. Symmetry is kept where
-// the transformed light has it.
+// the transformed light has it. Dark sectors, where planes end before the range of their symmetry does, stay dark: what
+// jumps there and cannot be the end of a table becomes a ramp 0.0001° wide about it, which keeps the flux to 1e-8 of
+// its cell's.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -14,7 +16,7 @@ namespace gonio {
 
 // Turned about the axis: what shone towards C shines towards C + angle. Exact at any angle for type C, and at multiples
 // of 90° for types A and B, a quarter turn of one being a web of the other; else they are resampled to type C, to
-// `resampling_tolerance` of the peak.
+// `resampling_tolerance` of the peak. A mirrored web with dark sectors is written out for any but quarter turns.
 ResampledWeb rotated(const Web& web, double angle_deg);
 
 enum class MirrorPlane { c0_180, c90_270 };

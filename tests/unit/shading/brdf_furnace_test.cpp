@@ -45,6 +45,29 @@ TEST(Furnace, GgxLosesWhatItsTableSays) {
     }
 }
 
+// In float the loss of a smooth surface keeps its digits: its error falls with 1 − s, as the loss itself does, and does
+// not stay at the rounding of the polynomial's terms (6e-8, which at α = 1e-4 was up to half of the loss).
+TEST(Furnace, GgxLossInFloatIsThatInDouble) {
+    for (const float alpha : {1e-4F, 3e-4F, 1e-3F, 3e-3F, 1e-2F, 3e-2F, 0.1F, 0.3F, 1.0F}) {
+        const GgxLoss<float> in_float = ggx_loss(alpha);
+        const GgxLoss<double> in_double = ggx_loss(static_cast<double>(alpha));
+        for (int i = 0; i <= 600; ++i) {
+            const auto mu = static_cast<float>(std::pow(10.0, -6.0 + 0.01 * i));
+            const double a = static_cast<double>(alpha);
+            const double m = static_cast<double>(mu);
+            const double rest = 1.0 - std::sqrt(m * (1.0 + a) / (m + a));
+            const double expected = in_double(m);
+            EXPECT_NEAR(in_float(mu), expected, 3e-7 * rest + 3e-6 * expected) << alpha << ' ' << mu;
+        }
+        const KullaConty<float> material = kulla_conty_material<float>({1.0F, 0.5F, 0.04F}, alpha);
+        const double a = static_cast<double>(alpha);
+        const KullaConty<double> expected = kulla_conty_material<double>({1.0, 0.5, 0.04F}, a);
+        EXPECT_NEAR(material.multiple.x / expected.multiple.x, 1.0, 2e-5) << alpha;
+        EXPECT_NEAR(material.multiple.y / expected.multiple.y, 1.0, 2e-5) << alpha;
+        EXPECT_NEAR(material.multiple.z / expected.multiple.z, 1.0, 2e-5) << alpha;
+    }
+}
+
 TEST(Furnace, GgxLossHasTheMeanThatItStates) {
     for (const double alpha : {1e-4, 0.01, 0.1, 0.5, 1.0}) {
         const GgxLoss<double> loss = ggx_loss(alpha);

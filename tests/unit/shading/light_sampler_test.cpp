@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -104,10 +105,13 @@ std::vector<Sampler> samplers() {
             disk("far disk", {-20.0, 40.0, 100.0}, m, 0.7),
             disk("near disk", m * -0.1 + b * 0.3, m, 1.0),
             disk("slanted disk", m * -0.05 + b * 1.2, m, 1.0),
+            disk("disk hardly below", m * -1e-9 + b * 0.3, m, 1.0),
+            disk("disk below its rim", m * -1e-3 + b * 1.0002, m, 1.0),
             rectangle("rectangle", {-0.2, 0.4, 1.0}, m, b, 1.2, 0.7),
             rectangle("far rectangle", {-20.0, 40.0, 100.0}, m, b, 1.2, 0.7),
             rectangle("very far rectangle", {-2e4, 4e4, 1e5}, m, b, 1.2, 0.7),
             rectangle("near rectangle", m * -0.05 + b * 0.2, m, b, 1.2, 0.7),
+            rectangle("rectangle hardly below", m * -1e-9 + b * 0.2, m, b, 1.2, 0.7),
             rectangle("long rectangle", {-0.2, 0.4, 1.0}, m, b, 8.0, 0.1),
             tube("tube", {-0.2, 0.4, 1.0}, a, 0.2, 1.5),
             tube("thin tube", {-0.2, 0.4, 1.0}, a, 0.04, 1.5),
@@ -215,6 +219,91 @@ TEST(LightSamplers, FloatIsFiniteFromNearToFar) {
         expect_finite(DiskSampler<float>(center, of(axis_d), 1.0F), random);
         expect_finite(RectangleSampler<float>(center, of(axis_d), of(across_d), 1.0F, number(1e-2, 1e2)), random);
         expect_finite(TubeSampler<float>(center, of(axis_d), number(1e-2, 1.0), 1.0F), random);
+    }
+}
+
+// An even sampler's density is 1 over the solid angle. Below a disk's rim the cone is as good as a slice of a quarter
+// of the sky, and over a flat light it is a hemisphere: there, too, none may be far from even.
+TEST(LightSamplers, FlatLightsAreEvenHardlyOverThem) {
+    Random random(14);
+    const Vec m = poses::unit({0.3, -0.5, -0.8});
+    const Vec b = poses::unit(cross(m, Vec{0.2, 1.0, 0.1}));
+    const auto spread = [&](const auto& sampler) {
+        double least = HUGE_VAL;
+        double most = 0.0;
+        for (int i = 0; i < 500; ++i) {
+            const double u0 = random.uniform();
+            const double pdf = sampler.sample(u0, random.uniform()).pdf;
+            least = std::min(least, pdf);
+            most = std::max(most, pdf);
+        }
+        return most / least;
+    };
+    for (const double z : {1e-1, 1e-2, 1e-3, 1e-5, 1e-9, 1e-13})
+        for (const double x : {0.0, 0.3, 0.9, 0.99, 0.9999, 1.0, 1.0001, 1.01, 1.1, 2.0}) {
+            EXPECT_LT(spread(DiskSampler<double>(m * -z + b * x, m, 1.0)), 1.1) << z << ' ' << x;
+            const RectangleSampler<double> rectangle(m * -z + b * (0.6 * x), m, b, 1.2, 0.7);
+            if (rectangle.solid_angle() > 1e-7) EXPECT_LT(spread(rectangle), 1.1) << z << ' ' << x; // else by area
+        }
+}
+
+// In the plane of a flat light, from either sign of 0: the hemisphere before it inside the outline, nothing on it and
+// outside.
+template<class S>
+void expect_limits_in_the_plane() {
+    constexpr auto tolerance = S(__is_same(S, double) ? 1e-11 : 2e-6);
+    const auto even = S(0.5 / std::numbers::pi);
+    for (const S zero : {S(0.0), S(-0.0)})
+        for (const S side : {S(1), S(-1)}) {
+            const vec3<S> axis{S(0), S(0), side};
+            const vec3<S> across{S(1), S(0), S(0)};
+            const auto look = [&](const auto& sampler, bool inside) {
+                Random random(15);
+                for (int i = 0; i < 200; ++i) {
+                    const auto u0 = static_cast<S>(random.uniform(0.0, 0.999));
+                    const auto drawn = sampler.sample(u0, static_cast<S>(random.uniform(0.0, 0.999)));
+                    EXPECT_NEAR(length(drawn.direction), S(1), tolerance);
+                    EXPECT_NEAR(drawn.pdf, inside ? even : S(0), tolerance);
+                    EXPECT_NEAR(sampler.pdf(drawn.direction), inside ? even : S(0), tolerance);
+                    if (inside) EXPECT_LT(drawn.direction.z * side, S(0)); // the light shines along `axis`
+                    EXPECT_EQ(sampler.pdf(drawn.direction * S(-1)), S(0));
+                }
+            };
+            for (const S x : {S(0), S(0.3), S(-0.99)}) {
+                look(DiskSampler<S>({x, S(0), zero}, axis, S(1)), true);
+                look(RectangleSampler<S>({x, S(0.2), zero}, axis, across, S(2), S(1)), true);
+            }
+            for (const S x : {S(1), S(-1), S(1.001), S(30)}) {
+                look(DiskSampler<S>({x, S(0), zero}, axis, S(1)), false);
+                look(RectangleSampler<S>({x, S(0.2), zero}, axis, across, S(2), S(1)), false);
+            }
+            look(RectangleSampler<S>({S(0), S(0.5), zero}, axis, across, S(2), S(1)), false);
+            look(RectangleSampler<S>({S(1), S(0.5), zero}, axis, across, S(2), S(1)), false);
+        }
+}
+
+TEST(LightSamplers, InTheirPlaneFlatLightsAreTheirLimits) {
+    expect_limits_in_the_plane<float>();
+    expect_limits_in_the_plane<double>();
+}
+
+// On the surface of a body that is not flat: what is before the tangent plane.
+TEST(LightSamplers, OnTheirSurfaceSolidLightsAreHemispheres) {
+    Random random(16);
+    const auto look = [&](const auto& sampler, Vec inward) {
+        for (int i = 0; i < 200; ++i) {
+            const double u0 = random.uniform();
+            const auto drawn = sampler.sample(u0, random.uniform());
+            EXPECT_GE(dot(drawn.direction, inward), -1e-15);
+            EXPECT_NEAR(drawn.pdf, 0.5 / std::numbers::pi, 1e-14);
+            EXPECT_NEAR(sampler.pdf(drawn.direction), drawn.pdf, 1e-14);
+        }
+        EXPECT_EQ(sampler.pdf(inward * -1.0), 0.0);
+    };
+    for (const double zero : {0.0, -0.0}) {
+        look(SphereSampler<double>({zero, 0.5, zero}, 0.5), {0.0, 1.0, 0.0});
+        look(TubeSampler<double>({0.2, 0.5, zero}, {1.0, 0.0, zero}, 0.5, 2.0), {0.0, 1.0, 0.0});
+        look(TubeSampler<double>({1.5, zero, zero}, {1.0, 0.0, zero}, 0.5, 2.0), {1.0, 0.0, 0.0});
     }
 }
 

@@ -127,21 +127,13 @@ void fluxes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Whether its planes end before the range of its symmetry does, so that a sector of it is dark.
-bool has_gap(const Web& web) {
-    const double last = web.planes_deg().back();
-    return !(web.stored_symmetry() == Symmetry::axial || last == (web.stored_symmetry() == Symmetry::quadrant ? 90.0
-                                                                  : web.stored_symmetry() == Symmetry::none   ? 360.0
-                                                                                                              : 180.0));
-}
-
 // Turned, mirrored, evened out, written out, cut, scaled, added: the flux that each must have. And its zones, which are
 // parts of it.
 void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 10) {
         // What a turned angle is rounded by is the more of a step the finer that is.
         const Result<RandomWeb> made = random_web(random, false);
-        if (!made || !(peak(made->web).intensity.value > 0.0) || has_gap(made->web)) {
+        if (!made || !(peak(made->web).intensity.value > 0.0)) {
             tally.looked_at(10);
             continue;
         }
