@@ -76,7 +76,7 @@ std::string recipe_of(const BakeRequest& request, const media::ImageFormat& form
         text += fmt::format(" cone={}deg border={}", to_degrees(bake.chart.cone), bake.chart.border);
     text += fmt::format(" normalize={} pixel={} format={}", to_text(bake.normalization), media::to_text(pixel),
                         format.name);
-    return text + cli::recipe_of(request.input.resolve);
+    return text + cli::recipe_of(request.input);
 }
 
 media::ImageWriteOptions write_options(const std::string& sidecar, media::Pixel pixel, int channels) {

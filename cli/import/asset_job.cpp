@@ -22,11 +22,17 @@ namespace gonio::cli {
 
 namespace {
 
-// An input, read: what is to be written of it.
-// NOLINTNEXTLINE(bugprone-exception-escape): moving Json and variants is noexcept, and throws nothing
+// An input by its bytes, which are enough to know whether anything is to be made of it.
 struct Source {
     std::string name;
-    ManifestFile input;      // with the hash of all that the input names
+    ManifestFile input; // with the hash of all that the input names
+    std::string bytes;
+    std::optional<Rig> rig; // nothing: a profile
+};
+
+// What is to be written of it.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving Json and variants is noexcept, and throws nothing
+struct Content {
     std::string description; // for people
     Json report;             // its part of the report
     Diagnostics diagnostics;
@@ -39,11 +45,11 @@ bool is_rig(std::string_view bytes) {
     return first != std::string_view::npos && bytes[first] == '{';
 }
 
-Result<Source> read_profile_source(const std::string& file, const ImportRequest& request) {
-    Source source;
-    Result<LoadedProfile> loaded = load(file, request.input);
+Result<Content> content_of_profile(const Source& source, const ImportRequest& request) {
+    Content content;
+    Result<LoadedProfile> loaded = load_bytes(source.bytes, source.input.file, request.input);
     if (!loaded) return pass_on(loaded);
-    source.diagnostics = std::move(loaded->diagnostics);
+    content.diagnostics = std::move(loaded->diagnostics);
     const ProfileHeader header = header_of(loaded->profile, request.input.resolve);
     std::vector<Spectrum> spectra;
     if (request.light.color.empty()) {
@@ -51,21 +57,19 @@ Result<Source> read_profile_source(const std::string& file, const ImportRequest&
         if (!held) return pass_on(held);
         spectra = std::move(*held);
     }
-    Result<MeasuredLight> light =
-        measured_light({file, loaded->bytes, loaded->web, header, spectra}, request.light, source.diagnostics);
+    Result<MeasuredLight> light = measured_light({source.input.file, loaded->bytes, loaded->web, header, spectra},
+                                                 request.light, content.diagnostics);
     if (!light) return pass_on(light);
-    source.name = light->name;
-    source.input = {file, light->source_sha256};
-    source.description =
+    content.description =
         fmt::format("{:.6g} lm, greatest difference {:.2g} cd", light->flux.value, light->max_error.value);
-    source.report = {{"name", light->name},
-                     {"flux_lm", light->flux.value},
-                     {"peak_cd", light->peak.value},
-                     {"color", light->color_text},
-                     {"rgb", {light->color.x, light->color.y, light->color.z}},
-                     {"max_error_cd", light->max_error.value}};
-    source.luminaire = std::move(*light);
-    return source;
+    content.report = {{"name", light->name},
+                      {"flux_lm", light->flux.value},
+                      {"peak_cd", light->peak.value},
+                      {"color", light->color_text},
+                      {"rgb", {light->color.x, light->color.y, light->color.z}},
+                      {"max_error_cd", light->max_error.value}};
+    content.luminaire = std::move(*light);
+    return content;
 }
 
 // Of a rig's bytes, the colours that it resolves to and the bytes of the profiles and masks that it names.
@@ -86,50 +90,60 @@ Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
     return sha256(all);
 }
 
-Result<Source> read_rig_source(const std::string& file, const std::string& bytes, const ImportRequest& request) {
+Result<Content> content_of_rig(Rig rig, const std::string& name) {
+    Content content;
+    content.diagnostics = rig.diagnostics;
+    Result<std::vector<Light>> lights = resolve_lights(std::move(rig), content.diagnostics, 1);
+    if (!lights) return pass_on(lights);
+    content.lights = std::move(*lights);
+    content.description = fmt::format("{} lights", content.lights.size());
+    content.report = {{"name", name}, {"lights", content.lights.size()}};
+    return content;
+}
+
+Result<Content> content_of(const Source& source, const ImportRequest& request) {
+    return source.rig ? content_of_rig(*source.rig, source.name) : content_of_profile(source, request);
+}
+
+Result<Rig> rig_of(const std::string& file, const std::string& bytes, const ImportRequest& request) {
     const bool changed = request.light.flux || !request.light.color.empty() || request.light.rotation.value != 0.0;
     if (changed)
         return fail(Failure::usage, "a rig's lights have their own amount, colour and turn",
                     "leave --flux, --color and --rotate out", file);
     const std::size_t slash = file.rfind('/');
     const std::string folder =
-        file == "-" || slash == std::string::npos ? std::string() : file.substr(0, std::max<std::size_t>(slash, 1));
+        slash == std::string::npos ? std::string() : file.substr(0, std::max<std::size_t>(slash, 1));
     Result<Rig> rig = read_rig(bytes, file, folder);
-    if (!rig) return pass_on(rig);
+    if (!rig) return rig;
     if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
-    Source source;
-    source.name = asset_name(file);
-    Result<std::string> hash = fingerprint(bytes, *rig);
-    if (!hash) return pass_on(hash);
-    source.input = {file, std::move(*hash)};
-    source.diagnostics = rig->diagnostics;
-    Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), source.diagnostics, 1);
-    if (!lights) return pass_on(lights);
-    source.lights = std::move(*lights);
-    source.description = fmt::format("{} lights", source.lights.size());
-    source.report = {{"name", source.name}, {"lights", source.lights.size()}};
-    return source;
+    return rig;
 }
 
 Result<Source> read_source(const std::string& file, const ImportRequest& request) {
-    if (file != "-") {
-        Result<std::string> start = read_file_start(file, 64);
-        if (!start) return pass_on(start);
-        if (!is_rig(*start)) return read_profile_source(file, request);
-        Result<std::string> bytes = read_file(file);
-        if (!bytes) return pass_on(bytes);
-        return read_rig_source(file, *bytes, request);
+    Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+    if (!bytes) return pass_on(bytes);
+    Source source{asset_name(file), {file, {}}, std::move(*bytes), {}};
+    if (file == "-" || !is_rig(source.bytes)) {
+        source.input.sha256 = sha256(source.bytes);
+        return source;
     }
-    return read_profile_source(file, request);
+    Result<Rig> rig = rig_of(file, source.bytes, request);
+    if (!rig) return pass_on(rig);
+    Result<std::string> hash = fingerprint(source.bytes, *rig);
+    if (!hash) return pass_on(hash);
+    source.input.sha256 = std::move(*hash);
+    source.rig = std::move(*rig);
+    return source;
 }
 
-Result<LightScene> scene_of(const Source& source, const Target& target, const ImportRequest& request) {
-    if (source.luminaire) return light_scene(target, *source.luminaire, request.unit);
+Result<LightScene> scene_of(const Source& source, const Content& content, const Target& target,
+                            const ImportRequest& request) {
+    if (content.luminaire) return light_scene(target, *content.luminaire, request.unit);
     LightSceneOptions options;
     options.name = source.name;
-    options.description = fmt::format("{} of {}", source.description, source.input.file);
+    options.description = fmt::format("{} of {}", content.description, source.input.file);
     options.unit = request.unit;
-    return light_scene(target, source.lights, options);
+    return light_scene(target, content.lights, options);
 }
 
 // What a target's writer could not say, for the people who get the files.
@@ -169,9 +183,9 @@ std::optional<Written> found(const Source& source, const Target& target, const I
     return there;
 }
 
-Result<Written> made(const Source& source, const Target& target, const ImportRequest& request,
-                     std::vector<OutputFile>& contents) {
-    Result<LightScene> scene = scene_of(source, target, request);
+Result<Written> made(const Source& source, const Content& content, const Target& target, const ImportRequest& request,
+                     std::vector<OutputFile>& outputs) {
+    Result<LightScene> scene = scene_of(source, content, target, request);
     if (!scene) return pass_on(scene);
     if (!scene->instead.empty())
         scene->files.push_back({source.name + ".README.md", losses_readme(source, target, scene->instead), {}});
@@ -195,31 +209,41 @@ Result<Written> made(const Source& source, const Target& target, const ImportReq
             return fail(Failure::usage, fmt::format("'{}' exists", path),
                         "add --overwrite, or -u to write only what is out of date");
         written.files.push_back({path, sha256(*bytes)});
-        contents.push_back({path, std::move(*bytes)});
+        outputs.push_back({path, std::move(*bytes)});
     }
     return written;
 }
 
-// All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
-Result<std::vector<Written>> write_targets(const Source& source, const ImportRequest& request) {
-    std::vector<Written> all;
-    std::vector<OutputFile> contents;
-    for (const Target* target : request.targets) {
-        if (std::optional<Written> there = found(source, *target, request)) {
-            all.push_back(std::move(*there));
-            continue;
-        }
-        Result<Written> written = made(source, *target, request, contents);
-        if (!written) return pass_on(written);
-        all.push_back(std::move(*written));
-    }
-    if (const Result<void> done = write_outputs(contents); !done) return Unexpected(done.error());
+// What is there already of each target, nothing where it is to be made.
+std::vector<std::optional<Written>> found_of_all(const Source& source, const ImportRequest& request) {
+    std::vector<std::optional<Written>> all;
+    for (const Target* target : request.targets)
+        all.push_back(found(source, *target, request));
     return all;
 }
 
-Json report_of(const Source& source, const std::vector<Written>& all, const Diagnostics& diagnostics) {
-    Json json{{"schema", "gonio.import/1"}, {"file", source.input.file}, {"sha256", source.input.sha256}};
-    json.update(source.report);
+// Adds what is missing. All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
+Result<std::vector<Written>> write_targets(const Source& source, const Content& content, const ImportRequest& request,
+                                           std::vector<std::optional<Written>> there) {
+    std::vector<Written> all;
+    std::vector<OutputFile> outputs;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        if (there[i]) {
+            all.push_back(std::move(*there[i]));
+            continue;
+        }
+        Result<Written> written = made(source, content, *request.targets[i], request, outputs);
+        if (!written) return pass_on(written);
+        all.push_back(std::move(*written));
+    }
+    if (const Result<void> done = write_outputs(outputs); !done) return Unexpected(done.error());
+    return all;
+}
+
+Json report_of(const ManifestFile& input, const Content& content, const std::vector<Written>& all,
+               const Diagnostics& diagnostics) {
+    Json json{{"schema", "gonio.import/1"}, {"file", input.file}, {"sha256", input.sha256}};
+    json.update(content.report);
     json["targets"] = Json::array();
     for (const Written& asset : all) {
         Json files = Json::array();
@@ -239,11 +263,20 @@ Json report_of(const Source& source, const std::vector<Written>& all, const Diag
 Result<Made> import_one(const std::string& file, const ImportRequest& request, ReportKind kind) {
     Result<Source> source = read_source(file, request);
     if (!source) return pass_on(source);
-    Result<std::vector<Written>> all = write_targets(*source, request);
+    std::vector<std::optional<Written>> there = found_of_all(*source, request);
+    const bool complete = std::all_of(there.begin(), there.end(), [](const auto& written) { return !!written; });
+    // Only a report speaks of the light of what is up to date.
+    Content content;
+    if (!complete || kind != ReportKind::words) {
+        Result<Content> read = content_of(*source, request);
+        if (!read) return pass_on(read);
+        content = std::move(*read);
+    }
+    Result<std::vector<Written>> all = write_targets(*source, content, request, std::move(there));
     if (!all) return pass_on(all);
     Made imported;
     Outcome& outcome = imported.outcome;
-    outcome.diagnostics = std::move(source->diagnostics);
+    outcome.diagnostics = std::move(content.diagnostics);
     imported.asset.input = source->input;
     outcome.unchanged = true;
     for (Written& asset : *all) {
@@ -251,7 +284,7 @@ Result<Made> import_one(const std::string& file, const ImportRequest& request, R
         outcome.remarks.push_back(asset.unchanged
                                       ? fmt::format("{} -> {}: up to date", file, folder_of(request, *asset.target))
                                       : fmt::format("{} -> {}: {} files, {}", file, folder_of(request, *asset.target),
-                                                    asset.files.size(), source->description));
+                                                    asset.files.size(), content.description));
         for (const std::string& line : asset.record.instead) {
             Diagnostic warning;
             warning.severity = Severity::warning;
@@ -261,7 +294,7 @@ Result<Made> import_one(const std::string& file, const ImportRequest& request, R
             imported.asset.remarks.push_back(fmt::format("{}: {}", asset.target->name, line));
         }
     }
-    if (kind != ReportKind::words) outcome.report = report_of(*source, *all, outcome.diagnostics);
+    if (kind != ReportKind::words) outcome.report = report_of(source->input, content, *all, outcome.diagnostics);
     for (Written& asset : *all)
         for (ManifestFile& written : asset.files)
             imported.asset.files.push_back(std::move(written));

@@ -109,7 +109,7 @@ std::string recipe_of(const ImportRequest& request) {
     if (!request.light.color.empty()) text += " color=" + request.light.color;
     if (request.light.rotation.value != 0.0) text += fmt::format(" rotate={}deg", to_degrees(request.light.rotation));
     if (request.unit.value != 1.0) text += fmt::format(" unit={}m", request.unit.value);
-    return text + recipe_of(request.input.resolve);
+    return text + recipe_of(request.input);
 }
 
 } // namespace gonio::cli

@@ -28,9 +28,7 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
     if (!shape) return pass_on(shape);
     light.shape = *shape;
     light.name = kind_of(light.shape);
-    light.position = placement.position;
-    light.direction = placement.direction;
-    light.up = placement.up;
+    hang(light, placement);
     if (const auto text = arguments.value("--intensity")) {
         Result<PhotometricValue> value = parse_photometric_value(*text);
         if (!value) return pass_on(value);

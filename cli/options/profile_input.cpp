@@ -98,8 +98,11 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     return options;
 }
 
-std::string recipe_of(const ResolveOptions& resolve) {
+std::string recipe_of(const ProfileInputOptions& options) {
+    const ResolveOptions& resolve = options.resolve;
     std::string text;
+    if (options.read.format) text += fmt::format(" from={}", to_text(*options.read.format));
+    if (options.read.strict) text += " strict";
     if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
     if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
     if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
@@ -120,9 +123,13 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
     Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
     if (!bytes) return pass_on(bytes);
+    return load_bytes(std::move(*bytes), file, options);
+}
+
+Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options) {
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);
-    Result<Profile> profile = read_profile(*bytes, file, read);
+    Result<Profile> profile = read_profile(bytes, file, read);
     if (!profile) return pass_on(profile);
     Diagnostics diagnostics = profile->diagnostics;
     Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);
@@ -133,7 +140,7 @@ Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& o
     }
     diagnostics.insert(diagnostics.end(), std::make_move_iterator(resolved->diagnostics.begin()),
                        std::make_move_iterator(resolved->diagnostics.end()));
-    return LoadedProfile{std::move(*bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
+    return LoadedProfile{std::move(bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
 }
 
 } // namespace gonio::cli

@@ -31,8 +31,8 @@ struct ProfileInputOptions {
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
 
-// What of it is not the default, for a recipe: " lamp-set=2 tilt=30deg"; else empty.
-std::string recipe_of(const ResolveOptions& resolve);
+// What of it is not the default, for a recipe: " strict lamp-set=2 tilt=30deg"; else empty.
+std::string recipe_of(const ProfileInputOptions& options);
 
 // The positional words with every @LIST replaced by the file names it holds, one a line, and every folder by the
 // profiles below it, sorted by name; XML that is no TM-33 is left out there. Fails (io) when a list or a folder cannot
@@ -48,5 +48,8 @@ struct LoadedProfile {
 };
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options);
+
+// The same of a file's bytes that were read already.
+Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options);
 
 } // namespace gonio::cli

@@ -84,9 +84,7 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     LightDescription description;
     description.name = file;
     description.shape = ProfileShape{file, web};
-    description.position = request.stage.light.position;
-    description.direction = request.stage.light.direction;
-    description.up = request.stage.light.up;
+    hang(description, request.stage.light);
     Result<Light> light = resolve_light(std::move(description), outcome.diagnostics);
     if (!light) return pass_on(light);
     RenderOptions render_options = request.render;

@@ -35,9 +35,7 @@ Light light_on(const Stage& stage, const char* shape, const char* intensity) {
     LightDescription description;
     description.shape = parse_shape(shape).value();
     description.intensity = parse_photometric_value(intensity).value();
-    description.position = stage.light.position;
-    description.direction = stage.light.direction;
-    description.up = stage.light.up;
+    hang(description, stage.light);
     return resolve_light(std::move(description), diagnostics).value();
 }
 

@@ -39,7 +39,7 @@ Result<KindText> parse_kind_text(std::string_view text) {
     KindText parsed;
     parsed.kind = text.substr(0, colon);
     if (parsed.kind.empty()) return fail(Failure::usage, fmt::format("'{}' does not begin with a kind", text));
-    if (colon == std::string_view::npos) return parsed;
+    if (colon == std::string_view::npos || colon + 1 == text.size()) return parsed;
     for (const std::string_view part : split(text.substr(colon + 1))) {
         const std::size_t equals = part.find('=');
         KindText::Entry entry;

@@ -25,7 +25,8 @@ struct KindText {
     const std::string* value(std::string_view key) const;
 };
 
-// Fails (usage) on an empty kind or key and on a key that is given twice.
+// Nothing behind the colon is no entry, as completion leaves it: "frostbite:" is "frostbite". Fails (usage) on an empty
+// kind or key and on a key that is given twice.
 Result<KindText> parse_kind_text(std::string_view text);
 
 // Fails (usage) when an entry's key is not one of `known`, naming the nearest and all there are.

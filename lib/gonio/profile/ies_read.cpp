@@ -91,6 +91,7 @@ public:
         if (Result<void> read = read_angles(); !read) return pass_on(read);
         if (Result<void> read = read_candela(); !read) return pass_on(read);
         check_ies(file_, places_, report_);
+        mark_table(places_, report_);
         if (report_.has_error()) return report_.failure();
         return std::move(file_);
     }
@@ -145,6 +146,8 @@ private:
         const std::string_view name = text.substr(1, close - 1);
         const std::string_view value = trim_left(text.substr(close + 1));
         if (!equals_any_case(name, "MORE")) {
+            if (equals_any_case(name, "_CCT")) report_.mark(ProfileField::color_temperature, offset);
+            if (equals_any_case(name, "_CRI")) report_.mark(ProfileField::color_rendering, offset);
             file_.keywords.push_back({std::string(name), std::string(value)});
         } else if (file_.keywords.empty()) {
             report_.add("IES0105", offset, "[MORE] stands before any keyword");
@@ -274,6 +277,10 @@ private:
         file_.input_watts = value[12];
         places_.header = place[0];
         places_.shape = place[7];
+        report_.mark(ProfileField::lamp_flux, place[1]);
+        report_.mark(ProfileField::opening, place[7]);
+        report_.mark(ProfileField::field_12, place[11]);
+        report_.mark(ProfileField::input_watts, place[12]);
         check_header(value, place);
         return {};
     }

@@ -78,6 +78,9 @@ public:
         if (Result<void> read = read_gammas(); !read) return pass_on(read);
         if (Result<void> read = read_intensities(); !read) return pass_on(read);
         check_ldt(file_, places_, report_);
+        mark_table(places_, report_);
+        report_.mark(ProfileField::light_output_ratio, places_.light_output_ratio);
+        report_.mark(ProfileField::direct_ratios, places_.direct_ratios);
         if (report_.has_error()) return report_.failure();
         return std::move(file_);
     }
@@ -227,17 +230,19 @@ private:
             std::string_view what;
             std::size_t* place = nullptr;
         };
+        std::size_t opening = no_place;
+        std::size_t downward_flux = no_place;
         const Field fields[] = {
             {&file_.length_mm, "length"},
             {&file_.width_mm, "width"},
             {&file_.height_mm, "height"},
-            {&file_.luminous_length_mm, "length of the luminous area"},
+            {&file_.luminous_length_mm, "length of the luminous area", &opening},
             {&file_.luminous_width_mm, "width of the luminous area"},
             {&file_.luminous_height_c0_mm, "luminous height in C0"},
             {&file_.luminous_height_c90_mm, "luminous height in C90"},
             {&file_.luminous_height_c180_mm, "luminous height in C180"},
             {&file_.luminous_height_c270_mm, "luminous height in C270"},
-            {&file_.downward_flux_percent, "downward flux fraction"},
+            {&file_.downward_flux_percent, "downward flux fraction", &downward_flux},
             {&file_.light_output_ratio_percent, "light output ratio", &places_.light_output_ratio},
             {&file_.conversion_factor, "conversion factor", &places_.conversion_factor},
             {&file_.tilt_deg, "tilt", &places_.tilt},
@@ -246,6 +251,8 @@ private:
             if (Result<void> read = number(*field.value, field.what); !read) return read;
             if (field.place != nullptr) *field.place = number_offset_;
         }
+        report_.mark(ProfileField::opening, opening);
+        report_.mark(ProfileField::downward_flux, downward_flux);
         return {};
     }
 
@@ -259,10 +266,17 @@ private:
                 report_.add("LDT0210", number_offset_, "a set of no lamps",
                             "write at least 1, or a negative number for absolute photometry");
             if (Result<void> read = text(set.lamp_type, "type of lamps", 24); !read) return read;
+            const auto mark = [&](ProfileField field, std::size_t offset) {
+                if (i == 0) report_.mark(field, offset);
+            };
             if (Result<void> read = number(set.flux_lm, "luminous flux"); !read) return read;
+            mark(ProfileField::lamp_flux, number_offset_);
             if (Result<void> read = word(set.color_temperature, "colour temperature", 16); !read) return read;
+            mark(ProfileField::color_temperature, text_offset_);
             if (Result<void> read = word(set.color_rendering, "colour rendering", 6); !read) return read;
+            mark(ProfileField::color_rendering, text_offset_);
             if (Result<void> read = number(set.input_watts, "input power"); !read) return read;
+            mark(ProfileField::input_watts, number_offset_);
             file_.lamp_sets.push_back(std::move(set));
         }
         return {};
@@ -297,6 +311,7 @@ private:
                 if (Result<void> read = angle_of(line, value, "angle of a C-plane"); !read) return read;
             }
             if (file_.planes_deg.empty()) places_.horizontal = number_offset_;
+            places_.last_horizontal = number_offset_;
             if (!file_.planes_deg.empty() && value <= file_.planes_deg.back()) {
                 if (value == 0.0 || (value == 90.0 && file_.planes_deg.back() != 90.0)) return missing(number_offset_);
                 if (value < file_.planes_deg.back())

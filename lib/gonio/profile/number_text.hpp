@@ -6,7 +6,7 @@
 namespace gonio::profile_detail {
 
 // Appends the shortest decimal text that reads back as the same double: without an exponent, which some readers do not
-// take, from 1e-9 to 1e15. `value` must be finite.
+// take and others stop before, from 1e-30 to 1e15. `value` must be finite.
 void append_number(std::string& text, double value);
 
 } // namespace gonio::profile_detail

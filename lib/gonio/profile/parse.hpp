@@ -60,6 +60,16 @@ struct TablePlaces {
     double peak = 0.0; // the largest magnitude in the table
 };
 
+// Of a table that could be read, the places that are asked for when its light is known.
+inline void mark_table(const TablePlaces& places, Report& report) {
+    report.mark(ProfileField::first_vertical, places.vertical);
+    report.mark(ProfileField::last_vertical, places.last_vertical);
+    report.mark(ProfileField::first_horizontal, places.horizontal);
+    report.mark(ProfileField::last_horizontal, places.last_horizontal);
+    report.mark(ProfileField::intensity, places.candela);
+    report.mark(ProfileField::negative_intensity, places.first_negative);
+}
+
 struct LdtPlaces : TablePlaces {
     std::size_t light_output_ratio = 0;
     std::size_t conversion_factor = 0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
+#include <gonio/profile/field_places.hpp>
 #include <gonio/profile/tm33_file.hpp>
 
 #include <cstddef>
@@ -114,6 +115,13 @@ struct Profile {
     std::string source; // the name in diagnostics: a path, or "-"
     std::variant<IesFile, LdtFile, Tm33File> file;
     Diagnostics diagnostics; // warnings and notes; an error would have prevented the Profile
+    FieldPlaces places;      // as read; of a profile that was made, none
 };
+
+// Of the profile's file: the field's place, and the whole file where that is not known.
+Location location_of(const Profile& profile, ProfileField field);
+
+// The same of a EULUMDAT lamp set, numbered from 1: its line where it is not the first.
+Location location_of_lamps(const Profile& profile, ProfileField field, int lamp_set);
 
 } // namespace gonio

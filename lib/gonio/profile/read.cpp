@@ -143,6 +143,7 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
         profile.file = std::move(*file);
     }
     profile.diagnostics = report.take();
+    profile.places = report.places();
     return profile;
 }
 

@@ -1,28 +1,63 @@
 #include <gonio/profile/report.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace gonio::profile_detail {
 
-Report::Report(std::string_view bytes, std::string source, bool strict)
-    : bytes_(bytes), source_(std::move(source)), strict_(strict) {}
+namespace {
 
-// A line ends with CR LF, LF or CR, whichever comes: all three occur within one file.
+// Line and column of offsets that ascend. A line ends with CR LF, LF or CR, whichever comes: all three occur within one
+// file.
+class LineCounter {
+public:
+    explicit LineCounter(std::string_view bytes) : bytes_(bytes) {}
+
+    FieldPlace at(std::size_t offset) {
+        offset = std::min(offset, bytes_.size());
+        for (; next_ < offset; ++next_) {
+            const char c = bytes_[next_];
+            const bool cr_of_crlf = c == '\r' && next_ + 1 < bytes_.size() && bytes_[next_ + 1] == '\n';
+            if (c == '\n' || (c == '\r' && !cr_of_crlf)) {
+                ++line_;
+                line_start_ = next_ + 1;
+            }
+        }
+        return {line_, static_cast<std::uint32_t>(offset - line_start_ + 1)};
+    }
+
+private:
+    std::string_view bytes_;
+    std::size_t next_ = 0; // all before is counted
+    std::size_t line_start_ = 0;
+    std::uint32_t line_ = 1;
+};
+
+} // namespace
+
+Report::Report(std::string_view bytes, std::string source, bool strict)
+    : bytes_(bytes), source_(std::move(source)), strict_(strict) {
+    marks_.fill(no_place);
+}
+
 Location Report::locate(std::size_t offset) const {
     if (offset == no_place) return {source_, 0, 0};
-    offset = std::min(offset, bytes_.size());
-    std::uint32_t line = 1;
-    std::size_t line_start = 0;
-    for (std::size_t i = 0; i < offset; ++i) {
-        const bool cr_of_crlf = bytes_[i] == '\r' && i + 1 < bytes_.size() && bytes_[i + 1] == '\n';
-        if (bytes_[i] == '\n' || (bytes_[i] == '\r' && !cr_of_crlf)) {
-            ++line;
-            line_start = i + 1;
-        }
-    }
-    return {source_, line, static_cast<std::uint32_t>(offset - line_start + 1)};
+    const FieldPlace place = LineCounter(bytes_).at(offset);
+    return {source_, place.line, place.column};
+}
+
+FieldPlaces Report::places() const {
+    std::array<std::size_t, profile_field_count> order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return marks_[a] < marks_[b]; });
+    FieldPlaces places;
+    LineCounter lines(bytes_);
+    for (const std::size_t field : order)
+        if (marks_[field] != no_place) places[static_cast<ProfileField>(field)] = lines.at(marks_[field]);
+    return places;
 }
 
 void Report::add(Code code, std::size_t offset, std::string message, std::string hint) {

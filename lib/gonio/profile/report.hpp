@@ -6,7 +6,9 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/profile/codes.hpp>
+#include <gonio/profile/field_places.hpp>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -45,6 +47,12 @@ public:
     // The failure of the whole reading for what was said about the other file, whose error is the last.
     Unexpected fail_of_other(Diagnostics diagnostics);
 
+    // Remembers where a field stands; `no_place` where it is not.
+    void mark(ProfileField field, std::size_t offset) { marks_[static_cast<std::size_t>(field)] = offset; }
+
+    // Line and column of every field that was marked.
+    [[nodiscard]] FieldPlaces places() const;
+
     // Whether something said so far is an error, which happens under `strict` only.
     [[nodiscard]] bool has_error() const { return has_error_; }
 
@@ -67,6 +75,7 @@ private:
     Diagnostics diagnostics_;
     Diagnostics of_other_;
     std::vector<std::size_t> repeats_; // per diagnostic
+    std::array<std::size_t, profile_field_count> marks_;
     bool strict_;
     bool has_error_ = false;
 };

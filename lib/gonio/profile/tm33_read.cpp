@@ -178,9 +178,23 @@ private:
             if (Result<void> read = read_intensity(intensity, emitter, places); !read) return read;
         for (const pugi::xml_node spectrum : spectrum_elements(element))
             if (Result<void> read = read_spectrum(spectrum, emitter.spectra.emplace_back()); !read) return read;
+        if (file_.emitters.empty()) mark_first(element, places);
         file_.emitters.push_back(std::move(emitter));
         intensity_places_.push_back(places);
         return {};
+    }
+
+    void mark_first(pugi::xml_node emitter, const Tm33Places& places) {
+        report_.mark(ProfileField::intensity, places.table);
+        const auto mark = [&](ProfileField field, std::optional<double> Tm33Emitter::*member) {
+            for (const auto& [paths, other] : emitter_numbers)
+                if (other == member)
+                    if (const pugi::xml_node element = first_of(emitter, paths)) report_.mark(field, place(element));
+        };
+        mark(ProfileField::lamp_flux, &Tm33Emitter::rated_lumens);
+        mark(ProfileField::input_watts, &Tm33Emitter::input_watts);
+        mark(ProfileField::color_temperature, &Tm33Emitter::cct_k);
+        mark(ProfileField::color_rendering, &Tm33Emitter::cri_ra);
     }
 
     void read_tilt(pugi::xml_node element, IesTilt& tilt) {

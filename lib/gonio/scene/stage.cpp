@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <variant>
 
 namespace gonio {
 
@@ -15,7 +16,22 @@ bool is_chosen(const glm::dvec3& up) {
     return up != Camera().up;
 }
 
+// From its middle [m].
+double reach_along_c0(const Shape& shape) {
+    if (const auto* const rect = std::get_if<RectShape>(&shape)) return 0.5 * rect->width.value;
+    if (const auto* const tube = std::get_if<TubeShape>(&shape)) return 0.5 * tube->length.value + tube->radius.value;
+    return 0.0;
+}
+
 } // namespace
+
+void hang(LightDescription& light, const LightPlacement& placement) {
+    light.position = placement.position;
+    light.direction = placement.direction;
+    light.up = placement.up;
+    if (reach_along_c0(light.shape) >= placement.room_along_c0_m)
+        light.up = glm::cross(placement.direction, placement.up);
+}
 
 std::vector<std::string_view> surface_names(const Stage& stage) {
     std::vector<std::string_view> names;

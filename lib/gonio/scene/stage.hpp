@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/primitives.hpp>
@@ -9,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,7 +31,12 @@ struct LightPlacement {
     glm::dvec3 position{0.0, 0.0, 2.5};
     glm::dvec3 direction{0.0, 0.0, -1.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
+    double room_along_c0_m = std::numeric_limits<double>::infinity(); // to what stands there
 };
+
+// Gives the light, whose shape is set, its position, direction and up. A tube or a rectangle that reaches as far along
+// C0 as there is room is turned by 90°.
+void hang(LightDescription& light, const LightPlacement& placement);
 
 struct Stage {
     std::string name;

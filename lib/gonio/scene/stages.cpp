@@ -42,7 +42,8 @@ Stage floor_stage() {
     return stage;
 }
 
-// A wall 3 m high, with the light 0.5 m before it just under the ceiling, as wall washers are hung; C0 to the wall.
+// A wall 3 m high, with the light 0.5 m before it just under the ceiling, as wall washers are hung: C0 to the wall,
+// or along it where the light would reach it.
 Stage wall_stage() {
     Stage stage;
     stage.surfaces = {
@@ -51,7 +52,7 @@ Stage wall_stage() {
         {"ceiling", Plane{{0.0, 0.0, 3.0}, -up}, matte(0.75)},
     };
     stage.camera = {{0.0, -4.6, 1.5}, {0.0, 0.5, 1.5}, up, 42.0, 42.0};
-    stage.light = {{0.0, 0.0, 2.85}, -up, {-1.0, 0.0, 0.0}};
+    stage.light = {{0.0, 0.0, 2.85}, -up, {-1.0, 0.0, 0.0}, 0.5};
     stage.figure_position = {-1.0, -0.1, 0.0};
     return stage;
 }

@@ -39,7 +39,8 @@ struct AuthorOptions {
 };
 
 // The shape's values at the angles of an even grid, with the mirrors that it has, scaled to the flux and rounded to
-// seven significant digits of cd/klm, so that a file of it is short; the flux is met to 1e-7. Fails (usage) on steps
+// seven significant digits of cd/klm, so that a file of it is short; the flux is met to 1e-7, and less than 1e-9 cd/klm
+// is 0. Fails (usage) on steps
 // that do not divide 90° into at most 1800 parts, a flux that is not greater than 0, and a formula that gives no light
 // or a number that is not finite or below 0.
 Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options);

@@ -27,11 +27,16 @@ class Losses {
 public:
     explicit Losses(std::string source) : source_(std::move(source)) {}
 
+    // Of the whole file.
     void add(WebCodeName code, std::string message, std::string hint = {}) {
+        add_at({source_, 0, 0}, code, std::move(message), std::move(hint));
+    }
+
+    void add_at(Location location, WebCodeName code, std::string message, std::string hint = {}) {
         Diagnostic diagnostic;
         diagnostic.code = code.entry->code;
         diagnostic.severity = code.entry->severity;
-        diagnostic.location.file = source_;
+        diagnostic.location = std::move(location);
         diagnostic.message = std::move(message);
         diagnostic.hint = std::move(hint);
         diagnostics_.push_back(std::move(diagnostic));

@@ -11,8 +11,8 @@
 
 namespace gonio {
 
-// `web` is the profile's own, resolved with `options`. The diagnostics name the file and no line. Costs a few
-// integrations of the web; of types A and B the hemispheres are not looked at.
+// `web` is the profile's own, resolved with `options`. The diagnostics name the field that is odd, by
+// profile.places. Costs a few integrations of the web; of types A and B the hemispheres are not looked at.
 Diagnostics check_plausibility(const Profile& profile, const Web& web, const ResolveOptions& options = {});
 
 } // namespace gonio

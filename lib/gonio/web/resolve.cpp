@@ -23,9 +23,8 @@ struct Table {
     Photometry photometry = Photometry::c;
 };
 
-void warn(Diagnostics& diagnostics, const Profile& profile, const char* code, std::string message,
-          std::string hint = {}) {
-    diagnostics.push_back({code, Severity::warning, {profile.source, 0, 0}, std::move(message), std::move(hint)});
+void warn(Diagnostics& diagnostics, Location location, const char* code, std::string message, std::string hint = {}) {
+    diagnostics.push_back({code, Severity::warning, std::move(location), std::move(message), std::move(hint)});
 }
 
 void append_column(std::vector<double>& to, const std::vector<double>& from, std::size_t plane, std::size_t rows) {
@@ -75,11 +74,11 @@ void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnos
         table.candela.reserve(table.candela.size() + table.gammas_deg.size()); // else it would grow to twice its size
         append_column(table.candela, table.candela, 0, table.gammas_deg.size());
         if (std::holds_alternative<IesFile>(profile.file))
-            warn(diagnostics, profile, "WEB0101",
+            warn(diagnostics, location_of(profile, ProfileField::last_horizontal), "WEB0101",
                  fmt::format("no C-plane at {}°: closed with the plane at {}°", table.planes_deg.back(),
                              table.planes_deg.front()));
     } else {
-        warn(diagnostics, profile, "WEB0102",
+        warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0102",
              fmt::format("C-planes cover only {}° to {}°: dark elsewhere", table.planes_deg.front(),
                          table.planes_deg.back()));
     }
@@ -131,12 +130,12 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
     table.stored = table.photometry == Photometry::c ? take_symmetry_of_ies_planes(table.planes_deg)
                                                      : take_symmetry_of_types_a_b(table);
     if (table.photometry != Photometry::c && (table.planes_deg.size() < 2 || table.gammas_deg.size() < 2))
-        warn(diagnostics, profile, "WEB0107",
+        warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0107",
              fmt::format("{} horizontal and {} vertical angles of a type {} table enclose no directions: dark",
                          table.planes_deg.size(), table.gammas_deg.size(),
                          file.photometry == Photometry::a ? 'A' : 'B'));
     if (table.stored == Symmetry::axial && table.planes_deg.front() != 0.0)
-        warn(diagnostics, profile, "WEB0103",
+        warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0103",
              fmt::format("the only C-plane is at {}°: taken for every C", table.planes_deg.front()));
 
     double factor = file.candela_multiplier * file.ballast_factor * tilt_factor(file.tilt, options.tilt_deg);
@@ -144,7 +143,7 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
     if (field_12_is_factor) {
         factor *= file.field_12;
     } else if (file.field_12 != 1.0 && file.version != IesVersion::lm63_2019) {
-        warn(diagnostics, profile, "WEB0104",
+        warn(diagnostics, location_of(profile, ProfileField::field_12), "WEB0104",
              fmt::format("the 12th field is {}, but {} reserves it as 1: not applied", file.field_12,
                          to_text(file.version)),
              "if the luminaire comes out too bright or too dark, this is why");
@@ -262,9 +261,12 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
         dark = dark && cd == 0.0;
     }
     if (negative > 0)
-        warn(diagnostics, profile, "WEB0105", fmt::format("{} intensities are negative: kept as they are", negative),
+        warn(diagnostics, location_of(profile, ProfileField::negative_intensity), "WEB0105",
+             fmt::format("{} intensities are negative: kept as they are", negative),
              "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
-    if (dark) warn(diagnostics, profile, "WEB0106", "every intensity is 0: this luminaire emits no light");
+    if (dark)
+        warn(diagnostics, location_of(profile, ProfileField::intensity), "WEB0106",
+             "every intensity is 0: this luminaire emits no light");
 
     Result<Web> web = Web::create(table.photometry, table.stored, std::move(table.planes_deg),
                                   std::move(table.gammas_deg), std::move(table.candela));

@@ -18,8 +18,17 @@ TEST(KindText, KeepsParenthesesTogether) {
     EXPECT_EQ(parsed->entries[2].key, "two-sided");
 }
 
+TEST(KindText, HasNoEntriesWhenNothingFollowsTheColon) {
+    for (const char* text : {"frostbite", "frostbite:"}) {
+        const auto parsed = parse_kind_text(text);
+        ASSERT_TRUE(parsed) << text;
+        EXPECT_EQ(parsed->kind, "frostbite");
+        EXPECT_TRUE(parsed->entries.empty());
+    }
+}
+
 TEST(KindText, RefusesEmptyAndRepeatedKeys) {
-    for (const char* text : {"", ":r=1", "sphere:", "sphere:r=1,r=2", "sphere:,r=1", "sphere:=1"})
+    for (const char* text : {"", ":", ":r=1", "sphere:r=1,r=2", "sphere:,r=1", "sphere:r=1,", "sphere:,", "sphere:=1"})
         EXPECT_FALSE(parse_kind_text(text)) << text;
 }
 

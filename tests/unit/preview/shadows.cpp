@@ -10,6 +10,7 @@
 #include <gonio/shading/sample_tube.hpp>
 
 #include "../light/lights.hpp"
+#include "numbers.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,21 +29,7 @@ namespace {
 
 using Vec = glm::dvec3;
 
-class Numbers {
-public:
-    explicit Numbers(unsigned seed) : engine_(seed) {}
-
-    double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
-    Vec in_box(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
-    Vec direction() {
-        const double z = between(-1.0, 1.0);
-        const double phi = between(0.0, 2.0 * std::numbers::pi);
-        return {std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z};
-    }
-
-private:
-    std::mt19937 engine_;
-};
+using test::Numbers;
 
 Primitive any_body(Numbers& numbers, int kind) {
     const Vec center = numbers.in_box(3.0);

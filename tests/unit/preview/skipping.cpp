@@ -5,6 +5,7 @@
 #include <gonio/scene/probe.hpp>
 
 #include "../web/webs.hpp"
+#include "numbers.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,29 +14,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 namespace gonio {
 namespace {
 
-class Numbers {
-public:
-    explicit Numbers(unsigned seed) : generator_(seed) {}
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(generator_()) / 4294967296.0;
-    }
-    glm::dvec3 in_box(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
-    glm::dvec3 direction() {
-        glm::dvec3 v(0.0);
-        do
-            v = in_box(1.0);
-        while (glm::length(v) > 1.0 || glm::length(v) < 0.1);
-        return glm::normalize(v);
-    }
-
-private:
-    std::mt19937 generator_;
-};
+using test::Numbers;
 
 LightDescription described(const char* shape, const char* intensity) {
     LightDescription description;

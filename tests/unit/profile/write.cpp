@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -85,7 +87,42 @@ TEST(ProfileWrite, IesLayout) {
                                "[_EMPTY]\r\na label\r\n[OTHER] \xE4 \r\nTILT=NONE\r\n"
                                "3 1234.5 0.1 3 2 1 1 -0.1 -0.1 0\r\n0.95 1 100000\r\n"
                                "0 0.3333333333333333 90\r\n0 90\r\n"
-                               "1e-12 100000 1e+20\r\n0.1 0.6666666666666666 12345.678\r\n");
+                               "0.000000000001 100000 1e+20\r\n0.1 0.6666666666666666 12345.678\r\n");
+}
+
+// Some readers of LM-63 stop before an exponent, and take 4e-05 for 4.
+TEST(ProfileWrite, SmallNumbersHaveNoExponentAndReadBackTheSame) {
+    std::vector<double> small{1e-4, 9.9e-5, 1e-5, 1e-7, 3.3333333333333333e-6, 4.0114128e-11, 1e-30};
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> digits(1.0, 10.0);
+    for (int power = 0; power <= 30; ++power)
+        small.push_back(digits(random) * std::pow(10.0, -power));
+    small.push_back(-small.back()); // the longest
+
+    IesFile ies = an_ies_file();
+    ies.vertical_deg.resize(small.size());
+    for (std::size_t i = 0; i < small.size(); ++i)
+        ies.vertical_deg[i] = static_cast<double>(i);
+    ies.horizontal_deg = {0};
+    ies.candela = small;
+    const std::string ies_text = write_ies(ies);
+    EXPECT_EQ(ies_text.find("e-"), std::string::npos) << ies_text;
+    const Result<Profile> read = read_profile(ies_text, "lamp");
+    ASSERT_TRUE(read) << said(read);
+    EXPECT_EQ(std::get<IesFile>(read->file).candela, small);
+
+    LdtFile ldt = an_ldt_file();
+    ldt.symmetry = 1;
+    ldt.plane_count = 1;
+    ldt.planes_deg = {0};
+    ldt.gamma_count = static_cast<int>(small.size());
+    ldt.gammas_deg = ies.vertical_deg;
+    ldt.candela_per_klm = small;
+    const std::string ldt_text = write_ldt(ldt);
+    EXPECT_EQ(ldt_text.find("e-"), std::string::npos) << ldt_text;
+    const Result<Profile> read_ldt = read_profile(ldt_text, "lamp");
+    ASSERT_TRUE(read_ldt) << said(read_ldt);
+    EXPECT_EQ(std::get<LdtFile>(read_ldt->file).candela_per_klm, small);
 }
 
 TEST(ProfileWrite, TheStandardLineWhereTheFileHasNone) {

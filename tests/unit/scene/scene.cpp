@@ -135,6 +135,10 @@ TEST(Material, GrammarIsThatOfTheList) {
         };
         EXPECT_GT(value(*bare), 0.0) << kind.kind;
         EXPECT_EQ(value(*written), value(*bare)) << kind.kind;
+        // As completion leaves it.
+        const auto begun = parse_material(std::string(kind.kind) + ":");
+        ASSERT_TRUE(begun) << kind.kind;
+        EXPECT_EQ(value(*begun), value(*bare)) << kind.kind;
         EXPECT_TRUE(check_charts(*bare).empty()) << kind.kind;
     }
 }

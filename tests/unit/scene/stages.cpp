@@ -305,6 +305,64 @@ TEST(Occlusion, OnlyWhatIsBetweenCovers) {
     EXPECT_EQ(last, 1.0);
 }
 
+Light hung_on(const Stage& stage, const char* shape) {
+    LightDescription description;
+    description.shape = parse_shape(shape).value();
+    description.intensity = parse_photometric_value("800lm").value();
+    hang(description, stage.light);
+    Diagnostics diagnostics;
+    return resolve_light(std::move(description), diagnostics).value();
+}
+
+// Points as far out as the light reaches, in its frame.
+std::vector<Vec> outline(const Shape& shape) {
+    Vec half(0.0);
+    double round = 0.0; // what is added in every direction
+    if (const auto* const rect = std::get_if<RectShape>(&shape))
+        half = {0.5 * rect->width.value, 0.5 * rect->height.value, 0.0};
+    if (const auto* const disk = std::get_if<DiskShape>(&shape)) half = {disk->radius.value, disk->radius.value, 0.0};
+    if (const auto* const sphere = std::get_if<SphereShape>(&shape)) round = sphere->radius.value;
+    if (const auto* const tube = std::get_if<TubeShape>(&shape)) {
+        half.x = 0.5 * tube->length.value;
+        round = tube->radius.value;
+    }
+    std::vector<Vec> points;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                points.push_back(Vec(x, y, z) * half + round * Vec(x, y, z) / std::max(1.0, glm::length(Vec(x, y, z))));
+    return points;
+}
+
+TEST(Stages, HangLightsOfOrdinarySizeClearOfEverything) {
+    for (const StageKind& kind : stage_kinds())
+        for (const char* const shape : {"tube:r=2cm,l=1.2m", "tube:r=13mm,l=60cm", "rect:w=60cm,h=60cm",
+                                        "rect:w=1.2m,h=30cm", "rect:w=30cm,h=1.2m", "disk:r=30cm", "sphere:r=12cm"}) {
+            SCOPED_TRACE(std::string(kind.name) + " " + shape);
+            const Stage stage = make_stage(kind.name).value();
+            const Light light = hung_on(stage, shape);
+            EXPECT_EQ(light.frame.origin, stage.light.position);
+            for (const Vec& point : outline(light.shape)) {
+                const Vec way = light.frame.to_world(point);
+                const double length = glm::length(way);
+                if (length == 0.0) continue;
+                const auto hit = first_hit(stage, {light.frame.origin, way / length});
+                EXPECT_TRUE(!hit || hit->distance > length) << "in " << stage.surfaces[hit->surface].name << " at "
+                                                            << point.x << " " << point.y << " " << point.z;
+            }
+        }
+}
+
+// C0 of all others points at the wall, as that of a profile does.
+TEST(Stages, TurnOnlyLightsThatWouldReachTheWall) {
+    const Stage wall = make_stage("wall").value();
+    for (const char* const shape :
+         {"point", "disk:r=40cm", "rect:w=60cm,h=30cm", "tube:r=2cm,l=90cm", "spot:outer=20deg"})
+        EXPECT_EQ(hung_on(wall, shape).frame.x, Vec(0, 1, 0)) << shape;
+    for (const char* const shape : {"tube:r=2cm,l=1.2m", "tube:r=2cm,l=96cm", "rect:w=1m,h=30cm"})
+        EXPECT_EQ(glm::abs(hung_on(wall, shape).frame.x), Vec(1, 0, 0)) << shape;
+}
+
 // Whether the camera sees a point in a picture of this size, nothing between them.
 bool in_picture(const Camera& camera, const Vec& point, int width, int height) {
     const CameraRays rays(camera, width, height);

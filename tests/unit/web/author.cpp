@@ -7,10 +7,13 @@
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/symmetry.hpp>
+#include <gonio/web/to_profile.hpp>
 
 #include "webs.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace gonio {
 namespace {
@@ -68,6 +71,34 @@ TEST(Author, ShapesAreTheirFormulas) {
     const Web tube = made("tube:r=10mm,l=1m", fine);
     EXPECT_NEAR(tube.candela(0, 90) / tube.candela(90, 90), std::numbers::pi * 1e-4 / (2e-2 + std::numbers::pi * 1e-4),
                 1e-6);
+}
+
+TEST(Author, TakesItsDefaultsWhereNothingFollowsTheColon) {
+    for (const AuthoredKind& kind : authored_kinds()) {
+        const auto begun = parse_authored(std::string(kind.kind) + ":");
+        ASSERT_TRUE(begun) << kind.kind;
+        EXPECT_EQ(difference(*authored(*begun, {}), made(kind.kind)).relative, 0.0) << kind.kind;
+    }
+}
+
+// A Gaussian of 10° is 1e-90 at the horizon, and some readers take "1e-90" as 1.
+TEST(Author, FilesHaveNoExponents) {
+    for (const AuthoredKind& kind : authored_kinds())
+        for (const std::string keys : {"", ":beam=10deg"})
+            for (const double lumens : {1e-3, 800.0, 1e6}) {
+                const auto shape = parse_authored(std::string(kind.kind) + keys);
+                if (!shape) continue; // it has no beam
+                AuthorOptions options;
+                options.flux = Lumens(lumens);
+                const Web web = *authored(*shape, options);
+                for (const ProfileTarget target :
+                     {ProfileTarget::lm63_2002, ProfileTarget::eulumdat, ProfileTarget::portable}) {
+                    const std::string text = write_profile(to_profile(web, {}, target)->profile, target);
+                    const std::size_t exponent = text.find("e-");
+                    EXPECT_EQ(exponent, std::string::npos) << kind.kind << ": " << text.substr(exponent - 12, 20);
+                }
+                EXPECT_NEAR(flux(web).value, lumens, 1e-6 * lumens) << kind.kind;
+            }
 }
 
 TEST(Author, RefusesWhatMakesNoSense) {

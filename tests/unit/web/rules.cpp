@@ -331,9 +331,10 @@ void expect_broken(std::string_view code, Severity severity) {
     EXPECT_FALSE(diagnostic->message.empty()) << code;
     EXPECT_EQ(diagnostic->message.find('\n'), std::string::npos) << to_text(*diagnostic);
     EXPECT_NE(diagnostic->message.back(), '.') << to_text(*diagnostic);
-    // Readers know where it stands; what concerns the light concerns the whole file.
-    const bool of_light = code.substr(0, 3) == "WEB";
-    EXPECT_EQ(diagnostic->location.line == 0, of_light || diagnostic->location.column == 0) << to_text(*diagnostic);
+    EXPECT_EQ(diagnostic->location.file, rule->second.name);
+    // Readers and rules about the light know where it stands; what is lost in writing is of the whole file.
+    const bool of_writing = code.substr(0, 5) == "WEB02";
+    EXPECT_EQ(diagnostic->location.line == 0, of_writing) << to_text(*diagnostic);
 }
 
 TEST(Rules, EveryCodeHasTheSmallestFileThatBreaksIt) {
@@ -350,6 +351,50 @@ TEST(Rules, EveryCodeHasTheSmallestFileThatBreaksIt) {
         EXPECT_FALSE(entry.explanation.empty());
     }
     EXPECT_EQ(smallest_files().size(), std::size(profile_codes) + std::size(web_codes));
+}
+
+std::string place_of(const Diagnostics& said, std::string_view code) {
+    const Diagnostic* const diagnostic = find_code(said, code);
+    if (diagnostic == nullptr) return "not said";
+    return std::to_string(diagnostic->location.line) + ":" + std::to_string(diagnostic->location.column);
+}
+
+TEST(Rules, AboutTheLightNameTheField) {
+    const std::map<std::string, std::string> places{
+        {"WEB0101", "6:7"},  {"WEB0102", "6:1"},  {"WEB0103", "6:1"},  {"WEB0104", "4:3"},  {"WEB0105", "7:5"},
+        {"WEB0106", "7:1"},  {"WEB0107", "6:1"},  {"WEB0301", "3:3"},  {"WEB0302", "3:3"},  {"WEB0303", "4:5"},
+        {"WEB0304", "4:5"},  {"WEB0305", "4:5"},  {"WEB0306", "3:18"}, {"WEB0307", "3:18"}, {"WEB0308", "7:1"},
+        {"WEB0309", "5:3"},  {"WEB0310", "7:1"},  {"WEB0311", "6:1"},  {"WEB0312", "22:1"}, {"WEB0313", "23:1"},
+        {"WEB0314", "34:0"}, {"WEB0315", "29:1"}, {"WEB0316", "16:1"}, {"WEB0317", "31:1"}};
+    for (const WebCode& entry : web_codes) {
+        if (entry.code.substr(0, 5) == "WEB02") continue;
+        const std::string code(entry.code);
+        EXPECT_EQ(place_of(all_said(smallest_files().at(code)), code), places.at(code)) << code;
+    }
+    // The same rules where another format has the field.
+    EXPECT_EQ(place_of(all_said({ldt({{46, " -1"}})}), "WEB0105"), "46:2");
+    EXPECT_EQ(place_of(all_said({ldt({{32, "0"}})}), "WEB0305"), "32:1");
+    EXPECT_EQ(place_of(all_said({ies({{2, "[_CCT] 99\nTILT=NONE"}})}), "WEB0317"), "2:1");
+    const std::string lines = tm33("<InputWattage>10", "\n <InputWattage>0");
+    EXPECT_EQ(place_of(all_said({lines}), "WEB0305"), "2:2");
+}
+
+TEST(Rules, NameTheLampSetThatIsLookedAt) {
+    const auto profile = read_profile(ldt({{26, "2"}, {32, "10\n1\nLED\n0\n\n\n1"}}), "lamp");
+    ASSERT_TRUE(profile);
+    ResolveOptions options;
+    EXPECT_EQ(place_of(check_plausibility(*profile, resolve_web(*profile, options)->web, options), "WEB0315"),
+              "not said");
+    options.lamp_set = 2;
+    EXPECT_EQ(place_of(check_plausibility(*profile, resolve_web(*profile, options)->web, options), "WEB0315"), "35:0");
+}
+
+// A profile that was made has no text: what is odd about it is said of the whole.
+TEST(Rules, OfAMadeProfileNameNoPlace) {
+    Profile made;
+    made.source = "made";
+    made.file = std::get<IesFile>(read_profile(ies({{7, "0 0"}}), "lamp")->file);
+    EXPECT_EQ(place_of(resolve_web(made)->diagnostics, "WEB0106"), "0:0");
 }
 
 // Else the files above would show nothing.

@@ -1,0 +1,72 @@
+// The cells of a sweep: what each is rendered from, and its picture.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/preview/render.hpp>
+
+#include "../arguments.hpp"
+#include "../console.hpp"
+#include "../json_text.hpp"
+#include "request.hpp"
+#include "sweep_axis.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gonio::cli {
+
+struct Sweep {
+    std::vector<SweepAxis> axes; // the first runs across, the second down
+
+    std::size_t cells() const;
+    // Which value of an axis a cell has.
+    std::size_t value_of(std::size_t cell, std::size_t axis) const;
+    std::string label(std::size_t cell) const;
+};
+
+// One axis or two, of at most 1024 cells.
+Result<Sweep> read_sweep(const Arguments& arguments);
+
+struct Cell {
+    PreviewRequest request;
+    std::vector<Light> lights;
+    Rendering rendering;
+};
+
+double mean_nt(const Rendering& rendering);
+
+class Sweeper {
+public:
+    Sweeper(PreviewRequest request, Sweep sweep, Console& console);
+
+    // Reads every profile once, and tries every value, so that a mistake is told before anything is rendered.
+    Result<void> prepare();
+
+    // Hands over the cells one by one, the shared exposure being that of the first.
+    Result<void> render_all(int width, int height, const std::function<Result<void>(Cell, std::size_t)>& use);
+
+    const PreviewRequest& request() const { return request_; }
+    const Sweep& sweep() const { return sweep_; }
+    Json& cells_json() { return cells_; }
+    std::optional<Ev100> shared_exposure() const { return shared_exposure_; }
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+
+private:
+    Result<Cell> render_cell(std::size_t index, int width, int height);
+    void note(const Cell& cell, std::size_t index, Ev100 exposure);
+
+    PreviewRequest request_;
+    Sweep sweep_;
+    Console& console_;
+    bool exposure_changes_ = false;
+    std::optional<Ev100> shared_exposure_;
+    Json cells_ = Json::array();
+    Diagnostics diagnostics_;
+};
+
+} // namespace gonio::cli

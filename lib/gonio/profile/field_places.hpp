@@ -1,0 +1,46 @@
+// Where fields stand in the text that a Profile was read from, for what is said of it when its light is known.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace gonio {
+
+// What rules about the light may find odd.
+enum class ProfileField : std::uint8_t {
+    lamp_flux,         // LM-63: lumens per lamp; of the first lamp set of EULUMDAT, of the first emitter of TM-33
+    input_watts,       // of the first too
+    color_temperature, // of the first too; LM-63: the keyword [_CCT]
+    color_rendering,   // of the first too; LM-63: the keyword [_CRI]
+    field_12,          // LM-63
+    opening,           // LM-63, EULUMDAT: the luminous opening's first size
+    downward_flux,     // EULUMDAT, and so are the next two
+    light_output_ratio,
+    direct_ratios, // the first
+    first_horizontal,
+    last_horizontal,
+    first_vertical,
+    last_vertical,
+    intensity,         // the table
+    negative_intensity // the first; LM-63, EULUMDAT
+};
+
+inline constexpr std::size_t profile_field_count = 15;
+
+// Line and column from 1; 0: not known, or not there.
+struct FieldPlace {
+    std::uint32_t line = 0;
+    std::uint32_t column = 0;
+};
+
+class FieldPlaces {
+public:
+    FieldPlace& operator[](ProfileField field) { return places_[static_cast<std::size_t>(field)]; }
+    const FieldPlace& operator[](ProfileField field) const { return places_[static_cast<std::size_t>(field)]; }
+
+private:
+    std::array<FieldPlace, profile_field_count> places_{};
+};
+
+} // namespace gonio

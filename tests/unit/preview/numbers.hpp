@@ -1,0 +1,28 @@
+// Random numbers, points and directions from a seed, the same with every library.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gonio::test {
+
+class Numbers {
+public:
+    explicit Numbers(unsigned seed) : engine_(seed) {}
+
+    double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) * 0x1p-32); }
+    glm::dvec3 in_box(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+    glm::dvec3 direction() {
+        const double z = between(-1.0, 1.0);
+        const double phi = between(0.0, 2.0 * std::numbers::pi);
+        return {std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z};
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+} // namespace gonio::test
