@@ -115,7 +115,7 @@ struct Profile {
     std::string source; // the name in diagnostics: a path, or "-"
     std::variant<IesFile, LdtFile, Tm33File> file;
     Diagnostics diagnostics; // warnings and notes; an error would have prevented the Profile
-    FieldPlaces places;      // as read; of a profile that was made, none
+    FieldPlaces places = {}; // as read; of a profile that was made, none
 };
 
 // Of the profile's file: the field's place, and the whole file where that is not known.

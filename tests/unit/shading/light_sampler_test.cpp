@@ -243,7 +243,9 @@ TEST(LightSamplers, FlatLightsAreEvenHardlyOverThem) {
         for (const double x : {0.0, 0.3, 0.9, 0.99, 0.9999, 1.0, 1.0001, 1.01, 1.1, 2.0}) {
             EXPECT_LT(spread(DiskSampler<double>(m * -z + b * x, m, 1.0)), 1.1) << z << ' ' << x;
             const RectangleSampler<double> rectangle(m * -z + b * (0.6 * x), m, b, 1.2, 0.7);
-            if (rectangle.solid_angle() > 1e-7) EXPECT_LT(spread(rectangle), 1.1) << z << ' ' << x; // else by area
+            if (rectangle.solid_angle() > 1e-7) { // else by area
+                EXPECT_LT(spread(rectangle), 1.1) << z << ' ' << x;
+            }
         }
 }
 
@@ -265,7 +267,9 @@ void expect_limits_in_the_plane() {
                     EXPECT_NEAR(length(drawn.direction), S(1), tolerance);
                     EXPECT_NEAR(drawn.pdf, inside ? even : S(0), tolerance);
                     EXPECT_NEAR(sampler.pdf(drawn.direction), inside ? even : S(0), tolerance);
-                    if (inside) EXPECT_LT(drawn.direction.z * side, S(0)); // the light shines along `axis`
+                    if (inside) {
+                        EXPECT_LT(drawn.direction.z * side, S(0)) << "the light shines along `axis`";
+                    }
                     EXPECT_EQ(sampler.pdf(drawn.direction * S(-1)), S(0));
                 }
             };
