@@ -36,7 +36,9 @@ GONIO_FORCE_INLINE S asin_small(S x, S x2) {
 // of an arc would else be spent waiting for this.
 template<class S>
 GONIO_FORCE_INLINE S atan_excess_series(S square) {
-    const S t = max(square, S(1e-9F)); // below it nothing changes, and t⁴ would be no normal number: slow
+    // Below it nothing changes, and t⁴ and its multiples, rounded by themselves for want of FMA, would be no normal
+    // numbers: slow.
+    const S t = max(square, S(1e-8F));
     const S t2 = t * t;
     const S low = mul_add(t2, polynomial(t, -0.142789081F, 0.11036396F), polynomial(t, -0.333333313F, 0.199997559F));
     const S high =

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -430,6 +431,18 @@ TEST(DoubleMath, AtanExcessKeepsItsDigits) {
             exact = -l * l * l * (1 / 3.0L - l * l * (1 / 5.0L - l * l * (1 / 7.0L - l * l * (1 / 9.0L - l * l / 11))));
         EXPECT_NEAR(gonio::simd::atan_excess(x), static_cast<double>(exact),
                     1e-13 * std::fabs(static_cast<double>(exact)));
+    }
+}
+
+// A product below the least normal number takes a hundred cycles on some processors; without FMA each product inside is
+// a number of its own.
+TEST(FloatMath, ArcsOfSmallAnglesStayAmongTheNormalNumbers) {
+    for (float x = 1.0F; x > 1e-12F; x *= 0.93F) {
+        volatile const float y = x;
+        std::feclearexcept(FE_ALL_EXCEPT);
+        volatile const float angle = gonio::simd::atan2_above(y, 1.0F);
+        EXPECT_FALSE(std::fetestexcept(FE_UNDERFLOW)) << x;
+        EXPECT_NEAR(angle, std::atan(x), 3e-7F * x);
     }
 }
 
