@@ -183,7 +183,8 @@ GONIO_FORCE_INLINE TubeSight<S> sight(const TubeLight<S>& light, vec3<S> c) {
     const S slack = S(2e-6) * (simd::abs(along) + r);
     const S within2 = r * (r - slack);
     const S beyond = simd::abs(along) - half;
-    return {simd::both(d2<within2, beyond> slack), tube_apart(d2, along * along, r, half)};
+    const auto within = d2 < within2;
+    return {simd::both(within, beyond > slack), tube_apart(d2, along * along, r, half)};
 }
 
 template<Kind kind, class Light, class S>
@@ -298,8 +299,9 @@ struct SortedBatch {
             // From the middle to an end's sphere.
             const std::uint32_t is_split =
                 simd::lane_bits(simd::abs(height) < most - S(2) * simd::abs(spread.radius)) & is_apart;
-            return {
-                {is_above & is_apart, lit & ~(is_apart | is_end), is_split, is_apart & ~(is_above | is_split), is_end}};
+            const std::uint32_t is_whole = is_above & is_apart;
+            const std::uint32_t is_cut = simd::lane_bits(seen.apart.cut) & lit & ~(is_above | is_split);
+            return {{is_whole, lit & ~(is_whole | is_split | is_cut | is_end), is_split, is_cut, is_end}};
         } else {
             return {{is_above, lit & ~is_above}};
         }
