@@ -62,11 +62,10 @@ Result<LayerChoice> read_choice(std::string_view text) {
 }
 
 Result<void> fits_layers(const Arguments& arguments, const PreviewRequest& request) {
-    for (const std::string_view option : several_pictures)
+    std::vector<std::string_view> others(several_pictures.begin(), several_pictures.end());
+    others.insert(others.end(), {"--ticks", "--stats"});
+    for (const std::string_view option : others)
         if (option != "--aov" && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--aov and {} are both given", option), "make a picture of each");
-    for (const std::string_view option : {"--ticks", "--stats"})
-        if (arguments.has(option))
             return fail(Failure::usage, fmt::format("--aov and {} are both given", option), "make a picture of each");
     if (request.format->name != "exr")
         return fail(Failure::usage, fmt::format("{} holds one picture, not layers", request.format->title),

@@ -19,16 +19,13 @@ namespace detail {
 
 template<class S>
 GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    const S size = simd::abs(radius);
-    const S span = simd::abs(length_m);
-    const S scale =
-        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
+    const ScaledTube<S> scaled(center, radius, length_m);
     constexpr double least = 1e-37;
     TubePose<S> t;
-    t.r = size * scale;
-    t.half = S(0.5) * (span * scale);
+    t.r = scaled.r;
+    t.half = scaled.half;
     t.inverse_r = S(1) / simd::max(t.r, S(least));
-    const vec3<simd::wider<S>> c = widen(center * scale);
+    const vec3<simd::wider<S>> c = widen(scaled.center);
     const vec3<simd::wider<S>> a = widen(axis);
     t.n_a = dot(normal, axis);
     const auto depth = dot(a, c);
@@ -65,21 +62,16 @@ GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius,
 // The nearer end's sphere alone: what is seen from beyond an end and within the prolonged tube.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_tube_end(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    const S size = simd::abs(radius);
-    const S span = simd::abs(length_m);
-    const S scale =
-        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
-    const vec3<S> scaled = center * scale;
-    const S half = S(0.5) * (span * scale);
-    const auto back = simd::widen(simd::copysign(half, -dot(axis, scaled)));
-    const vec3<simd::wider<S>> c = widen(scaled);
+    const ScaledTube<S> scaled(center, radius, length_m);
+    const auto back = simd::widen(simd::copysign(scaled.half, -dot(axis, scaled.center)));
+    const vec3<simd::wider<S>> c = widen(scaled.center);
     const vec3<simd::wider<S>> a = widen(axis);
     vec3<S> to_end;
     simd::narrow(c.x + a.x * back, to_end.x);
     simd::narrow(c.y + a.y * back, to_end.y);
     simd::narrow(c.z + a.z * back, to_end.z);
-    const S r = size * scale;
-    const S least2 = simd::max(S(1e-4) * r * r, S(2.5e-6) * half * half); // as for the whole tube
+    const S r = scaled.r;
+    const S least2 = simd::max(S(1e-4) * r * r, S(2.5e-6) * scaled.half * scaled.half); // as for the whole tube
     return {irradiance_sphere(to_end, r, normal), simd::abs(dot(to_end, to_end) - r * r) < least2};
 }
 

@@ -72,8 +72,6 @@ GONIO_FORCE_INLINE S reach(const TubeLight<S>& light, vec3<S> normal) {
 // Receivers of one kind from here and there. S: what they will be computed with.
 template<class S>
 struct ReceiverQueue {
-    static constexpr std::size_t lanes = simd::Traits<S>::lanes;
-
     std::size_t count = 0;
     // Rows of queue_length: position, normal, and the place in the arrays.
     static constexpr std::size_t rows = 7;

@@ -67,19 +67,15 @@ struct ApartPose {
 
 template<class S>
 GONIO_FORCE_INLINE ApartPose<S> apart_pose(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
-    const S size = simd::abs(radius);
-    const S span = simd::abs(length_m);
-    const S scale =
-        S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(size, span)));
-    const vec3<S> c = center * scale;
+    const ScaledTube<S> scaled(center, radius, length_m);
     ApartPose<S> pose;
     FlatTubePose<S>& t = pose.tube;
-    t.r = size * scale;
-    t.half = S(0.5) * (span * scale);
-    t.z = dot(axis, c);
+    t.r = scaled.r;
+    t.half = scaled.half;
+    t.z = dot(axis, scaled.center);
     t.z0 = t.z - t.half;
     t.z1 = t.z + t.half;
-    pose.across = mul_add(axis, -t.z, c);
+    pose.across = mul_add(axis, -t.z, scaled.center);
     const S d2 = dot(pose.across, pose.across);
     const S gap2 = simd::mul_add(-t.r, t.r, d2);
     t.n_a = dot(normal, axis);
@@ -192,7 +188,9 @@ GONIO_FORCE_INLINE Survey<S> survey_tube_cut(vec3<S> center, vec3<S> axis, S rad
     t.n_a = flat.n_a;
     t.n_g = d_n_g(pose, axis, normal) * t.inverse_d;
     t.up = simd::mul_add(t.z, t.n_a, flat.d_n_f);
-    const auto easy = simd::both(simd::both(t.up - t.half * t.n_a<t.r, t.r> S(0)), pose.apart.cut);
+    const auto exists = t.r > S(0);
+    const auto cut = t.up - t.half * t.n_a < t.r;
+    const auto easy = simd::both(simd::both(cut, exists), pose.apart.cut);
     const ClippedTube<S> visible = clipped_tube<true>(t);
     return {clamp_irradiance(visible.arcs + visible.rest), !easy};
 }

@@ -24,6 +24,23 @@ struct TubePose {
     S up;                 // height of the centre over the receiver's plane
 };
 
+// A tube scaled to moderate size, by a power of two, which is exact. Its sizes are magnitudes.
+template<class S>
+struct ScaledTube {
+    vec3<S> center;
+    S r, half;
+
+    GONIO_FORCE_INLINE ScaledTube(vec3<S> to_center, S radius, S length_m) {
+        const S size = simd::abs(radius);
+        const S span = simd::abs(length_m);
+        const S scale =
+            S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(to_center), simd::max(size, span)));
+        center = to_center * scale;
+        r = size * scale;
+        half = S(0.5) * (span * scale);
+    }
+};
+
 // One end's circle, whose azimuth φ runs from −h to h along the outline; what is above the horizon is |φ − μ| < reach.
 template<class S>
 struct EndCircle {
@@ -180,9 +197,7 @@ GONIO_FORCE_INLINE S closing_arc(const TubePose<S>& t, const Crossing<S>& sink, 
     const vec3<S> n{t.n_f, t.n_a, t.n_g};
     const vec3<S> step{rise.offset.x - sink.offset.x, rise.offset.y - sink.offset.y, rise.direct.z - p.z};
     if constexpr (apart) {
-        const vec3<S> q = p + step;
-        const S along = simd::mul_add(-dot(n, p), dot(n, q), dot(p, q)); // as horizon_arc
-        return S(0.5) * simd::atan2_above(simd::abs(dot(n, fused_cross(p, step))), along);
+        return horizon_arc(p, step, n);
     }
     // Far away the offsets know the step between them better than the points themselves, and near the other way round.
     const S size = t.r + t.half;
