@@ -4,6 +4,7 @@
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/unit_text.hpp>
 
+#include "options/files_in_use.hpp"
 #include "options/profile_input.hpp"
 
 #include <fmt/format.h>
@@ -92,6 +93,7 @@ Result<int> merge_manifests(const Arguments& arguments, Console& console) {
         if (!manifest) return pass_on(manifest);
         manifests.push_back(std::move(*manifest));
     }
+    if (Result<void> free = check_outputs(*names, {&*output, 1}); !free) return pass_on(free);
     const Result<Manifest> whole = merged(manifests);
     if (!whole) return Unexpected(whole.error());
     if (Result<void> written = write_output(*output, manifest_json(*whole)); !written) return pass_on(written);

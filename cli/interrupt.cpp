@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include <gonio/base/file_set.hpp>
+
 #include <csignal>
 
 namespace gonio::cli {
@@ -8,16 +10,31 @@ namespace {
 
 volatile std::sig_atomic_t was_interrupted = 0;
 
+extern "C" void end_cleanly(int signal) {
+    remove_temporary_files();
+    (void)std::signal(signal, SIG_DFL);
+    (void)std::raise(signal); // held back until this handler returns
+}
+
 extern "C" void note_interrupt(int /*signal*/) {
     was_interrupted = 1;
-    (void)std::signal(SIGINT, SIG_DFL);
+    (void)std::signal(SIGINT, end_cleanly);
+}
+
+// Who started the tool with the signal ignored (nohup, a shell's background job) wants it ignored.
+void handle(int signal, void (*handler)(int)) {
+    if (std::signal(signal, handler) == SIG_IGN) (void)std::signal(signal, SIG_IGN);
 }
 
 } // namespace
 
+void clean_up_after_signals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
+        handle(signal, end_cleanly);
+}
+
 void listen_for_interrupt() {
-    // Who started the tool with the signal ignored (nohup, a shell's background job) wants it ignored.
-    if (std::signal(SIGINT, note_interrupt) == SIG_IGN) (void)std::signal(SIGINT, SIG_IGN);
+    handle(SIGINT, note_interrupt);
 }
 
 bool interrupted() {

@@ -1,4 +1,5 @@
 // gonio: the command-line tool. Finds the command, parses only its options, runs it, writes what it said.
+#include <gonio/base/atomic_file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/nearest.hpp>
 
@@ -6,6 +7,8 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "help.hpp"
+#include "interrupt.hpp"
+#include "options/output.hpp"
 
 #include <fmt/format.h>
 
@@ -76,12 +79,15 @@ int run(std::span<char* const> words, Console& console) {
     console.set_color(*color);
     console.set_quiet(arguments->has("--quiet"));
     console.set_verbose(arguments->has("--verbose"));
+    set_durable_outputs(arguments->has("--durable"));
     return command->run(*arguments, console);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    hold_standard_descriptors();
+    clean_up_after_signals();
     // A file size limit must come back as an error of write(), so that the half-written file can be removed.
     (void)std::signal(SIGXFSZ, SIG_IGN);
     Console console;

@@ -8,6 +8,7 @@
 #include <gonio/web/metrics.hpp>
 
 #include "../json_text.hpp"
+#include "../options/files_in_use.hpp"
 #include "../stopwatch.hpp"
 #include "../texel_pixel.hpp"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace gonio::cli {
@@ -22,6 +24,10 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array<std::string_view, 6> face_names{"px", "nx", "py", "ny", "pz", "nz"};
+
+std::string name_of(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
 
 // "out/lamp.exr" → "out/lamp-px.exr", …
 std::vector<std::string> face_files(const std::string& output) {
@@ -106,6 +112,13 @@ std::string stats_line(const std::string& input, const Texture& texture, double 
                        100.0 * left_out / std::max(1.0, static_cast<double>(texture.texels)), read_ms, bake_ms);
 }
 
+// What the texture's file holds is what its sidecar says: another one may have been killed between the two, or have
+// written at the same time.
+bool holds(const std::string& picture, const FileRecord& record) {
+    const Result<std::string> bytes = read_file(picture);
+    return bytes && name_of(picture) == record.file && matches(record, *bytes);
+}
+
 // What would be replaced without having been asked for; plan_outputs has looked at the output's own name.
 Result<void> refuse_existing(const Arguments& arguments, const TextureJob& job) {
     if (!arguments.has("--output-dir") || arguments.has("--overwrite") || arguments.has("--update")) return {};
@@ -130,6 +143,9 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
             charts_of(request.bake.layout, request.bake.width, request.bake.height, request.bake.chart);
         if (!charts && request.bake.width > 0 && request.bake.height > 0) return Unexpected(charts.error());
     }
+    FilesInUse in_use(inputs);
+    if (request.catalogue.manifest)
+        if (Result<void> free = in_use.take(*request.catalogue.manifest); !free) return pass_on(free);
     std::vector<TextureJob> jobs;
     for (Job& files : *outputs) {
         const Result<const media::ImageFormat*> format = picture_format(named, files.output);
@@ -145,6 +161,10 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
                                                            : std::vector<std::string>{job.files.output};
         if (request.sidecar || (!to_stdout && !request.no_sidecar))
             job.sidecar = request.sidecar.value_or(job.files.output + ".json");
+        for (const std::string& picture : job.pictures)
+            if (Result<void> free = in_use.take(picture); !free) return pass_on(free);
+        if (job.sidecar)
+            if (Result<void> free = in_use.take(*job.sidecar); !free) return pass_on(free);
         // With a sidecar the contents decide, not the time of day; see is_up_to_date.
         if (job.files.skip && !job.sidecar) continue;
         if (const Result<void> free = refuse_existing(arguments, job); !free) return Unexpected(free.error());
@@ -155,12 +175,12 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
 
 bool is_up_to_date(const TextureJob& job) {
     if (!job.sidecar || job.files.input == "-" || !file_exists(*job.sidecar)) return false;
-    if (!std::all_of(job.pictures.begin(), job.pictures.end(), file_exists)) return false;
     const Result<std::string> sidecar = read_file(*job.sidecar);
     const std::optional<TextureRecord> record = sidecar ? read_sidecar(*sidecar) : std::nullopt;
     if (!record || record->recipe != job.recipe) return false;
     const Result<std::string> input = read_file(job.files.input);
-    return input && sha256(*input) == record->source_sha256;
+    return input && sha256(*input) == record->source_sha256 &&
+           std::equal(job.pictures.begin(), job.pictures.end(), record->files.begin(), record->files.end(), holds);
 }
 
 Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
@@ -180,19 +200,22 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
 
     const bool faces = request.bake.layout == Layout::cube;
     const ManifestFile source{job.files.input, sha256(loaded->bytes)};
-    const std::string sidecar =
-        texture_sidecar(*texture, {source.file, source.sha256},
-                        {std::string(media::to_text(job.pixel)), channels_of(request), request.engine,
-                         faces ? job.pictures : std::vector<std::string>{}, job.recipe});
+    TextureFile description{
+        std::string(media::to_text(job.pixel)), channels_of(request), request.engine, {}, job.recipe};
+    if (faces)
+        std::transform(job.pictures.begin(), job.pictures.end(), std::back_inserter(description.face_files), name_of);
+    const auto sidecar_of = [&] { return texture_sidecar(*texture, {source.file, source.sha256}, description); };
     std::vector<OutputFile> files;
     const int width = texture->image.width / static_cast<int>(job.pictures.size());
-    const media::ImageWriteOptions writing = write_options(sidecar, job.pixel, channels_of(request));
+    const media::ImageWriteOptions writing = write_options(sidecar_of(), job.pixel, channels_of(request));
     for (std::size_t i = 0; i < job.pictures.size(); ++i) {
         Result<std::string> bytes = media::encode_image(
             picture_of(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
         if (!bytes) return pass_on(bytes);
+        description.files.push_back(file_record(name_of(job.pictures[i]), *bytes));
         files.push_back({job.pictures[i], std::move(*bytes)});
     }
+    const std::string sidecar = sidecar_of(); // with what the pictures are, which they cannot say of themselves
     if (job.sidecar) files.push_back({*job.sidecar, sidecar});
     if (Result<void> written = write_outputs(files); !written) return pass_on(written);
 
@@ -203,7 +226,7 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
     }
     if (request.stats) made.outcome.words = stats_line(job.files.input, *texture, read_ms, bake_ms);
     if (kind != ReportKind::words) {
-        made.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.output}, {"up_to_date", false}};
+        made.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.name}, {"up_to_date", false}};
         made.outcome.report["texture"] = Json::parse(sidecar);
         if (request.stats)
             made.outcome.report["stats"] = {{"texels", texture->texels},
@@ -235,7 +258,7 @@ Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, Re
     if (kind != ReportKind::words) {
         Result<std::string> sidecar = read_file(*job.sidecar);
         if (!sidecar) return pass_on(sidecar);
-        found.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.output}, {"up_to_date", true}};
+        found.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.name}, {"up_to_date", true}};
         found.outcome.report["texture"] = Json::parse(*sidecar);
         found.outcome.report["diagnostics"] = Json::array();
     }

@@ -24,15 +24,16 @@ struct TextureJob {
     std::string recipe;                 // all that the texels depend on but the input's bytes
 };
 
-// Fails (usage, unsupported) before any work is done: on outputs that collide or exist, on a folder that is none, and
-// on what the format cannot hold or the layout cannot have.
+// Fails (usage, unsupported) before any work is done: on outputs that collide, exist or are inputs, on a folder that is
+// none, and on what the format cannot hold or the layout cannot have.
 Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const BakeRequest& request,
                                               const std::vector<std::string>& inputs);
 
-// Whether the files are there and were made of the same bytes by the same recipe: what -u asks.
+// Whether the files are there, hold what the sidecar says, and were made of the same bytes by the same recipe: what -u
+// asks.
 bool is_up_to_date(const TextureJob& job);
 
-// Bakes and writes; where one of the files cannot be written, none is left.
+// Bakes and writes; where one of the files cannot be written, all are what they were.
 Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
 
 // What is there already, for a report and a manifest.

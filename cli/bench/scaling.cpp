@@ -1,9 +1,11 @@
+#include <gonio/base/file_set.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/measure/scaling.hpp>
 #include <gonio/plot/log_log.hpp>
 
 #include "../interrupt.hpp"
 #include "../json_text.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 #include "../progress.hpp"
@@ -137,6 +139,8 @@ Result<int> bench_scaling(const Arguments& arguments, Console& console) {
         options.seed = *seed;
     }
     const std::vector<std::string> files = arguments.values("--output");
+    fine = check_outputs({}, files);
+    if (!fine) return pass_on(fine);
     for (const std::string& file : files) {
         if (!file.ends_with(".svg") && !file.ends_with(".csv") && !file.ends_with(".json"))
             return fail(Failure::usage, fmt::format("the name '{}' does not end in .svg, .csv or .json", file));

@@ -56,6 +56,10 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     const ReportKind kind = report_kind(arguments);
     if ((kind != ReportKind::words || request->stats) && arguments.value("--output") == "-")
         return both_to_standard_output();
+    std::vector<std::string> outputs;
+    for (const TextureJob& job : *jobs)
+        outputs.insert(outputs.end(), job.pictures.begin(), job.pictures.end());
+    console.say(names_that_differ_by_case(outputs));
     const auto stays = [&](const TextureJob& job) { return request->update && is_up_to_date(job); };
     if (arguments.has("--dry-run")) {
         for (const TextureJob& job : *jobs)
@@ -85,15 +89,17 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command bake_command;
-const Command bake_command{"bake",
-                           "a profile as a texture whose texels are exact means, with a sidecar",
-                           "FILE… --layout LAYOUT -s WxH -o OUT",
-                           "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
-                           "or @LIST for a list of files. EXR files carry the sidecar's fields as attributes\n"
-                           "gonio:…; PNG and TIFF have no place for them. Out of date (-u) is what other bytes or\n"
-                           "options made than its sidecar says; without a sidecar, what is older than its input.",
-                           groups,
-                           examples,
-                           run};
+const Command bake_command{
+    "bake",
+    "a profile as a texture whose texels are exact means, with a sidecar",
+    "FILE… --layout LAYOUT -s WxH -o OUT",
+    "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
+    "or @LIST for a list of files. EXR files carry the sidecar's fields as attributes\n"
+    "gonio:…; PNG and TIFF have no place for them. Out of date (-u) is what other bytes or\n"
+    "options made than its sidecar says, or what holds other bytes than it says; without a sidecar, what is older\n"
+    "than its input.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

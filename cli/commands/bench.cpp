@@ -1,3 +1,4 @@
+#include <gonio/base/file_set.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/measure/suite.hpp>
 
@@ -10,6 +11,7 @@
 #include "../interrupt.hpp"
 #include "../json_writer.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 #include "../progress.hpp"
@@ -89,6 +91,7 @@ Result<Form> form_of(const Arguments& arguments) {
 }
 
 Result<void> read_outputs(const Arguments& arguments, Request& request) {
+    if (Result<void> free = check_outputs({}, arguments.values("--output")); !free) return free;
     for (const std::string& file : arguments.values("--output")) {
         if (file == "-") {
             if (request.form != Form::words) return both_to_standard_output("chart");

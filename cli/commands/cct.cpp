@@ -9,6 +9,7 @@
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
 
@@ -45,6 +46,7 @@ constexpr std::array strip_options{
     Option{"-s,--size", "WxH", "its pixels across and down (1024x128)"},
     Option{"--to", "FORMAT", "its format, where the file name does not tell", "images"},
     Option{"--no-scale", "", "the colours alone; pictures of integers have a scale with numbers at their foot"},
+    durable_option,
 };
 constexpr std::array groups{OptionGroup{"colour", color_options}, OptionGroup{"space", space_options},
                             OptionGroup{"picture", strip_options}, json_group, common_group};
@@ -147,6 +149,13 @@ Result<int> cct(const Arguments& arguments, Console& console) {
     const bool lines = arguments.has("--jsonl");
     const auto output = arguments.value("--output");
     if (output == "-" && (json || lines)) return both_to_standard_output();
+    if (output) {
+        std::vector<std::string> inputs = arguments.positional();
+        for (const std::string_view option : {"--spectrum", "--ocio"})
+            for (std::string& file : arguments.values(option))
+                inputs.push_back(std::move(file));
+        if (Result<void> free = check_outputs(inputs, {&*output, 1}); !free) return pass_on(free);
+    }
 
     int status = 0;
     std::size_t failed = 0;

@@ -33,6 +33,7 @@ constexpr std::array convert_options{
     Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+    durable_option,
 };
 
 constexpr std::array groups{OptionGroup{"output", convert_options}, profile_input_group, json_group, threads_group,
@@ -99,7 +100,7 @@ const char* version_of(const Profile& profile) {
 Json to_json(const Job& job, const Converted& converted, ProfileTarget target) {
     return {{"schema", "gonio.convert/1"},
             {"file", job.input},
-            {"output", job.output},
+            {"output", job.name},
             {"format", format_of(converted.profile)},
             {"version", version_of(converted.profile)},
             {"portable", target == ProfileTarget::portable},
@@ -148,6 +149,10 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
     const std::string format = arguments.value("--to").value_or("ies");
     Result<std::vector<Job>> jobs = plan_outputs(arguments, *inputs, format == "tm33" ? "xml" : format);
     if (!jobs) return pass_on(jobs);
+    std::vector<std::string> outputs;
+    for (const Job& job : *jobs)
+        outputs.push_back(job.output);
+    console.say(names_that_differ_by_case(outputs));
     const Result<ProfileTarget> target = profile_target(arguments, jobs->front().output);
     if (!target) return Unexpected(target.error());
     const Result<std::optional<double>> compact = compact_tolerance(arguments);

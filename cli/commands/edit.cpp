@@ -9,6 +9,7 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/profile_output.hpp"
@@ -214,6 +215,7 @@ Result<int> edit(const Arguments& arguments, Console& console) {
     if (!files) return pass_on(files);
     Result<ProfileOutput> output = profile_output(arguments);
     if (!output) return pass_on(output);
+    if (Result<void> free = check_outputs(*files, {&output->file, 1}); !free) return pass_on(free);
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     Result<std::vector<double>> weights = weights_for(arguments, files->size());

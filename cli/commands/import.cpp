@@ -9,11 +9,14 @@
 #include "../import/asset_job.hpp"
 #include "../import/request.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
+#include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -56,11 +59,23 @@ std::vector<std::string> shared_out(const std::vector<std::string>& inputs, Shar
     return chosen;
 }
 
-Result<void> make_folders(const ImportRequest& request) {
+// A README of someone else stays as it is.
+Result<void> write_readme(const std::string& file, const Target& target, const Console& console) {
+    const std::string text = target_readme(target);
+    const Result<std::string> there = file_exists(file) ? read_file(file) : Result<std::string>(std::string());
+    if (!there) return Unexpected(there.error());
+    if (*there == text) return {};
+    const std::string_view title = std::string_view(text).substr(0, text.find('\n') + 1);
+    if (there->empty() || there->starts_with(title)) return write_output(file, text);
+    console.note(fmt::format("{}: is not from gonio, and stays as it is", file));
+    return {};
+}
+
+Result<void> make_folders(const ImportRequest& request, const Console& console) {
     for (const Target* target : request.targets) {
         const std::string folder = folder_of(request, *target);
         Result<void> done = make_folder(folder);
-        if (done) done = write_file(folder + "/README.md", target_readme(*target));
+        if (done) done = write_readme(folder + "/README.md", *target, console);
         if (!done) return done;
     }
     return {};
@@ -75,6 +90,12 @@ Result<int> import_all(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     if (Result<void> names = distinct(*inputs); !names) return pass_on(names);
+    std::vector<std::string> asset_names(inputs->size());
+    std::transform(inputs->begin(), inputs->end(), asset_names.begin(), asset_name);
+    console.say(names_that_differ_by_case(asset_names));
+    const FilesInUse in_use(*inputs);
+    if (request->catalogue.manifest)
+        if (Result<void> free = in_use.check(*request->catalogue.manifest); !free) return pass_on(free);
     const std::vector<std::string> chosen = shared_out(*inputs, share_of(request->catalogue));
     if (arguments.has("--dry-run")) {
         for (const std::string& input : chosen)
@@ -82,13 +103,13 @@ Result<int> import_all(const Arguments& arguments, Console& console) {
                 console.print(fmt::format("{} -> {}/{}\n", input, folder_of(*request, *target), asset_name(input)));
         return 0;
     }
-    if (Result<void> folders = make_folders(*request); !folders) return pass_on(folders);
+    if (Result<void> folders = make_folders(*request, console); !folders) return pass_on(folders);
     const ReportKind kind = report_kind(arguments);
     std::string recipe = recipe_of(*request) + " to=";
     for (const Target* target : request->targets)
         recipe += fmt::format("{}{}", target == request->targets.front() ? "" : ",", target->name);
     return run_catalogue({chosen, "gonio.import/1", "imported", *threads}, request->catalogue, recipe, kind, console,
-                         [&](std::size_t index) { return import_one(chosen[index], *request, kind); });
+                         [&](std::size_t index) { return import_one(chosen[index], *request, in_use, kind); });
 }
 
 int run(const Arguments& arguments, Console& console) {

@@ -13,6 +13,7 @@
 #include "../console.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_output.hpp"
 
@@ -177,12 +178,13 @@ Result<ProfileHeader> header_for(const Arguments& arguments, const std::string& 
     return header;
 }
 
-Result<Web> web_for(const Arguments& arguments, const std::string& shape, double lumens) {
+Result<Web> web_for(const Arguments& arguments, const std::string& shape, double lumens, const std::string& output) {
     if (shape.starts_with("csv:")) {
         for (const std::string_view option : {"--planes", "--gammas", "--type"})
             if (arguments.has(option))
                 return fail(Failure::usage, fmt::format("{} has no meaning for a table that lists its angles", option));
         const std::string file = shape.substr(4);
+        if (Result<void> free = check_outputs({&file, 1}, {&output, 1}); !free) return pass_on(free);
         Result<std::string> text = file == "-" ? read_standard_input() : read_file(file);
         if (!text) return pass_on(text);
         Result<Web> web = web_from_csv(*text, file);
@@ -217,7 +219,7 @@ Result<int> make(const Arguments& arguments, Console& console) {
     if (json && output->file == "-") return both_to_standard_output("profile");
     Result<double> lumens = positive(arguments, "--lumens", Dimension::luminous_flux, 1000.0);
     if (!lumens) return pass_on(lumens);
-    Result<Web> web = web_for(arguments, shape, *lumens);
+    Result<Web> web = web_for(arguments, shape, *lumens, output->file);
     if (!web) return pass_on(web);
     const bool declares = !shape.starts_with("csv:") || arguments.has("--lumens");
     Result<ProfileHeader> header =

@@ -9,6 +9,7 @@
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
@@ -222,6 +223,8 @@ Result<int> plot(const Arguments& arguments, Console& console) {
     const Result<void> format = read_format(arguments, *request);
     if (!format) return Unexpected(format.error());
     if (together && !arguments.has("--output-dir")) {
+        const Result<void> free = check_outputs(*files, {&*together, 1});
+        if (!free) return Unexpected(free.error());
         if (!arguments.has("--dry-run")) return draw_together(*files, *request, *together, console);
         console.print(*together + "\n");
         return 0;

@@ -7,6 +7,7 @@
 #include "../interrupt.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../preview/compare.hpp"
@@ -120,11 +121,15 @@ Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const
     return RefinedPicture{std::move(*rendered)};
 }
 
-Json names_of(std::span<const OutputFile> files) {
-    Json names = Json::array();
+std::vector<std::string> names_in(std::span<const OutputFile> files) {
+    std::vector<std::string> names;
     for (const OutputFile& file : files)
         names.push_back(file.name);
     return names;
+}
+
+Json names_of(std::span<const OutputFile> files) {
+    return names_in(files);
 }
 
 // Appends the files of the scene, and says what it cannot hold.
@@ -144,6 +149,7 @@ Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>
     if (request.exposure.mode != ExposureMode::automatic) white = white_luminance(request.exposure.ev);
     std::vector<OutputFile> files;
     Result<void> done = add_export(request, lights, white, console, diagnostics, files);
+    if (done) done = check_outputs(request.lights.files, names_in(files));
     if (done) done = write_outputs(files);
     if (!done) return Unexpected(done.error());
     if (!arguments.has("--json") && !arguments.has("--jsonl")) return 0;
@@ -198,6 +204,8 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         const Result<void> exported =
             add_export(*request, *lights, white_luminance(picture->exposure), console, diagnostics, files);
         if (!exported) return Unexpected(exported.error());
+        const Result<void> free = check_outputs(request->lights.files, names_in(files));
+        if (!free) return Unexpected(free.error());
     }
     const Result<void> written = write_outputs(files);
     if (!written) return Unexpected(written.error());

@@ -172,10 +172,10 @@ std::optional<Written> found(const Source& source, const Target& target, const I
     if (!record || record->recipe != recipe_of(request) || record->source_sha256 != source.input.sha256)
         return std::nullopt;
     Written there{&target, true, std::move(*record), {}};
-    for (const std::string& name : there.record.files) {
-        Result<ManifestFile> file = hashed(folder + name);
-        if (!file) return std::nullopt;
-        there.files.push_back(std::move(*file));
+    for (const FileRecord& recorded : there.record.files) {
+        const Result<std::string> bytes = read_file(folder + recorded.file);
+        if (!bytes || !matches(recorded, *bytes)) return std::nullopt;
+        there.files.push_back({folder + recorded.file, recorded.sha256});
     }
     Result<ManifestFile> own = hashed(record_file);
     if (!own) return std::nullopt;
@@ -198,19 +198,25 @@ Result<Written> made(const Source& source, const Content& content, const Target&
                      {},
                      std::move(scene->instead)},
                     {}};
-    for (const AssetFile& file : scene->files)
-        written.record.files.push_back(file.name);
-    scene->files.push_back({asset_record_name(source.name), asset_record_json(written.record), {}});
-    for (const AssetFile& file : scene->files) {
-        Result<std::string> bytes = bytes_of(file);
-        if (!bytes) return pass_on(bytes);
-        const std::string path = folder_of(request, target) + "/" + file.name;
+    const auto add = [&](const std::string& name, std::string bytes) -> Result<FileRecord> {
+        const std::string path = folder_of(request, target) + "/" + name;
         if (!request.overwrite && !request.update && file_exists(path))
             return fail(Failure::usage, fmt::format("'{}' exists", path),
                         "add --overwrite, or -u to write only what is out of date");
-        written.files.push_back({path, sha256(*bytes)});
-        outputs.push_back({path, std::move(*bytes)});
+        FileRecord record = file_record(name, bytes);
+        written.files.push_back({path, record.sha256});
+        outputs.push_back({path, std::move(bytes)});
+        return record;
+    };
+    for (const AssetFile& file : scene->files) {
+        Result<std::string> bytes = bytes_of(file);
+        if (!bytes) return pass_on(bytes);
+        Result<FileRecord> record = add(file.name, std::move(*bytes));
+        if (!record) return pass_on(record);
+        written.record.files.push_back(std::move(*record));
     }
+    Result<FileRecord> own = add(asset_record_name(source.name), asset_record_json(written.record));
+    if (!own) return pass_on(own);
     return written;
 }
 
@@ -222,9 +228,23 @@ std::vector<std::optional<Written>> found_of_all(const Source& source, const Imp
     return all;
 }
 
+// That no output is an input, a file that the rig names, or the manifest.
+Result<void> check_free(const std::vector<OutputFile>& outputs, const ImportRequest& request,
+                        const FilesInUse& inputs) {
+    FilesInUse taken({});
+    if (request.catalogue.manifest)
+        if (Result<void> free = taken.take(*request.catalogue.manifest); !free) return free;
+    for (const OutputFile& output : outputs) {
+        Result<void> free = inputs.check(output.name);
+        if (free) free = taken.take(output.name);
+        if (!free) return free;
+    }
+    return {};
+}
+
 // Adds what is missing. All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
 Result<std::vector<Written>> write_targets(const Source& source, const Content& content, const ImportRequest& request,
-                                           std::vector<std::optional<Written>> there) {
+                                           const FilesInUse& inputs, std::vector<std::optional<Written>> there) {
     std::vector<Written> all;
     std::vector<OutputFile> outputs;
     for (std::size_t i = 0; i < there.size(); ++i) {
@@ -236,6 +256,7 @@ Result<std::vector<Written>> write_targets(const Source& source, const Content& 
         if (!written) return pass_on(written);
         all.push_back(std::move(*written));
     }
+    if (Result<void> free = check_free(outputs, request, inputs); !free) return pass_on(free);
     if (const Result<void> done = write_outputs(outputs); !done) return Unexpected(done.error());
     return all;
 }
@@ -260,7 +281,8 @@ Json report_of(const ManifestFile& input, const Content& content, const std::vec
 
 } // namespace
 
-Result<Made> import_one(const std::string& file, const ImportRequest& request, ReportKind kind) {
+Result<Made> import_one(const std::string& file, const ImportRequest& request, const FilesInUse& inputs,
+                        ReportKind kind) {
     Result<Source> source = read_source(file, request);
     if (!source) return pass_on(source);
     std::vector<std::optional<Written>> there = found_of_all(*source, request);
@@ -272,7 +294,7 @@ Result<Made> import_one(const std::string& file, const ImportRequest& request, R
         if (!read) return pass_on(read);
         content = std::move(*read);
     }
-    Result<std::vector<Written>> all = write_targets(*source, content, request, std::move(there));
+    Result<std::vector<Written>> all = write_targets(*source, content, request, inputs, std::move(there));
     if (!all) return pass_on(all);
     Made imported;
     Outcome& outcome = imported.outcome;

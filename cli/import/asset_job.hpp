@@ -5,6 +5,7 @@
 
 #include "../batch.hpp"
 #include "../catalogue.hpp"
+#include "../options/files_in_use.hpp"
 #include "request.hpp"
 
 #include <string>
@@ -12,6 +13,7 @@
 namespace gonio::cli {
 
 // Writes all files of all targets or none; with -u only those of targets that are out of date.
-Result<Made> import_one(const std::string& file, const ImportRequest& request, ReportKind kind);
+Result<Made> import_one(const std::string& file, const ImportRequest& request, const FilesInUse& inputs,
+                        ReportKind kind);
 
 } // namespace gonio::cli

@@ -8,6 +8,7 @@
 #include "../arguments.hpp"
 #include "../catalogue.hpp"
 #include "../command.hpp"
+#include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 
 #include <array>
@@ -29,6 +30,7 @@ inline constexpr std::array import_options{
     Option{"--overwrite", "", "replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
     Option{"-o,--output", "FILE", "with --merge: where the manifest of the whole goes"},
+    durable_option,
 };
 
 struct ImportRequest {

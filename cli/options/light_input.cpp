@@ -65,6 +65,18 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
     return light;
 }
 
+std::vector<std::string> files_of(const Shape& shape) {
+    if (const auto* const profile = std::get_if<ProfileShape>(&shape)) return {profile->file};
+    if (const Mask mask = mask_of(shape); mask.file != nullptr && !mask.file->empty()) return {*mask.file};
+    return {};
+}
+
+std::vector<std::string> files_of_color(const std::string& color) {
+    constexpr std::string_view prefix = "spectrum:";
+    if (!color.starts_with(prefix)) return {};
+    return {color.substr(prefix.size())};
+}
+
 std::string_view given_light_option(const Arguments& arguments) {
     for (const Option& option : light_options) {
         const auto value = arguments.value(option.names);

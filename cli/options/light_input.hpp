@@ -9,6 +9,8 @@
 #include "../command.hpp"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -35,6 +37,12 @@ bool is_about_messages(std::string_view color);
 // options cannot mean.
 Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics);
+
+// The files that a light's shape names: its profile or its mask.
+std::vector<std::string> files_of(const Shape& shape);
+
+// The file of a colour spectrum:FILE; nothing for any other colour.
+std::vector<std::string> files_of_color(const std::string& color);
 
 // The first of light_options, other than a --color that is about messages, that is given: "--shape"; empty for none.
 std::string_view given_light_option(const Arguments& arguments);

@@ -1,19 +1,24 @@
 #include "output.hpp"
 
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file_set.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
+
+#include "files_in_use.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <map>
 #include <set>
-#include <system_error>
 
 namespace gonio::cli {
 
 namespace {
+
+bool write_durably = false;
 
 std::string stem_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -44,35 +49,41 @@ Result<std::string> encode_for_display(const Image& image, const media::ImageFor
     return media::encode_image(image, format, write);
 }
 
-Result<void> write_output(const std::string& output, std::string_view bytes) {
-    return output == "-" ? write_standard_output(bytes) : write_file(output, bytes);
+void set_durable_outputs(bool durable) {
+    write_durably = durable;
 }
 
-Result<void> check_writable(const std::string& output) {
-    if (output == "-") return {};
-    if (is_folder(output)) return fail(Failure::io, "is a folder, and cannot be written as a file", {}, output);
-    std::error_code ignored;
-    if (file_exists(output) && !std::filesystem::is_regular_file(output, ignored)) return {}; // a device, a pipe
-    const std::string trial = output + ".trial";
-    Result<void> written = write_file(trial, {});
-    if (!written) return fail(written.error().failure, written.error().diagnostics.back().message, {}, output);
-    std::filesystem::remove(trial, ignored);
-    return {};
+Result<void> write_output(const std::string& output, std::string_view bytes) {
+    return output == "-" ? write_standard_output(bytes) : write_file(output, bytes, {write_durably});
 }
 
 Result<void> write_outputs(const std::vector<OutputFile>& files) {
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        Result<void> written = write_output(files[i].name, files[i].bytes);
-        if (written) continue;
-        if (i > 0)
-            for (const OutputFile& file : files) {
-                std::error_code ignored;
-                if (file.name != "-" && std::filesystem::is_regular_file(file.name, ignored))
-                    std::filesystem::remove(file.name, ignored);
-            }
-        return written;
+    FileSet set({write_durably});
+    for (const OutputFile& file : files) {
+        if (file.name == "-") continue;
+        if (Result<void> added = set.add(file.name, file.bytes); !added) return added;
     }
-    return {};
+    // Nothing takes back what went to standard output: it goes when all else is there but the names.
+    for (const OutputFile& file : files) {
+        if (file.name != "-") continue;
+        if (Result<void> written = write_standard_output(file.bytes); !written) return written;
+    }
+    return set.commit();
+}
+
+Diagnostics names_that_differ_by_case(std::span<const std::string> outputs) {
+    Diagnostics warnings;
+    std::map<std::string, std::string> taken;
+    for (const std::string& output : outputs) {
+        const auto [other, is_new] = taken.emplace(to_lower(output), output);
+        if (is_new || other->second == output) continue;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.message = fmt::format("'{}' and '{}' differ by upper and lower case only", other->second, output);
+        warning.hint = "on a file system that does not tell these apart (Windows, macOS) one replaces the other";
+        warnings.push_back(std::move(warning));
+    }
+    return warnings;
 }
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
@@ -100,6 +111,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                    ? fail(Failure::io, "cannot write into it: it is no folder", "-O names a folder", *folder)
                    : fail(Failure::io, "the folder does not exist", fmt::format("make it: mkdir -p '{}'", *folder),
                           *folder);
+    FilesInUse files(inputs);
     std::vector<Job> jobs;
     std::set<std::string> taken;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -112,6 +124,8 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
             return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),
                         "give them different names, or write them to different folders");
         if (i % share.step != share.first) continue;
+        if (Result<void> free = files.take(job.output); !free) return pass_on(free);
+        job.name = folder ? job.output.substr(folder->size() + 1) : job.output;
         if (folder) {
             const bool exists = file_exists(job.output);
             if (exists && arguments.has("--update") && !arguments.has("--overwrite"))

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,12 +24,16 @@ inline constexpr std::array picture_format_options{
 
 inline constexpr OptionGroup picture_format_group{"picture", picture_format_options};
 
+inline constexpr Option durable_option{
+    "--durable", "", "flush files to the disk before they take their names: a power cut leaves the old or the new"};
+
 inline constexpr std::array output_options{
     Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
     Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
     Option{"-u,--update", "", "with -O: only what is out of date"},
     Option{"--overwrite", "", "with -O: replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+    durable_option,
 };
 
 inline constexpr OptionGroup output_group{"output", output_options};
@@ -41,20 +46,22 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
 // A picture of three display-encoded channels as bytes of a format that has 8 bits a channel.
 Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format);
 
+// --durable: whether what is written from now on is flushed to the disk before it takes its name.
+void set_durable_outputs(bool durable);
+
 // To the file, or to standard output for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
-
-// Whether the file could be written, for work that is too long to find out at its end. Writes and removes a file beside
-// it; what exists there is left alone.
-Result<void> check_writable(const std::string& output);
 
 struct OutputFile {
     std::string name; // "-" is standard output
     std::string bytes;
 };
 
-// All of them or none: what stands there after a failure would be taken for whole.
+// All of them or none (FileSet): after a failure every file is what it was.
 Result<void> write_outputs(const std::vector<OutputFile>& files);
+
+// A warning for every two outputs whose names are one on a file system that does not tell upper from lower case.
+Diagnostics names_that_differ_by_case(std::span<const std::string> outputs);
 
 // The refusal of an output (a "picture", a "profile") and a report that would both go to standard output.
 Unexpected both_to_standard_output(std::string_view what = "picture");
@@ -63,6 +70,7 @@ Unexpected both_to_standard_output(std::string_view what = "picture");
 struct Job {
     std::string input;
     std::string output; // "-" is standard output
+    std::string name;   // as reports name it: as -o does, or within the folder of -O
     bool skip = false;  // -u: the output is up to date
 };
 
@@ -73,8 +81,8 @@ struct Share {
 };
 
 // Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or
-// neither given, -o stands beside several inputs, two inputs (of all) would write the same output, or an output exists
-// and may not be replaced; (io) when -O names no folder.
+// neither given, -o stands beside several inputs, two inputs (of all) would write the same output, an output is one of
+// the inputs, or an output exists and may not be replaced; (io) when -O names no folder.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension, Share share = {});
 

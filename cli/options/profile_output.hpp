@@ -8,6 +8,7 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../json_text.hpp"
+#include "output.hpp"
 
 #include <array>
 #include <string>
@@ -18,6 +19,7 @@ inline constexpr std::array profile_output_options{
     Option{"-o,--output", "FILE", "the profile to write; '-' is standard output (with --to)"},
     Option{"--to", "FORMAT", "its format, where the name does not tell", "formats"},
     Option{"--dialect", "NAME", "of IES: lm-63-1995, lm-63-2002, lm-63-2019, portable (lm-63-2002)", "dialects"},
+    durable_option,
 };
 
 inline constexpr OptionGroup profile_output_group{"output", profile_output_options};

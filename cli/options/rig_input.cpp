@@ -15,6 +15,9 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     if (!rig_file) {
         Result<LightDescription> light = light_input(arguments, placement, diagnostics);
         if (!light) return pass_on(light);
+        input.files = files_of(light->shape);
+        for (std::string& file : files_of_color(arguments.value("--color").value_or("")))
+            input.files.push_back(std::move(file));
         input.rig.lights.push_back(std::move(*light));
         return input;
     }
@@ -27,6 +30,7 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     Result<Rig> rig = read_rig_file(*rig_file);
     if (!rig) return pass_on(rig);
     input.rig = std::move(*rig);
+    input.files = {*rig_file};
     return input;
 }
 

@@ -24,6 +24,7 @@ inline constexpr std::array rig_options{
 struct LightsInput {
     std::string rig_file; // empty: one light by options
     Rig rig;
+    std::vector<std::string> files; // that all this is read from
 };
 
 // Of --rig, or of the positional FILE or --shape, which then hangs at the placement. Reads the rig and its

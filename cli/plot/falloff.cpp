@@ -2,6 +2,8 @@
 
 #include <gonio/base/unit_text.hpp>
 
+#include "../options/files_in_use.hpp"
+#include "../options/light_input.hpp"
 #include "../options/profile_input.hpp"
 
 #include <fmt/format.h>
@@ -51,6 +53,16 @@ Result<std::vector<LightDescription>> described(const Arguments& arguments) {
     return lights;
 }
 
+// The diagram must not replace what it is drawn from.
+Result<void> check_free(const Arguments& arguments, std::span<const LightDescription> lights) {
+    std::vector<std::string> inputs;
+    for (const LightDescription& light : lights)
+        for (std::string& file : files_of(light.shape))
+            inputs.push_back(std::move(file));
+    const std::vector<std::string> outputs = arguments.values("--output");
+    return check_outputs(inputs, outputs);
+}
+
 } // namespace
 
 Result<void> no_falloff_options(const Arguments& arguments) {
@@ -81,6 +93,7 @@ Result<FalloffOptions> read_falloff(const Arguments& arguments) {
 Result<std::vector<PlottedLight>> falloff_lights(const Arguments& arguments, Diagnostics& diagnostics) {
     Result<std::vector<LightDescription>> descriptions = described(arguments);
     if (!descriptions) return pass_on(descriptions);
+    if (Result<void> free = check_free(arguments, *descriptions); !free) return pass_on(free);
     std::optional<Meters> range;
     if (const auto text = arguments.value("--range")) {
         Result<double> length = parse_amount(*text, Dimension::length, "--range");

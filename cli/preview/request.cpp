@@ -2,6 +2,7 @@
 
 #include <gonio/scene/sky.hpp>
 
+#include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
 #include "../options/method_list.hpp"
 #include "../options/output.hpp"
@@ -178,6 +179,11 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
     if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
+    std::vector<std::string> outputs;
+    for (const std::string& output : {request.output, request.export_file})
+        if (!output.empty()) outputs.push_back(output);
+    if (read = check_outputs(request.lights.files, outputs); !read) return pass_on(read);
     stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);

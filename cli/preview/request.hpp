@@ -10,6 +10,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "../options/output.hpp"
 #include "../options/rig_input.hpp"
 #include "look_options.hpp"
 #include "refine.hpp"
@@ -53,6 +54,7 @@ inline constexpr std::array preview_output_options{
            "linear Rec.709 in cd/m2, or of another look as its numbers; '-' is standard output (with --to)"},
     Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
     Option{"-n,--dry-run", "", "check everything, render nothing"},
+    durable_option,
 };
 
 // Options that make more than one picture.

@@ -7,6 +7,7 @@
 #include <gonio/web/metrics.hpp>
 
 #include "../batch.hpp"
+#include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
@@ -116,6 +117,8 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     if (!options) return pass_on(options);
     Result<std::vector<std::string>> files = input_files(arguments);
     if (!files) return pass_on(files);
+    fine = check_outputs(*files, {&request->output, 1});
+    if (!fine) return Unexpected(fine.error());
     fine = fits_sheet(files->size(), *options, "profiles");
     if (!fine) return Unexpected(fine.error());
     if (arguments.has("--dry-run")) {

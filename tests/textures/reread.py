@@ -116,8 +116,8 @@ def main():
                 with open(out + ".json", encoding="utf-8") as file:
                     sidecar = json.load(file)
                 flux = 0.0
-                for name in sidecar.get("face_files", [out]):
-                    picture = oiio.ImageBuf(name)
+                for name in sidecar.get("face_files", [os.path.basename(out)]):
+                    picture = oiio.ImageBuf(os.path.join(folder, name))
                     width, height = picture.spec().width, picture.spec().height
                     assert (width, height) == (sidecar["width"], sidecar["height"]), name
                     failed += lost_attributes(picture.spec(), sidecar, name)

@@ -1,4 +1,5 @@
 #include <gonio/asset/asset_record.hpp>
+#include <gonio/asset/detail/file_record_json.hpp>
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>
@@ -26,12 +27,12 @@ std::string asset_record_name(std::string_view asset) {
 }
 
 std::string asset_record_json(const AssetRecord& record) {
-    const Json json{{"schema", "gonio.asset/1"},
+    const Json json{{"schema", "gonio.asset/2"},
                     {"tool", std::string("gonio ") + version},
                     {"target", record.target},
                     {"recipe", record.recipe},
                     {"source", {{"file", record.source_file}, {"sha256", record.source_sha256}}},
-                    {"files", record.files},
+                    {"files", detail::to_json(record.files)},
                     {"instead", record.instead}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -51,10 +52,12 @@ std::optional<AssetRecord> read_asset_record(std::string_view text) {
     record.recipe = string(json, "recipe");
     record.source_file = string(member(json, "source"), "file");
     record.source_sha256 = string(member(json, "source"), "sha256");
-    const bool whole = read_texts(member(json, "files"), record.files) &&
-                       read_texts(member(json, "instead"), record.instead) &&
-                       string(json, "schema") == "gonio.asset/1" && !record.source_sha256.empty();
-    return whole ? std::optional(std::move(record)) : std::nullopt;
+    std::optional<std::vector<FileRecord>> files = detail::read_file_records(member(json, "files"));
+    const bool whole = files && read_texts(member(json, "instead"), record.instead) &&
+                       string(json, "schema") == "gonio.asset/2" && !record.source_sha256.empty();
+    if (!whole) return std::nullopt;
+    record.files = std::move(*files);
+    return record;
 }
 
 } // namespace gonio

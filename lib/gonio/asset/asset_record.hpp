@@ -1,6 +1,8 @@
-// AssetRecord: the JSON beside what import wrote of one input for one target, schema gonio.asset/1 (asset.schema.json
+// AssetRecord: the JSON beside what import wrote of one input for one target, schema gonio.asset/2 (asset.schema.json
 // describes it): of what and how it was made, so that what is up to date need not be made again.
 #pragma once
+
+#include <gonio/asset/file_record.hpp>
 
 #include <optional>
 #include <string>
@@ -14,7 +16,7 @@ struct AssetRecord {
     std::string recipe;               // all that the files depend on but the source's bytes
     std::string source_file;          // as the user named it
     std::string source_sha256;        // of its bytes, and those of all files that it names
-    std::vector<std::string> files;   // names in the target's folder, this one left out
+    std::vector<FileRecord> files;    // in the target's folder, this one left out
     std::vector<std::string> instead; // LightScene::instead
 };
 

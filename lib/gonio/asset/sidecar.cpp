@@ -1,3 +1,4 @@
+#include <gonio/asset/detail/file_record_json.hpp>
 #include <gonio/asset/sidecar.hpp>
 #include <gonio/base/version.hpp>
 
@@ -60,6 +61,7 @@ std::string texture_sidecar(const Texture& texture, const TextureSource& source,
     if (file.engine != nullptr) sidecar["engine"] = file.engine->name;
     if (faces) sidecar["face_files"] = file.face_files;
     if (!file.recipe.empty()) sidecar["recipe"] = file.recipe;
+    if (!file.files.empty()) sidecar["files"] = detail::to_json(file.files);
     // A file name need not be UTF-8: what is not becomes a replacement character instead of a failure.
     return sidecar.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -80,12 +82,11 @@ std::optional<TextureRecord> read_sidecar(std::string_view json) {
     if (!sidecar.is_object() || text(sidecar, "schema") != "gonio.texture/1") return std::nullopt;
     const auto source = sidecar.find("source");
     if (source == sidecar.end() || !source->is_object()) return std::nullopt;
-    TextureRecord record{text(*source, "sha256"), text(sidecar, "recipe"), {}};
-    const auto faces = sidecar.find("face_files");
-    if (faces != sidecar.end() && faces->is_array())
-        for (const Json& face : *faces)
-            if (face.is_string()) record.face_files.push_back(face.get<std::string>());
-    return record;
+    const auto listed = sidecar.find("files");
+    std::optional<std::vector<FileRecord>> files;
+    if (listed != sidecar.end()) files = detail::read_file_records(*listed);
+    if (!files) return std::nullopt;
+    return TextureRecord{text(*source, "sha256"), text(sidecar, "recipe"), std::move(*files)};
 }
 
 } // namespace gonio

@@ -2,6 +2,7 @@
 // (texture.schema.json describes it).
 #pragma once
 
+#include <gonio/asset/file_record.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/result.hpp>
@@ -24,8 +25,9 @@ struct TextureFile {
     std::string pixel = "float";         // what the picture file stores of a channel
     int channels = 1;                    // the same value in each
     const Engine* engine = nullptr;      // whose texture it is; nullptr: nobody's
-    std::vector<std::string> face_files; // layout cube: the six, +X −X +Y −Y +Z −Z
+    std::vector<std::string> face_files; // layout cube: the names of the six, +X −X +Y −Y +Z −Z
     std::string recipe;                  // the options it was made with, to tell whether it is up to date
+    std::vector<FileRecord> files = {};  // the picture, or the six, as they were written
 };
 
 // Keys in a fixed order, two spaces of indentation, a newline at the end; numbers read back as the same doubles.
@@ -38,11 +40,12 @@ struct SidecarField {
 };
 std::vector<SidecarField> sidecar_fields(std::string_view sidecar);
 
-// What a sidecar says that a texture was made from; nothing when it is none.
+// What a sidecar says that a texture was made from and into; nothing when it is not a sidecar, or of a gonio that did
+// not record its files.
 struct TextureRecord {
     std::string source_sha256;
     std::string recipe;
-    std::vector<std::string> face_files;
+    std::vector<FileRecord> files;
 };
 std::optional<TextureRecord> read_sidecar(std::string_view json);
 

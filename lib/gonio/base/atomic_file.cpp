@@ -1,4 +1,5 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/detail/posix_file.hpp>
 
 #include <climits>
 #include <fmt/format.h>
@@ -6,65 +7,17 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <memory>
-#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 namespace gonio {
 
 namespace {
 
-// strerror's text depends on the locale only where a program calls setlocale, which gonio never does.
-std::string reason(int error) {
-    std::array<char, 256> buffer{};
-    return strerror_r(error, buffer.data(), buffer.size());
-}
-
-std::string hint_for(int error, const std::string& path) {
-    switch (error) {
-    case ENOENT: {
-        const std::size_t slash = path.rfind('/');
-        if (slash != std::string::npos && slash > 0 && !file_exists(path.substr(0, slash)))
-            return fmt::format("the folder '{}' does not exist", path.substr(0, slash));
-        return {};
-    }
-    case EFBIG:
-        return "the file size limit of this process was reached (ulimit -f)";
-    case ENOSPC:
-        return "free some space, or write elsewhere";
-    case EACCES:
-        return "check the permissions of the file and of its folder";
-    default:
-        return {};
-    }
-}
-
-Unexpected io_failure(const char* verb, const std::string& path, int error) {
-    return fail(Failure::io, fmt::format("cannot {}: {}", verb, reason(error)), hint_for(error, path), path);
-}
-
-class Descriptor {
-public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    int get() const { return fd_; }
-    // Closes now; errors of delayed writes (NFS, quota) show up here.
-    int close() {
-        const int result = ::close(std::exchange(fd_, -1));
-        return result == 0 ? 0 : errno;
-    }
-
-private:
-    int fd_;
-};
+using detail::Descriptor;
+using detail::io_failure;
 
 Result<void> check_readable(int fd, const std::string& path) {
     if (fd < 0) return io_failure("read", path, errno);
@@ -98,33 +51,6 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
     return bytes;
 }
 
-// 0, or the errno of the failure.
-int write_all(int fd, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(fd, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
-        if (put < 0) {
-            if (errno == EINTR) continue;
-            return errno;
-        }
-        bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-    return 0;
-}
-
-Result<void> write_in_place(const std::string& path, std::string_view bytes) {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
-    if (file.get() < 0) return io_failure("write", path, errno);
-    if (const int error = write_all(file.get(), bytes); error != 0) return io_failure("write", path, error);
-    if (const int error = file.close(); error != 0) return io_failure("write", path, error);
-    return {};
-}
-
-// The file behind symbolic links, so that a rename replaces the file and not the link.
-std::string behind_links(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
-    return resolved ? std::string(resolved.get()) : path;
-}
-
 } // namespace
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
@@ -153,48 +79,35 @@ Result<std::string> read_standard_input(std::size_t max_bytes) {
     return read_all(STDIN_FILENO, "-", max_bytes);
 }
 
-Result<void> write_file(const std::string& path, std::string_view bytes) {
-    if (path.empty()) return fail(Failure::io, "cannot write: the file name is empty");
-    struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode))
-        return fail(Failure::io, "cannot write: it is a folder", "name a file in it", path);
-    if (exists && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
-    if (exists && ::access(path.c_str(), W_OK) != 0) return io_failure("write", path, errno);
-
-    const std::string target = behind_links(path);
-    const mode_t mode = exists ? status.st_mode & 07777 : 0666;
-    std::string temporary;
-    int fd = -1;
-    // O_EXCL makes the name ours; a left-over of a killed run with the same process id is stepped over.
-    for (int attempt = 0; attempt < 100 && fd < 0; ++attempt) {
-        temporary = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
-        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (fd < 0 && errno != EEXIST) break;
-    }
-    if (fd < 0) return io_failure("write", path, errno);
-
-    Descriptor file(fd);
-    int error = write_all(fd, bytes);
-    if (error == 0 && exists && ::fchmod(fd, mode) != 0) error = errno;
-    if (const int closing = file.close(); error == 0) error = closing;
-    if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        return io_failure("write", path, error);
-    }
+Result<void> write_standard_output(std::string_view bytes) {
+    if (const int error = detail::write_all(STDOUT_FILENO, bytes); error != 0)
+        return io_failure("write", "standard output", error);
     return {};
 }
 
-Result<void> write_standard_output(std::string_view bytes) {
-    if (const int error = write_all(STDOUT_FILENO, bytes); error != 0)
-        return io_failure("write", "standard output", error);
-    return {};
+void hold_standard_descriptors() {
+    for (const int wanted : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(wanted, F_GETFD) != -1 || errno != EBADF) continue;
+        // Opened the wrong way round: using it fails, as it does with what is closed. open() gives the lowest free
+        // number, which is this one. The root folder stands in where there is no /dev.
+        const int way = wanted == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+        if (::open("/dev/null", way | O_NOCTTY) < 0) (void)::open("/", O_RDONLY | O_DIRECTORY);
+    }
 }
 
 bool file_exists(const std::string& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0;
+}
+
+std::string file_identity(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0)
+        return S_ISREG(status.st_mode) ? fmt::format("{}:{}", status.st_dev, status.st_ino) : std::string();
+    const std::size_t slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(folder.c_str(), nullptr), &std::free);
+    return resolved ? fmt::format("{}/{}", resolved.get(), path.substr(slash + 1)) : path;
 }
 
 bool is_newer(const std::string& path, const std::string& other) {

@@ -1,9 +1,5 @@
-// Files, read whole and written whole. Every POSIX file call of gonio stands behind this header.
-//
-// Writing is atomic: the bytes go to a temporary name in the target's folder, are flushed, and take the target's place
-// by rename, so that a reader sees the old file or the new one and a failure leaves the old one untouched. A target
-// that exists and is no regular file (a device, a pipe, a terminal) is written directly and never replaced. A symbolic
-// link is followed. An existing file's permissions are kept.
+// Files, read whole, and the standard streams. Every POSIX file call of gonio stands behind this header and
+// file_set.hpp, which writes.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -27,14 +23,20 @@ Result<std::string> read_file_start(const std::string& path, std::size_t count);
 // As read_file, from standard input.
 Result<std::string> read_standard_input(std::size_t max_bytes = max_file_bytes);
 
-// Fails (io) with the system's reason; nothing half-written is left at `path`, nor a temporary file.
-Result<void> write_file(const std::string& path, std::string_view bytes);
-
 // Writes to standard output, all or an error. SIGPIPE keeps its default action unless the program changed it.
 Result<void> write_standard_output(std::string_view bytes);
 
+// Gives descriptors 0, 1 and 2 that the process was started without something harmless, so that no file that is opened
+// later gets their numbers and with them what is meant for the standard streams. Reading and writing them fails, as it
+// does with what is closed. Call it first in main().
+void hold_standard_descriptors();
+
 // Whether something exists at `path` (links followed).
 bool file_exists(const std::string& path);
+
+// The same text for two paths exactly where they name the same regular file, or would once it is there: hard and
+// symbolic links, "a" and "./a". Empty for a folder, a device or a pipe.
+std::string file_identity(const std::string& path);
 
 // Whether `path` was changed after `other`; true when either cannot be asked.
 bool is_newer(const std::string& path, const std::string& other);

@@ -104,7 +104,7 @@ TEST(AssetRecord, IsReadAsWritten) {
     record.recipe = "gonio import";
     record.source_file = "studio.json";
     record.source_sha256 = sha256("studio");
-    record.files = {"studio.gltf", "studio.glb"};
+    record.files = {file_record("studio.gltf", "{}"), file_record("studio.glb", "glTF")};
     record.instead = {"light 'tube': gltf has no tube lights"};
     const std::string text = asset_record_json(record);
     const auto again = read_asset_record(text);
@@ -113,9 +113,14 @@ TEST(AssetRecord, IsReadAsWritten) {
     const test::JsonSchema schema(
         nlohmann::json::parse(*read_file(std::string(test::source_folder) + "/lib/gonio/asset/asset.schema.json")));
     EXPECT_EQ(schema.complaint(nlohmann::json::parse(text)), "");
-    for (const char* bad : {"", "[]", "{}", R"({"schema": "gonio.asset/1", "files": [1], "instead": []})",
-                            R"({"schema": "gonio.asset/2", "files": [], "instead": [], "source": {"sha256": "1"}})"})
+    for (const char* bad : {"", "[]", "{}", R"({"schema": "gonio.asset/2", "files": [1], "instead": []})",
+                            R"({"schema": "gonio.asset/1", "files": [], "instead": [], "source": {"sha256": "1"}})"})
         EXPECT_FALSE(read_asset_record(bad)) << bad;
+    // Names that lead elsewhere are not followed.
+    for (const char* name : {"../studio.gltf", "/etc/passwd", "a/b", ".", ""}) {
+        record.files = {file_record(name, "{}")};
+        EXPECT_FALSE(read_asset_record(asset_record_json(record))) << name;
+    }
 }
 
 } // namespace

@@ -82,6 +82,7 @@ TEST(Sidecar, SaysWhatWasClampedAndWhatItWasMadeFrom) {
     EXPECT_NEAR(texture.least_mean.value, -5.0, 1e-12);
     TextureFile file;
     file.recipe = "layout=latlong";
+    file.files = {file_record("lamp.exr", "bytes")};
     const std::string json = texture_sidecar(texture, source, file);
     EXPECT_NE(json.find("\"clamped_cd\": -"), std::string::npos);
     EXPECT_NE(json.find("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"), std::string::npos);
@@ -90,6 +91,17 @@ TEST(Sidecar, SaysWhatWasClampedAndWhatItWasMadeFrom) {
     ASSERT_TRUE(record);
     EXPECT_EQ(record->source_sha256, source.sha256);
     EXPECT_EQ(record->recipe, "layout=latlong");
+    EXPECT_EQ(record->files, file.files);
+    EXPECT_TRUE(matches(record->files.front(), "bytes"));
+    EXPECT_FALSE(matches(record->files.front(), "bytez"));
+    EXPECT_FALSE(matches(record->files.front(), "byte"));
+    // A name that leads elsewhere, and a sidecar that does not say what its picture is.
+    for (const char* name : {"../lamp.exr", "/lamp.exr", "a/b", "..", ""}) {
+        TextureFile other = file;
+        other.files = {file_record(name, "bytes")};
+        EXPECT_FALSE(read_sidecar(texture_sidecar(texture, source, other))) << name;
+    }
+    EXPECT_FALSE(read_sidecar(texture_sidecar(texture, source, {})));
     for (const char* none : {"", "{", "[]", "{}", "{\"schema\":\"gonio.texture/1\"}",
                              "{\"schema\":\"gonio.texture/2\"}", "{\"schema\":\"gonio.texture/1\",\"source\":7}"})
         EXPECT_FALSE(read_sidecar(none)) << none;

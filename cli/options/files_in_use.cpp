@@ -1,0 +1,49 @@
+#include "files_in_use.hpp"
+
+#include <gonio/base/atomic_file.hpp>
+
+#include <fmt/format.h>
+
+namespace gonio::cli {
+
+FilesInUse::FilesInUse(std::span<const std::string> inputs) {
+    for (const std::string& input : inputs) {
+        if (input == "-") continue;
+        if (std::string identity = file_identity(input); !identity.empty()) inputs_.emplace(std::move(identity), input);
+    }
+}
+
+Result<void> FilesInUse::check(const std::string& output) const {
+    if (output == "-") return {};
+    const auto input = inputs_.find(file_identity(output));
+    if (input == inputs_.end()) return {};
+    return fail(Failure::usage,
+                input->second == output
+                    ? fmt::format("'{}' is an input, and would be replaced", output)
+                    : fmt::format("'{}' is the input '{}', and would be replaced", output, input->second),
+                "give the output another name or folder");
+}
+
+Result<void> FilesInUse::take(const std::string& output) {
+    if (Result<void> free = check(output); !free) return free;
+    std::string identity = output == "-" ? output : file_identity(output);
+    if (identity.empty()) return {};
+    const auto [other, is_new] = outputs_.emplace(std::move(identity), output);
+    if (is_new) return {};
+    if (output == "-")
+        return fail(Failure::usage, "two outputs would go to standard output", "write one of them to a file");
+    return fail(Failure::usage,
+                other->second == output
+                    ? fmt::format("two outputs would be written to '{}'", output)
+                    : fmt::format("the outputs '{}' and '{}' are the same file", other->second, output),
+                "give them different names");
+}
+
+Result<void> check_outputs(std::span<const std::string> inputs, std::span<const std::string> outputs) {
+    FilesInUse files(inputs);
+    for (const std::string& output : outputs)
+        if (Result<void> free = files.take(output); !free) return free;
+    return {};
+}
+
+} // namespace gonio::cli

@@ -1,0 +1,34 @@
+// The files of a command, so that no output destroys an input or another output.
+//
+// Files are the same by what they are (device and inode), not by what they are called: "a", "./a", a hard link and a
+// symbolic link to it are one. Devices and pipes may be read and written by several.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <map>
+#include <span>
+#include <string>
+
+namespace gonio::cli {
+
+class FilesInUse {
+public:
+    // "-" is standard input.
+    explicit FilesInUse(std::span<const std::string> inputs);
+
+    // Fails (usage) where the output is an input.
+    Result<void> check(const std::string& output) const;
+
+    // As check(), and where it is an output that was taken before, standard output ("-") included; takes it.
+    Result<void> take(const std::string& output);
+
+private:
+    std::map<std::string, std::string> inputs_;  // names by identity
+    std::map<std::string, std::string> outputs_; // names by identity
+};
+
+// For all outputs of a command at once.
+Result<void> check_outputs(std::span<const std::string> inputs, std::span<const std::string> outputs);
+
+} // namespace gonio::cli

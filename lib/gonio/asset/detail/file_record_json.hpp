@@ -1,0 +1,18 @@
+// FileRecords in JSON: [{"file": …, "size_bytes": …, "sha256": …}, …].
+#pragma once
+
+#include <gonio/asset/file_record.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace gonio::detail {
+
+nlohmann::ordered_json to_json(const std::vector<FileRecord>& records);
+
+// Nothing where one is not whole or its file does not have a plain name.
+std::optional<std::vector<FileRecord>> read_file_records(const nlohmann::ordered_json& json);
+
+} // namespace gonio::detail

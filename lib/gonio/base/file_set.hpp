@@ -1,0 +1,59 @@
+// Files that belong together, written all or none.
+//
+// Every file is first written whole to a temporary one in the target's folder; commit() then gives all of them their
+// names. A reader of one file sees the old one or the new one. When anything fails, every file that was there before is
+// what it was, and no temporary file is left. A target that exists and is not a regular file (a device, a pipe, a
+// terminal) is written directly, before anything is renamed, and never replaced. A symbolic link is followed. The
+// permissions of an existing file are kept.
+//
+// What cannot be had from a file system: the names change one after the other, so a process that is killed between two
+// of them leaves some files new and some old.
+#pragma once
+
+#include <gonio/base/result.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+struct FileSetOptions {
+    // Flushed to the disk before the names change, and the names after that: a power cut leaves the old files or the
+    // new ones.
+    bool durable = false;
+};
+
+class FileSet {
+public:
+    explicit FileSet(FileSetOptions options = {});
+    FileSet(FileSet&&) noexcept;
+    FileSet& operator=(FileSet&&) noexcept;
+    // Removes the temporary files of what was not committed.
+    ~FileSet();
+
+    // Writes the bytes beside the target `path`. Fails (io) with the system's reason, and on a folder.
+    Result<void> add(const std::string& path, std::string_view bytes);
+
+    // Gives every file its name. Fails (io) with the system's reason, with every file as it was before (but where the
+    // file system knows neither hard links nor an exchange of names, those whose names have changed already stay new).
+    // The set is empty afterwards.
+    Result<void> commit();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// A set of one file.
+Result<void> write_file(const std::string& path, std::string_view bytes, FileSetOptions options = {});
+
+// Whether the file could be written, for work that is too long to find out at its end: makes and removes a temporary
+// file beside it. What is there stays untouched. Fails as write_file does.
+Result<void> check_writable(const std::string& path);
+
+// Removes the temporary files that this process has at the moment; nothing can be written afterwards. For the handler
+// of a signal that ends the process: async-signal-safe.
+void remove_temporary_files() noexcept;
+
+} // namespace gonio
