@@ -147,7 +147,6 @@ struct FileSet::State {
         file.replaces = existing != nullptr;
         file.folder = open_folder(folder_of(target));
         if (file.folder < 0) return io_failure("write", path, errno);
-        if (file.name.size() > NAME_MAX) return io_failure("write", path, ENAMETOOLONG);
         const mode_t mode = existing != nullptr ? existing->st_mode & 07777U : 0666U;
         int fd = -1;
         file.temporary = detail::make_temporary(file.folder, [&](const char* name) {
@@ -206,6 +205,7 @@ Result<void> FileSet::add(const std::string& path, std::string_view bytes) {
     if (path.empty()) return fail(Failure::io, "cannot write: the file name is empty");
     struct stat status {};
     const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT) return io_failure("write", path, errno);
     if (exists && S_ISDIR(status.st_mode))
         return fail(Failure::io, "cannot write: it is a folder", "name a file in it", path);
     if (exists && ::access(path.c_str(), W_OK) != 0) return io_failure("write", path, errno);

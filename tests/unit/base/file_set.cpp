@@ -136,6 +136,9 @@ TEST_F(FileSetTest, LinksAreFollowedWhereTheyLeadToNothingYet) {
     ASSERT_TRUE(write_file(path("link"), "x"));
     EXPECT_TRUE(fs::is_symlink(path("link")));
     EXPECT_EQ(*read_file(path("d/target")), "x");
+    fs::create_symlink("loop", path("loop"));
+    EXPECT_FALSE(write_file(path("loop"), "x"));
+    EXPECT_TRUE(fs::is_symlink(path("loop")));
 }
 
 TEST_F(FileSetTest, CheckingLeavesNothingAndTouchesNothing) {
