@@ -21,6 +21,24 @@ unsigned available_threads() {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
+bool can_start_threads(unsigned count) {
+    std::atomic<bool> over{false};
+    bool all = true;
+    {
+        std::vector<std::jthread> pool;
+        try {
+            pool.reserve(count);
+            for (unsigned t = 0; t < count; ++t)
+                pool.emplace_back([&over] { over.wait(false); });
+        } catch (const std::exception&) {
+            all = false;
+        }
+        over.store(true);
+        over.notify_all();
+    }
+    return all;
+}
+
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
     if (threads == 0) threads = available_threads();
     const auto helpers = static_cast<unsigned>(std::min<std::size_t>(threads, count));
@@ -47,8 +65,13 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     {
         std::vector<std::jthread> pool;
         pool.reserve(helpers - 1);
-        for (unsigned t = 1; t < helpers; ++t)
-            pool.emplace_back(drain);
+        for (unsigned t = 1; t < helpers; ++t) {
+            try {
+                pool.emplace_back(drain);
+            } catch (const std::exception&) {
+                break; // no more threads, or no memory for their stacks: those that there are do the work
+            }
+        }
         drain();
     }
     if (failure) std::rethrow_exception(failure);
