@@ -12,8 +12,8 @@ namespace gonio {
 // Number of processors that this process may run on, at least 1.
 unsigned available_threads();
 
-// Whether `count` more threads can run at one time, by starting as many: some 20 µs each. For libraries that start
-// threads of their own and do not survive it where there are none.
+// Whether `count` more threads can run at one time, beside those that loops are just starting: by starting as many,
+// some 20 µs each. For libraries that start threads of their own and do not survive it where there are none.
 bool can_start_threads(unsigned count);
 
 // Calls work(i) once for each i in [0, count). `threads` = 0 means available_threads(). Returns when all are done.
