@@ -3,6 +3,7 @@
 #include <gonio/base/parallel.hpp>
 
 #include "progress.hpp"
+#include "unexpected.hpp"
 
 #include <fmt/format.h>
 
@@ -106,7 +107,18 @@ ReportKind report_kind(const Arguments& arguments) {
 
 int run_batch(const Batch& batch, ReportKind kind, Console& console, const std::function<Outcome(std::size_t)>& work) {
     Narrator narrator(batch, kind, console);
-    parallel_for(batch.inputs.size(), batch.threads, [&](std::size_t index) { narrator.take(index, work(index)); });
+    // What one input throws is its error, and the others go on.
+    const auto outcome_of = [&](std::size_t index) {
+        try {
+            return work(index);
+        } catch (...) {
+            Outcome failed;
+            failed.error = unexpected_error(batch.inputs[index]);
+            return failed;
+        }
+    };
+    parallel_for(batch.inputs.size(), batch.threads,
+                 [&](std::size_t index) { narrator.take(index, outcome_of(index)); });
     return narrator.close();
 }
 

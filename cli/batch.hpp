@@ -42,7 +42,8 @@ struct Batch {
     unsigned threads = 0;    // 0: all processors
 };
 
-// Calls `work` once for each input, on several threads, and says what it returns. Returns the exit status.
+// Calls `work` once for each input, on several threads, and says what it returns. What it throws is the error of that
+// input alone. Returns the exit status.
 int run_batch(const Batch& batch, ReportKind kind, Console& console, const std::function<Outcome(std::size_t)>& work);
 
 } // namespace gonio::cli

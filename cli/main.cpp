@@ -9,14 +9,13 @@
 #include "help.hpp"
 #include "interrupt.hpp"
 #include "options/output.hpp"
+#include "unexpected.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <csignal>
 #include <cstdlib>
-#include <exception>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -95,10 +94,8 @@ int main(int argc, char** argv) {
     try {
         const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
         status = run(words.empty() ? words : words.subspan(1), console);
-    } catch (const std::bad_alloc&) {
-        console.note("error: out of memory");
-    } catch (const std::exception& error) {
-        console.note(fmt::format("error: a fault of gonio: {}", error.what()));
+    } catch (...) {
+        status = console.fail(unexpected_error());
     }
     return console.flush(status);
 }

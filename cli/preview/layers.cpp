@@ -9,6 +9,7 @@
 #include "../options/output.hpp"
 #include "../progress.hpp"
 #include "contact_sheet.hpp"
+#include "picture.hpp"
 #include "request.hpp"
 
 #include <fmt/format.h>
@@ -108,6 +109,7 @@ public:
         if (Result<void> begun = begin(options); !begun) return pass_on(begun);
         Result<Rendering> all = render(request_.stage, lights_, request_.stage.camera, options);
         if (!all) return pass_on(all);
+        warn_of_ceiling(all->luminance_nt, diagnostics);
         exposure_ = request_.exposure.of(*all);
         layered_.add("", all->luminance_nt);
         if (choice_.illuminance) add_lux("illuminance", all->illuminance_lx, "");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gonio::cli {
@@ -190,6 +191,10 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
         request.mode = ExposureMode::ev;
         request.ev = Ev100(*ev);
     }
+    constexpr double most = 100.0; // 1.5e30 cd/m² for white; a picture holds less
+    if (!(std::abs(request.ev.value) <= most))
+        return fail(Failure::usage, fmt::format("--exposure {} is out of range", text),
+                    fmt::format("it lies between -{0}ev and {0}ev", most));
     return {};
 }
 

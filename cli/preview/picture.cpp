@@ -4,12 +4,14 @@
 #include <gonio/plot/picture_contours.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/shading/lights.hpp>
 
 #include "../options/output.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -190,6 +192,20 @@ Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const C
     if (!used) return pass_on(used);
     console.say(used->diagnostics);
     return {};
+}
+
+void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
+    // What a surface makes of the ceiling, down to an albedo of 1e-9; the sun's disk has 1.6e9 cd/m².
+    constexpr float suspicious_nt = 1e20F;
+    const float greatest = std::accumulate(luminance_nt.pixels.begin(), luminance_nt.pixels.end(), 0.0F,
+                                           [](float a, float b) { return std::max(a, b); });
+    if (greatest < suspicious_nt) return;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.message = fmt::format("pixels reach {:.3g} cd/m2: an illuminance above {} lx counts as that",
+                                  static_cast<double>(greatest), shading::illuminance_ceiling);
+    warning.hint = "give less light, or place it farther away";
+    diagnostics.push_back(std::move(warning));
 }
 
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,

@@ -32,4 +32,8 @@ Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const C
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                                       const Console& console);
 
+// A warning where numbers of the picture may have been cut at shading::illuminance_ceiling. For pictures that keep
+// them.
+void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics);
+
 } // namespace gonio::cli

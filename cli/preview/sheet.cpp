@@ -131,6 +131,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
         run_batch({*files, "gonio.preview/1", "shown", request->render.threads}, kind, console, [&](std::size_t index) {
             const std::string& file = (*files)[index];
             Outcome outcome;
+            tiles[index].fault = "not shown"; // what stays if this one throws
             Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);

@@ -1,5 +1,6 @@
 #include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/asset/light_scene.hpp>
+#include <gonio/base/amount_range.hpp>
 #include <gonio/light/shape_factors.hpp>
 
 #include <fmt/format.h>
@@ -284,6 +285,12 @@ private:
 } // namespace
 
 Result<void> check_unit(const Target& target, Meters unit) {
+    // Intensities grow with its square, and are to fit 32-bit floats.
+    constexpr double least = 1e-4;
+    constexpr double most = 1e4;
+    if (!(unit.value >= least && unit.value <= most))
+        return fail(Failure::usage, fmt::format("a unit of {} m is out of range", unit.value),
+                    fmt::format("it lies between {} m and {} m", least, most));
     const auto is = [&](double meters) { return std::abs(unit.value - meters) <= 1e-12 * meters; };
     switch (target.holds.length) {
     case TargetLength::any:
@@ -308,6 +315,11 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
                                                              const LightSceneOptions& options) {
     if (Result<void> unit = check_unit(target, options.unit); !unit) return pass_on(unit);
     SceneBuilder builder(target, options);
+    for (const Light& light : lights)
+        if (const glm::dvec3& at = light.frame.origin;
+            !in_amount_range(at.x) || !in_amount_range(at.y) || !in_amount_range(at.z))
+            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+                        fmt::format("coordinates of a scene reach to {} m", greatest_amount));
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);
     if (builder.content().lights.empty())

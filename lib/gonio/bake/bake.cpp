@@ -109,6 +109,16 @@ Result<double> unit_of(const Web& web, Normalization normalization) {
     return unit;
 }
 
+// The greatest texel is at most the peak: a half ends early, a float where the unit is next to nothing.
+Unexpected does_not_fit(const Texture& texture) {
+    const bool half = texture.texel_type == TexelType::half;
+    return fail(Failure::unsupported,
+                fmt::format("texels of up to {:.6g} do not fit {}-bit floats, which end at {}",
+                            texture.peak.value / texture.cd_per_unit, half ? 16 : 32, half ? "65504" : "3.4e38"),
+                half ? "store 32-bit floats (--pixel float), or shares of the peak (--normalize peak)"
+                     : "store candela (--normalize none) or shares of the peak (--normalize peak)");
+}
+
 } // namespace
 
 TextureSize usual_size(Layout layout) {
@@ -168,6 +178,7 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
         total = fill_charts(texture.image, compacted(web, 0.0), *charts, storage, options.skip, options.threads);
     for (const PlacedChart& chart : *charts)
         texture.texels += static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
+    if (!std::isfinite(total.lumens)) return does_not_fit(texture);
     texture.evaluated = total.evaluated;
     texture.least_mean = Candelas(total.deepest_negative);
     texture.texture_flux = Lumens(total.lumens);

@@ -10,6 +10,13 @@
 
 namespace gonio {
 
+namespace {
+
+// That loops have yet to start: who asks for threads of its own meanwhile must not count on theirs.
+std::atomic<unsigned> threads_to_come{0};
+
+} // namespace
+
 unsigned available_threads() {
     // hardware_concurrency() counts the machine; a container or taskset may have given us less.
     cpu_set_t set;
@@ -19,6 +26,25 @@ unsigned available_threads() {
         if (count > 0) return static_cast<unsigned>(count);
     }
     return std::max(1U, std::thread::hardware_concurrency());
+}
+
+bool can_start_threads(unsigned count) {
+    std::atomic<bool> over{false};
+    bool all = true;
+    {
+        std::vector<std::jthread> pool;
+        try {
+            const unsigned all_told = count + threads_to_come.load();
+            pool.reserve(all_told);
+            for (unsigned t = 0; t < all_told; ++t)
+                pool.emplace_back([&over] { over.wait(false); });
+        } catch (const std::exception&) {
+            all = false;
+        }
+        over.store(true);
+        over.notify_all();
+    }
+    return all;
 }
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
@@ -47,8 +73,17 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     {
         std::vector<std::jthread> pool;
         pool.reserve(helpers - 1);
-        for (unsigned t = 1; t < helpers; ++t)
-            pool.emplace_back(drain);
+        unsigned to_come = helpers - 1;
+        threads_to_come.fetch_add(to_come);
+        try {
+            for (; to_come > 0; --to_come) {
+                pool.emplace_back(drain);
+                threads_to_come.fetch_sub(1);
+            }
+        } catch (const std::exception&) {
+            // No more threads, or no memory for their stacks: those that there are do the work.
+            threads_to_come.fetch_sub(to_come);
+        }
         drain();
     }
     if (failure) std::rethrow_exception(failure);

@@ -12,8 +12,13 @@ namespace gonio {
 // Number of processors that this process may run on, at least 1.
 unsigned available_threads();
 
+// Whether `count` more threads can run at one time, beside those that loops are just starting: by starting as many,
+// some 20 µs each. For libraries that start threads of their own and do not survive it where there are none.
+bool can_start_threads(unsigned count);
+
 // Calls work(i) once for each i in [0, count). `threads` = 0 means available_threads(). Returns when all are done.
-// With one thread or one piece, everything runs on the caller. An exception of a piece reaches the caller after the
+// With one thread or one piece, everything runs on the caller; where the system gives fewer threads, on the caller and
+// those that it gave. An exception of a piece reaches the caller after the
 // running pieces have ended; pieces not yet begun are dropped.
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 

@@ -19,7 +19,7 @@ enum class Failure {
     io = 3,          // the system refused: no such file, disk full
     malformed = 4,   // the input is not what it should be
     unsupported = 5, // the input is fine, and gonio cannot do this with it
-    internal = 70    // a fault of gonio
+    internal = 70    // an internal error: a bug
 };
 
 struct Error {

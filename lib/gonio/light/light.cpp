@@ -1,6 +1,9 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/web/metrics.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +16,37 @@ namespace {
 
 bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The largest measure [m]; 0 for lights without size.
+struct Size {
+    double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
+    double operator()(const DiskShape& disk) const { return disk.radius.value; }
+    double operator()(const RectShape& rect) const { return std::max(rect.width.value, rect.height.value); }
+    double operator()(const TubeShape& tube) const { return std::max(tube.radius.value, tube.length.value); }
+    template<class Punctual>
+    double operator()(const Punctual& /*shape*/) const {
+        return 0.0;
+    }
+};
+
+// Pictures and engines hold all of it as 32-bit floats.
+Result<void> check_amount(const Light& light) {
+    const auto check = [](double value, const char* quantity, const char* unit) -> Result<void> {
+        if (in_amount_range(value)) return {};
+        return fail(
+            Failure::usage,
+            fmt::format("the light has a {} of {} {}, above {} {}", quantity, value, unit, greatest_amount, unit),
+            "its amount is too large, or too large for its size");
+    };
+    if (Result<void> checked = check(light.intensity.value, "luminous intensity", "cd"); !checked) return checked;
+    if (Result<void> checked = check(light.luminance.value, "luminance", "cd/m2"); !checked) return checked;
+    if (Result<void> checked = check(light.illuminance.value, "illuminance", "lx"); !checked) return checked;
+    if (const double size = std::visit(Size(), light.shape); !in_amount_range(size))
+        return fail(Failure::usage, fmt::format("a light of {} m is larger than {} m", size, greatest_amount));
+    if (std::isfinite(light.web_scale)) return {};
+    return fail(Failure::usage, "the profile is too dark to be scaled to an amount",
+                "its greatest intensity is next to nothing");
 }
 
 // Intensity over Light::intensity towards a direction of the light's frame, without web or mask.
@@ -91,6 +125,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     light.illuminance = emission->illuminance;
     if (profile != nullptr) light.web_scale = light.intensity / peak(*profile->web).intensity;
     if (const Web* mask = mask_of(light.shape).web) light.web_scale = 1.0 / peak(*mask).intensity.value;
+    if (Result<void> checked = check_amount(light); !checked) return pass_on(checked);
     return light;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -111,6 +112,9 @@ Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnos
         if (!at) return pass_on(at);
         return in_working_space(text, *at, diagnostics);
     }
+    // Of the share of the greatest channel: neither huge nor tiny numbers leave the range.
+    const double greatest = std::max({rgb.x, rgb.y, rgb.z});
+    if (greatest > 0.0) rgb = glm::dvec3(rgb.x / greatest, rgb.y / greatest, rgb.z / greatest);
     const double y = glm::dot(rgb, rec709_luminance);
     if (!(y > 0.0)) return fail(Failure::usage, fmt::format("'{}' is black: a light has a colour to be seen by", text));
     return rgb / y;

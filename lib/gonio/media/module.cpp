@@ -1,4 +1,5 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/parallel.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/module.hpp>
 
@@ -77,6 +78,14 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
             fmt::format("the module {} ({}) is missing; looked in {}", name.file, name.library,
                         folders.empty() ? std::string("no folder") : fmt::format("{}", fmt::join(folders, ", "))),
             "install gonio again: the module belongs beside the tool or into lib/gonio");
+
+    // A library that OpenImageIO brings along starts threads as it is loaded, and aborts the process, or waits for
+    // ever, where there are none to be had. Two more than those, for another process of the user.
+    if (name.threads > 0 && !can_start_threads(name.threads + 2))
+        return fail(
+            Failure::io,
+            fmt::format("no threads can be started, and {} needs {} to be loaded", name.library, name.threads),
+            "raise the limit on processes (ulimit -u) or of the container (pids.max of its cgroup), or add -j 1");
 
     // RTLD_LOCAL: nobody else shall see the libraries behind the module. No RTLD_DEEPBIND: the sanitizers forbid it,
     // and a host with its own static libstdc++ exports no symbol that could get in the way.

@@ -39,9 +39,15 @@ Lux card_illuminance(Ev100 ev) {
 }
 
 void expose(Image& image, Ev100 ev) {
-    const auto scale = static_cast<float>(1.0 / white_luminance(ev).value);
-    for (float& value : image.pixels)
-        value *= scale;
+    const double factor = 1.0 / white_luminance(ev).value;
+    const auto scale = static_cast<float>(factor);
+    if (std::isfinite(scale)) {
+        for (float& value : image.pixels)
+            value *= scale;
+        return;
+    }
+    for (float& value : image.pixels) // next to no light: black stays black
+        value = static_cast<float>(static_cast<double>(value) * factor);
 }
 
 } // namespace gonio

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/detail/render_check.hpp>
@@ -17,10 +18,15 @@ Result<void> detail::check_rendering(std::span<const Light> lights, const Render
         return fail(Failure::usage,
                     fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
                     fmt::format("each side may have 1 to {} pixels", max_picture_size));
-    for (const Light& light : lights)
+    for (const Light& light : lights) {
+        const glm::dvec3& at = light.frame.origin;
+        if (!in_amount_range(at.x) || !in_amount_range(at.y) || !in_amount_range(at.z))
+            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+                        fmt::format("coordinates of a picture reach to {} m", greatest_amount));
         if (!std::isfinite(light.luminance.value) || !std::isfinite(light.intensity.value))
             return fail(Failure::usage, fmt::format("the luminance of '{}' is infinite", light.name),
                         "its amount is too large for its size");
+    }
     return {};
 }
 

@@ -82,8 +82,9 @@ inline constexpr ProfileCode profile_codes[] = {
     {"IES0201", Severity::error, Severity::error, false, "not a number",
      "From the line after TILT= on the file holds numbers only, separated by blanks, commas or line ends. A decimal "
      "comma is never read as one in IES: a comma separates."},
-    {"IES0202", Severity::error, Severity::error, false, "not a finite number",
-     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"IES0202", Severity::error, Severity::error, false, "not a finite number up to 1e30",
+     "Infinite and undefined values, and numbers above 1e30 in magnitude, mean nothing in a photometric file: the sun "
+     "has 3e27 cd, and what gonio makes of a table must fit 32-bit floats."},
     {"IES0203", Severity::error, Severity::error, false, "not a whole number in range",
      "Counts and codes are whole numbers; counts of angles are at least 1. 37.0 is read as 37."},
     {"IES0204", Severity::error, Severity::error, false, "vertical angles missing",
@@ -174,8 +175,9 @@ inline constexpr ProfileCode profile_codes[] = {
      "A EULUMDAT file has 26 lines, six for each set of lamps, ten direct ratios, and then the table."},
     {"LDT0102", Severity::error, Severity::error, false, "not a number",
      "This line must hold one number. A decimal comma is read as a point."},
-    {"LDT0103", Severity::error, Severity::error, false, "not a finite number",
-     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"LDT0103", Severity::error, Severity::error, false, "not a finite number up to 1e30",
+     "Infinite and undefined values, and numbers above 1e30 in magnitude, mean nothing in a photometric file: the sun "
+     "has 3e27 cd, and what gonio makes of a table must fit 32-bit floats."},
     {"LDT0104", Severity::warning, Severity::error, false, "blank line for a number",
      "A number is expected in this line and it is blank. It is read as 0."},
     {"LDT0105", Severity::warning, Severity::warning, false, "decimal comma",
@@ -289,8 +291,9 @@ inline constexpr ProfileCode profile_codes[] = {
     {"TM30210", Severity::warning, Severity::error, false, "unknown symmetry",
      "Symm is Symm_None, Symm_Bi_0, Symm_Bi_90, Symm_Quad, Symm_Full or Symm_Arbitrary. The planes of the table "
      "tell what is needed."},
-    {"TM30211", Severity::error, Severity::error, false, "not a finite number",
-     "Infinite and undefined values, and numbers beyond the range of a double, mean nothing in a photometric file."},
+    {"TM30211", Severity::error, Severity::error, false, "not a finite number up to 1e30",
+     "Infinite and undefined values, and numbers above 1e30 in magnitude, mean nothing in a photometric file: the sun "
+     "has 3e27 cd, and what gonio makes of a table must fit 32-bit floats."},
     {"TM30212", Severity::warning, Severity::error, false, "tilt left out",
      "TiltAngles holds a factor for each of several ascending tilt angles."},
     {"TM30213", Severity::error, Severity::error, false, "spectrum lists of unequal length",

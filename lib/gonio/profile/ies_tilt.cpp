@@ -38,7 +38,7 @@ bool is_plain_name(std::string_view name) {
 Unexpected not_a_number(const NumberScanner& numbers, Token token, Report& report) {
     const std::string shown = quoted(numbers.token());
     if (token == Token::not_finite)
-        return report.fail("IES0202", numbers.token_offset(), shown + " is no finite number");
+        return report.fail("IES0202", numbers.token_offset(), shown + " is not a finite number up to 1e30");
     const std::string_view text = numbers.token();
     const std::size_t sign = text.find_first_of("+-", 1);
     const bool glued = sign != std::string_view::npos && text[sign - 1] >= '0' && text[sign - 1] <= '9';

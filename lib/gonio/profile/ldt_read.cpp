@@ -175,7 +175,7 @@ private:
         if (token == Token::number) return {};
         const std::string shown = quoted(written.substr(0, 40));
         if (token == Token::not_finite)
-            return report_.fail("LDT0103", number_offset_, fmt::format("{} is no finite number", shown));
+            return report_.fail("LDT0103", number_offset_, shown + " is not a finite number up to 1e30");
         return report_.fail("LDT0102", number_offset_, fmt::format("{} stands where the {} is expected", shown, what));
     }
 

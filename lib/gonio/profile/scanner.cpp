@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>
@@ -98,6 +99,7 @@ Token scan_number(std::string_view text, double& value, bool& plain) {
         if (!is_underflow(magnitude)) return Token::not_finite;
         read = rest.front() == '-' ? -0.0 : 0.0;
     }
+    if (!in_amount_range(read)) return Token::not_finite;
     if (rest.find_first_of("eE") != std::string_view::npos) plain = false;
     value = read;
     return Token::number;

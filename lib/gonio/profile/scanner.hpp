@@ -46,11 +46,12 @@ enum class Token {
     number,
     end,        // no token is left
     not_number, // the token is none
-    not_finite  // inf, nan, or beyond the range of a double
+    not_finite  // inf, nan, or of a magnitude above greatest_amount
 };
 
 // Reads the whole of `text` as a decimal number with an optional sign; no blanks, no hexadecimal. Never `end`.
-// Exact: the nearest double. `plain` becomes false when the number has an exponent.
+// Exact: the nearest double. A magnitude above greatest_amount is refused (not_finite). `plain` becomes false when the
+// number has an exponent.
 Token scan_number(std::string_view text, double& value, bool& plain);
 
 // "'abc'": what a message may show of a file's text, printable ASCII as it is, other bytes in hexadecimal.

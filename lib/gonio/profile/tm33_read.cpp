@@ -251,7 +251,7 @@ private:
         case Problem::angle_missing:
             return report_.fail("TM30206", offset, "a point without its two angles", "write h and v");
         case Problem::not_finite:
-            return report_.fail("TM30211", offset, quoted(table.text) + " is no finite number");
+            return report_.fail("TM30211", offset, quoted(table.text) + " is not a finite number up to 1e30");
         case Problem::duplicate:
             return report_.fail("TM30205", offset, "a second point at the same angles");
         case Problem::incomplete:

@@ -2,6 +2,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/shading/lights.hpp>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,11 @@ Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const 
     return views;
 }
 
+// Shares are bounded by it, each by itself.
+bool at_ceiling(double value) {
+    return value >= shading::illuminance_ceiling;
+}
+
 std::string others(std::size_t count) {
     return count > 1 ? fmt::format("; {} such pairs of point and light in all", count) : std::string();
 }
@@ -123,6 +129,7 @@ void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
     on_light.add(others.on_light, offset);
     inside.add(others.inside, offset);
     unseen.add(others.unseen, offset);
+    at_ceiling.add(others.at_ceiling, offset);
     not_converged.add(others.not_converged, offset);
 }
 
@@ -193,6 +200,9 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
                 if (surface && options.parts) result.parts_nt[r * lights.size() + l] = shine.luminance;
                 if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
                 if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
+                if (at_ceiling(share.illuminance_lx) || at_ceiling(shine.luminance.diffuse.value) ||
+                    at_ceiling(shine.luminance.specular.value))
+                    remarks[task].at_ceiling.add({1, r, l});
                 if (!share.converged || !shine.converged) remarks[task].not_converged.add({1, r, l});
             }
             sums[r * blocks + block] = sum;
@@ -238,6 +248,12 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
                         remarks.unseen.count > 1 ? fmt::format("; {} such points in all", remarks.unseen.count)
                                                  : std::string()),
             "the view points from the surface to the eye");
+    if (remarks.at_ceiling.count > 0)
+        say(Severity::warning,
+            fmt::format("what '{}' gives point {} exceeds {} lx or cd/m2: it counts as that{}",
+                        lights[remarks.at_ceiling.light].name, remarks.at_ceiling.receiver + 1,
+                        shading::illuminance_ceiling, others(remarks.at_ceiling.count)),
+            "the point is all but on the light");
     if (remarks.not_converged.count > 0)
         say(Severity::warning,
             fmt::format("the error asked for was not reached at point {} under '{}'{}",

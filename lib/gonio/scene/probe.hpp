@@ -2,7 +2,7 @@
 //
 // Everything that a light is leaves its exact closed form here (shading/), and what has none its quadrature
 // (reference.hpp), unless another method is asked for. Lights do not occlude each other and nothing else does. Results
-// are finite and not negative: what would exceed shading::illuminance_ceiling (1e30 lx) ends there.
+// are finite and not negative: what would exceed shading::illuminance_ceiling (1e30 lx) ends there, and is told.
 // Sums run over fixed blocks of lights, so they are the same at any number of threads.
 // Cost on one core of a 2.5 GHz Xeon: 20 ns (point) to 400 ns (disk on the horizon) a light and point; luminance under
 // lights with a size 0.1 to 1 ms.
@@ -94,6 +94,7 @@ struct ProbeRemarks {
     ProbeOccurrence on_light;      // the receiver lies on a light without size, which has no direction from there: 0
     ProbeOccurrence inside;        // the receiver lies inside a sphere or tube: E = π L
     ProbeOccurrence unseen;        // the view is not above the surface: the luminance is 0; counted once a receiver
+    ProbeOccurrence at_ceiling;    // what would exceed shading::illuminance_ceiling, which ends there
     ProbeOccurrence not_converged; // the quadrature ended before the error that was asked for
 
     void add(const ProbeRemarks& others, std::size_t offset = 0);
@@ -116,8 +117,8 @@ struct ProbeResult {
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options = {});
 
-// Warnings for receivers on a light and for errors that were not reached, notes for receivers inside a light and for
-// views from below the surface; points count from 1.
+// Warnings for receivers on a light, for values at the ceiling and for errors that were not reached, notes for
+// receivers inside a light and for views from below the surface; points count from 1.
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights);
 
 // The least, mean and greatest of values; all 0 for none.

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/touching.hpp>
@@ -64,7 +65,10 @@ Result<Nits> parse_sky(std::string_view text) {
         return fail(Failure::usage, fmt::format("a sky is told in lux or nits, not as '{}'", text),
                     "the illuminance of an open plane, for example 500lx, or its luminance, for example 150nt");
     if (!(amount->number >= 0.0)) return fail(Failure::usage, fmt::format("a sky gives light: '{}' is below 0", text));
-    return Nits{amount->in_base_units() * (is_lux ? std::numbers::inv_pi : 1.0)};
+    const Nits sky{amount->in_base_units() * (is_lux ? std::numbers::inv_pi : 1.0)};
+    if (!in_amount_range(sky.value))
+        return fail(Failure::usage, fmt::format("a sky of '{}' is above {} cd/m2", text, greatest_amount));
+    return sky;
 }
 
 double sky_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& normal) {

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/web/author.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
@@ -5,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -113,6 +115,9 @@ Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options) {
         // Seven digits of cd/klm times those of the flux. A formula's tail may go down to 1e-300, which no file holds.
         cd = per_klm < darkest_cd_per_klm ? 0.0 : rounded_to(per_klm * options.flux.value / 1000.0, 10);
     }
+    if (const double greatest = *std::max_element(relative.begin(), relative.end()); !in_amount_range(greatest))
+        return fail(Failure::usage, fmt::format("a flux of {} lm makes an intensity of {} cd, above {} cd",
+                                                options.flux.value, greatest, greatest_amount));
     return web_of(std::move(relative));
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/author_csv.hpp>
@@ -48,6 +49,9 @@ Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, co
             if (!value)
                 return malformed(source, number, start + 1, fmt::format("'{}' is no number", field),
                                  "a row is C and one candela for each gamma, the first row gamma angles");
+            if (!in_amount_range(*value))
+                return malformed(source, number, start + 1,
+                                 fmt::format("{} is above {} in magnitude", *value, greatest_amount));
             row.numbers.push_back(*value);
         }
         if (end == std::string_view::npos) return row;

@@ -35,6 +35,12 @@ inline constexpr WebCode web_codes[] = {
      "A table of type A or B needs at least two horizontal and two vertical angles: between them lies its light. One "
      "angle alone is a line of directions, which carries no flux."},
 
+    {"WEB0108", "an intensity beyond the range",
+     "An intensity, with the factors that the file or its lamps give it, is above 1e30 cd. The sun has 3e27 cd; no "
+     "luminaire comes near it, and textures and engines hold 32-bit floats, which end at 3.4e38. A factor or an "
+     "exponent is wrong.",
+     Severity::error},
+
     {"WEB0201", "keywords left out",
      "The target has no place for these keywords: EULUMDAT keeps the company, the luminaire's name and number, the "
      "report's number, the date and the lamp, and nothing else."},

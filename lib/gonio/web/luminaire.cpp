@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -18,16 +17,12 @@ void scale_lamps(ProfileHeader& header, double factor) {
     if (header.lamp_flux_lm) *header.lamp_flux_lm *= factor;
 }
 
-Result<void> check_factor(double factor) {
-    if (factor > 0.0 && std::isfinite(factor)) return {};
-    return fail(Failure::usage, fmt::format("a factor of {} is not greater than 0", factor));
-}
-
 } // namespace
 
 Result<Luminaire> dimmed(const Luminaire& luminaire, double factor) {
-    if (Result<void> checked = check_factor(factor); !checked) return pass_on(checked);
-    Luminaire result{luminaire.web.scaled(factor), luminaire.header};
+    Result<Web> web = scaled_by(luminaire.web, factor);
+    if (!web) return pass_on(web);
+    Luminaire result{std::move(*web), luminaire.header};
     scale_lamps(result.header, factor);
     return result;
 }

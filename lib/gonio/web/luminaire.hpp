@@ -16,12 +16,12 @@ struct Luminaire {
 };
 
 // Every intensity and the lamps' flux times `factor`, so that the light output ratio stays; the input watts stay.
-// Fails (usage) unless the factor is greater than 0.
+// Fails as scaled_by() does.
 Result<Luminaire> dimmed(const Luminaire& luminaire, double factor);
 
 // The same linear luminaire `factor` times as long: intensities, lamps' flux and input watts grow with it, and so do
-// the lengths of the housing and of the luminous opening. Fails (usage) unless the factor is greater than 0, and where
-// the opening has no length (a disk, a sphere, a point).
+// the lengths of the housing and of the luminous opening. Fails as scaled_by() does, and (usage) where the
+// opening has no length (a disk, a sphere, a point).
 Result<Luminaire> stretched(const Luminaire& luminaire, double factor);
 
 // Scaled to the flux, the lamps' flux with it. Fails as scaled_to() does.

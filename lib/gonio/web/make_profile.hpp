@@ -6,6 +6,7 @@
 #include <gonio/web/codes.hpp>
 #include <gonio/web/grid.hpp>
 #include <gonio/web/profile_header.hpp>
+#include <gonio/web/to_profile.hpp>
 #include <gonio/web/web.hpp>
 
 #include <string>
@@ -78,5 +79,9 @@ IesFile make_ies(const Web& web, const ProfileHeader& header, IesRequest request
 LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses);
 
 Tm33File make_tm33(const Web& web, const ProfileHeader& header, Losses& losses);
+
+// What was made. Fails (malformed) where a number in it is above greatest_amount, which no reader would take: a web in
+// range may be the product of factors that are not, or be divided by a flux that is next to nothing.
+Result<MadeProfile> with_numbers_in_range(MadeProfile made);
 
 } // namespace gonio::web_detail

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/transform.hpp>
@@ -241,6 +242,16 @@ auto* candela_of(AnyProfile& profile) {
     return ldt != nullptr ? &ldt->candela_per_klm : nullptr;
 }
 
+Unexpected beyond_range(const Profile& profile, double intensity_cd, double factor) {
+    Diagnostic error;
+    error.code = "WEB0108";
+    error.location = location_of(profile, ProfileField::intensity);
+    error.message = factor == 1.0 ? fmt::format("an intensity of {} cd is above {} cd", intensity_cd, greatest_amount)
+                                  : fmt::format("the factor {} on the table makes {} cd, above {} cd", factor,
+                                                intensity_cd, greatest_amount);
+    return Unexpected(Error{Failure::malformed, {std::move(error)}});
+}
+
 Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela, const ResolveOptions& options) {
     Diagnostics diagnostics;
     const auto* ies = std::get_if<IesFile>(&profile.file);
@@ -254,17 +265,18 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
     close_the_circle(table, profile, diagnostics);
 
     std::size_t negative = 0;
-    bool dark = true;
+    double greatest = 0.0;
     for (double& cd : table.candela) { // factor 1 is exact, and one way through the table is cheaper than two
         cd *= factor;
         negative += cd < 0.0 ? 1 : 0;
-        dark = dark && cd == 0.0;
+        greatest = std::max(greatest, std::abs(cd));
     }
+    if (!in_amount_range(greatest)) return beyond_range(profile, greatest, factor);
     if (negative > 0)
         warn(diagnostics, location_of(profile, ProfileField::negative_intensity), "WEB0105",
              fmt::format("{} intensities are negative: kept as they are", negative),
              "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
-    if (dark)
+    if (greatest == 0.0)
         warn(diagnostics, location_of(profile, ProfileField::intensity), "WEB0106",
              "every intensity is 0: this luminaire emits no light");
 

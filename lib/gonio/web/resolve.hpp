@@ -35,7 +35,8 @@ struct ResolvedWeb {
     Diagnostics diagnostics;
 };
 
-// Fails: malformed where the angles make no web, usage on a lamp set that the file does not have.
+// Fails: malformed where the angles make no web or an intensity is above greatest_amount (WEB0108), usage on a lamp set
+// that the file does not have.
 Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options = {});
 
 // The same where the profile is not needed any more: the web takes its table over, so that there never are two. What

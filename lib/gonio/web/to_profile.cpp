@@ -85,7 +85,7 @@ Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profi
         emitter.tilt = file.tilt;
         const Result<ResolvedWeb> whole = resolve_web(profile);
         if (whole) emitter.luminous_flux_lm = flux(whole->web).value;
-        return made;
+        return web_detail::with_numbers_in_range(std::move(*made));
     }
     auto& out = std::get<IesFile>(made->profile.file);
     out.lamp_count = file.lamp_count;
@@ -97,7 +97,7 @@ Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profi
     include_tilt(*made);
     // The name of a file that could not be read is kept where the edition allows one.
     if (out.tilt.angles_deg.empty() && out.version == IesVersion::lm63_2019) out.tilt_keyword = "NONE";
-    return made;
+    return web_detail::with_numbers_in_range(std::move(*made));
 }
 
 void report_resampling(const ResampledWeb& resampled, const Web& web, Losses& losses) {
@@ -189,7 +189,7 @@ Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, Prof
     else
         made.profile.file = web_detail::make_ies(written, header, request_of(target), losses);
     made.diagnostics = losses.take();
-    return made;
+    return web_detail::with_numbers_in_range(std::move(made));
 }
 
 Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options) {

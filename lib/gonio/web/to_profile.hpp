@@ -48,7 +48,8 @@ struct MadeProfile {
 // Any web and header. The portable dialect is LM-63-2002 with one lamp, multiplier, ballast factor and twelfth field 1,
 // TILT=NONE, the table's flux as the lamps' lumens, metres, ASCII, planes over the full turn or a single one at 0, and
 // values of at most nine digits. A web of type A or B keeps its coordinates in LM-63, and is resampled to type C for
-// the portable dialect and EULUMDAT, with the error said. Does not fail for a web that exists.
+// the portable dialect and EULUMDAT, with the error said. Fails (malformed) where a number of the file
+// would be above greatest_amount: lumens or watts of the header, or intensities per 1000 lm of next to no lumens.
 Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, ProfileTarget target);
 
 // A file as another one. Into its own format and edition it is kept field by field; into another edition of

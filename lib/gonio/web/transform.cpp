@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/grid.hpp>
@@ -480,7 +481,20 @@ Result<Web> scaled_to(const Web& web, Lumens wanted) {
         return fail(Failure::usage, fmt::format("a web of {} lm cannot be scaled to a flux", now.value));
     if (!(wanted.value > 0.0))
         return fail(Failure::usage, fmt::format("a flux of {} lm is not greater than 0", wanted.value));
-    return web.scaled(wanted / now);
+    return scaled_by(web, wanted / now);
+}
+
+Result<Web> scaled_by(const Web& web, double factor) {
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < web.horizontal_deg().size(); ++i)
+        for (const double cd : web.column(i))
+            greatest = std::max(greatest, std::abs(cd));
+    if (!(factor > 0.0) || !std::isfinite(factor))
+        return fail(Failure::usage, fmt::format("a factor of {} is not a number greater than 0", factor));
+    if (!in_amount_range(greatest * factor))
+        return fail(Failure::usage, fmt::format("a factor of {} on {} cd makes {} cd, above {} cd", factor, greatest,
+                                                greatest * factor, greatest_amount));
+    return web.scaled(factor);
 }
 
 } // namespace gonio

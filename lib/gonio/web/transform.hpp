@@ -36,7 +36,12 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry);
 // ≤ 180°, (unsupported) for types A and B, and (usage) where nothing of the table is left.
 Result<Web> cropped(const Web& web, double gamma_low_deg, double gamma_high_deg);
 
-// Every intensity scaled so that flux() is `flux`. Fails (usage) unless both fluxes are greater than 0.
+// Every intensity scaled so that flux() is `flux`. Fails (usage) unless both fluxes are greater than 0, and as
+// scaled_by().
 Result<Web> scaled_to(const Web& web, Lumens flux);
+
+// Every intensity multiplied. Fails (usage) unless the factor is finite and greater than 0, and where an intensity
+// would be above greatest_amount.
+Result<Web> scaled_by(const Web& web, double factor);
 
 } // namespace gonio

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/plane_range.hpp>
 #include <gonio/web/web.hpp>
@@ -38,8 +39,10 @@ Result<void> check_angles(const std::vector<double>& horizontal, const char* hor
         return fail(Failure::malformed,
                     fmt::format("{} {} and {} {} need {} candela values, not {}", horizontal.size(), horizontal_name,
                                 vertical.size(), vertical_name, horizontal.size() * vertical.size(), candela.size()));
-    if (!std::all_of(candela.begin(), candela.end(), [](double cd) { return std::isfinite(cd); }))
-        return fail(Failure::malformed, "a candela value is not finite");
+    const auto wrong = std::find_if_not(candela.begin(), candela.end(), in_amount_range);
+    if (wrong != candela.end())
+        return fail(Failure::malformed,
+                    fmt::format("an intensity of {} cd is not a finite number up to {} cd", *wrong, greatest_amount));
     return {};
 }
 

@@ -42,7 +42,7 @@ class Web {
 public:
     // `candela` is [plane][gamma]. Fails (malformed) unless both angle lists are non-empty, finite and strictly
     // ascending, γ lies in [0°, 180°], the planes lie in the range of `stored` (none: at most 360° wide), and there is
-    // one finite candela for each pair.
+    // one candela for each pair, finite and at most greatest_amount (gonio/base/amount_range.hpp) in magnitude.
     static Result<Web> create(Symmetry stored, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                               std::vector<double> candela);
 
@@ -83,7 +83,7 @@ public:
         return {candela_.data() + horizontal * gammas_.angles_deg.size(), gammas_.angles_deg.size()};
     }
 
-    // The same light with every intensity multiplied by `factor` ≥ 0.
+    // The same light with every intensity multiplied by `factor` ≥ 0, which must keep them up to greatest_amount.
     Web scaled(double factor) const;
 
     // Type C: C folded by the stored symmetry into the range of the stored planes; the planes may still not reach it.

@@ -289,6 +289,26 @@ TEST(Charts, ThreadsChangeNothingParallel) {
     }
 }
 
+TEST(TexelTypes, WhatAHalfCannotHoldIsRefused) {
+    const Web web = *Web::create(Symmetry::axial, {0.0}, {0.0, 180.0}, {70000.0, 70000.0});
+    for (const Layout layout : {Layout::latlong, Layout::octahedral}) {
+        BakeOptions options;
+        options.layout = layout;
+        options.width = options.height = 16;
+        options.texel_type = TexelType::half;
+        const auto refused = bake_texture(web, options);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().failure, Failure::unsupported);
+        EXPECT_EQ(refused.error().diagnostics.back().message,
+                  "texels of up to 70000 do not fit 16-bit floats, which end at 65504");
+        options.normalization = Normalization::peak;
+        EXPECT_TRUE(bake_texture(web, options));
+        options.normalization = Normalization::none;
+        options.texel_type = TexelType::float32;
+        EXPECT_TRUE(bake_texture(web, options));
+    }
+}
+
 TEST(TexelTypes, RoundToWhatTheyKeep) {
     EXPECT_EQ(as_stored(TexelType::half, 1.0), 1.0);
     EXPECT_EQ(as_stored(TexelType::half, 2049.0), 2048.0); // ties to even

@@ -4,8 +4,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace gonio {
@@ -18,6 +21,24 @@ TEST(ThreadsParallel, EveryPieceRunsOnce) {
         EXPECT_EQ(runs, std::vector<int>(1000, 1)) << threads;
     }
     parallel_for(0, 4, [](std::size_t) { FAIL(); });
+}
+
+// In a process of another user that may have no more threads; root has no limit.
+int in_limited_process() {
+    constexpr unsigned nobody = 61234;
+    const rlimit none{1, 1};
+    if (::setgid(nobody) != 0 || ::setuid(nobody) != 0 || ::setrlimit(RLIMIT_NPROC, &none) != 0) return 2;
+    if (can_start_threads(1)) return 3;
+    std::vector<int> runs(1000, 0);
+    parallel_for(runs.size(), 8, [&](std::size_t i) { ++runs[i]; });
+    return runs == std::vector<int>(1000, 1) ? 0 : 4;
+}
+
+TEST(ThreadsParallel, WithoutThreadsTheCallerDoesAll) {
+    EXPECT_TRUE(can_start_threads(0));
+    EXPECT_TRUE(can_start_threads(5));
+    if (::geteuid() != 0) GTEST_SKIP() << "needs root, to become a user who is bound by a limit";
+    EXPECT_EXIT(std::_Exit(in_limited_process()), testing::ExitedWithCode(0), "");
 }
 
 TEST(ThreadsParallel, AnExceptionReachesTheCallerAndStopsTheRest) {

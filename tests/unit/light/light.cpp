@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -46,6 +47,31 @@ TEST(Light, TurnsWithItsFrame) {
     EXPECT_NEAR(aimed.intensity_towards({0, 1, 0}).value, hanging.intensity_towards({0, 0, -1}).value, 1e-9);
     // C90 points along `up`.
     EXPECT_NEAR(aimed.intensity_towards({0, 1, 0.5}).value, hanging.intensity_towards({0, 0.5, -1}).value, 1e-9);
+}
+
+TEST(Light, RefusesAnAmountThatFloatsCannotHold) {
+    const auto reason = [](const char* shape, const char* intensity) {
+        Diagnostics diagnostics;
+        LightDescription description;
+        description.shape = parse_shape(shape).value();
+        description.intensity = parse_photometric_value(intensity).value();
+        const Result<Light> light = resolve_light(description, diagnostics);
+        return light ? "no failure" : light.error().diagnostics.back().message;
+    };
+    EXPECT_EQ(reason("point", "1e30cd"), "no failure");
+    EXPECT_EQ(reason("point", "2e30cd"), "the light has a luminous intensity of 2e+30 cd, above 1e+30 cd");
+    EXPECT_EQ(reason("sphere:r=1m", "1e29nt"), "no failure");
+    EXPECT_NE(reason("sphere:r=0.000000001m", "1e20cd").find("a luminance of 3"), std::string::npos);
+    EXPECT_EQ(reason("sun:angle=60deg", "1e30lx"),
+              "the light has a luminance of 1.2732395447351628e+30 cd/m2, above 1e+30 cd/m2");
+    EXPECT_EQ(reason("sun:angle=180deg", "1e30lx"), "no failure");
+    // A profile with next to no light, of which no factor makes any.
+    Diagnostics diagnostics;
+    LightDescription description;
+    description.shape = ProfileShape{
+        "dark", std::make_shared<const Web>(*Web::create(Symmetry::axial, {0.0}, {0.0, 90.0}, {1e-320, 0.0}))};
+    description.intensity = parse_photometric_value("1000cd").value();
+    EXPECT_FALSE(resolve_light(description, diagnostics));
 }
 
 TEST(Light, RefusesWhatCannotBePlaced) {

@@ -13,6 +13,12 @@ TEST(LightColor, HasLuminanceOne) {
         ASSERT_TRUE(rgb) << text;
         EXPECT_NEAR(glm::dot(*rgb, rec709_luminance), 1.0, 1e-15);
     }
+    // No number is too large or too small for a ratio.
+    for (const char* text : {"rgb(1.7e308,1.7e308,1.7e308)", "rgb(5e-324,5e-324,5e-324)"}) {
+        const auto rgb = parse_light_color(text);
+        ASSERT_TRUE(rgb) << text;
+        EXPECT_NEAR(glm::length(*rgb - glm::dvec3(1.0)), 0.0, 1e-14) << text;
+    }
     for (const char* text :
          {"", "#fff", "#gggggg", "rgb(1,2)", "rgb(1,2,3,4)", "rgb(0,0,0)", "rgb(-1,1,1)", "white", "2700", "499K",
           "2700K/0.2", "2700K/", "spectrum:", "spectrum:none.csv", "led-b9", "2700lm"})

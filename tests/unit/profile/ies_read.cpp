@@ -201,9 +201,11 @@ TEST(IesRead, Numbers) {
     for (const std::string bad : {"8;", "0x10", "--1", "+-1", "1.2.3", "1e", ".", "-", "1d5", "#"})
         expect_error(read(with(lamp, 11, "100 " + bad + " 0")),
                      "lamp:11:5: error[IES0201]: '" + bad + "' stands where a number is expected");
-    for (const std::string bad : {"inf", "-NaN", "1e999", "-1E+400"})
+    EXPECT_EQ(file_of(with(lamp, 11, "1e30 -1e30 0")).candela, (std::vector<double>{1e30, -1e30, 0, 100, 70, 0}));
+    for (const std::string bad :
+         {"inf", "-NaN", "1e999", "-1E+400", "1.0000001e30", "-1e31", "1000000000000000000000000000000.5e1"})
         expect_error(read(with(lamp, 11, "100 " + bad + " 0")),
-                     "lamp:11:5: error[IES0202]: '" + bad + "' is no finite number");
+                     "lamp:11:5: error[IES0202]: '" + bad + "' is not a finite number up to 1e30");
     // Fortran glues columns that are too wide; it also writes 1.5-300 for 1.5e-300: no guess is made.
     const Result<Profile> glued = read(with(lamp, 11, "100 1.5-3 0"));
     expect_error(glued, "lamp:11:5: error[IES0201]: '1.5-3' stands where a number is expected");

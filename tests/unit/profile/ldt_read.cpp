@@ -133,7 +133,9 @@ TEST(LdtRead, Numbers) {
     for (const std::string bad : {"70 80", "1,000.5", "7O", "70 cd", "1,2,3"})
         expect_error(read(with(lamp(), 51, bad)),
                      "lamp:51:1: error[LDT0102]: '" + bad + "' stands where the intensity is expected");
-    expect_error(read(with(lamp(), 51, "nan")), "lamp:51:1: error[LDT0103]: 'nan' is no finite number");
+    for (const std::string bad : {"nan", "1e31"})
+        expect_error(read(with(lamp(), 51, bad)),
+                     "lamp:51:1: error[LDT0103]: '" + bad + "' is not a finite number up to 1e30");
     expect_error(read(with(lamp(), 4, "4.5")), "lamp:4:1: error[LDT0201]: 4.5 is no number of C-planes");
     expect_error(read(with(lamp(), 6, "0")), "lamp:6:1: error[LDT0201]: 0 is no number of gamma angles");
 }

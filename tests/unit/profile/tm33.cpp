@@ -236,7 +236,7 @@ TEST(Tm33Read, NumbersThatAreNone) {
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\"/>")),
                  "lamp:26:1: error[TM30207]: a point of the table is empty");
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\">1e999</IntData>")),
-                 "lamp:26:23: error[TM30211]: '1e999' is no finite number");
+                 "lamp:26:23: error[TM30211]: '1e999' is not a finite number up to 1e30");
     expect_error(read(with(lamp, 26, "<IntData h=\"0\">80</IntData>")),
                  "lamp:26:1: error[TM30206]: a point without its two angles");
     expect_error(read(with(lamp, 21, "<Multiplier>0</Multiplier>")), "lamp:21:1: error[TM30208]: multiplier 0");

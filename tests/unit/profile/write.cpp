@@ -54,7 +54,7 @@ LdtFile an_ldt_file() {
     file.direct_ratios = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
     file.planes_deg = {0, 90, 180, 270};
     file.gammas_deg = {0, 1.0 / 3.0, 90};
-    file.candela_per_klm = {1, 2, 3, 1, 1e-300, 1e300};
+    file.candela_per_klm = {1, 2, 3, 1, 1e-300, 1e30};
     return file;
 }
 

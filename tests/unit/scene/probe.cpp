@@ -294,6 +294,27 @@ TEST(Probe, RefusesWhatHasNoMeaning) {
     EXPECT_EQ(message({{0, 0, 2e100}, {0, 0, 1}}), "the position of point 1 is out of range");
 }
 
+TEST(Probe, WhatEndsAtTheCeilingIsTold) {
+    const std::vector<Light> lights{make("point", "1cd", {0, 0, 1}), make("point", "1e30cd", {0, 0, 1})};
+    const auto warnings = [&](double height, ProbeOptions options) {
+        const Receiver receiver{{0, 0, height}, {0, 0, 1}};
+        const auto result = probe(lights, {&receiver, 1}, options);
+        EXPECT_TRUE(result);
+        std::string text;
+        for (const Diagnostic& said : to_diagnostics(result->remarks, lights))
+            text += to_text(said) + "\n";
+        return text;
+    };
+    EXPECT_EQ(warnings(-1.0, {}), "");
+    const std::string at_once = warnings(0.5, {});
+    EXPECT_NE(at_once.find("warning: what '"), std::string::npos) << at_once;
+    EXPECT_NE(at_once.find("gives point 1 exceeds 1e+30 lx or cd/m2: it counts as that"), std::string::npos);
+    // What a surface makes of it too, where the illuminance itself is in range.
+    ProbeOptions mirror;
+    mirror.view = ProbeView{{0.0, 0.0, 1.0}, *parse_material("ggx:alpha=0.001")};
+    EXPECT_NE(warnings(-1.0, mirror).find("exceeds"), std::string::npos);
+}
+
 // Adversarial places and sizes: never NaN, never negative, never above the ceiling.
 TEST(Probe, ResultsAreFiniteEverywhere) {
     const std::vector<double> sizes{1e-300, 1e-150, 1e-9, 1e-3, 1.0, 1e3, 1e20, 1e100};
@@ -307,12 +328,14 @@ TEST(Probe, ResultsAreFiniteEverywhere) {
           "rect:w=1m,h=0.000000001m", "rect:w=1000km,h=1km,two-sided", "tube:r=1mm,l=1000km", "tube:r=1m,l=1m",
           "sun:angle=90deg"}) {
         const bool sun = std::string_view(shape).starts_with("sun");
+        const bool tiny = std::string_view(shape).find("0.000000001m") != std::string_view::npos;
+        const char* const most = sun ? "1e30lx" : tiny ? "1e30nt" : "1e30cd";
         for (int i = 0; i < 4000; ++i) {
             const glm::dvec3 direction(pick(), pick(), pick());
             const glm::dvec3 normal(pick(), pick(), pick());
             if (direction == glm::dvec3(0.0) || normal == glm::dvec3(0.0)) continue;
             const double longest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-            const Light light = make(shape, sun ? "1e280lx" : "1e280cd", {pick(), pick(), pick()}, direction / longest);
+            const Light light = make(shape, most, {pick(), pick(), pick()}, direction / longest);
             const Receiver receiver{{pick(), pick(), pick()}, normal};
             for (const IrradianceMethodName& method : irradiance_methods()) {
                 if (method.method == IrradianceMethod::reference && i % 40 != 0)

@@ -242,6 +242,7 @@ const std::map<std::string, Rule>& smallest_files() {
         {"WEB0105", {ies({{7, "100 -1"}})}},
         {"WEB0106", {ies({{7, "0 0"}})}},
         {"WEB0107", {ies({{3, "1 1000 1 2 1 2 2 0 0 0"}})}},
+        {"WEB0108", {ies({{3, "1 1000 1e20 2 1 1 2 0 0 0"}, {7, "1e11 0"}})}},
 
         {"WEB0201", {ies({{2, "[OTHER] x\nTILT=NONE"}}), false, T::eulumdat}},
         {"WEB0202", {ies({{2, "TILT=INCLUDE\n1\n1\n0\n1"}}), false, T::eulumdat}},
@@ -362,10 +363,10 @@ std::string place_of(const Diagnostics& said, std::string_view code) {
 TEST(Rules, AboutTheLightNameTheField) {
     const std::map<std::string, std::string> places{
         {"WEB0101", "6:7"},  {"WEB0102", "6:1"},  {"WEB0103", "6:1"},  {"WEB0104", "4:3"},  {"WEB0105", "7:5"},
-        {"WEB0106", "7:1"},  {"WEB0107", "6:1"},  {"WEB0301", "3:3"},  {"WEB0302", "3:3"},  {"WEB0303", "4:5"},
-        {"WEB0304", "4:5"},  {"WEB0305", "4:5"},  {"WEB0306", "3:18"}, {"WEB0307", "3:18"}, {"WEB0308", "7:1"},
-        {"WEB0309", "5:3"},  {"WEB0310", "7:1"},  {"WEB0311", "6:1"},  {"WEB0312", "22:1"}, {"WEB0313", "23:1"},
-        {"WEB0314", "34:0"}, {"WEB0315", "29:1"}, {"WEB0316", "16:1"}, {"WEB0317", "31:1"}};
+        {"WEB0106", "7:1"},  {"WEB0107", "6:1"},  {"WEB0108", "7:1"},  {"WEB0301", "3:3"},  {"WEB0302", "3:3"},
+        {"WEB0303", "4:5"},  {"WEB0304", "4:5"},  {"WEB0305", "4:5"},  {"WEB0306", "3:18"}, {"WEB0307", "3:18"},
+        {"WEB0308", "7:1"},  {"WEB0309", "5:3"},  {"WEB0310", "7:1"},  {"WEB0311", "6:1"},  {"WEB0312", "22:1"},
+        {"WEB0313", "23:1"}, {"WEB0314", "34:0"}, {"WEB0315", "29:1"}, {"WEB0316", "16:1"}, {"WEB0317", "31:1"}};
     for (const WebCode& entry : web_codes) {
         if (entry.code.substr(0, 5) == "WEB02") continue;
         const std::string code(entry.code);

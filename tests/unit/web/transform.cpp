@@ -273,6 +273,7 @@ TEST(ScaledTo, HasTheFlux) {
     EXPECT_NEAR(flux(*scaled_to(web, Lumens(1234.0))).value, 1234.0, 1e-9);
     EXPECT_FALSE(scaled_to(web, Lumens(0.0)));
     EXPECT_FALSE(scaled_to(*Web::create(Symmetry::axial, {0}, {0, 90}, {0, 0}), Lumens(1.0)));
+    EXPECT_FALSE(scaled_to(web, Lumens(1e40)));
 }
 
 TEST(Combined, IsTheSumOfEveryDirection) {

@@ -51,7 +51,8 @@ int guarded(char* message, Status refused, Work work) noexcept {
         say(message, error.what());
         return refused;
     } catch (const std::bad_alloc&) {
-        say(message, "not enough memory");
+        say(message, "out of memory");
+        return unsupported;
     } catch (const std::exception& error) {
         say(message, error.what());
     } catch (...) {

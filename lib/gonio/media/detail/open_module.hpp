@@ -17,15 +17,16 @@ struct ModuleName {
     std::uint32_t version; // of the table that the function must return
     const char* library;   // what it is made of, for messages
     const char* package;   // the Debian package of that library
+    unsigned threads = 0;  // that are started when the library is loaded, which ends the process where they cannot be
 };
 
-inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version, "OpenImageIO",
-                                              "libopenimageio2.4"};
+inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version,
+                                              "OpenImageIO",    "libopenimageio2.4",  4};
 inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
                                               "libopencolorio2.1"};
 
 // The module's table, from the first of the folders that holds the file. Fails (unsupported) when none does, when it
-// cannot be loaded, or when its table is of another version.
+// cannot be loaded, or when its table is of another version; (io) when the threads of the library cannot be started.
 Result<const void*> open_module(const ModuleName& name, const std::vector<std::string>& folders);
 
 // Opened on the first call, from module_folders(); later calls cost a lock. A failure is not remembered.

@@ -41,7 +41,8 @@ int guarded(char* message, Work work) noexcept {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        std::snprintf(message, message_bytes, "not enough memory");
+        std::snprintf(message, message_bytes, "out of memory");
+        return unsupported;
     } catch (const std::exception& error) {
         std::snprintf(message, message_bytes, "%s", error.what());
     } catch (...) {

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# One input of a batch that runs out of memory is one failed input: the others are read, and the closing line says so.
+#
+#   tests/system/out_of_memory.sh GONIO
+set -euo pipefail
+
+gonio=$(realpath "$1")
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+cp "$root"/profiles/downlight.ies first.ies
+cp "$root"/profiles/wall-washer.ies last.ies
+# 3601 by 7201 angles: 26 million values, 200 MB as doubles.
+{
+    printf 'IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 3601 7201 1 2 0 0 0\n1 1 0\n'
+    seq 0 0.05 180
+    seq 0 0.05 360
+    yes 1 | head -25930801
+} > big.ies || true
+fail() {
+    echo "FAILED: $*: $(cat said out)" >&2
+    exit 1
+}
+limited() {
+    status=0
+    (ulimit -v 150000 && exec "$gonio" "$@" -j 1) > out 2> said || status=$?
+}
+limited version
+((status == 0)) || {
+    echo "skipped: the tool does not start with 150 MB"
+    exit 77
+}
+
+limited info first.ies big.ies last.ies
+((status == 5)) || fail "exit $status, not 5"
+grep -q '^first.ies$' out && grep -q '^last.ies$' out || fail "the others are not read"
+grep -q '^big.ies: error: out of memory$' said || fail "the reason is not said"
+grep -q '^3 files: 2 read, 1 failed$' said || fail "the closing line does not count it"
+
+limited info -q big.ies
+((status == 5)) || fail "-q: exit $status, not 5"
+grep -q '^big.ies: error: out of memory$' said || fail "-q hides the error"
+
+limited info --json first.ies big.ies
+((status == 5)) || fail "--json: exit $status, not 5"
+grep -q '"message": "out of memory"' out || fail "--json does not report it"
+
+limited compare first.ies big.ies # no batch
+((status == 5)) || fail "compare: exit $status, not 5"
+grep -q 'error: out of memory$' said || fail "compare does not say why"
+echo "passed"
