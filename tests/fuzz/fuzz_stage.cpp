@@ -54,8 +54,6 @@ void check_stage(const Stage& stage) {
         if (!hit) continue;
         require(hit->distance >= 0.0 && std::isfinite(hit->distance) && hit->surface < stage.surfaces.size());
         require(finite(hit->position) && std::abs(glm::length(hit->normal) - 1.0) < 1e-6);
-        // What is seen looks back.
-        require(glm::dot(hit->normal, ray.direction) <= 1e-6);
     }
 }
 
