@@ -104,6 +104,10 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
     for (const Json& input : reader.member(json, "failed", Json::value_t::array))
         if (input.is_string()) manifest.failed.push_back(input.get<std::string>());
     if (auto failure = reader.failure()) return *failure;
+    if (manifest.shard && (manifest.shard->index < 1 || manifest.shard->index > manifest.shard->count))
+        return fail(Failure::malformed,
+                    fmt::format("no manifest: there is no shard {}/{}", manifest.shard->index, manifest.shard->count),
+                    "they are counted from 1", name);
     return manifest;
 }
 

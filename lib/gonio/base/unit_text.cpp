@@ -68,6 +68,11 @@ bool begins_beyond_range(std::string_view text) {
     return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
 }
 
+Unexpected beyond_range(std::string_view text) {
+    return fail(Failure::usage, fmt::format("'{}' is beyond the range of a number", text),
+                "numbers go up to 1.7e308 and down to 4.9e-324");
+}
+
 std::string symbols_of(Dimension dimension) {
     std::string list;
     for (const Unit& unit : units_table) {
@@ -138,9 +143,7 @@ std::string_view dimension_name(Dimension dimension) {
 Result<Amount> parse_amount(std::string_view text) {
     std::string_view rest = text;
     const std::optional<double> number = take_number(rest);
-    if (!number && begins_beyond_range(text))
-        return fail(Failure::usage, fmt::format("'{}' is beyond the range of a number", text),
-                    "numbers go up to 1.7e308 and down to 4.9e-324");
+    if (!number && begins_beyond_range(text)) return beyond_range(text);
     if (!number)
         return fail(Failure::usage, fmt::format("'{}' is not a number with a unit", text), "write for example 800lm");
     if (rest.empty())
@@ -154,7 +157,10 @@ Result<Amount> parse_amount(std::string_view text) {
         return fail(Failure::usage, fmt::format("unknown unit '{}' in '{}'", rest, text),
                     guess.empty() ? "gonio list units shows them all" : fmt::format("did you mean '{}'?", guess));
     }
-    return Amount{*number, unit};
+    const Amount amount{*number, unit};
+    // No unit is as large as 1e10 of its base.
+    if (std::abs(*number) > 1e290 && !std::isfinite(amount.in_base_units())) return beyond_range(text);
+    return amount;
 }
 
 Result<double> parse_amount(std::string_view text, Dimension dimension, std::string_view what) {

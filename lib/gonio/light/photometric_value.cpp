@@ -79,11 +79,12 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
     if (symbol.empty())
         return fail(Failure::usage, fmt::format("no unit stands in '{}'", text), "write for example nt or lx@2m");
     if (unit == nullptr) {
-        std::string with_number("1");
-        with_number += symbol;
-        Result<Amount> amount = parse_amount(with_number);
-        if (amount) return fail(Failure::internal, "a unit was found that does not exist");
-        return fail(Failure::usage, fmt::format("unknown unit '{}'", symbol), amount.error().diagnostics.back().hint);
+        if (const Result<Amount> amount = parse_amount(symbol))
+            return fail(Failure::usage, fmt::format("'{}' is an amount, where a unit is expected", symbol),
+                        fmt::format("write '{}'", amount->unit->symbol));
+        const Result<Amount> amount = parse_amount(fmt::format("1{}", symbol));
+        return fail(Failure::usage, fmt::format("unknown unit '{}'", symbol),
+                    amount ? std::string("gonio list units shows them all") : amount.error().diagnostics.back().hint);
     }
     if (!photometric(unit->dimension))
         return fail(Failure::usage,

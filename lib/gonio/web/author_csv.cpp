@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -74,6 +75,9 @@ Result<Web> web_from_csv(std::string_view text, const std::string& source) {
         if (!row) return pass_on(row);
         if (first) {
             table.vertical_deg = std::move(row->numbers);
+            const auto twice = std::adjacent_find(table.vertical_deg.begin(), table.vertical_deg.end());
+            if (twice != table.vertical_deg.end())
+                return malformed(source, number, 0, fmt::format("gamma {} is listed twice", *twice));
             first = false;
             continue;
         }
@@ -82,6 +86,9 @@ Result<Web> web_from_csv(std::string_view text, const std::string& source) {
                 source, number, 1,
                 fmt::format("{} numbers for {} gamma angles", row->numbers.size(), table.vertical_deg.size()),
                 "a row is C and one candela for each gamma");
+        // One plane would be left of two, and it is of every C only where it is alone.
+        if (!table.horizontal_deg.empty() && table.horizontal_deg.back() == row->numbers.front())
+            return malformed(source, number, 1, fmt::format("C {} is listed twice", row->numbers.front()));
         table.horizontal_deg.push_back(row->numbers.front());
         table.candela.insert(table.candela.end(), row->numbers.begin() + 1, row->numbers.end());
     }

@@ -60,6 +60,14 @@ TEST(Manifest, RefusesWhatIsNone) {
     EXPECT_EQ(read_manifest("{\"schema\":\"gonio.manifest/2\"}", "m").error().failure, Failure::unsupported);
 }
 
+TEST(Manifest, RefusesAShardThatDoesNotExist) {
+    for (const Manifest& odd : {part(0, 3, {}), part(4, 3, {}), part(1, 0, {})}) {
+        const Result<Manifest> manifest = read_manifest(manifest_json(odd), "m.json");
+        ASSERT_FALSE(manifest);
+        EXPECT_EQ(manifest.error().failure, Failure::malformed);
+    }
+}
+
 TEST(Manifest, MergesShardsInAnyOrder) {
     Manifest second = part(2, 3, {"b.ies", "e.ies"});
     second.failed = {"h.ies"};

@@ -142,6 +142,8 @@ TEST(Csv, SaysWhereItIsWrong) {
     EXPECT_EQ(place("").file, "t.csv");
     EXPECT_EQ(place("x,0,90\n").file, "t.csv");
     EXPECT_EQ(place("x,90,0\n0,1,2\n").file, "t.csv");
+    EXPECT_EQ(place("x,0,45,45\n0,1,2,3\n").line, 1U);
+    EXPECT_EQ(place("x,0,90\n90,1,2\n90,1,2\n").line, 3U);
 }
 
 TEST(Luminaire, StretchesWithItsFluxAndLength) {

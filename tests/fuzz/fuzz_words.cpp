@@ -1,0 +1,310 @@
+// libFuzzer: whatever the words of a command line, they are refused with one reason or mean something sound, the same
+// each time, and the same when it is written and read again. The first byte chooses the reader. Files that words name
+// are not opened: their readers have targets of their own.
+#include <gonio/bake/layout.hpp>
+#include <gonio/bake/texture.hpp>
+#include <gonio/base/kind_text.hpp>
+#include <gonio/base/unit_text.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/color/spectrum.hpp>
+#include <gonio/light/efficacy.hpp>
+#include <gonio/light/light_color.hpp>
+#include <gonio/light/photometric_value.hpp>
+#include <gonio/light/shape.hpp>
+#include <gonio/scene/material.hpp>
+#include <gonio/scene/parameter.hpp>
+#include <gonio/scene/sky.hpp>
+#include <gonio/web/author.hpp>
+
+#include "../../cli/arguments.hpp"
+#include "../../cli/command.hpp"
+#include "../../cli/options/values.hpp"
+#include "../../cli/preview/sweep_axis.hpp"
+#include "check.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace gonio;
+using namespace gonio::fuzz;
+
+constexpr auto alike = [](const auto&, const auto&) { return true; };
+
+// Of a spectrum and its file; what has it in it is left out.
+bool names_spectrum(std::string_view text) {
+    return text.find("spectrum:") != std::string_view::npos;
+}
+
+bool positive(double value) {
+    return value > 0.0 && std::isfinite(value);
+}
+
+bool share(double value) {
+    return value >= 0.0 && value <= 1.0;
+}
+bool share(const glm::dvec3& color) {
+    return share(color.x) && share(color.y) && share(color.z);
+}
+
+struct SoundShape {
+    void operator()(const PointShape&) const {}
+    void operator()(const SpotShape& spot) const {
+        require(spot.inner.value >= 0.0 && spot.inner.value <= spot.outer.value);
+        require(spot.outer.value <= std::numbers::pi / 2.0);
+    }
+    void operator()(const FrustumShape& frustum) const {
+        for (const double angle : {frustum.horizontal.value, frustum.vertical.value})
+            require(angle > 0.0 && angle < std::numbers::pi);
+    }
+    void operator()(const ProfileShape& measured) const { require(!measured.file.empty() && !measured.web); }
+    void operator()(const SphereShape& sphere) const { require(positive(sphere.radius.value)); }
+    void operator()(const DiskShape& disk) const { require(positive(disk.radius.value)); }
+    void operator()(const RectShape& rect) const { require(positive(rect.width.value) && positive(rect.height.value)); }
+    void operator()(const TubeShape& tube) const {
+        require(positive(tube.radius.value) && positive(tube.length.value));
+    }
+    void operator()(const SunShape& sun) const {
+        require(sun.diameter.value > 0.0 && sun.diameter.value <= std::numbers::pi);
+    }
+};
+
+void shape(std::string_view text) {
+    const auto same = [](const Shape& a, const Shape& b) { return a.index() == b.index(); };
+    const Result<Shape> read = read_twice([&] { return parse_shape(text); }, same);
+    if (!read) return;
+    std::visit(SoundShape{}, *read);
+    require(text.starts_with(kind_of(*read)));
+}
+
+struct SoundMaterial {
+    void operator()(const LambertMaterial& m) const { require(share(m.albedo)); }
+    void operator()(const GgxMaterial& m) const { require(share(m.f0) && share(m.alpha)); }
+    void operator()(const KullaContyMaterial& m) const { require(share(m.f0) && share(m.alpha)); }
+    void operator()(const FrostbiteMaterial& m) const {
+        require(share(m.base) && share(m.smoothness) && share(m.metal) && share(m.reflectance));
+    }
+    void operator()(const Ue4Material& m) const {
+        require(share(m.base) && share(m.roughness) && share(m.metallic) && share(m.specular) && share(m.cavity));
+    }
+    void operator()(const BlinnMaterial& m) const {
+        require(share(m.albedo) && share(m.specular) && share(m.smoothness) && share(m.wet));
+    }
+    void operator()(const EonMaterial& m) const { require(share(m.albedo) && share(m.roughness)); }
+};
+
+// "KIND:key=value" and, behind a blank, a parameter to set: "roughness=0.3".
+void material(std::string_view text) {
+    const std::size_t blank = text.find(' ');
+    const auto same = [](const Material& a, const Material& b) { return a.index() == b.index(); };
+    Result<Material> read = read_twice([&] { return parse_material(text.substr(0, blank)); }, same);
+    if (!read) return;
+    std::visit(SoundMaterial{}, *read);
+    if (blank == std::string_view::npos) return;
+    const std::string_view setting = text.substr(blank + 1);
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string_view::npos) return;
+    const Result<bool> set = set_parameter(*read, setting.substr(0, equals), setting.substr(equals + 1));
+    if (!set) require_reason(set.error());
+    std::visit(SoundMaterial{}, *read);
+}
+
+void color(std::string_view text) {
+    if (names_spectrum(text)) return;
+    Diagnostics diagnostics;
+    const auto same = [](const glm::dvec3& a, const glm::dvec3& b) { return a == b; };
+    const Result<glm::dvec3> read = read_twice([&] { return parse_light_color(text, &diagnostics); }, same);
+    for (const Diagnostic& said : diagnostics)
+        require(said.severity != Severity::error && !said.message.empty());
+    if (!read) return;
+    // Of luminance 1, and no channel negative.
+    require(read->x >= 0.0 && read->y >= 0.0 && read->z >= 0.0);
+    require(std::abs(glm::dot(*read, rec709_luminance) - 1.0) < 1e-9);
+}
+
+void photometric_value(std::string_view text) {
+    if (names_spectrum(text)) return;
+    const auto same = [](const PhotometricValue& a, const PhotometricValue& b) {
+        return a.number == b.number && a.unit.unit == b.unit.unit;
+    };
+    const Result<PhotometricValue> read = read_twice([&] { return parse_photometric_value(text); }, same);
+    if (read) {
+        require(std::isfinite(read->number) && read->unit.unit != nullptr);
+        require(!read->unit.distance || positive(read->unit.distance->value));
+        require(!read->unit.efficacy_lm_per_w ||
+                (*read->unit.efficacy_lm_per_w > 0.0 && *read->unit.efficacy_lm_per_w <= 683.002));
+    }
+    static_cast<void>(read_twice([&] { return parse_photometric_unit(text); }, alike));
+    static_cast<void>(read_twice([&] { return parse_efficacy(text); }, alike));
+}
+
+void amount(std::string_view text) {
+    const auto same = [](const Amount& a, const Amount& b) { return a.number == b.number && a.unit == b.unit; };
+    const Result<Amount> read = read_twice([&] { return parse_amount(text); }, same);
+    if (read) {
+        const Result<Amount> again = parse_amount(shortest(read->number) + std::string(read->unit->symbol));
+        require(again.has_value() && same(*read, *again));
+    }
+    for (const Dimension dimension : {Dimension::length, Dimension::angle, Dimension::temperature}) {
+        const Result<double> base = parse_amount(text, dimension, "the value");
+        if (base)
+            require(std::isfinite(*base) && *base == read->in_base_units());
+        else
+            require_reason(base.error());
+    }
+    if (const std::optional<double> number = parse_number(text))
+        require(std::isfinite(*number) && parse_number(shortest(*number)) == number);
+    const Result<Nits> sky = parse_sky(text);
+    if (sky)
+        require(sky->value >= 0.0 && std::isfinite(sky->value));
+    else
+        require_reason(sky.error());
+}
+
+void temperature(std::string_view text) {
+    const auto same = [](Cct a, Cct b) { return a.temperature.value == b.temperature.value && a.duv == b.duv; };
+    if (const Result<Cct> read = read_twice([&] { return parse_cct(text); }, same)) {
+        require(std::isfinite(read->temperature.value) && std::isfinite(read->duv));
+        for (const Locus locus : {Locus::planckian, Locus::daylight, Locus::blend}) {
+            const Result<Uv> at = uv_of(*read, locus);
+            if (!at)
+                require_reason(at.error());
+            else
+                require(std::isfinite(at->u) && std::isfinite(at->v));
+        }
+    }
+    static_cast<void>(read_twice([&] { return parse_tint(text); }, std::equal_to<>()));
+    static_cast<void>(read_twice([&] { return parse_locus(text); }, std::equal_to<>()));
+    const Result<Band> band = read_twice([&] { return parse_band(text); }, alike);
+    if (band) require(band->first_nm < band->last_nm);
+}
+
+void kind_text(std::string_view text) {
+    const auto same = [](const KindText& a, const KindText& b) {
+        return a.kind == b.kind && std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                                              [](const KindText::Entry& x, const KindText::Entry& y) {
+                                                  return x.key == y.key && x.value == y.value;
+                                              });
+    };
+    const Result<KindText> read = read_twice([&] { return parse_kind_text(text); }, same);
+    if (!read) return;
+    require(!read->kind.empty());
+    std::string written = read->kind + ":";
+    for (const KindText::Entry& entry : read->entries) {
+        require(!entry.key.empty());
+        written += entry.key;
+        if (entry.value) written += "=" + *entry.value;
+        written += ",";
+    }
+    written.pop_back();
+    const Result<KindText> again = parse_kind_text(written);
+    require(again.has_value() && same(*read, *again));
+}
+
+void authored_shape(std::string_view text) {
+    const Result<AuthoredShape> read = read_twice([&] { return parse_authored(text); }, alike);
+    if (!read) return;
+    require(read->gamma_end_deg == 90.0 || read->gamma_end_deg == 180.0);
+    AuthorOptions options;
+    options.horizontal_step_deg = 45.0;
+    options.vertical_step_deg = 15.0;
+    const Result<Web> web = authored(*read, options);
+    if (!web)
+        require_reason(web.error());
+    else
+        require(positive(web->candela(0.0, 0.0)) || web->candela(0.0, 0.0) == 0.0);
+}
+
+void option_value(std::string_view text) {
+    const auto same_size = [](cli::PixelSize a, cli::PixelSize b) {
+        return a.width == b.width && a.height == b.height;
+    };
+    if (const Result<cli::PixelSize> size = read_twice([&] { return cli::parse_size(text); }, same_size))
+        require(size->width >= 0 && size->height >= 0);
+    const Result<glm::dvec3> vector = read_twice([&] { return cli::parse_vector(text, "--at"); }, std::equal_to<>());
+    if (vector) {
+        const std::string written = shortest(vector->x) + "," + shortest(vector->y) + "," + shortest(vector->z);
+        const Result<glm::dvec3> again = cli::parse_vector(written, "--at");
+        require(again.has_value() && *again == *vector);
+    }
+    const auto count = read_twice([&] { return cli::whole_number(text, "--samples"); }, std::equal_to<>());
+    if (count) require(cli::whole_number(std::to_string(*count), "--samples") == *count);
+    static_cast<void>(read_twice([&] { return parse_layout(text); }, std::equal_to<>()));
+    static_cast<void>(read_twice([&] { return parse_normalization(text); }, std::equal_to<>()));
+    const auto same_axis = [](const cli::SweepAxis& a, const cli::SweepAxis& b) { return a.values == b.values; };
+    const auto axis = read_twice([&] { return cli::parse_sweep_axis(text); }, same_axis);
+    if (!axis) return;
+    require(!axis->key.empty() && !axis->values.empty() && axis->values.size() <= cli::most_sweep_values);
+    for (std::size_t i = 0; i < axis->values.size(); ++i)
+        require(!axis->label(i).empty());
+}
+
+// The next byte names the command, lines are the words behind it.
+void arguments(std::string_view text) {
+    if (text.empty()) return;
+    const std::span<const cli::Command* const> commands = cli::commands();
+    const cli::Command& command = *commands[take_choice(text, commands.size())];
+    std::vector<std::string> words(1);
+    for (const char c : text) {
+        if (c == '\0') return; // words end there
+        if (c == '\n')
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    std::vector<std::string> options;
+    for (const cli::OptionGroup& group : command.groups)
+        for (const cli::Option& option : group.options)
+            options.emplace_back(cli::spellings(option).back());
+    const auto parse = [&command](std::vector<std::string>& given) {
+        std::vector<char*> pointers;
+        for (std::string& word : given)
+            pointers.push_back(word.data());
+        return cli::Arguments::parse(command, pointers);
+    };
+    const auto same = [&options](const cli::Arguments& a, const cli::Arguments& b) {
+        return a.positional() == b.positional() &&
+               std::all_of(options.begin(), options.end(), [&](const std::string& option) {
+                   return a.has(option) == b.has(option) && a.values(option) == b.values(option);
+               });
+    };
+    const Result<cli::Arguments> read = read_twice([&] { return parse(words); }, same);
+    if (!read) return;
+    // Nothing is made up: positional arguments are words, and values ends of words.
+    for (const std::string& word : read->positional())
+        require(std::find(words.begin(), words.end(), word) != words.end());
+    std::vector<std::string> written;
+    for (const std::string& option : options) {
+        const std::vector<std::string> values = read->values(option);
+        require(values.empty() || read->has(option));
+        if (values.empty() && read->has(option)) written.push_back(option);
+        for (const std::string& value : values) {
+            require(std::any_of(words.begin(), words.end(),
+                                [&](const std::string& word) { return word.ends_with(value); }));
+            if (value.empty()) return; // "--name=" asks for the next word
+            written.push_back(option + "=" + value);
+        }
+    }
+    written.emplace_back("--");
+    written.insert(written.end(), read->positional().begin(), read->positional().end());
+    const Result<cli::Arguments> again = parse(written);
+    require(again.has_value() && same(*read, *again));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::string_view text = as_text(data, size);
+    if (text.empty()) return 0;
+    constexpr std::array readers{shape,       material,  color,          photometric_value, amount,
+                                 temperature, kind_text, authored_shape, option_value,      arguments};
+    readers[take_choice(text, readers.size())](text);
+    return 0;
+}
