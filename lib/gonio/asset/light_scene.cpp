@@ -1,5 +1,6 @@
 #include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/asset/light_scene.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/light/shape_factors.hpp>
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -277,7 +277,7 @@ private:
     Scale scale_;
     SceneContent content_;
     std::vector<std::string> instead_;
-    std::set<std::string> names_;
+    asset_detail::TakenNames names_;
     std::map<std::tuple<const Web*, double, double, double, double>, std::size_t> shared_;
 };
 
@@ -304,9 +304,16 @@ Result<void> check_unit(const Target& target, Meters unit) {
                 "leave --unit-scale out");
 }
 
+Result<void> check_light_count(std::size_t lights) {
+    if (lights <= limit("import-lights").value) return {};
+    return fail(Failure::unsupported,
+                fmt::format("{} lights are more than {}", lights, to_text(limit("import-lights"))), "divide the rig");
+}
+
 Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& target, std::span<const Light> lights,
                                                              const LightSceneOptions& options) {
     if (Result<void> unit = check_unit(target, options.unit); !unit) return pass_on(unit);
+    if (Result<void> fits = check_light_count(lights.size()); !fits) return pass_on(fits);
     SceneBuilder builder(target, options);
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);
