@@ -87,7 +87,8 @@ Result<int> merge_manifests(const Arguments& arguments, Console& console) {
     if (!names) return pass_on(names);
     std::vector<Manifest> manifests;
     for (const std::string& name : *names) {
-        Result<std::string> text = name == "-" ? read_standard_input() : read_file(name);
+        Result<std::string> text =
+            name == "-" ? read_standard_input(limit("manifest-bytes")) : read_file(name, limit("manifest-bytes"));
         if (!text) return pass_on(text);
         Result<Manifest> manifest = read_manifest(*text, name);
         if (!manifest) return pass_on(manifest);

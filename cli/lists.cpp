@@ -4,6 +4,7 @@
 #include <gonio/bake/engine.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/named_methods.hpp>
@@ -37,6 +38,13 @@ namespace gonio::cli {
 namespace {
 
 using Entries = std::vector<ListEntry>;
+
+Entries limits() {
+    Entries entries;
+    for (const Limit& limit : gonio::limits)
+        entries.push_back({std::string(limit.name), fmt::format("{}: {}", amount_of(limit), limit.says)});
+    return entries;
+}
 
 Entries layouts() {
     Entries entries;
@@ -263,6 +271,7 @@ constexpr std::array lists{
     NamedList{"images", "picture formats that are written", images},
     NamedList{"layers", "what a picture of preview can be divided into", layers},
     NamedList{"layouts", "texture layouts of bake", layouts},
+    NamedList{"limits", "the greatest sizes, counts and depths that are taken", limits},
     NamedList{"loci", "curves of colour over temperature", loci},
     NamedList{"looks", "what preview shows of the light", looks},
     NamedList{"materials", "materials of preview and probe", materials},

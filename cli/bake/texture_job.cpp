@@ -3,6 +3,7 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/detail/json_text.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/web/metrics.hpp>
@@ -175,10 +176,10 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
 
 bool is_up_to_date(const TextureJob& job) {
     if (!job.sidecar || job.files.input == "-" || !file_exists(*job.sidecar)) return false;
-    const Result<std::string> sidecar = read_file(*job.sidecar);
+    const Result<std::string> sidecar = read_file(*job.sidecar, limit("record-bytes"));
     const std::optional<TextureRecord> record = sidecar ? read_sidecar(*sidecar) : std::nullopt;
     if (!record || record->recipe != job.recipe) return false;
-    const Result<std::string> input = read_file(job.files.input);
+    const Result<std::string> input = read_file(job.files.input, limit("profile-bytes"));
     return input && sha256(*input) == record->source_sha256 &&
            std::equal(job.pictures.begin(), job.pictures.end(), record->files.begin(), record->files.end(), holds);
 }
@@ -227,7 +228,9 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
     if (request.stats) made.outcome.words = stats_line(job.files.input, *texture, read_ms, bake_ms);
     if (kind != ReportKind::words) {
         made.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.name}, {"up_to_date", false}};
-        made.outcome.report["texture"] = Json::parse(sidecar);
+        Result<Json> texture_report = detail::parse_json(sidecar);
+        if (!texture_report) return pass_on(texture_report);
+        made.outcome.report["texture"] = std::move(*texture_report);
         if (request.stats)
             made.outcome.report["stats"] = {{"texels", texture->texels},
                                             {"evaluated", texture->evaluated},
@@ -256,10 +259,12 @@ Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, Re
         }
     }
     if (kind != ReportKind::words) {
-        Result<std::string> sidecar = read_file(*job.sidecar);
+        Result<std::string> sidecar = read_file(*job.sidecar, limit("record-bytes"));
         if (!sidecar) return pass_on(sidecar);
+        Result<Json> texture_report = detail::parse_json(*sidecar, *job.sidecar);
+        if (!texture_report) return pass_on(texture_report);
         found.outcome.report = {{"schema", "gonio.bake/1"}, {"output", job.files.name}, {"up_to_date", true}};
-        found.outcome.report["texture"] = Json::parse(*sidecar);
+        found.outcome.report["texture"] = std::move(*texture_report);
         found.outcome.report["diagnostics"] = Json::array();
     }
     return found;

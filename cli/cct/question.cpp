@@ -2,6 +2,7 @@
 
 #include <gonio/base/atomic_file.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/media/color_space.hpp>
@@ -18,7 +19,7 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::size_t most_steps = 100000;
+constexpr std::size_t most_steps = limit("cct-steps").value;
 
 Result<std::vector<double>> numbers(std::string_view text, std::size_t count, std::string_view what,
                                     std::string_view example) {
@@ -232,7 +233,7 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
         return fail(Failure::usage, fmt::format("the range '{}' does not ascend", word),
                     "a range is FROM:TO:STEP, for example 2000K:10000K:100K");
     if (count > static_cast<double>(most_steps))
-        return fail(Failure::usage, fmt::format("the range '{}' has more than {} steps", word, most_steps));
+        return fail(Failure::usage, fmt::format("the range '{}' has more than {}", word, to_text(limit("cct-steps"))));
     std::vector<std::string> values;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i)
         values.push_back(fmt::format("{}K", rounded(*from + static_cast<double>(i) * *step, 15)));
@@ -310,7 +311,7 @@ Result<std::vector<CctAnswer>> answer_spectrum(const std::string& text, const Cc
         return fail(Failure::usage, fmt::format("'{}' has a Duv of its own", text), "leave --duv and --tint out");
     Result<std::vector<Spectrum>> spectra = std::vector<Spectrum>();
     if (text == "-") {
-        Result<std::string> bytes = read_standard_input();
+        Result<std::string> bytes = read_standard_input(limit("spectrum-bytes"));
         if (!bytes) return pass_on(bytes);
         spectra = parse_spectra(*bytes, "-");
     } else {

@@ -1,5 +1,6 @@
 #include "strip.hpp"
 
+#include <gonio/base/picture_size.hpp>
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/plot/stroke_font.hpp>
@@ -67,6 +68,8 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
     for (const CctAnswer& answer : answers)
         if (1 + answer.versus.size() != rows || (rows > 1 && !answer.versus.front().of_color))
             return fail(Failure::usage, "--versus in a picture compares colours of temperatures only");
+    if (Result<void> fits = check_picture_size(size.width, size.height + strip_scale_px(size)); !fits)
+        return pass_on(fits);
     const auto width = static_cast<std::size_t>(size.width);
     const auto height = static_cast<std::size_t>(size.height);
     if (size.width < 1 || size.height < 1 || width < answers.size() || height < 2 * rows)

@@ -137,7 +137,8 @@ int run(const Arguments& arguments, Console& console) {
     const int status = run_batch({*files, "gonio.check/1", "checked", *threads}, kind, console, [&](std::size_t index) {
         const std::string& file = (*files)[index];
         Outcome outcome;
-        Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+        Result<std::string> bytes =
+            file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));
         if (!bytes) {
             outcome.error = std::move(bytes.error());
             return outcome;

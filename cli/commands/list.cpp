@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/text.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -16,10 +17,37 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array groups{json_group, common_group};
-constexpr std::array examples{Example{"gonio list shapes", "the shapes that --shape takes"}};
+constexpr std::array list_options{
+    Option{"--markdown", "", "as a page of documentation"},
+};
+constexpr std::array groups{OptionGroup{"output", list_options}, json_group, common_group};
+constexpr std::array examples{Example{"gonio list shapes", "the shapes that --shape takes"},
+                              Example{"gonio list limits --markdown > LIMITS.md", "a list as a page"}};
+
+std::string in_a_cell(std::string_view text) {
+    std::string cell;
+    for (const char c : text)
+        cell += c == '|' ? std::string("\\|") : std::string(1, c);
+    return cell;
+}
+
+std::string markdown(const NamedList& list, const std::vector<ListEntry>& entries) {
+    std::string title(list.summary);
+    title.front() = to_upper(title.front());
+    std::string page = fmt::format("# {}\n\nWritten by `gonio list {} --markdown`; a test compares.\n\n| name | what "
+                                   "it is |\n|---|---|\n",
+                                   title, list.name);
+    for (const ListEntry& entry : entries)
+        page += fmt::format("| `{}` | {} |\n", in_a_cell(entry.name), in_a_cell(entry.says));
+    return page;
+}
 
 int run(const Arguments& arguments, Console& console) {
+    const bool json = arguments.has("--json") || arguments.has("--jsonl");
+    if (arguments.has("--markdown") && (json || arguments.positional().empty()))
+        return console.fail(fail(Failure::usage, "--markdown is a page of one list, and takes no other form",
+                                 "for example: gonio list limits --markdown")
+                                .value());
     if (arguments.positional().empty()) {
         for (const NamedList& list : named_lists())
             console.print(fmt::format("{:<16}{}\n", list.name, list.summary));
@@ -34,12 +62,16 @@ int run(const Arguments& arguments, Console& console) {
         return console.fail(unknown_name("list", name, names).value());
     }
     const std::vector<ListEntry> entries = list->entries();
-    if (arguments.has("--json") || arguments.has("--jsonl")) {
-        Json json{{"schema", "gonio.list/1"}, {"list", list->name}, {"entries", Json::array()}};
+    if (arguments.has("--markdown")) {
+        console.print(markdown(*list, entries));
+        return 0;
+    }
+    if (json) {
+        Json report{{"schema", "gonio.list/1"}, {"list", list->name}, {"entries", Json::array()}};
         for (const ListEntry& entry : entries)
-            json["entries"].push_back({{"name", entry.name}, {"summary", entry.says}});
-        json["diagnostics"] = Json::array();
-        console.print(dump(json, arguments.has("--jsonl") ? -1 : 2));
+            report["entries"].push_back({{"name", entry.name}, {"summary", entry.says}});
+        report["diagnostics"] = Json::array();
+        console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
         return 0;
     }
     std::size_t width = 0;

@@ -185,7 +185,8 @@ Result<Web> web_for(const Arguments& arguments, const std::string& shape, double
                 return fail(Failure::usage, fmt::format("{} has no meaning for a table that lists its angles", option));
         const std::string file = shape.substr(4);
         if (Result<void> free = check_outputs({&file, 1}, {&output, 1}); !free) return pass_on(free);
-        Result<std::string> text = file == "-" ? read_standard_input() : read_file(file);
+        Result<std::string> text =
+            file == "-" ? read_standard_input(limit("table-bytes")) : read_file(file, limit("table-bytes"));
         if (!text) return pass_on(text);
         Result<Web> web = web_from_csv(*text, file);
         if (!web || !arguments.has("--lumens")) return web;

@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/picture_size.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/raster.hpp>
@@ -48,8 +49,6 @@ constexpr std::array examples{
             "where lights with a size leave the inverse square"},
     Example{"gonio plot catalogue -O diagrams", "one diagram for each profile below a folder"},
 };
-
-constexpr int most_picture_px = 8192;
 
 struct Request {
     const DiagramKind* diagram = nullptr;
@@ -138,12 +137,9 @@ Result<void> read_format(const Arguments& arguments, Request& request) {
     if (!has_pixel(**format, media::Pixel::uint8))
         return fail(Failure::usage, fmt::format("{} holds light, not diagrams", (*format)->title),
                     "write .svg, .png, .tif or .jpg");
-    for (const int side : {request.plot.width_px, request.plot.height_px})
-        if (side > most_picture_px)
-            return fail(Failure::usage,
-                        fmt::format("a diagram as a picture may have up to {} pixels a side, not {}x{}",
-                                    most_picture_px, request.plot.width_px, request.plot.height_px),
-                        "SVG has no pixels: use a smaller -s with it");
+    Result<void> fits = check_picture_size(request.plot.width_px, request.plot.height_px);
+    if (!fits) error_hint(fits.error(), "use a smaller -s, or write .svg, which has no pixels");
+    if (!fits) return fits;
     request.format = *format;
     return {};
 }

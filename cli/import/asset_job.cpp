@@ -4,6 +4,7 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file_scope.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/scene/rig.hpp>
 
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -72,17 +72,12 @@ Result<Content> content_of_profile(const Source& source, const ImportRequest& re
     return content;
 }
 
-// Of a rig's bytes, the colours that it resolves to and the bytes of the profiles and masks that it names.
+// Of a rig's bytes, the colours that it resolves to and the bytes of all files that it names.
 Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
     std::string all = sha256(bytes);
-    std::set<std::string> files;
-    for (const LightDescription& light : rig.lights) {
+    for (const LightDescription& light : rig.lights)
         all += fmt::format(" {} {} {}", light.color.x, light.color.y, light.color.z);
-        if (const auto* profile = std::get_if<ProfileShape>(&light.shape)) files.insert(profile->file);
-        if (const Mask mask = mask_of(light.shape); mask.file != nullptr && !mask.file->empty())
-            files.insert(*mask.file);
-    }
-    for (const std::string& file : files) {
+    for (const std::string& file : rig.files) {
         Result<ManifestFile> hash = hashed(file);
         if (!hash) return pass_on(hash);
         all += " " + hash->sha256;
@@ -110,17 +105,16 @@ Result<Rig> rig_of(const std::string& file, const std::string& bytes, const Impo
     if (changed)
         return fail(Failure::usage, "a rig's lights have their own amount, colour and turn",
                     "leave --flux, --color and --rotate out", file);
-    const std::size_t slash = file.rfind('/');
-    const std::string folder =
-        slash == std::string::npos ? std::string() : file.substr(0, std::max<std::size_t>(slash, 1));
-    Result<Rig> rig = read_rig(bytes, file, folder);
+    Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
     if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
+    if (Result<void> fits = check_light_count(rig->lights.size()); !fits) return pass_on(fits);
     return rig;
 }
 
 Result<Source> read_source(const std::string& file, const ImportRequest& request) {
-    Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+    Result<std::string> bytes =
+        file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("rig-bytes"));
     if (!bytes) return pass_on(bytes);
     Source source{asset_name(file), {file, {}}, std::move(*bytes), {}};
     if (file == "-" || !is_rig(source.bytes)) {
@@ -167,7 +161,7 @@ std::optional<Written> found(const Source& source, const Target& target, const I
     const std::string folder = folder_of(request, target) + "/";
     const std::string record_file = folder + asset_record_name(source.name);
     if (!request.update || source.input.file == "-" || !file_exists(record_file)) return std::nullopt;
-    const Result<std::string> text = read_file(record_file);
+    const Result<std::string> text = read_file(record_file, limit("record-bytes"));
     std::optional<AssetRecord> record = text ? read_asset_record(*text) : std::nullopt;
     if (!record || record->recipe != recipe_of(request) || record->source_sha256 != source.input.sha256)
         return std::nullopt;

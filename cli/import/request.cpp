@@ -8,6 +8,7 @@
 #include <gonio/light/light_color.hpp>
 
 #include "../options/light_input.hpp"
+#include "../options/rig_input.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
@@ -94,6 +95,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     request.input = *input;
+    request.rig = rig_read_options(arguments);
     request.overwrite = arguments.has("--overwrite");
     request.update = arguments.has("--update");
     return request;

@@ -4,6 +4,7 @@
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/scene/rig.hpp>
 
 #include "../arguments.hpp"
 #include "../catalogue.hpp"
@@ -26,6 +27,7 @@ inline constexpr std::array import_options{
         "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (a profile's spectrum or colour temperature)"},
     Option{"--rotate", "ANGLE", "turn a profile's light about its axis, C0 towards C90 (0deg)"},
     Option{"--unit-scale", "UNIT", "length of a scene's unit: mm, cm, m, in, ft or 2.5cm (m, or the target's own)"},
+    Option{"--allow-outside", "", "let rigs name files outside their folder, and pipes"},
     Option{"-u,--update", "", "only what is out of date: of other bytes or options than what is there"},
     Option{"--overwrite", "", "replace what exists"},
     Option{"-n,--dry-run", "", "say what would be written, write nothing"},
@@ -39,6 +41,7 @@ struct ImportRequest {
     MeasuredLightOptions light;
     Meters unit{1.0};
     ProfileInputOptions input;
+    RigReadOptions rig;
     Catalogue catalogue;
     bool overwrite = false;
     bool update = false;

@@ -81,8 +81,9 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
     return columns;
 }
 
+// Unless the text is `known` to be a table of points it may be any file, of which nothing is to be told.
 Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& columns, const std::string& source,
-                          std::uint32_t line, const glm::dvec3& default_normal) {
+                          std::uint32_t line, const glm::dvec3& default_normal, bool known) {
     if (!columns.named && fields.size() != 3 && fields.size() != 6)
         return malformed(source, line, 1, fmt::format("{} values where 3 or 6 are wanted", fields.size()),
                          "write x,y,z or x,y,z,nx,ny,nz");
@@ -93,7 +94,10 @@ Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& colum
             return malformed(source, line, 1, fmt::format("there is no value for '{}'", column_names[c]));
         const Field& field = fields[columns.at[c]];
         const std::optional<double> number = parse_number(field.text);
-        if (!number) return malformed(source, line, field.column, fmt::format("'{}' is no number", field.text));
+        if (!number)
+            return malformed(source, line, field.column,
+                             known ? fmt::format("'{}' is no number", field.text) : "not a table of points",
+                             known ? "" : "write x,y,z or x,y,z,nx,ny,nz");
         values[c] = *number;
     }
     const Receiver receiver{{values[0], values[1], values[2]},
@@ -129,8 +133,10 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     }
     if (size->width < 1 || size->height < 1 ||
         static_cast<std::size_t>(size->width) > max_points / static_cast<std::size_t>(size->height))
-        return fail(Failure::usage, fmt::format("a grid of {} points is out of range", parts[3]),
-                    fmt::format("it may have 1 to {}", max_points));
+        return fail(
+            Failure::usage,
+            fmt::format("a grid of {} points is out of range: it may have 1 to {}", parts[3], to_text(limit("points"))),
+            std::string(limits_hint));
     const auto& [corner, u, v] = vectors;
     const std::optional<glm::dvec3> upright = unit_vector(glm::cross(u, v));
     if (!normal && !upright)
@@ -168,10 +174,12 @@ Result<std::vector<Receiver>> parse_points(std::string_view text, const std::str
             columns = *header;
             continue;
         }
-        Result<Receiver> receiver = read_row(fields, columns, source, line, default_normal);
+        Result<Receiver> receiver =
+            read_row(fields, columns, source, line, default_normal, columns.named || !receivers.empty());
         if (!receiver) return pass_on(receiver);
         if (receivers.size() == max_points)
-            return malformed(source, line, 1, fmt::format("there are more than {} points", max_points));
+            return malformed(source, line, 1, fmt::format("there are more than {}", to_text(limit("points"))),
+                             std::string(limits_hint));
         receivers.push_back(*receiver);
     }
     if (receivers.empty()) return malformed(source, 0, 0, "there are no points in it");
@@ -205,7 +213,8 @@ Result<Points> points_input(const Arguments& arguments) {
 
     Points points;
     if (file) {
-        Result<std::string> text = *file == "-" ? read_standard_input() : read_file(*file);
+        Result<std::string> text =
+            *file == "-" ? read_standard_input(limit("table-bytes")) : read_file(*file, limit("table-bytes"));
         if (!text) return pass_on(text);
         Result<std::vector<Receiver>> receivers = parse_points(*text, *file, default_normal);
         if (!receivers) return pass_on(receivers);

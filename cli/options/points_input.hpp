@@ -1,6 +1,7 @@
 // The points that a command probes: named one by one, from a table, or on a grid.
 #pragma once
 
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/scene/probe.hpp>
 
@@ -24,7 +25,7 @@ inline constexpr std::array points_options{
 inline constexpr OptionGroup points_group{"points", points_options};
 
 // At most this many points of one run.
-inline constexpr std::size_t max_points = std::size_t{1} << 24;
+inline constexpr std::size_t max_points = limit("points").value;
 
 struct GridSize {
     int across = 0; // along U

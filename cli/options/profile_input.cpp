@@ -45,7 +45,8 @@ Result<void> add_input(const std::string& name, std::vector<std::string>& files)
 }
 
 Result<void> add_list(const std::string& list, std::vector<std::string>& files) {
-    Result<std::string> names = list == "-" ? read_standard_input() : read_file(list);
+    Result<std::string> names =
+        list == "-" ? read_standard_input(limit("list-bytes")) : read_file(list, limit("list-bytes"));
     if (!names) return pass_on(names);
     std::string_view rest = *names;
     while (!rest.empty()) {
@@ -121,12 +122,16 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
 }
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options) {
-    Result<std::string> bytes = file == "-" ? read_standard_input() : read_file(file);
+    Result<std::string> bytes =
+        file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("profile-bytes"));
     if (!bytes) return pass_on(bytes);
     return load_bytes(std::move(*bytes), file, options);
 }
 
 Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options) {
+    if (bytes.size() > limit("profile-bytes").value)
+        return fail(Failure::io, fmt::format("larger than {}", to_text(limit("profile-bytes"))),
+                    std::string(limits_hint), file);
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);
     Result<Profile> profile = read_profile(bytes, file, read);

@@ -8,6 +8,10 @@
 
 namespace gonio::cli {
 
+RigReadOptions rig_read_options(const Arguments& arguments) {
+    return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
+}
+
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement,
                                  Diagnostics& diagnostics) {
     LightsInput input;
@@ -27,7 +31,7 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     if (!arguments.positional().empty())
         return fail(Failure::usage, "--rig and a profile are both given", "name the profile in the rig");
     input.rig_file = *rig_file;
-    Result<Rig> rig = read_rig_file(*rig_file);
+    Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
     if (!rig) return pass_on(rig);
     input.rig = std::move(*rig);
     input.files = {*rig_file};

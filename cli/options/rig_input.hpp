@@ -19,7 +19,11 @@ namespace gonio::cli {
 
 inline constexpr std::array rig_options{
     Option{"--rig", "RIG", "lights from a rig file (JSON), '-' for standard input"},
+    Option{"--allow-outside", "", "let the rig name files outside its folder, and pipes"},
 };
+
+// What a rig may name. `arguments` must be of a command that has --allow-outside.
+RigReadOptions rig_read_options(const Arguments& arguments);
 
 struct LightsInput {
     std::string rig_file; // empty: one light by options

@@ -1,5 +1,6 @@
 #include "compare.hpp"
 
+#include <gonio/base/limits.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/measure/picture_error.hpp>
 #include <gonio/media/layers.hpp>
@@ -30,7 +31,7 @@ namespace {
 constexpr PixelSize usual_size{320, 240};
 constexpr int columns = 3; // the first method, another one, their difference
 constexpr std::size_t ramp_colors = 129;
-constexpr std::size_t most_methods = 8;
+constexpr std::size_t most_methods = limit("compared-methods").value;
 
 struct Compared {
     IrradianceMethod method = IrradianceMethod::exact;
@@ -273,8 +274,8 @@ Result<void> fits_comparison(const Arguments& arguments, const PreviewRequest& r
     if (request.exposure.tone_map == ToneMap::ue3_inverse)
         return fail(Failure::usage, "a comparison has no use for --tone-map ue3-inverse", "leave it out");
     if (request.compared.size() > most_methods)
-        return fail(Failure::usage, fmt::format("{} methods are more than the {} of a comparison",
-                                                request.compared.size(), most_methods));
+        return fail(Failure::usage, fmt::format("{} methods are more than {}", request.compared.size(),
+                                                to_text(limit("compared-methods"))));
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "contact_sheet.hpp"
 
+#include <gonio/base/picture_size.hpp>
 #include <gonio/plot/raster.hpp>
 
 #include "../options/output.hpp"
@@ -13,12 +14,7 @@
 
 namespace gonio::cli {
 
-namespace {
-
-constexpr int most_side_px = 16384;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 26;
-
-} // namespace
+namespace {} // namespace
 
 Result<void> no_sheet_options(const Arguments& arguments) {
     for (const Option& option : contact_sheet_options)
@@ -53,13 +49,10 @@ Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hin
 
 Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what) {
     const SheetLayout layout = layout_of(tiles, options);
-    if (layout.width_px <= most_side_px && layout.height_px <= most_side_px &&
-        std::int64_t{layout.width_px} * layout.height_px <= most_pixels)
-        return {};
-    return fail(Failure::usage,
-                fmt::format("{} {} make a sheet of {}x{} pixels, which is too large", tiles, what, layout.width_px,
-                            layout.height_px),
-                "use a smaller -s, or make several sheets");
+    Result<void> fits = check_picture_size(layout.width_px, layout.height_px, limit("picture-side"),
+                                           fmt::format("{} {}: a sheet", tiles, what));
+    if (!fits) error_hint(fits.error(), "use a smaller -s, or make several sheets");
+    return fits;
 }
 
 Result<void> develop_tiles(std::vector<SheetTile>& tiles, const PreviewRequest& request, const Console& console) {

@@ -106,7 +106,8 @@ private:
             return wrong(begin, fmt::format("'{}' is one value", axis_.values.front()),
                          "write FROM:TO:COUNT, for example 1:5:9, or two values and more with commas");
         if (axis_.values.size() > most_sweep_values)
-            return wrong(begin, fmt::format("{} values are more than {}", axis_.values.size(), most_sweep_values));
+            return wrong(
+                begin, fmt::format("{} values are more than {}", axis_.values.size(), to_text(limit("sweep-values"))));
         return {};
     }
 
@@ -179,7 +180,7 @@ private:
         if ((error != std::errc() && error != std::errc::result_out_of_range) || end != text.data() + text.size())
             return wrong(at, fmt::format("'{}' is no count of values", text), "write FROM:TO:COUNT");
         if (error != std::errc() || count < 2 || count > most_sweep_values)
-            return wrong(at, fmt::format("a sweep has 2 to {} values, not {}", most_sweep_values, text));
+            return wrong(at, fmt::format("a sweep has 2 to {}, not {}", to_text(limit("sweep-values")), text));
         return count;
     }
 

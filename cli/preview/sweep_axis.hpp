@@ -1,6 +1,7 @@
 // What --sweep says: a parameter and the values that it takes, one after the other.
 #pragma once
 
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 
 namespace gonio::cli {
 
-inline constexpr std::size_t most_sweep_values = 1024;
+inline constexpr std::size_t most_sweep_values = limit("sweep-values").value;
 
 struct SweepAxis {
     std::string text;                // as given

@@ -1,6 +1,7 @@
 #include "sweeper.hpp"
 
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/plot/look.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/scene/parameter.hpp>
@@ -20,7 +21,7 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::size_t most_cells = 1024;
+constexpr std::size_t most_cells = limit("sweep-pictures").value;
 
 // The lights whose name is asked for, or all.
 Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<LightDescription>& lights,
@@ -160,8 +161,10 @@ Result<Sweep> read_sweep(const Arguments& arguments) {
         return fail(Failure::usage, fmt::format("{} sweeps are given", sweep.axes.size()),
                     "one makes a row, two make rows and columns");
     if (sweep.cells() > most_cells)
-        return fail(Failure::usage, fmt::format("the sweeps make {} pictures, more than {}", sweep.cells(), most_cells),
-                    "ask for fewer values");
+        return fail(
+            Failure::usage,
+            fmt::format("the sweeps make {} pictures, more than {}", sweep.cells(), to_text(limit("sweep-pictures"))),
+            "ask for fewer values");
     return sweep;
 }
 

@@ -1,5 +1,6 @@
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/detail/file_record_json.hpp>
+#include <gonio/base/detail/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ std::string asset_record_json(const AssetRecord& record) {
 }
 
 std::optional<AssetRecord> read_asset_record(std::string_view text) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = detail::parse_json(text).value_or(Json());
     const auto member = [](const Json& object, const char* key) {
         const auto found = object.is_object() ? object.find(key) : object.end();
         return object.is_object() && found != object.end() ? *found : Json();

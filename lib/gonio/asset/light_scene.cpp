@@ -1,6 +1,7 @@
 #include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/amount_range.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/light/shape_factors.hpp>
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -278,7 +278,7 @@ private:
     Scale scale_;
     SceneContent content_;
     std::vector<std::string> instead_;
-    std::set<std::string> names_;
+    asset_detail::TakenNames names_;
     std::map<std::tuple<const Web*, double, double, double, double>, std::size_t> shared_;
 };
 
@@ -311,9 +311,16 @@ Result<void> check_unit(const Target& target, Meters unit) {
                 "leave --unit-scale out");
 }
 
+Result<void> check_light_count(std::size_t lights) {
+    if (lights <= limit("import-lights").value) return {};
+    return fail(Failure::unsupported,
+                fmt::format("{} lights are more than {}", lights, to_text(limit("import-lights"))), "divide the rig");
+}
+
 Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& target, std::span<const Light> lights,
                                                              const LightSceneOptions& options) {
     if (Result<void> unit = check_unit(target, options.unit); !unit) return pass_on(unit);
+    if (Result<void> fits = check_light_count(lights.size()); !fits) return pass_on(fits);
     SceneBuilder builder(target, options);
     for (const Light& light : lights)
         if (const glm::dvec3& at = light.frame.origin;

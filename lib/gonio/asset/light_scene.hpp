@@ -16,6 +16,7 @@
 #include <gonio/asset/target.hpp>
 #include <gonio/light/light.hpp>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,11 +35,15 @@ struct LightSceneOptions {
 };
 
 // Files are named NAME.…, those of the profiles NAME.LIGHT.…; lights of the same profile, amount and colour share one.
-// Fails (unsupported) when a light cannot be said to the target at all, (usage) as check_unit() does.
+// Fails (unsupported) when a light cannot be said to the target at all and as check_light_count() does, (usage) as
+// check_unit() does.
 Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 
 // A luminaire alone, at the origin and shining down, C0 along +X.
 Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit = Meters(1.0));
+
+// Fails (unsupported) on more lights than the limit import-lights: what asks before it resolves them saves the work.
+Result<void> check_light_count(std::size_t lights);
 
 // Fails (usage) where the target's lengths are fixed, and not this one.
 Result<void> check_unit(const Target& target, Meters unit);

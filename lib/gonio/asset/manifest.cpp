@@ -1,8 +1,8 @@
 #include <gonio/asset/manifest.hpp>
+#include <gonio/base/detail/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace gonio {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = detail::OrderedJson;
 
 Json to_json(const ManifestFile& file) {
     return {{"file", file.file}, {"sha256", file.sha256}};
@@ -80,12 +80,21 @@ std::string manifest_json(const Manifest& manifest) {
 }
 
 Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object()) return fail(Failure::malformed, "no manifest: not a JSON object", {}, name);
+    const Result<Json> parsed = detail::parse_json(text, name);
+    if (!parsed) return Unexpected(parsed.error());
+    const Json& json = *parsed;
+    if (!json.is_object()) {
+        Error error = fail(Failure::malformed, "not a manifest: it is not a JSON object", {}, name).value();
+        error.diagnostics.back().location = detail::location_in(text, text.find_first_not_of(" \t\r\n"), name);
+        return Unexpected(std::move(error));
+    }
     Reader reader(name);
     const std::string schema = reader.text(json, "schema");
     if (!schema.empty() && schema != "gonio.manifest/1")
-        return fail(Failure::unsupported, fmt::format("the schema is '{}', not gonio.manifest/1", schema), {}, name);
+        return fail(Failure::unsupported,
+                    schema.starts_with("gonio.") ? fmt::format("the schema is '{}', not gonio.manifest/1", schema)
+                                                 : "the schema is not gonio.manifest/1",
+                    {}, name);
     Manifest manifest;
     manifest.recipe = reader.text(json, "recipe");
     manifest.inputs = reader.count(json, "inputs");

@@ -140,14 +140,17 @@ Frame frame_of(const Capsule& capsule) {
     return aimed_frame(capsule.center, -capsule.axis, {0.0, 1.0, 0.0});
 }
 
-std::string unique_name(std::string_view name, std::set<std::string>& taken) {
+std::string unique_name(std::string_view name, TakenNames& taken) {
     std::string plain;
     for (const char c : name)
         plain += (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ? c : '_';
     if (plain.empty()) plain = "light";
     std::string free = plain;
-    for (int n = 2; !taken.insert(free).second; ++n)
-        free = plain + "_" + std::to_string(n);
+    int& number = taken.last_number[plain];
+    while (!taken.names.insert(free).second) {
+        number = std::max(number + 1, 2);
+        free = plain + "_" + std::to_string(number);
+    }
     return free;
 }
 

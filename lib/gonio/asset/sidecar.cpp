@@ -1,5 +1,6 @@
 #include <gonio/asset/detail/file_record_json.hpp>
 #include <gonio/asset/sidecar.hpp>
+#include <gonio/base/detail/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <nlohmann/json.hpp>
@@ -68,13 +69,13 @@ std::string texture_sidecar(const Texture& texture, const TextureSource& source,
 
 std::vector<SidecarField> sidecar_fields(std::string_view sidecar) {
     std::vector<SidecarField> fields;
-    const Json json = Json::parse(sidecar, nullptr, false);
+    const Json json = detail::parse_json(sidecar).value_or(Json());
     if (json.is_object()) add_fields(json, "", fields);
     return fields;
 }
 
 std::optional<TextureRecord> read_sidecar(std::string_view json) {
-    const Json sidecar = Json::parse(json, nullptr, false);
+    const Json sidecar = detail::parse_json(json).value_or(Json());
     const auto text = [](const Json& in, const char* key) {
         const auto found = in.find(key);
         return found != in.end() && found->is_string() ? found->get<std::string>() : std::string();

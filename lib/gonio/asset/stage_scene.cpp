@@ -49,7 +49,7 @@ SceneCamera scene_camera(const Camera& camera, int width, int height) {
 
 class StageBuilder {
 public:
-    StageBuilder(const glm::dvec3& eye, std::set<std::string>& names, std::vector<std::string>& instead)
+    StageBuilder(const glm::dvec3& eye, asset_detail::TakenNames& names, std::vector<std::string>& instead)
         : eye_(eye), names_(names), instead_(instead) {}
 
     void add(const Surface& surface) {
@@ -84,7 +84,7 @@ private:
     }
 
     glm::dvec3 eye_;
-    std::set<std::string>& names_;
+    asset_detail::TakenNames& names_;
     std::vector<std::string>& instead_;
     SceneStage stage_;
     std::vector<std::string> sources_; // of each material, the surfaces' name
@@ -111,9 +111,9 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     const Target& target = **find_target(format.target);
     Result<BuiltScene> built = scene_content(target, lights, {options.name, options.description, Meters(1.0)});
     if (!built) return pass_on(built);
-    std::set<std::string> names;
+    asset_detail::TakenNames names;
     for (const SceneLight& light : built->content.lights)
-        names.insert(light.name);
+        names.names.insert(light.name);
     StageBuilder builder(camera.position, names, built->instead);
     for (const Surface& surface : stage.surfaces)
         builder.add(surface);

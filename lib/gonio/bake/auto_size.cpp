@@ -1,4 +1,5 @@
 #include <gonio/bake/bake.hpp>
+#include <gonio/base/limits.hpp>
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@ namespace gonio {
 namespace {
 
 constexpr int least_side = 4;
-constexpr int greatest_side = 4096;
+constexpr int greatest_side = static_cast<int>(limit("auto-texture-side").value);
 
 // `side` is what the layout's shape is counted in: a face of a cube, the height of a map of the sphere.
 TextureSize size_of(const BakeOptions& options, int side) {

@@ -4,6 +4,7 @@
 #include <gonio/bake/point_fill.hpp>
 #include <gonio/bake/texel_store.hpp>
 #include <gonio/base/parallel.hpp>
+#include <gonio/base/picture_size.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
@@ -142,13 +143,10 @@ TextureSize usual_size(Layout layout) {
 }
 
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
-    const bool size_fits = options.width >= 1 && options.height >= 1 && options.width <= max_texture_size &&
-                           options.height <= max_texture_size &&
-                           std::int64_t{options.width} * options.height <= (std::int64_t{1} << 28);
-    if (!size_fits)
-        return fail(Failure::usage,
-                    fmt::format("a texture of {}x{} texels is out of range", options.width, options.height),
-                    fmt::format("each side may have 1 to {} texels, both together 2^28", max_texture_size));
+    if (Result<void> fits =
+            check_picture_size(options.width, options.height, limit("texture-side"), "a texture", "texels");
+        !fits)
+        return pass_on(fits);
     Result<std::vector<PlacedChart>> charts = charts_of(options.layout, options.width, options.height, options.chart);
     if (!charts) return pass_on(charts);
     Result<double> unit = unit_of(web, options.normalization);

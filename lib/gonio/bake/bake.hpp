@@ -4,12 +4,13 @@
 
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/web/web.hpp>
 
 namespace gonio {
 
 // Greatest width and height of a texture.
-inline constexpr int max_texture_size = 32768;
+inline constexpr int max_texture_size = static_cast<int>(limit("texture-side").value);
 
 struct BakeOptions {
     Layout layout = Layout::latlong;
@@ -38,8 +39,8 @@ Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candel
 
 // Negative means are stored as 0. latlong and v180 of a type C web are closed forms (gonio/bake/latlong.hpp); the
 // others are line integrals around each texel (gonio/bake/texel_flux.hpp), 1 to 2 µs each. Fails (usage) on a size
-// outside [1, max_texture_size] or of more than 2²⁸ texels or that the layout cannot have, and on a normalization by
-// something that is not greater than 0.
+// outside [1, max_texture_size] or of more texels than the limit picture-pixels or that the layout cannot have, and on
+// a normalization by something that is not greater than 0.
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options);
 
 } // namespace gonio

@@ -27,7 +27,7 @@ Result<void> check_readable(int fd, const std::string& path) {
     return {};
 }
 
-Result<std::string> read_all(int fd, const std::string& name, std::size_t max_bytes) {
+Result<std::string> read_all(int fd, const std::string& name, const Limit& most) {
     std::string bytes;
     std::size_t used = 0;
     std::size_t step = std::size_t{64} << 10;
@@ -43,9 +43,8 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
         }
         if (got == 0) break;
         used += static_cast<std::size_t>(got);
-        if (used > max_bytes)
-            return fail(Failure::io, fmt::format("more than {} MiB", max_bytes >> 20), "this is no photometric file",
-                        name);
+        if (used > most.value)
+            return fail(Failure::io, fmt::format("larger than {}", to_text(most)), std::string(limits_hint), name);
     }
     bytes.resize(used);
     return bytes;
@@ -53,10 +52,10 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
 
 } // namespace
 
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+Result<std::string> read_file(const std::string& path, const Limit& most) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (Result<void> readable = check_readable(file.get(), path); !readable) return pass_on(readable);
-    return read_all(file.get(), path, max_bytes);
+    return read_all(file.get(), path, most);
 }
 
 Result<std::string> read_file_start(const std::string& path, std::size_t count) {
@@ -75,8 +74,8 @@ Result<std::string> read_file_start(const std::string& path, std::size_t count) 
     return bytes;
 }
 
-Result<std::string> read_standard_input(std::size_t max_bytes) {
-    return read_all(STDIN_FILENO, "-", max_bytes);
+Result<std::string> read_standard_input(const Limit& most) {
+    return read_all(STDIN_FILENO, "-", most);
 }
 
 Result<void> write_standard_output(std::string_view bytes) {

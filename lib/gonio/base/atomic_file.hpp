@@ -2,6 +2,7 @@
 // file_set.hpp, which writes.
 #pragma once
 
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 
 #include <cstddef>
@@ -10,18 +11,15 @@
 
 namespace gonio {
 
-// What one file may take up in memory; no profile, rig or table comes near it.
-inline constexpr std::size_t max_file_bytes = std::size_t{256} << 20;
-
 // The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, on what cannot be opened or read,
-// and on more than `max_bytes`: never allocates what a size announces before it has been read.
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes = max_file_bytes);
+// and on more bytes than the limit: never allocates what a size announces before it has been read.
+Result<std::string> read_file(const std::string& path, const Limit& most = limit("file-bytes"));
 
 // The first `count` bytes of a file, or as many as it has. Fails as read_file does.
 Result<std::string> read_file_start(const std::string& path, std::size_t count);
 
 // As read_file, from standard input.
-Result<std::string> read_standard_input(std::size_t max_bytes = max_file_bytes);
+Result<std::string> read_standard_input(const Limit& most = limit("file-bytes"));
 
 // Writes to standard output, all or an error. SIGPIPE keeps its default action unless the program changed it.
 Result<void> write_standard_output(std::string_view bytes);

@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/nearest.hpp>
 
 #include <fmt/format.h>
@@ -35,12 +36,18 @@ const std::string* KindText::value(std::string_view key) const {
 }
 
 Result<KindText> parse_kind_text(std::string_view text) {
+    if (text.size() > limit("kind-bytes").value)
+        return fail(Failure::usage, fmt::format("the text is longer than {}", to_text(limit("kind-bytes"))),
+                    std::string(limits_hint));
     const std::size_t colon = text.find(':');
     KindText parsed;
     parsed.kind = text.substr(0, colon);
     if (parsed.kind.empty()) return fail(Failure::usage, fmt::format("'{}' does not begin with a kind", text));
     if (colon == std::string_view::npos || colon + 1 == text.size()) return parsed;
     for (const std::string_view part : split(text.substr(colon + 1))) {
+        if (parsed.entries.size() == limit("kind-keys").value)
+            return fail(Failure::usage, fmt::format("'{}' has more than {}", parsed.kind, to_text(limit("kind-keys"))),
+                        std::string(limits_hint));
         const std::size_t equals = part.find('=');
         KindText::Entry entry;
         entry.key = part.substr(0, equals);

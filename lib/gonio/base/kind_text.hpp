@@ -26,7 +26,7 @@ struct KindText {
 };
 
 // Nothing behind the colon is no entry, as completion leaves it: "frostbite:" is "frostbite". Fails (usage) on an empty
-// kind or key and on a key that is given twice.
+// kind or key, on a key that is given twice and beyond the limits kind-bytes and kind-keys.
 Result<KindText> parse_kind_text(std::string_view text);
 
 // Fails (usage) when an entry's key is not one of `known`, naming the nearest and all there are.

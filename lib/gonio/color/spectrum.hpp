@@ -20,6 +20,7 @@
 
 namespace gonio {
 
+class FileScope;
 struct Profile;
 
 struct Spectrum {
@@ -62,7 +63,7 @@ Result<Spectrum> blackbody_spectrum(Kelvin temperature);
 // column names may stand first. Fails (malformed) with line and column on what is no number, on negative power, on
 // wavelengths that do not ascend or lie outside 1–100000 nm, on gaps (a step above 20 nm, or more than 2.5 times the
 // usual one), on spectra that do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum
-// does not reach 380 and 780 nm.
+// does not reach 380 and 780 nm. Of a text without any such line nothing is quoted: it is something else.
 Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& source);
 
 // The spectra of a TM-33 document, checked as those of a CSV file; empty for other profiles.
@@ -71,10 +72,11 @@ Result<std::vector<Spectrum>> spectra_of(const Profile& profile);
 // The bytes of a CSV file or of a TM-33 document; at least one spectrum. Fails (malformed, unsupported).
 Result<std::vector<Spectrum>> parse_spectra(const std::string& bytes, const std::string& source);
 
-// "d65", "blackbody:2700K", or a file as above. Fails (io, malformed, usage, unsupported).
-Result<std::vector<Spectrum>> read_spectra(const std::string& text);
+// "d65", "blackbody:2700K", or a file as above: any file, or where `files` is given one that these allow. Fails (io,
+// malformed, usage, unsupported).
+Result<std::vector<Spectrum>> read_spectra(const std::string& text, FileScope* files = nullptr);
 
 // The one spectrum of that text. Fails (unsupported) where there are several.
-Result<Spectrum> read_spectrum(const std::string& text);
+Result<Spectrum> read_spectrum(const std::string& text, FileScope* files = nullptr);
 
 } // namespace gonio

@@ -1,4 +1,5 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file_scope.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/cct.hpp>
@@ -115,10 +116,10 @@ std::vector<Word> words_of(std::string_view line) {
 
 constexpr std::string_view blackbody_prefix = "blackbody:";
 
-Unexpected unknown_spectrum(const std::string& text, std::string_view reason) {
+Unexpected unknown_spectrum(const std::string& text, const std::string& path) {
     const std::vector<std::string_view> names = illuminant_names();
     const std::string_view guess = nearest(text, names);
-    return fail(Failure::io, fmt::format("'{}' is no illuminant, and no file: {}", text, reason),
+    return fail(Failure::io, fmt::format("'{}' is no illuminant, and no file: there is none of that name", path),
                 guess.empty() ? "name a CIE illuminant ('gonio list illuminants'), blackbody:2700K, a CSV or TM-33 file"
                               : fmt::format("did you mean '{}'?", guess));
 }
@@ -143,6 +144,11 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
             head = true;
             continue;
         }
+        // Before the first row of a spectrum it may be any file, of which nothing is to be told.
+        const bool is_spectrum = !spectrum.power.empty();
+        const bool is_row = nm && words.size() > 1 && parse_number(words[1].text);
+        if (!is_spectrum && !is_row)
+            return malformed({source, line, words.front().column}, "not a spectrum: expected lines WAVELENGTH,POWER");
         if (!nm)
             return malformed({source, line, words.front().column},
                              fmt::format("'{}' is no wavelength", words.front().text), "lines are WAVELENGTH,POWER");
@@ -202,7 +208,7 @@ Result<std::vector<Spectrum>> parse_spectra(const std::string& bytes, const std:
     return found;
 }
 
-Result<std::vector<Spectrum>> read_spectra(const std::string& text) {
+Result<std::vector<Spectrum>> read_spectra(const std::string& text, FileScope* files) {
     std::vector<Spectrum> spectra;
     if (std::optional<Spectrum> illuminant = find_illuminant(text)) {
         spectra.push_back(std::move(*illuminant));
@@ -217,16 +223,18 @@ Result<std::vector<Spectrum>> read_spectra(const std::string& text) {
         spectra.push_back(std::move(*body));
         return spectra;
     }
-    Result<std::string> bytes = read_file(text);
+    Result<std::string> path = files == nullptr ? text : files->path_of(text);
+    if (!path) return pass_on(path);
+    Result<std::string> bytes = read_file(*path, limit("spectrum-bytes"));
     if (!bytes) {
-        if (!file_exists(text)) return unknown_spectrum(text, "there is none of that name");
+        if (!file_exists(*path)) return unknown_spectrum(text, *path);
         return pass_on(bytes);
     }
-    return parse_spectra(*bytes, text);
+    return parse_spectra(*bytes, *path);
 }
 
-Result<Spectrum> read_spectrum(const std::string& text) {
-    Result<std::vector<Spectrum>> spectra = read_spectra(text);
+Result<Spectrum> read_spectrum(const std::string& text, FileScope* files) {
+    Result<std::vector<Spectrum>> spectra = read_spectra(text, files);
     if (!spectra) return pass_on(spectra);
     if (spectra->size() > 1)
         return fail(Failure::unsupported, fmt::format("'{}' has {} spectra, and one is wanted", text, spectra->size()),

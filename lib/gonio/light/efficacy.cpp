@@ -29,8 +29,8 @@ constexpr std::array efficacies{
 
 constexpr std::string_view spectrum_prefix = "spectrum:";
 
-Result<Efficacy> efficacy_of_spectrum(const std::string& name) {
-    Result<Spectrum> spectrum = read_spectrum(name);
+Result<Efficacy> efficacy_of_spectrum(const std::string& name, FileScope* files) {
+    Result<Spectrum> spectrum = read_spectrum(name, files);
     if (!spectrum) return pass_on(spectrum);
     Result<SpectrumColor> color = color_of(*spectrum);
     if (!color) return pass_on(color);
@@ -43,11 +43,11 @@ std::span<const NamedEfficacy> named_efficacies() {
     return efficacies;
 }
 
-Result<Efficacy> parse_efficacy(std::string_view text) {
+Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files) {
     for (const NamedEfficacy& known : efficacies)
         if (known.name == text) return Efficacy{known.lm_per_w, {}};
     if (text.starts_with(spectrum_prefix))
-        return efficacy_of_spectrum(std::string(text.substr(spectrum_prefix.size())));
+        return efficacy_of_spectrum(std::string(text.substr(spectrum_prefix.size())), files);
     std::string_view number = text;
     if (number.ends_with("lm/W")) number.remove_suffix(4);
     const std::optional<double> value = parse_number(number);

@@ -10,6 +10,8 @@
 
 namespace gonio {
 
+class FileScope;
+
 // Of radiated watts where a program converts by it, of electrical watts where a lamp is meant: never the same thing.
 struct NamedEfficacy {
     std::string_view name; // "khronos-177"
@@ -27,7 +29,8 @@ struct Efficacy {
 
 // "90lm/W", "90", "khronos-177", "spectrum:LED-B3", "spectrum:lamp.csv", "spectrum:blackbody:2700K": the luminous flux
 // over the radiant flux in all of the spectrum's wavelengths (gonio/color/spectrum.hpp). Fails (usage) on what is not
-// above 0 or exceeds 683.002 lm/W, the efficacy of light at 555 nm; as read_spectrum does on a spectrum.
-Result<Efficacy> parse_efficacy(std::string_view text);
+// above 0 or exceeds 683.002 lm/W, the efficacy of light at 555 nm; as read_spectrum does on a spectrum, which is any
+// file, or where `files` is given one that these allow.
+Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files = nullptr);
 
 } // namespace gonio

@@ -32,12 +32,9 @@ Result<Uv> color_of_spectrum(const Spectrum& spectrum) {
 }
 
 // Of a temperature, an illuminant or a spectrum.
-Result<Uv> chromaticity(std::string_view text, std::string_view folder) {
+Result<Uv> chromaticity(std::string_view text, FileScope* files) {
     if (text.starts_with(spectrum_prefix)) {
-        std::string file(text.substr(spectrum_prefix.size()));
-        if (!folder.empty() && !file.starts_with('/') && !find_illuminant(file) && !file.starts_with("blackbody:"))
-            file = fmt::format("{}/{}", folder, file);
-        Result<Spectrum> spectrum = read_spectrum(file);
+        Result<Spectrum> spectrum = read_spectrum(std::string(text.substr(spectrum_prefix.size())), files);
         if (!spectrum) return pass_on(spectrum);
         return color_of_spectrum(*spectrum);
     }
@@ -93,7 +90,7 @@ Result<glm::dvec3> light_color_of(const Spectrum& spectrum, Diagnostics* diagnos
     return in_working_space(spectrum.name, *at, diagnostics);
 }
 
-Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics, std::string_view folder) {
+Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics, FileScope* files) {
     if (text == "d65" || text == "D65") return glm::dvec3(1.0);
     glm::dvec3 rgb(0.0);
     if (text.starts_with("#")) {
@@ -108,7 +105,7 @@ Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnos
         if (!parsed) return pass_on(parsed);
         rgb = *parsed;
     } else {
-        Result<Uv> at = chromaticity(text, folder);
+        Result<Uv> at = chromaticity(text, files);
         if (!at) return pass_on(at);
         return in_working_space(text, *at, diagnostics);
     }

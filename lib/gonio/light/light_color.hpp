@@ -10,6 +10,7 @@
 
 namespace gonio {
 
+class FileScope;
 struct Spectrum;
 
 // Y of linear Rec.709 RGB: the middle row of the RGB to XYZ matrix that follows from the primaries and white of
@@ -19,10 +20,10 @@ inline constexpr glm::dvec3 rec709_luminance{0.21263900587151027, 0.715168678767
 // "2700K" and "2700K/0.003" (black body, with its Duv), "d65" (white), another CIE illuminant ("LED-B3"),
 // "spectrum:FILE" (CSV or TM-33), "rgb(r,g,b)" (linear Rec.709), "#ffd9a0" (sRGB-encoded). Colours outside Rec.709
 // (black bodies below 1900 K among them) are clipped, their luminance kept, and a warning says by how much; without
-// `diagnostics` nobody hears it. A relative FILE is sought in `folder` where one is given. Fails (usage) on anything
-// else and on black, and as uv_of and read_spectrum do.
+// `diagnostics` nobody hears it. FILE is any file, or where `files` is given one that these allow. Fails (usage) on
+// anything else and on black, and as uv_of and read_spectrum do.
 Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnostics = nullptr,
-                                     std::string_view folder = {});
+                                     FileScope* files = nullptr);
 
 // Of a spectrum, clipped as above. Fails as color_of() does.
 Result<glm::dvec3> light_color_of(const Spectrum& spectrum, Diagnostics* diagnostics = nullptr);

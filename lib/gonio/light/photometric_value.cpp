@@ -46,13 +46,13 @@ Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std
 
 // What stands behind the '@' of a unit, if anything does.
 Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::string_view> behind_at,
-                                      std::string_view text) {
+                                      std::string_view text, FileScope* files) {
     PhotometricUnit complete{&unit, std::nullopt, std::nullopt, {}};
     if (unit.dimension == Dimension::power) {
         if (!behind_at)
             return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
                         fmt::format("write for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
-        Result<Efficacy> efficacy = parse_efficacy(*behind_at);
+        Result<Efficacy> efficacy = parse_efficacy(*behind_at, files);
         if (!efficacy) return pass_on(efficacy);
         complete.efficacy_lm_per_w = efficacy->lm_per_w;
         complete.efficacy_of = std::move(efficacy->of);
@@ -90,10 +90,10 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
         return fail(Failure::usage,
                     fmt::format("'{}' is a unit of {}, not of light", symbol, dimension_name(unit->dimension)),
                     "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft, fL or W@90lm/W");
-    return complete_unit(*unit, behind(text, at), text);
+    return complete_unit(*unit, behind(text, at), text, nullptr);
 }
 
-Result<PhotometricValue> parse_photometric_value(std::string_view text) {
+Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScope* files) {
     const std::size_t at = text.find('@');
     Result<Amount> amount = parse_amount(text.substr(0, at));
     if (!amount) {
@@ -111,7 +111,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text) {
         return fail(Failure::usage,
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
                     fmt::format("give {}", amounts_of_light));
-    Result<PhotometricUnit> complete = complete_unit(unit, behind(text, at), text);
+    Result<PhotometricUnit> complete = complete_unit(unit, behind(text, at), text, files);
     if (!complete) return pass_on(complete);
     return PhotometricValue{amount->number, *complete};
 }

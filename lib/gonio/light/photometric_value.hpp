@@ -11,6 +11,8 @@
 
 namespace gonio {
 
+class FileScope;
+
 // A photometric unit; an illuminance also says at what distance from the light's centre, unless it is the sun's, and a
 // power how many lumens a watt is taken for.
 struct PhotometricUnit {
@@ -30,7 +32,8 @@ struct PhotometricValue {
 // illuminance.
 Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
 
-// "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts.
-Result<PhotometricValue> parse_photometric_value(std::string_view text);
+// "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts. A spectrum
+// is any file, or where `files` is given one that these allow.
+Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScope* files = nullptr);
 
 } // namespace gonio

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <gonio/base/image.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 
 #include <cstddef>
@@ -79,7 +80,7 @@ struct DecodedImage {
 };
 
 // The largest image that decode_image takes: width × height × channels.
-inline constexpr std::size_t max_decoded_values = std::size_t{1} << 28;
+inline constexpr std::size_t max_decoded_values = limit("decoded-values").value;
 
 // Fails (malformed) on bytes that are no whole file of a format here, and on more than `max_values` of them. A JPEG
 // whose tail is torn may pass, filled up with grey.

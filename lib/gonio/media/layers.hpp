@@ -6,6 +6,7 @@
 
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/base/image.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
 
@@ -19,7 +20,7 @@
 namespace gonio::media {
 
 // The most values (width × height × channels) of a layered picture: half a gigabyte.
-inline constexpr std::size_t max_layered_values = std::size_t{1} << 27;
+inline constexpr std::size_t max_layered_values = limit("layered-values").value;
 
 class LayeredImage {
 public:

@@ -1,3 +1,4 @@
+#include <gonio/base/limits.hpp>
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/axis.hpp>
@@ -16,7 +17,7 @@ namespace gonio::plot_detail {
 namespace {
 
 constexpr int least_px = 160;
-constexpr int most_px = 16384;
+constexpr int most_px = static_cast<int>(limit("picture-side").value);
 constexpr double margin_px = 16.0;
 constexpr double line_px = 20.0; // of the legend
 constexpr double swatch_px = 28.0;

@@ -1,5 +1,6 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/parallel.hpp>
+#include <gonio/base/picture_size.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/render.hpp>
@@ -13,11 +14,7 @@
 namespace gonio {
 
 Result<void> detail::check_rendering(std::span<const Light> lights, const RenderOptions& options) {
-    const auto fits = [](int side) { return side >= 1 && side <= max_picture_size; };
-    if (!fits(options.width) || !fits(options.height))
-        return fail(Failure::usage,
-                    fmt::format("a picture of {}x{} pixels is out of range", options.width, options.height),
-                    fmt::format("each side may have 1 to {} pixels", max_picture_size));
+    if (Result<void> fits = check_picture_size(options.width, options.height); !fits) return fits;
     for (const Light& light : lights) {
         const glm::dvec3& at = light.frame.origin;
         if (!in_amount_range(at.x) || !in_amount_range(at.y) || !in_amount_range(at.z))

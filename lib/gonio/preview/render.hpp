@@ -7,6 +7,7 @@
 #pragma once
 
 #include <gonio/base/image.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
@@ -22,7 +23,7 @@
 namespace gonio {
 
 // Greatest width and height of a picture.
-inline constexpr int max_picture_size = 16384;
+inline constexpr int max_picture_size = static_cast<int>(limit("picture-side").value);
 
 enum class Shadows : std::uint8_t {
     off,
@@ -59,7 +60,7 @@ struct Rendering {
 };
 
 // A light with a size behind a mask takes the mask from its centre (scene/README.md gives the error), but by
-// `reference`, which integrates it. Fails (usage) on a size outside [1, max_picture_size] and on a light whose
+// `reference`, which integrates it. Fails (usage) as check_picture_size() does and on a light whose
 // luminance or intensity is not finite.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options = {});

@@ -16,7 +16,6 @@ namespace profile_detail {
 namespace {
 
 constexpr double largest_count = 2147483647.0;
-constexpr std::size_t largest_tilt_file = std::size_t{1} << 20;
 
 Result<void> header_number(NumberScanner& numbers, double& value, std::size_t end, Report& report) {
     const Token token = numbers.next(value);
@@ -104,6 +103,14 @@ Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, cons
     Report of_tilt(*bytes, report.source().substr(0, folder) + std::string(name), report.strict());
     Result<TextRange> text = find_text(*bytes, of_tilt);
     if (!text) return report.fail_of_other(std::move(text.error().diagnostics));
+    // Any file may have the name: nothing is told of one that does not begin as factors do.
+    NumberScanner head(*bytes, text->begin, text->end);
+    double ignored = 0.0;
+    const Token first = head.next(ignored);
+    const Token second = first == Token::number ? head.next(ignored) : first;
+    if (second == Token::not_number || second == Token::not_finite)
+        return report.fail_of_other(
+            of_tilt.fail("IES0201", head.token_offset(), "not a file of TILT factors").value().diagnostics);
     NumberScanner numbers(*bytes, text->begin, text->end);
     Result<IesTilt> tilt = parse_tilt(numbers, text->end, of_tilt);
     if (!tilt) return report.fail_of_other(std::move(tilt.error().diagnostics));
@@ -140,7 +147,7 @@ ReadBeside reader_beside(const std::string& path) {
             const fs::path real_file = fs::canonical(file, failed);
             if (failed || real_file.parent_path() != real_folder)
                 return fail(Failure::io, "the link leads out of the folder", {}, file.string());
-            return read_file(file.string(), profile_detail::largest_tilt_file);
+            return read_file(file.string(), limit("tilt-bytes"));
         }
         return fail(Failure::io, "there is no such file beside this one", {}, (folder / name).string());
     };

@@ -176,7 +176,11 @@ private:
         const std::string shown = quoted(written.substr(0, 40));
         if (token == Token::not_finite)
             return report_.fail("LDT0103", number_offset_, shown + " is not a finite number up to 1e30");
-        return report_.fail("LDT0102", number_offset_, fmt::format("{} stands where the {} is expected", shown, what));
+        // Before the first numbers of the head it may be any file, of which nothing is to be told.
+        const bool known = file_.plane_count > 0;
+        return report_.fail(
+            "LDT0102", number_offset_,
+            fmt::format("{} stands where the {} is expected", known ? shown : "a text that is not a number", what));
     }
 
     Result<void> whole(int& value, std::string_view what, double lowest) {

@@ -148,7 +148,7 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
 }
 
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options) {
-    Result<std::string> bytes = read_file(path);
+    Result<std::string> bytes = read_file(path, limit("profile-bytes"));
     if (!bytes) return pass_on(bytes);
     if (options.read_beside) return read_profile(*bytes, path, options);
     ReadOptions with_folder = options;

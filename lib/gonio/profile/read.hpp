@@ -44,8 +44,8 @@ ReadBeside reader_beside(const std::string& path);
 // `source` names the bytes in diagnostics, and its extension helps to recognise the format.
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options = {});
 
-// Reads the file at `path` first; fails with `io` when that fails. Without options.read_beside, files beside it are
-// read as by reader_beside(path).
+// Reads the file at `path` first; fails with `io` when that fails and beyond the limit profile-bytes. Without
+// options.read_beside, files beside it are read as by reader_beside(path).
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options = {});
 
 } // namespace gonio

@@ -1,4 +1,5 @@
 // TM-33 and its relatives: XML, known by the names of elements.
+#include <gonio/base/limits.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
 #include <gonio/profile/parse.hpp>
@@ -14,7 +15,7 @@ namespace gonio::profile_detail {
 
 namespace {
 
-constexpr int deepest = 64; // elements within elements: the schema has 8
+constexpr int deepest = static_cast<int>(limit("xml-depth").value);
 
 std::string_view trimmed_text(pugi::xml_node node) {
     std::string_view text = node.child_value();
@@ -95,7 +96,8 @@ private:
         int depth = 0;
         for (pugi::xml_node node = document_.first_child(); node;) {
             if (depth > deepest)
-                return report_.fail("TM30107", place(node), fmt::format("elements nested {} deep", depth));
+                return report_.fail("TM30107", place(node),
+                                    fmt::format("elements nested deeper than {}", to_text(limit("xml-depth"))));
             if (node.first_child()) {
                 node = node.first_child();
                 ++depth;

@@ -1,5 +1,8 @@
 #include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file_scope.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/limits.hpp>
+#include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
@@ -59,7 +62,7 @@ FileOfShape file_of(Shape& shape) {
 
 class Reader {
 public:
-    Reader(std::string source, std::string folder) : folder_(std::move(folder)) { rig_.source = std::move(source); }
+    Reader(std::string source, FileScope files) : files_(std::move(files)) { rig_.source = std::move(source); }
 
     Result<Rig> read(std::string_view text) {
         const detail::RigSink sink{[this](std::size_t index, const RigJson& json) { return light(index, json); },
@@ -70,6 +73,7 @@ public:
                                          fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_stage();
         if (!streamed) return pass_on(streamed);
+        rig_.files.assign(files_.named().begin(), files_.named().end());
         return std::move(rig_);
     }
 
@@ -94,7 +98,7 @@ private:
                 read = text ? shape(*text, light.shape) : pass_on(text);
             } else if (key == "intensity") {
                 Result<std::string> text = text_of(value, unit_hint(value, "lm"));
-                read = text ? keep(parse_photometric_value(*text), light.intensity) : pass_on(text);
+                read = text ? keep(parse_photometric_value(*text, &files_), light.intensity) : pass_on(text);
             } else if (key == "color") {
                 Result<std::string> text = text_of(value, R"(for example "2700K" or "#ffd9a0")");
                 read = text ? color(*text, light.color, fmt::format("{}.color", path)) : pass_on(text);
@@ -125,7 +129,7 @@ private:
             return {};
         }
         Diagnostics said;
-        Result<glm::dvec3> parsed = parse_light_color(text, &said, folder_);
+        Result<glm::dvec3> parsed = parse_light_color(text, &said, &files_);
         if (!parsed) return pass_on(parsed);
         target = *parsed;
         if (colors_.size() < most_remembered) colors_.emplace(text, target);
@@ -154,7 +158,9 @@ private:
     Result<void> load(Shape& shape) {
         const FileOfShape of = file_of(shape);
         if (of.file == nullptr || of.file->empty()) return {};
-        if (!folder_.empty() && !of.file->starts_with('/')) *of.file = folder_ + '/' + *of.file;
+        Result<std::string> path = files_.path_of(*of.file);
+        if (!path) return pass_on(path);
+        *of.file = std::move(*path);
         // A mask may be kept in another form than a profile of the same file.
         const bool mask = !std::holds_alternative<ProfileShape>(shape);
         const auto key = std::pair(mask, *of.file);
@@ -176,7 +182,9 @@ private:
             if (!text || *text != schema_name)
                 return detail::rig_error(text ? Failure::unsupported : Failure::malformed, rig_.source, "schema",
                                          fmt::format("must be \"{}\", not {}", schema_name,
-                                                     text ? '"' + *text + '"' : std::string(type_of(json))));
+                                                     !text                         ? std::string(type_of(json))
+                                                     : text->starts_with("gonio.") ? '"' + *text + '"'
+                                                                                   : "another"));
         } else if (key == "stage") {
             Result<Stage> stage = detail::read_rig_stage(json, rig_.source);
             if (!stage) return pass_on(stage);
@@ -185,6 +193,10 @@ private:
             return camera(json);
         } else if (key == "materials") {
             return materials(json);
+        } else if (!schema_seen_ && nearest(key, top_keys).empty()) {
+            // Any JSON text, of which nothing is to be told.
+            return detail::rig_error(Failure::malformed, rig_.source, {}, "not a rig: it begins with another key",
+                                     fmt::format(R"(write "schema": "{}" first)", schema_name));
         } else {
             return placed(unknown_name("key", key, top_keys).value(), rig_.source, {});
         }
@@ -246,7 +258,7 @@ private:
         return {};
     }
 
-    std::string folder_;
+    FileScope files_;
     Rig rig_;
     bool schema_seen_ = false;
     std::map<std::string, glm::dvec3> colors_;
@@ -256,17 +268,18 @@ private:
 
 } // namespace
 
-Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder) {
-    return Reader(source, folder).read(text);
+Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
+                     const RigReadOptions& options) {
+    return Reader(source,
+                  options.allow_outside ? FileScope::anywhere(folder) : FileScope::under(folder, options.outside_hint))
+        .read(text);
 }
 
-Result<Rig> read_rig_file(const std::string& path) {
-    constexpr std::size_t max_bytes = std::size_t{1} << 30U; // a rig of a few million lights
-    Result<std::string> text = path == "-" ? read_standard_input(max_bytes) : read_file(path, max_bytes);
+Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options) {
+    Result<std::string> text =
+        path == "-" ? read_standard_input(limit("rig-bytes")) : read_file(path, limit("rig-bytes"));
     if (!text) return pass_on(text);
-    const std::size_t slash = path.rfind('/');
-    std::string folder = slash == std::string::npos ? std::string() : path.substr(0, std::max<std::size_t>(slash, 1));
-    return read_rig(*text, path, folder);
+    return read_rig(*text, path, folder_of_file(path), options);
 }
 
 std::span<const std::string_view> rig_keys() {

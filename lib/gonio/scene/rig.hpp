@@ -20,14 +20,15 @@
 //       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
 //
 // Of a light only `shape` is required; the defaults are those of LightDescription. Arrays are metres. Files named by a
-// shape are relative to the rig's folder, are read once and shared by every light that names them.
+// shape, a mask or a spectrum are relative to the rig's folder and must be regular files under it, symbolic links
+// resolved, unless RigReadOptions allow others; a profile is read once and shared by every light that names it.
 // The JSON is read as a stream: memory grows with the lights alone (about 0.5 kB each, resolving included), nesting and
 // the size of one light are limited. A million lights take 2.4 s.
 // rig.schema.json beside this file says the same to editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error: …" where the JSON is broken, else
 // "rig.json: error: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a file that
-// cannot be read; unsupported: what a shape or colour asks for and gonio has not.
+// cannot be read or may not be named; unsupported: what a shape or colour asks for and gonio has not.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -56,14 +57,22 @@ struct Rig {
     std::optional<Stage> stage;           // as the file has it: the materials are not applied
     std::optional<Camera> camera;
     std::vector<SurfaceMaterial> materials;
-    Diagnostics diagnostics; // of reading: what was odd in a profile
+    std::vector<std::string> files; // all that were read for it: profiles, masks, spectra; sorted, each once
+    Diagnostics diagnostics;        // of reading: what was odd in a profile
+};
+
+// Which files a rig may name. A rig of somebody else must not name what it likes.
+struct RigReadOptions {
+    bool allow_outside = false; // any file, not only regular ones under the rig's folder
+    std::string outside_hint;   // what a refusal advises, as a command's option; empty: to put the file there
 };
 
 // `source` names the text in messages; relative files are looked for in `folder` (empty: the current one).
-Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder);
+Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
+                     const RigReadOptions& options = {});
 
 // Reads the file at `path`, "-" being standard input, whose files are relative to the current folder.
-Result<Rig> read_rig_file(const std::string& path);
+Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
 
 // Fails (malformed) on a rig without lights, of which there is nothing to show or to export.
 Result<void> require_lights(const Rig& rig);

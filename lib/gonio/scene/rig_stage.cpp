@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/detail/rig_values.hpp>
 
@@ -272,9 +273,9 @@ Result<Stage> read_rig_stage(const RigJson& json, const std::string& source) {
     if (surfaces == json.end() || !surfaces->is_array() || surfaces->empty())
         return rig_error(Failure::malformed, source, "stage.surfaces", "must be an array of at least one surface",
                          R"(for example [ { "name": "floor", "plane": {} } ])");
-    if (surfaces->size() > max_stage_surfaces)
+    if (surfaces->size() > limit("stage-surfaces").value)
         return rig_error(Failure::malformed, source, "stage.surfaces",
-                         fmt::format("holds more than {} surfaces", max_stage_surfaces));
+                         fmt::format("holds more than {}", to_text(limit("stage-surfaces"))), std::string(limits_hint));
     for (std::size_t i = 0; i < surfaces->size(); ++i) {
         Result<Surface> surface = read_surface((*surfaces)[i], source, fmt::format("stage.surfaces[{}]", i));
         if (!surface) return pass_on(surface);

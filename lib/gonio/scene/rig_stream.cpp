@@ -1,3 +1,4 @@
+#include <gonio/base/limits.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 
 #include <fmt/format.h>
@@ -12,39 +13,10 @@ namespace gonio::detail {
 
 namespace {
 
-// Line and column, from 1, of the byte at `offset`.
-Location location_of(std::string_view text, std::size_t offset, const std::string& source) {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const std::size_t line_start = before.rfind('\n') + 1; // npos + 1 = 0
-    const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n') + 1);
-    return {source, line, static_cast<std::uint32_t>(before.size() - line_start + 1)};
-}
-
-// nlohmann::json says "… syntax error while parsing value - unexpected ']'; expected '}'", or "… - invalid literal;
-// last read: 'tru}'".
-struct Complaint {
-    std::string what;     // "unexpected ']'"
-    std::string expected; // "expected '}'"; may be empty
-};
-
-Complaint complaint_of(std::string_view said) {
-    constexpr std::string_view dash = " - ";
-    constexpr std::string_view expected = "; expected ";
-    Complaint complaint;
-    if (const std::size_t at = said.rfind(expected); at != std::string_view::npos) {
-        complaint.expected = fmt::format("expected {}", said.substr(at + expected.size()));
-        said = said.substr(0, at);
-    }
-    const std::size_t at = said.find(dash);
-    if (at != std::string_view::npos) said.remove_prefix(at + dash.size());
-    complaint.what = said.substr(0, said.find("; last read"));
-    return complaint;
-}
-
 class Handler final : public nlohmann::json_sax<RigJson> {
 public:
-    Handler(std::string_view text, const std::string& source, const RigSink& sink)
-        : text_(text), source_(source), sink_(sink) {}
+    Handler(const JsonBytes& bytes, const std::string& source, const RigSink& sink)
+        : bytes_(bytes), source_(source), sink_(sink) {}
 
     Result<void> result() {
         if (error_) return Unexpected(std::move(*error_));
@@ -69,7 +41,8 @@ public:
         }
         if (std::find(members_.begin(), members_.end(), name) != members_.end())
             return refuse({}, fmt::format("the key '{}' is given twice", name));
-        if (members_.size() == max_rig_values) return refuse({}, "there are too many keys");
+        if (members_.size() == limit("rig-values").value)
+            return refuse_beyond({}, fmt::format("there are more keys than {}", to_text(limit("rig-values"))));
         members_.push_back(name);
         member_ = std::move(name);
         return true;
@@ -97,43 +70,24 @@ public:
 
     bool parse_error(std::size_t position, const std::string& last_token,
                      const nlohmann::detail::exception& exception) override {
-        // `position` counts the bytes read: the last one of them, or the end of the text, is where it went wrong.
-        const bool at_end = position > text_.size() || (position == text_.size() && last_token.empty());
-        const bool too_large = exception.id == 406; // a number out of the range of a double
-        const std::size_t back = too_large ? last_token.size() : 1;
-        const std::size_t offset = at_end ? text_.size() : position - std::min(position, back);
-        Diagnostic diagnostic;
-        diagnostic.location = location_of(text_, offset, source_);
-        Complaint complaint = complaint_of(exception.what());
-        if (too_large)
-            diagnostic.message = fmt::format("the number {} is too large", excerpt(last_token));
-        else if (at_end || last_token == "<end of input>")
-            diagnostic.message = "the JSON ends too early";
-        else if (complaint.what.find("UTF-8") != std::string::npos)
-            diagnostic.message = "the text is not UTF-8";
-        else
-            diagnostic.message = "broken JSON: " + complaint.what;
-        diagnostic.hint = std::move(complaint.expected);
-        error_ = Error{Failure::malformed, {std::move(diagnostic)}};
+        error_ = Error{Failure::malformed, {json_complaint(bytes_.text(), source_, position, last_token, exception)}};
         return false;
     }
 
 private:
     enum class Where : std::uint8_t { outside, rig, lights };
 
-    static std::string excerpt(std::string token) {
-        constexpr std::size_t shown = 40;
-        if (token.size() <= shown) return token;
-        std::size_t end = shown;
-        while (end > 0 && (static_cast<unsigned char>(token[end]) & 0xc0U) == 0x80U)
-            --end; // not within a character
-        return token.substr(0, end) + "…";
-    }
-
     std::string path() const { return where_ == Where::lights ? fmt::format("lights[{}]", lights_) : member_; }
 
     bool refuse(const std::string& path, std::string message, std::string hint = {}) {
         error_ = std::move(rig_error(Failure::malformed, source_, path, std::move(message), std::move(hint)).value());
+        return false;
+    }
+
+    // What is beyond a limit, with the place where it is.
+    bool refuse_beyond(const std::string& path, std::string message) {
+        refuse(path, std::move(message), std::string(limits_hint));
+        error_->diagnostics.back().location = bytes_.place(source_);
         return false;
     }
 
@@ -152,8 +106,8 @@ private:
             root_ = std::move(value);
             return &root_;
         }
-        if (++values_ > max_rig_values) {
-            refuse(path(), fmt::format("holds more than {} values", max_rig_values));
+        if (++values_ > limit("rig-values").value) {
+            refuse_beyond(path(), fmt::format("holds more than {}", to_text(limit("rig-values"))));
             return nullptr;
         }
         RigJson& parent = *open_.back();
@@ -170,8 +124,8 @@ private:
     }
 
     bool open(RigJson value) {
-        if (open_.size() == max_rig_depth)
-            return refuse(path(), fmt::format("is nested more than {} levels deep", max_rig_depth));
+        if (open_.size() == limit("rig-depth").value)
+            return refuse_beyond(path(), fmt::format("is nested deeper than {}", to_text(limit("rig-depth"))));
         RigJson* const placed = place(std::move(value));
         if (placed == nullptr) return false;
         open_.push_back(placed);
@@ -188,15 +142,15 @@ private:
     }
 
     bool deliver() {
-        if (where_ == Where::lights && lights_ == max_rig_lights)
-            return refuse("lights", fmt::format("holds more than {} lights", max_rig_lights));
+        if (where_ == Where::lights && lights_ == limit("rig-lights").value)
+            return refuse_beyond("lights", fmt::format("holds more than {}", to_text(limit("rig-lights"))));
         Result<void> taken = where_ == Where::lights ? sink_.light(lights_++, root_) : sink_.member(member_, root_);
         if (taken) return true;
         error_ = std::move(taken.error());
         return false;
     }
 
-    std::string_view text_;
+    const JsonBytes& bytes_;
     const std::string& source_;
     const RigSink& sink_;
     Where where_ = Where::outside;
@@ -233,8 +187,9 @@ Unexpected placed(const Error& error, const std::string& source, std::string_vie
 }
 
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink) {
-    Handler handler(text, source, sink);
-    RigJson::sax_parse(text.begin(), text.end(), &handler);
+    JsonBytes bytes(text);
+    Handler handler(bytes, source, sink);
+    RigJson::sax_parse(bytes.begin(), bytes.end(), &handler);
     return handler.result();
 }
 

@@ -36,8 +36,9 @@ Unexpected malformed(const std::string& source, std::uint32_t line, std::size_t 
     return Unexpected(std::move(error));
 }
 
-// One line's numbers, without its first field where `title` says so.
-Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, const std::string& source) {
+// One line's numbers, without its first field where `title` says so. Unless the text is `known` to be a table it may be
+// any file, of which nothing is to be told.
+Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, bool known, const std::string& source) {
     Row row;
     row.line = number;
     std::size_t start = 0;
@@ -48,7 +49,8 @@ Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, co
         if (!(first && title)) {
             const std::optional<double> value = parse_number(field);
             if (!value)
-                return malformed(source, number, start + 1, fmt::format("'{}' is no number", field),
+                return malformed(source, number, start + 1,
+                                 known ? fmt::format("'{}' is no number", field) : "not a table of candela",
                                  "a row is C and one candela for each gamma, the first row gamma angles");
             if (!in_amount_range(*value))
                 return malformed(source, number, start + 1,
@@ -71,7 +73,7 @@ Result<Web> web_from_csv(std::string_view text, const std::string& source) {
         const std::string_view line = trimmed(text.substr(0, end), around_fields);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (line.empty() || line.starts_with('#')) continue;
-        Result<Row> row = read_row(line, number, first, source);
+        Result<Row> row = read_row(line, number, first, !table.vertical_deg.empty(), source);
         if (!row) return pass_on(row);
         if (first) {
             table.vertical_deg = std::move(row->numbers);

@@ -87,9 +87,10 @@ TEST_F(AtomicFile, PipesAreWritten) {
 }
 
 TEST_F(AtomicFile, AnEndlessInputIsAnError) {
-    const auto zeros = read_file("/dev/zero", 1 << 20);
+    const auto zeros = read_file("/dev/zero", limit("tilt-bytes"));
     ASSERT_FALSE(zeros);
     EXPECT_EQ(zeros.error().failure, Failure::io);
+    EXPECT_EQ(zeros.error().diagnostics.back().message, "larger than 1 MiB, the limit 'tilt-bytes'");
 }
 
 // In a child process: the limit and the signal's action are the process's.

@@ -175,6 +175,16 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
     }
 }
 
+TEST(SpectrumTest, TextOfAnotherKindIsNotQuoted) {
+    for (const char* text : {"root:x:0:0:root:/root:/bin/bash\nmallory:hunter2:1:1\n", "-----BEGIN KEY-----\nhunter2\n",
+                             "{\n\"token\": \"hunter2\"}", "name,token\n12345678,hunter2\n", "87654321\nhunter2\n",
+                             "hunter2 hunter2\nhunter2 hunter2\n"}) {
+        const Result<Spectrum> read = parse_spectrum_csv(text, "x.csv");
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().diagnostics.back().message, "not a spectrum: expected lines WAVELENGTH,POWER") << text;
+    }
+}
+
 TEST(SpectrumTest, HugePowerDoesNotOverflow) {
     std::string text;
     for (int nm = 380; nm <= 780; nm += 5)

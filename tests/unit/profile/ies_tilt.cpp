@@ -107,6 +107,10 @@ TEST(IesTilt, WhatIsWrongInTheFileIsSaidOfTheFile) {
                  "folder/lamp.tlt:3:6: error[IES0114]: tilt angle 45 follows 90");
     expect_error(read(lamp("lamp.tlt"), "2\r3\r0 45 x\r"),
                  "folder/lamp.tlt:3:6: error[IES0201]: 'x' stands where a number is expected");
+    expect_error(read(lamp("lamp.tlt"), "hunter2 1\n"),
+                 "folder/lamp.tlt:1:1: error[IES0201]: not a file of TILT factors");
+    expect_error(read(lamp("lamp.tlt"), "1\nhunter2\n"),
+                 "folder/lamp.tlt:2:1: error[IES0201]: not a file of TILT factors");
     expect_error(read(lamp("lamp.tlt"), ""), "folder/lamp.tlt:1:1: error[PRF0101]: the file is empty");
     expect_error(read(lamp("lamp.tlt"), std::string("2\n\0", 3) + "x"),
                  "folder/lamp.tlt:2:1: error[PRF0102]: not a photometric file, a text has no NUL bytes");

@@ -136,6 +136,11 @@ TEST(LdtRead, Numbers) {
     for (const std::string bad : {"nan", "1e31"})
         expect_error(read(with(lamp(), 51, bad)),
                      "lamp:51:1: error[LDT0103]: '" + bad + "' is not a finite number up to 1e30");
+    // Of a text that is not EULUMDAT nothing is quoted.
+    for (const int line : {2, 3, 4})
+        EXPECT_EQ(said(read(with(lamp(), line, "hunter2"))).find("hunter2"), std::string::npos) << line;
+    expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: a text that is not a number stands where "
+                                                   "the type of luminaire is expected");
     expect_error(read(with(lamp(), 4, "4.5")), "lamp:4:1: error[LDT0201]: 4.5 is no number of C-planes");
     expect_error(read(with(lamp(), 6, "0")), "lamp:6:1: error[LDT0201]: 0 is no number of gamma angles");
 }

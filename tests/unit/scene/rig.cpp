@@ -4,6 +4,7 @@
 #include <gonio/scene/rig.hpp>
 
 #include "../folders.hpp"
+#include "../temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,7 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 namespace gonio {
 namespace {
@@ -241,11 +246,13 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
         many += R"({"name":"a","plane":{}},)";
     many.pop_back();
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
-              "rig.json: error: stage.surfaces: holds more than 256 surfaces");
+              "rig.json: error: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
+              "hint: 'gonio list limits' says what each limit is of");
     std::string more;
     for (int i = 0; i < 1e6; ++i)
         more += "0,";
-    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)), "rig.json: error: stage: holds more than 4096 values");
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 86),
+              "rig.json:1:8248: error: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
 }
 
 TEST(Rig, FilesAreNamedWithTheirPath) {
@@ -262,6 +269,78 @@ TEST(Rig, FilesAreNamedWithTheirPath) {
     // A text that is no profile, as a rig that names itself is.
     EXPECT_EQ(light_refusal(R"({"shape":"ies:README.md"})").substr(0, 46),
               "rig.json: error[PRF0103]: lights[0].shape: " + profiles.substr(0, 3));
+}
+
+// A folder with a rig's files, and beside it what is none of its business.
+class RigFiles : public testing::Test {
+protected:
+    RigFiles() {
+        std::filesystem::create_directory(folder_.path() / "rigs");
+        std::filesystem::copy_file(profiles + "/downlight.ies", folder_.path() / "rigs/lamp.ies");
+        std::ofstream(folder_.path() / "rigs/white.csv") << rows();
+        std::ofstream(folder_.path() / "rigs/accounts.csv") << "root:x:0:0:root:/root:/bin/bash\nmallory:hunter2:1:1\n";
+        std::filesystem::copy(folder_.path() / "rigs/lamp.ies", folder_.path() / "lamp.ies");
+        std::ofstream(folder_.path() / "white.csv") << rows();
+    }
+
+    static std::string rows() {
+        std::string text;
+        for (int nm = 380; nm <= 780; nm += 5)
+            text += fmt::format("{},1\n", nm);
+        return text;
+    }
+    std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+    Result<Rig> read_light(const std::string& light, const RigReadOptions& options = {}) const {
+        return read_rig(with_lights(light), "rig.json", at("rigs"), options);
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+constexpr std::array outside_lights{
+    R"({"shape":"ies:../lamp.ies"})",
+    R"({"shape":"point:mask=../lamp.ies","intensity":"1cd"})",
+    R"({"shape":"point","intensity":"1cd","color":"spectrum:../white.csv"})",
+    R"({"shape":"point","intensity":"1W@spectrum:../white.csv"})",
+};
+
+TEST_F(RigFiles, OutsideItsFolderAreRefusedUnlessAllowed) {
+    for (const char* light : outside_lights) {
+        const Result<Rig> rig = read_light(light);
+        ASSERT_FALSE(rig) << light;
+        EXPECT_EQ(rig.error().failure, Failure::io);
+        const Diagnostic& said = rig.error().diagnostics.back();
+        EXPECT_NE(said.message.find(fmt::format("is outside the folder '{}'", at("rigs"))), std::string::npos)
+            << said.message;
+        EXPECT_EQ(said.hint, "put it under that folder");
+        EXPECT_TRUE(read_light(light, {true, {}})) << light;
+    }
+}
+
+TEST_F(RigFiles, AreListedOnceAndSorted) {
+    const Result<Rig> rig = read_light(R"({"shape":"ies:lamp.ies","color":"spectrum:white.csv"},
+                      {"shape":"point:mask=lamp.ies","intensity":"1W@spectrum:white.csv","color":"spectrum:D50"},
+                      {"shape":"ies:../lamp.ies"})",
+                                       {true, {}});
+    ASSERT_TRUE(rig);
+    EXPECT_EQ(rig->files, (std::vector{at("rigs/../lamp.ies"), at("rigs/lamp.ies"), at("rigs/white.csv")}));
+}
+
+TEST_F(RigFiles, OfAnotherKindAreNotQuoted) {
+    for (const char* light :
+         {R"({"shape":"point","intensity":"1cd","color":"spectrum:accounts.csv"})",
+          R"({"shape":"point","intensity":"1W@spectrum:accounts.csv"})", R"({"shape":"ies:accounts.csv"})"}) {
+        const Result<Rig> rig = read_light(light);
+        ASSERT_FALSE(rig) << light;
+        const std::string said = to_text(rig.error().diagnostics.back());
+        EXPECT_EQ(said.find("root"), std::string::npos) << said;
+        EXPECT_EQ(said.find("hunter2"), std::string::npos) << said;
+    }
+    // Nor is a JSON text that is no rig.
+    EXPECT_EQ(refusal(R"({"api_token":"hunter2"})"), "rig.json: error: not a rig: it begins with another key\n"
+                                                     "hint: write \"schema\": \"gonio.rig/1\" first");
+    EXPECT_EQ(refusal(R"({"schema":"hunter2"})", Failure::unsupported),
+              "rig.json: error: schema: must be \"gonio.rig/1\", not another");
 }
 
 TEST(Rig, ProfilesAreReadOnceAndShared) {
@@ -290,15 +369,19 @@ TEST(Rig, ProfilesAreReadOnceAndShared) {
 TEST(Rig, NestingAndSizeAreBounded) {
     EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 39), "rig.json: error: a rig is a JSON object");
     EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
-              "rig.json: error: lights[0]: is nested more than 8 levels deep");
+              "rig.json:1:52: error: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
+              "hint: 'gonio list limits' says what each limit is of");
     std::string deep;
     for (int i = 0; i < 100000; ++i)
         deep += "{\"a\":";
-    EXPECT_EQ(refusal("{\"camera\":" + deep), "rig.json: error: camera: is nested more than 8 levels deep");
+    EXPECT_EQ(refusal("{\"camera\":\n" + deep).substr(0, 84),
+              "rig.json:2:41: error: camera: is nested deeper than 8 levels, the limit 'rig-depth'\n");
     std::string wide = "{\"position\":[0";
     for (int i = 0; i < 5000; ++i)
         wide += ",0";
-    EXPECT_EQ(light_refusal(wide + "]}"), "rig.json: error: lights[0]: holds more than 4096 values");
+    EXPECT_NE(
+        light_refusal(wide + "]}").find(": error: lights[0]: holds more than 4096 values, the limit 'rig-values'"),
+        std::string::npos);
 }
 
 TEST(Rig, ParallelResolveOfManyLights) {

@@ -139,6 +139,13 @@ TEST(Csv, SaysWhereItIsWrong) {
     EXPECT_EQ(place("x,0,90\n0,5,oh\n").line, 2U);
     EXPECT_EQ(place("x,0,90\n0,5,oh\n").column, 5U);
     EXPECT_EQ(place("x,0,90\n\n0,5\n").line, 3U);
+    // Of a text that is another kind of file nothing is quoted.
+    const auto said = [](std::string_view text) {
+        return web_from_csv(text, "t.csv").error().diagnostics.back().message;
+    };
+    EXPECT_EQ(said("x,0,90\n0,5,oh\n"), "'oh' is no number");
+    EXPECT_EQ(said("root:x:0\nmallory:hunter2:1\n"), "not a table of candela");
+    EXPECT_EQ(said("name,hunter2\n"), "not a table of candela");
     EXPECT_EQ(place("").file, "t.csv");
     EXPECT_EQ(place("x,0,90\n").file, "t.csv");
     EXPECT_EQ(place("x,90,0\n0,1,2\n").file, "t.csv");

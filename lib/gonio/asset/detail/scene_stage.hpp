@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -75,7 +76,14 @@ double refractive_index(double f0);
 Frame frame_of(const Ball& ball);
 Frame frame_of(const Capsule& capsule);
 
+// Names that are taken, and for each the last number that was put behind it: a rig of equal names asks for them in
+// turn.
+struct TakenNames {
+    std::set<std::string> names;
+    std::map<std::string, int> last_number;
+};
+
 // Letters, digits and '_', and none that is taken; is taken then.
-std::string unique_name(std::string_view name, std::set<std::string>& taken);
+std::string unique_name(std::string_view name, TakenNames& taken);
 
 } // namespace gonio::asset_detail

@@ -5,14 +5,11 @@
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/stage.hpp>
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace gonio::detail {
-
-inline constexpr std::size_t max_stage_surfaces = 256;
 
 // From the value of the rig's key "stage"; `source` names the rig in messages. A stage of surfaces has a camera that
 // looks at its solids, or at its panels where it has no solids, from a place from where they can be seen.

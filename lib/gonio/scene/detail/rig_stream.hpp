@@ -1,9 +1,8 @@
 // The JSON of a rig as a stream of values: each light when it is complete, and each other member of the rig.
 #pragma once
 
+#include <gonio/base/detail/json_text.hpp>
 #include <gonio/base/result.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -12,12 +11,7 @@
 
 namespace gonio::detail {
 
-using RigJson = nlohmann::ordered_json;
-
-// A rig is flat; what lies deeper or is larger was not written for one.
-inline constexpr std::size_t max_rig_depth = 8;     // of one light or member
-inline constexpr std::size_t max_rig_values = 4096; // of one light or member
-inline constexpr std::size_t max_rig_lights = 1U << 24U;
+using RigJson = OrderedJson;
 
 struct RigSink {
     std::function<Result<void>(std::size_t index, const RigJson& light)> light;
@@ -33,7 +27,8 @@ Unexpected rig_error(Failure failure, const std::string& source, std::string_vie
 Unexpected placed(const Error& error, const std::string& source, std::string_view path);
 
 // Hands the values over in the order of the text; stops at the first failure, the sink's own included. Values at hand
-// are dropped when the sink returns: memory does not grow with the text. A key that is given twice is malformed.
+// are dropped when the sink returns: memory does not grow with the text. A rig is flat: what is beyond the limits
+// rig-depth, rig-values and rig-lights was not written for one. A key that is given twice is malformed.
 // `lights` is required; the sink's member() is not called for it.
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink);
 

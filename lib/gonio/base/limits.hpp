@@ -1,0 +1,85 @@
+// Limits: the sizes, counts and depths that gonio takes, in one table. Files of others are hostile: what is larger,
+// deeper or more than this is refused before work is done, and the message names the limit.
+//
+// Code takes its numbers from here, `gonio list limits` prints the table and LIMITS.md beside this file is written from
+// it. A name that the table has not does not compile.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+struct Limit {
+    std::string_view name; // "profile-bytes"
+    std::size_t value = 0; // the greatest that is taken
+    std::string_view unit; // "bytes", "pixels", "levels", …
+    std::string_view says; // what it is of
+};
+
+inline constexpr std::size_t kibibyte = std::size_t{1} << 10U;
+inline constexpr std::size_t mebibyte = std::size_t{1} << 20U;
+
+inline constexpr std::array limits{
+    // Files
+    Limit{"profile-bytes", 16 * mebibyte, "bytes", "a photometric profile; the largest known has 1.24 MB"},
+    Limit{"tilt-bytes", mebibyte, "bytes", "a file of TILT factors beside a profile"},
+    Limit{"spectrum-bytes", 16 * mebibyte, "bytes", "a spectrum, CSV or TM-33"},
+    Limit{"table-bytes", 256 * mebibyte, "bytes", "a CSV table: candela of make, points of probe"},
+    Limit{"rig-bytes", 1024 * mebibyte, "bytes", "a rig; a million lights take about 150 MB"},
+    Limit{"manifest-bytes", 128 * mebibyte, "bytes", "a manifest"},
+    Limit{"record-bytes", 16 * mebibyte, "bytes", "a sidecar of bake, an asset record of import"},
+    Limit{"list-bytes", 64 * mebibyte, "bytes", "a list of file names, @LIST"},
+    Limit{"file-bytes", 256 * mebibyte, "bytes", "any other file, and standard input"},
+    // JSON
+    Limit{"json-depth", 64, "levels", "arrays and objects within each other, but in a rig"},
+    Limit{"json-keys", 1024, "keys", "one JSON object"},
+    Limit{"json-values", std::size_t{1} << 23U, "values", "one JSON text, but a rig"},
+    Limit{"xml-depth", 64, "levels", "elements within each other; TM-33 has 8"},
+    // Rigs
+    Limit{"rig-depth", 8, "levels", "arrays and objects within each other, in one light or member of a rig"},
+    Limit{"rig-values", 4096, "values", "one light or member of a rig"},
+    Limit{"rig-lights", std::size_t{1} << 24U, "lights", "a rig"},
+    Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
+    Limit{"import-lights", 100000, "lights", "a rig that import takes for a target"},
+    // Text
+    Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},
+    Limit{"kind-keys", 64, "keys", "such a text"},
+    // Pictures
+    Limit{"picture-pixels", std::size_t{1} << 26U, "pixels", "a picture or texture, of every command that makes one"},
+    Limit{"picture-side", 16384, "pixels", "the width or height of a picture"},
+    Limit{"texture-side", 32768, "pixels", "the width or height of a texture of bake"},
+    Limit{"auto-texture-side", 4096, "pixels", "the side of a texture that bake -s auto finds"},
+    Limit{"layered-values", std::size_t{1} << 27U, "values", "width × height × channels of a picture in layers"},
+    Limit{"decoded-values", std::size_t{1} << 28U, "values", "width × height × channels of a picture that is read"},
+    // Counts
+    Limit{"points", std::size_t{1} << 24U, "points", "one run of probe"},
+    Limit{"sweep-values", 1024, "values", "one sweep of preview"},
+    Limit{"sweep-pictures", 1024, "pictures", "the sweeps of preview together"},
+    Limit{"compared-methods", 8, "methods", "a comparison of preview"},
+    Limit{"cct-steps", 100000, "rows", "a table of cct"},
+};
+
+namespace detail {
+inline void no_such_limit() {} // not constexpr: a call of it does not compile
+} // namespace detail
+
+consteval const Limit& limit(std::string_view name) {
+    for (const Limit& known : limits)
+        if (known.name == name) return known;
+    detail::no_such_limit();
+    return limits.front();
+}
+
+// "16 MiB", "67108864 pixels".
+std::string amount_of(const Limit& limit);
+
+// "16 MiB, the limit 'profile-bytes'": how messages name a limit.
+std::string to_text(const Limit& limit);
+
+// The hint that goes with it.
+inline constexpr std::string_view limits_hint = "'gonio list limits' says what each limit is of";
+
+} // namespace gonio
