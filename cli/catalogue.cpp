@@ -1,7 +1,7 @@
 #include "catalogue.hpp"
 
 #include <gonio/asset/content_hash.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "options/files_in_use.hpp"
@@ -104,7 +104,7 @@ Result<int> merge_manifests(const Arguments& arguments, Console& console) {
 }
 
 Result<ManifestFile> hashed(const std::string& file) {
-    Result<std::string> bytes = read_file(file);
+    Result<std::string> bytes = read_file(file, limit("output-bytes"));
     if (!bytes) return pass_on(bytes);
     return ManifestFile{file, sha256(*bytes)};
 }

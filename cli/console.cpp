@@ -1,6 +1,6 @@
 #include "console.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // gonio: the command-line tool. Finds the command, parses only its options, runs it, writes what it said.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/nearest.hpp>
 

@@ -2,8 +2,8 @@
 
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/base/atomic_file.hpp>
 #include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/web/metrics.hpp>
@@ -116,7 +116,7 @@ std::string stats_line(const std::string& input, const Texture& texture, double 
 // What the texture's file holds is what its sidecar says: another one may have been killed between the two, or have
 // written at the same time.
 bool holds(const std::string& picture, const FileRecord& record) {
-    const Result<std::string> bytes = read_file(picture);
+    const Result<std::string> bytes = read_file(picture, limit("output-bytes"));
     return bytes && name_of(picture) == record.file && matches(record, *bytes);
 }
 

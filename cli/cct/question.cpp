@@ -1,6 +1,6 @@
 #include "question.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/nearest.hpp>

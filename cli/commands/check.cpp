@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/plausibility.hpp>
 

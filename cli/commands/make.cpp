@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/lobe.hpp>

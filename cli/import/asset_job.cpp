@@ -3,7 +3,7 @@
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/light_scene.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/file_scope.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/scene/rig.hpp>
@@ -167,7 +167,7 @@ std::optional<Written> found(const Source& source, const Target& target, const I
         return std::nullopt;
     Written there{&target, true, std::move(*record), {}};
     for (const FileRecord& recorded : there.record.files) {
-        const Result<std::string> bytes = read_file(folder + recorded.file);
+        const Result<std::string> bytes = read_file(folder + recorded.file, limit("output-bytes"));
         if (!bytes || !matches(recorded, *bytes)) return std::nullopt;
         there.files.push_back({folder + recorded.file, recorded.sha256});
     }
@@ -223,9 +223,9 @@ std::vector<std::optional<Written>> found_of_all(const Source& source, const Imp
 }
 
 // That no output is an input, a file that the rig names, or the manifest.
-Result<void> check_free(const std::vector<OutputFile>& outputs, const ImportRequest& request,
+Result<void> check_free(const std::vector<OutputFile>& outputs, const Source& source, const ImportRequest& request,
                         const FilesInUse& inputs) {
-    FilesInUse taken({});
+    FilesInUse taken(source.rig ? source.rig->files : std::vector<std::string>());
     if (request.catalogue.manifest)
         if (Result<void> free = taken.take(*request.catalogue.manifest); !free) return free;
     for (const OutputFile& output : outputs) {
@@ -250,7 +250,7 @@ Result<std::vector<Written>> write_targets(const Source& source, const Content& 
         if (!written) return pass_on(written);
         all.push_back(std::move(*written));
     }
-    if (Result<void> free = check_free(outputs, request, inputs); !free) return pass_on(free);
+    if (Result<void> free = check_free(outputs, source, request, inputs); !free) return pass_on(free);
     if (const Result<void> done = write_outputs(outputs); !done) return Unexpected(done.error());
     return all;
 }

@@ -1,7 +1,7 @@
 #include "request.hpp"
 
 #include <gonio/asset/light_scene.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/base/version.hpp>

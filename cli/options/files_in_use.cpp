@@ -1,6 +1,6 @@
 #include "files_in_use.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "output.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>

@@ -1,6 +1,6 @@
 #include "points_input.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "values.hpp"

@@ -34,7 +34,8 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
     if (!rig) return pass_on(rig);
     input.rig = std::move(*rig);
-    input.files = {*rig_file};
+    input.files = input.rig.files;
+    input.files.push_back(*rig_file);
     return input;
 }
 

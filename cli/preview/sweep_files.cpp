@@ -1,6 +1,6 @@
 #include "sweep_files.hpp"
 
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 
 #include "../options/files_in_use.hpp"

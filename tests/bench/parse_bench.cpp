@@ -6,7 +6,7 @@
 // read_profile, `resolve` the same and resolve_web behind it, which takes the
 // table over. Memory is the allocator's own affair, pages that it fetches anew included. The table at the end divides;
 // rates count whole files.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/resolve.hpp>
 

@@ -5,7 +5,7 @@
 // picture of the same name without shadows.
 //   gonio-bench-preview                     everything
 //   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, of 100 m a side
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>

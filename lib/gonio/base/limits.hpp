@@ -31,6 +31,7 @@ inline constexpr std::array limits{
     Limit{"rig-bytes", 1024 * mebibyte, "bytes", "a rig; a million lights take about 150 MB"},
     Limit{"manifest-bytes", 128 * mebibyte, "bytes", "a manifest"},
     Limit{"record-bytes", 16 * mebibyte, "bytes", "a sidecar of bake, an asset record of import"},
+    Limit{"output-bytes", 4096 * mebibyte, "bytes", "a file that gonio has written and reads again: -u, manifests"},
     Limit{"list-bytes", 64 * mebibyte, "bytes", "a list of file names, @LIST"},
     Limit{"file-bytes", 256 * mebibyte, "bytes", "any other file, and standard input"},
     // JSON

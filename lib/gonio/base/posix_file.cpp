@@ -1,5 +1,5 @@
-#include <gonio/base/atomic_file.hpp>
 #include <gonio/base/detail/posix_file.hpp>
+#include <gonio/base/file.hpp>
 
 #include <fmt/format.h>
 

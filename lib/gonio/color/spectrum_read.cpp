@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/file_scope.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>

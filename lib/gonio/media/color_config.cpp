@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/media/detail/color_config.hpp>
 #include <gonio/media/detail/open_module.hpp>

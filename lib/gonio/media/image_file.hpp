@@ -1,6 +1,6 @@
 // Picture files in memory: an Image as the bytes of an EXR, PNG, TIFF, Radiance HDR or JPEG file, and back.
 //
-// Bytes, not files: the caller writes them with base/atomic_file.hpp, so that a full disk, a pipe or a limit behaves as
+// Bytes, not files: the caller writes them with base/file.hpp, so that a full disk, a pipe or a limit behaves as
 // for every other output. Values are stored as given, with no colour conversion and no change for alpha; the two
 // integer kinds take [0, 1] onto their whole range, rounded, and what lies outside is cut. Equal input gives equal
 // bytes: no clock, no host name and no thread count gets into them.

@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/module.hpp>

@@ -1,5 +1,5 @@
 // The factors of a tilted lamp: TILT=INCLUDE and TILT=<name>.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/parse.hpp>
 
 #include <fmt/format.h>

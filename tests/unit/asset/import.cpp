@@ -2,7 +2,7 @@
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/asset/target.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/light/light.hpp>

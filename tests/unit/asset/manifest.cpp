@@ -2,7 +2,7 @@
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/manifest.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 
 #include "../folders.hpp"
 #include "json_schema.hpp"

@@ -1,7 +1,7 @@
 // Sidecars and hashes: real ones against the schema in the tree, and what is read back from them.
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 
 #include "../folders.hpp"
 #include "../web/webs.hpp"

@@ -1,5 +1,5 @@
 // Real files, read where they are: all of the corpus folder's good/ must be read, all of its bad/ refused.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/codes.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>

@@ -1,6 +1,6 @@
 // Readers look at the bytes they are given and at no other: texts in blocks of exactly their size, which
 // AddressSanitizer watches, cut off at every byte.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 
 #include "../folders.hpp"

@@ -1,5 +1,5 @@
 // TILT=INCLUDE and TILT=<name>: the factors of a tilted lamp, in the file or beside it.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 

@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>

@@ -1,5 +1,5 @@
 // Every real profile against a second reading of its bytes: flux, peak and intensities in random directions.
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>

@@ -1,4 +1,4 @@
-#include <gonio/base/atomic_file.hpp>
+#include <gonio/base/file.hpp>
 #include <gonio/base/file_set.hpp>
 
 #include "../temporary_folder.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class AtomicFile : public testing::Test {
+class File : public testing::Test {
 protected:
     std::string path(const char* name) const { return (folder / name).string(); }
     std::ptrdiff_t entries() const { return std::distance(fs::directory_iterator(folder), fs::directory_iterator()); }
@@ -28,14 +28,14 @@ protected:
     const fs::path& folder = own.path();
 };
 
-TEST_F(AtomicFile, WritesAndReadsBack) {
+TEST_F(File, WritesAndReadsBack) {
     const std::string bytes("a\0b\r\n", 5);
     ASSERT_TRUE(write_file(path("x"), bytes));
     EXPECT_EQ(*read_file(path("x")), bytes);
     EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(AtomicFile, KeepsPermissionsAndFollowsLinks) {
+TEST_F(File, KeepsPermissionsAndFollowsLinks) {
     ASSERT_TRUE(write_file(path("real"), "old"));
     ASSERT_EQ(chmod(path("real").c_str(), 0640), 0);
     fs::create_symlink("real", path("link"));
@@ -47,7 +47,7 @@ TEST_F(AtomicFile, KeepsPermissionsAndFollowsLinks) {
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
-TEST_F(AtomicFile, NewFilesFollowTheUmask) {
+TEST_F(File, NewFilesFollowTheUmask) {
     const mode_t before = umask(027);
     ASSERT_TRUE(write_file(path("x"), "x"));
     umask(before);
@@ -56,7 +56,7 @@ TEST_F(AtomicFile, NewFilesFollowTheUmask) {
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
-TEST_F(AtomicFile, RefusesFoldersAndMissingOnes) {
+TEST_F(File, RefusesFoldersAndMissingOnes) {
     const auto folder_read = read_file(folder.string());
     ASSERT_FALSE(folder_read);
     EXPECT_EQ(folder_read.error().failure, Failure::io);
@@ -67,7 +67,7 @@ TEST_F(AtomicFile, RefusesFoldersAndMissingOnes) {
     EXPECT_EQ(entries(), 0);
 }
 
-TEST_F(AtomicFile, DevicesAreWrittenAndNotReplaced) {
+TEST_F(File, DevicesAreWrittenAndNotReplaced) {
     const auto full = write_file("/dev/full", "x");
     ASSERT_FALSE(full);
     EXPECT_EQ(full.error().failure, Failure::io);
@@ -76,7 +76,7 @@ TEST_F(AtomicFile, DevicesAreWrittenAndNotReplaced) {
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
-TEST_F(AtomicFile, PipesAreWritten) {
+TEST_F(File, PipesAreWritten) {
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     std::string got;
     std::thread reader([&] { got = read_file(path("pipe")).value_or("failed"); });
@@ -86,7 +86,7 @@ TEST_F(AtomicFile, PipesAreWritten) {
     EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-TEST_F(AtomicFile, AnEndlessInputIsAnError) {
+TEST_F(File, AnEndlessInputIsAnError) {
     const auto zeros = read_file("/dev/zero", limit("tilt-bytes"));
     ASSERT_FALSE(zeros);
     EXPECT_EQ(zeros.error().failure, Failure::io);
@@ -94,7 +94,7 @@ TEST_F(AtomicFile, AnEndlessInputIsAnError) {
 }
 
 // In a child process: the limit and the signal's action are the process's.
-TEST_F(AtomicFile, AFileSizeLimitLeavesTheOldFileAndNothingElse) {
+TEST_F(File, AFileSizeLimitLeavesTheOldFileAndNothingElse) {
     ASSERT_TRUE(write_file(path("x"), "old"));
     const auto child = [&] {
         std::signal(SIGXFSZ, SIG_IGN);
