@@ -39,7 +39,7 @@ if limited 1 bash -c 'true & wait $!' 2> /dev/null; then
 fi
 
 for arguments in "info --json profiles/*.ies" "check --strict profiles/*" \
-    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:2,-2,0:-2,2,0:60x60 --csv --light-position 0,0,2"; do
+    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:2,-2,0:-2,2,0:60x60 --csv --position 0,0,2"; do
     status=0 limited_status=0
     # shellcheck disable=SC2086
     "$gonio" $arguments -j 8 > "$work/expected" 2>&1 || status=$?

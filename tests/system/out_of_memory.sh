@@ -26,7 +26,7 @@ limited() {
     status=0
     (ulimit -v 150000 && exec "$gonio" "$@" -j 1) > out 2> said || status=$?
 }
-limited version
+limited info first.ies
 ((status == 0)) || {
     echo "skipped: the tool does not start with 150 MB"
     exit 77
