@@ -45,6 +45,7 @@ for arguments in "info --json profiles/*.ies" "check --strict profiles/*" \
     "$gonio" $arguments -j 8 > "$work/expected" 2>&1 || status=$?
     # shellcheck disable=SC2086
     limited 1 "$gonio" $arguments -j 8 > "$work/printed" 2>&1 || limited_status=$?
+    ((status < 2)) || fail "gonio $arguments: exit $status"
     ((status == limited_status)) || fail "gonio $arguments: exit $limited_status with one thread, $status with many"
     cmp "$work/expected" "$work/printed" || fail "gonio $arguments prints something else with one thread"
 done
