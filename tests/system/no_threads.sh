@@ -39,12 +39,13 @@ if limited 1 bash -c 'true & wait $!' 2> /dev/null; then
 fi
 
 for arguments in "info --json profiles/*.ies" "check --strict profiles/*" \
-    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:2,-2,0:-2,2,0:60x60 --csv --light-position 0,0,2"; do
+    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:2,-2,0:-2,2,0:60x60 --csv --position 0,0,2"; do
     status=0 limited_status=0
     # shellcheck disable=SC2086
     "$gonio" $arguments -j 8 > "$work/expected" 2>&1 || status=$?
     # shellcheck disable=SC2086
     limited 1 "$gonio" $arguments -j 8 > "$work/printed" 2>&1 || limited_status=$?
+    ((status < 2)) || fail "gonio $arguments: exit $status"
     ((status == limited_status)) || fail "gonio $arguments: exit $limited_status with one thread, $status with many"
     cmp "$work/expected" "$work/printed" || fail "gonio $arguments prints something else with one thread"
 done

@@ -253,7 +253,7 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
             fmt::format("what '{}' gives point {} exceeds {} lx or cd/m2: it counts as that{}",
                         lights[remarks.at_ceiling.light].name, remarks.at_ceiling.receiver + 1,
                         shading::illuminance_ceiling, others(remarks.at_ceiling.count)),
-            "the point is all but on the light");
+            "give less light, or place it farther away");
     if (remarks.not_converged.count > 0)
         say(Severity::warning,
             fmt::format("the error asked for was not reached at point {} under '{}'{}",

@@ -1,5 +1,6 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/sort_unique.hpp>
+#include <gonio/base/unit_text.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/grid.hpp>
 #include <gonio/web/integrate.hpp>
@@ -492,8 +493,8 @@ Result<Web> scaled_by(const Web& web, double factor) {
     if (!(factor > 0.0) || !std::isfinite(factor))
         return fail(Failure::usage, fmt::format("a factor of {} is not a number greater than 0", factor));
     if (!in_amount_range(greatest * factor))
-        return fail(Failure::usage, fmt::format("a factor of {} on {} cd makes {} cd, above {} cd", factor, greatest,
-                                                greatest * factor, greatest_amount));
+        return fail(Failure::usage, fmt::format("a factor of {} makes {} cd more than {} cd", factor, rounded(greatest),
+                                                greatest_amount));
     return web.scaled(factor);
 }
 
