@@ -38,8 +38,8 @@ if limited 1 bash -c 'true & wait $!' 2> /dev/null; then
     exit 77
 fi
 
-for arguments in "info --json profiles/*.ies" "check --strict profiles/*" \
-    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:2,-2,0:-2,2,0:60x60 --csv --position 0,0,2"; do
+for arguments in "info --json profiles/*.ies" "check profiles/*.ldt" \
+    "probe --shape sphere:r=10cm --intensity 800lm --grid -2,-2,0:4,0,0:0,4,0:60x60 --csv --position 0,0,2"; do
     status=0 limited_status=0
     # shellcheck disable=SC2086
     "$gonio" $arguments -j 8 > "$work/expected" 2>&1 || status=$?
