@@ -2,7 +2,9 @@
 #include <gonio/web/separable.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace gonio {
 
@@ -10,15 +12,47 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-void add(Terms& terms, std::size_t index, double weight) {
-    if (weight == 0.0) return;
-    for (Term& term : terms) {
-        if (term.index != index) continue;
-        term.weight += weight;
-        return;
+// Terms in the order in which they come, each index once. Few are searched through; for many, as of all planes of a
+// fine web, there is a table of where each index is.
+class Sum {
+public:
+    explicit Sum(std::size_t indices) : indices_(indices) {}
+
+    void add(std::size_t index, double weight) {
+        if (weight == 0.0) return;
+        const std::size_t at = place_of(index);
+        if (at < terms_.size()) {
+            terms_[at].weight += weight;
+            return;
+        }
+        if (!places_.empty()) places_[index] = terms_.size();
+        terms_.push_back({index, weight});
+        if (places_.empty() && terms_.size() > few) make_table();
     }
-    terms.push_back({index, weight});
-}
+
+    Terms take() { return std::move(terms_); }
+
+private:
+    static constexpr std::size_t few = 32;
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    std::size_t place_of(std::size_t index) const {
+        if (!places_.empty()) return places_[index];
+        const auto found =
+            std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return term.index == index; });
+        return found == terms_.end() ? none : static_cast<std::size_t>(found - terms_.begin());
+    }
+
+    void make_table() {
+        places_.assign(indices_, none);
+        for (std::size_t i = 0; i < terms_.size(); ++i)
+            places_[terms_[i].index] = i;
+    }
+
+    std::size_t indices_;
+    Terms terms_;
+    std::vector<std::size_t> places_;
+};
 
 // `low`, what of `knots` lies strictly between, and `high`.
 std::vector<double> cuts(std::span<const double> knots, double low, double high) {
@@ -35,7 +69,7 @@ std::vector<double> cuts(std::span<const double> knots, double low, double high)
 Terms plane_terms(const Web& web, std::span<const double> bends_deg, double low_deg, double high_deg) {
     const std::span<const double> planes = web.planes_deg();
     if (web.stored_symmetry() == Symmetry::axial) return {{0, (high_deg - low_deg) * radians_per_degree}};
-    Terms terms;
+    Sum terms(planes.size());
     // Between two bends the web is linear in C, so its mean there is its value in the middle.
     const std::vector<double> pieces = cuts(bends_deg, low_deg, high_deg);
     for (std::size_t k = 1; k < pieces.size(); ++k) {
@@ -46,15 +80,15 @@ Terms plane_terms(const Web& web, std::span<const double> bends_deg, double low_
         const auto right = std::min(static_cast<std::size_t>(above - planes.begin()), planes.size() - 1);
         if (right == 0) continue; // one plane of a web that is not axial: no width, no light
         const double weight = (c - planes[right - 1]) / (planes[right] - planes[right - 1]);
-        add(terms, right - 1, width * (1.0 - weight));
-        add(terms, right, width * weight);
+        terms.add(right - 1, width * (1.0 - weight));
+        terms.add(right, width * weight);
     }
-    return terms;
+    return terms.take();
 }
 
 Terms gamma_terms(const Web& web, double low_deg, double high_deg) {
     const std::span<const double> gammas = web.gammas_deg();
-    Terms terms;
+    Sum terms(gammas.size());
     const std::vector<double> pieces = cuts(gammas, low_deg, high_deg);
     for (std::size_t k = 1; k < pieces.size(); ++k) {
         const double from = pieces[k - 1];
@@ -68,10 +102,10 @@ Terms gamma_terms(const Web& web, double low_deg, double high_deg) {
         const double at_to = (to - gammas[upper - 1]) / cell;
         const double a = from * radians_per_degree;
         const double b = to * radians_per_degree;
-        add(terms, upper - 1, integrate_linear_sin(a, b, 1.0 - at_from, 1.0 - at_to));
-        add(terms, upper, integrate_linear_sin(a, b, at_from, at_to));
+        terms.add(upper - 1, integrate_linear_sin(a, b, 1.0 - at_from, 1.0 - at_to));
+        terms.add(upper, integrate_linear_sin(a, b, at_from, at_to));
     }
-    return terms;
+    return terms.take();
 }
 
 Lumens sum_of(const Web& web, const Terms& planes, const Terms& gammas) {

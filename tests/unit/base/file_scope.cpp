@@ -57,7 +57,7 @@ TEST_F(FileScopeTest, TakesRegularFilesUnderItsFolder) {
 }
 
 TEST_F(FileScopeTest, RefusesWhatLiesOutside) {
-    for (const std::string name :
+    for (const std::string& name :
          {std::string("../secret"), at("secret"), std::string("out.ies"), std::string("up/secret"),
           at("rigs-of-others"), std::string("/etc/passwd"), std::string("../none"), std::string("none/../../secret")})
         EXPECT_EQ(refusal(name), fmt::format("the file '{}' is outside the folder '{}'", name, at("rigs")));
@@ -80,7 +80,7 @@ TEST_F(FileScopeTest, AdvisesWhatItsOwnerSays) {
 
 TEST_F(FileScopeTest, AnywhereTakesAllAndBothRemember) {
     FileScope scope = FileScope::anywhere(at("rigs"));
-    for (const std::string name : {std::string("pipe"), std::string("../secret"), at("secret"), std::string("pipe")})
+    for (const std::string& name : {std::string("pipe"), std::string("../secret"), at("secret"), std::string("pipe")})
         EXPECT_TRUE(scope.path_of(name)) << name;
     EXPECT_EQ(scope.named(), (std::set<std::string>{at("rigs/pipe"), at("rigs/../secret"), at("secret")}));
 }
