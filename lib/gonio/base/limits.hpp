@@ -49,7 +49,7 @@ inline constexpr std::array limits{
     Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},
     Limit{"kind-keys", 64, "keys", "such a text"},
     // Pictures
-    Limit{"picture-pixels", std::size_t{1} << 26U, "pixels", "a picture or texture, of every command that makes one"},
+    Limit{"picture-pixels", std::size_t{1} << 28U, "pixels", "a picture or texture, of every command that makes one"},
     Limit{"picture-side", 16384, "pixels", "the width or height of a picture"},
     Limit{"texture-side", 32768, "pixels", "the width or height of a texture of bake"},
     Limit{"auto-texture-side", 4096, "pixels", "the side of a texture that bake -s auto finds"},

@@ -17,7 +17,7 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, const L
     const auto most = static_cast<std::int64_t>(limit("picture-pixels").value);
     if (width < 1 || height < 1 || width > longest || height > longest)
         return refuse(fmt::format("a side may have 1 to {}", to_text(side)));
-    if (width > most / height) return refuse(fmt::format("it may have {}", to_text(limit("picture-pixels"))));
+    if (width > most / height) return refuse(fmt::format("it may have up to {}", to_text(limit("picture-pixels"))));
     return {};
 }
 
