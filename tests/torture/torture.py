@@ -569,6 +569,7 @@ def main():
     parser.add_argument("--only", default="", metavar="KIND[:CASE]")
     parser.add_argument("--keep", default=str(ROOT / "build" / "torture"))
     options = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended by a signal"))  # the folder of work goes all the same
     if options.seed is None:
         options.seed = int(time.time()) % 1_000_000
     only, _, index = options.only.partition(":")
