@@ -29,7 +29,7 @@ const std::string profiles_folder = std::string(GONIO_TEST_SOURCE) + "/profiles"
 
 std::vector<Light> lights_of(const std::string& rig_text) {
     Diagnostics diagnostics;
-    return resolve_lights(read_rig(rig_text, "rig", "").value(), diagnostics).value();
+    return resolve_lights(read_rig(rig_text, "rig", profiles_folder).value(), diagnostics).value();
 }
 
 std::vector<Light> one_light(const char* shape) {
