@@ -27,7 +27,7 @@ std::string with_extra(std::string json, std::size_t levels) {
 
 TEST(HostileJson, DeepSidecarsAreNone) {
     const std::string sidecar = R"({"schema":"gonio.texture/1","recipe":"r","source":{"sha256":"s"},"cd_per_unit":1})";
-    for (const std::size_t levels : {std::size_t{0}, limit("json-depth").value - 1}) {
+    for (const std::size_t levels : {std::size_t{1}, limit("json-depth").value - 1}) {
         EXPECT_TRUE(read_sidecar(with_extra(sidecar, levels))) << levels;
         EXPECT_FALSE(sidecar_fields(with_extra(sidecar, levels)).empty()) << levels;
     }
@@ -53,8 +53,7 @@ TEST(HostileJson, DeepManifestsAreRefusedWithTheirPlace) {
               "m.json:2:72: error: nested deeper than 64 levels, the limit 'json-depth'\n"
               "hint: 'gonio list limits' says what each limit is of");
     EXPECT_EQ(refusal("\n  [3]"), "m.json:2:3: error: not a manifest: it is not a JSON object");
-    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error: broken JSON: invalid literal\n"
-                                     "hint: expected '[', '{', or a literal");
+    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error: broken JSON: invalid literal");
     EXPECT_EQ(refusal(R"({"schema":"hunter2"})"), "m.json: error: the schema is not gonio.manifest/1");
 }
 
