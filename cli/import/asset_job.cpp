@@ -108,7 +108,10 @@ Result<Rig> rig_of(const std::string& file, const std::string& bytes, const Impo
     Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
     if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
-    if (Result<void> fits = check_light_count(rig->lights.size()); !fits) return pass_on(fits);
+    if (Result<void> fits = check_light_count(rig->lights.size()); !fits) {
+        fits.error().diagnostics.back().location.file = file;
+        return pass_on(fits);
+    }
     return rig;
 }
 

@@ -180,7 +180,8 @@ private:
         if ((error != std::errc() && error != std::errc::result_out_of_range) || end != text.data() + text.size())
             return wrong(at, fmt::format("'{}' is no count of values", text), "write FROM:TO:COUNT");
         if (error != std::errc() || count < 2 || count > most_sweep_values)
-            return wrong(at, fmt::format("a sweep has 2 to {}, not {}", to_text(limit("sweep-values")), text));
+            return wrong(at, fmt::format("a sweep has 2 to {} (the limit '{}'), not {}",
+                                         amount_of(limit("sweep-values")), limit("sweep-values").name, text));
         return count;
     }
 

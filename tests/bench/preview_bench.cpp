@@ -6,6 +6,7 @@
 //   gonio-bench-preview                     everything
 //   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, of 100 m a side
 #include <gonio/base/file.hpp>
+#include <gonio/base/file_set.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
@@ -29,7 +30,7 @@ const std::string profiles_folder = std::string(GONIO_TEST_SOURCE) + "/profiles"
 
 std::vector<Light> lights_of(const std::string& rig_text) {
     Diagnostics diagnostics;
-    return resolve_lights(read_rig(rig_text, "rig", "").value(), diagnostics).value();
+    return resolve_lights(read_rig(rig_text, "rig", profiles_folder).value(), diagnostics).value();
 }
 
 std::vector<Light> one_light(const char* shape) {

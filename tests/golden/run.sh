@@ -6,8 +6,9 @@
 #
 # FILE is a transcript, or Markdown whose blocks fenced with ```console are transcripts. In a transcript a line
 # "$ COMMAND" is a command for bash; below it stand the lines of its standard output, then those of its standard error
-# behind "! ", then "[exit N]" where N is not 0. A line "% …" is a comment. Commands run one after the other in one new folder that holds a link to
-# profiles/, with the tool as `gonio`; its name in the folder of the machine never shows.
+# behind "! ", then "[exit N]" where N is not 0. A line "% …" is a comment. Commands run one after the other in one new
+# folder that holds a copy of profiles/ (a link would lead rigs out of their folder), with the tool as `gonio`; its name
+# in the folder of the machine never shows.
 set -euo pipefail
 
 gonio=$(realpath "$1")
@@ -18,7 +19,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/bin" "$work/here"
 ln -s "$gonio" "$work/bin/gonio"
-ln -s "$root/profiles" "$work/here/profiles"
+cp -R "$root/profiles" "$work/here/profiles"
 export PATH="$work/bin:$PATH" NO_COLOR=1 LC_ALL=C.UTF-8
 unset OCIO
 

@@ -21,7 +21,7 @@ lamps=(street wall-washer batwing pendant)
 for lamp in "${lamps[@]}"; do echo "$here/../../profiles/$lamp.ies"; done > lamps.txt
 "$gonio" import @lamps.txt --to gltf,threejs,babylon,blender -O assets -q
 
-"$gonio" import "$here/studio.json" --to gltf,threejs,babylon,blender -O assets -q
+"$gonio" import "$here/studio.json" --to gltf,threejs,babylon,blender -O assets -q --allow-outside
 
 echo '== glTF validator'
 mkdir assets/stages
@@ -34,7 +34,7 @@ node gltf_check.mjs assets/gltf/*.gltf assets/gltf/*.glb assets/stages/*.gltf as
 
 echo '== A rig in three.js and Babylon.js'
 for at in -1.2,0.9,-1 0,0,-1 0.7,-0.8,-1 1.6,1.4,-1 0.3,0.4,-0.8; do
-    "$gonio" probe --rig "$here/studio.json" --at "$at" --normal 0,0,1 --json |
+    "$gonio" probe --rig "$here/studio.json" --allow-outside --at "$at" --normal 0,0,1 --json |
         jq '.points[0] | {position, lights: (.lights | map({(.name): .illuminance_lx}) | add)}'
 done | jq -s . > studio.points.json
 node scene_check.mjs three assets/threejs/studio.js < studio.points.json
@@ -72,7 +72,7 @@ if command -v blender > /dev/null; then
     # A rig, by 1024 samples a pixel: its areas are noise, the tube, a mesh of many triangles, most of all.
     blender --background --factory-startup --python "$here/blender_plane.py" -- \
         assets/blender/studio.py studio.csv 1024 > blender.log 2>&1 || { cat blender.log; exit 1; }
-    "$gonio" probe --rig "$here/studio.json" --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > studio.probe.csv
+    "$gonio" probe --rig "$here/studio.json" --allow-outside --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > studio.probe.csv
     python3 "$here/compare_planes.py" studio.csv studio.probe.csv 0.002 0.03
 else
     echo 'Blender is not installed: skipped'

@@ -26,8 +26,9 @@ std::string with_extra(std::string json, std::size_t levels) {
 }
 
 TEST(HostileJson, DeepSidecarsAreNone) {
-    const std::string sidecar = R"({"schema":"gonio.texture/1","recipe":"r","source":{"sha256":"s"},"cd_per_unit":1})";
-    for (const std::size_t levels : {std::size_t{0}, limit("json-depth").value - 1}) {
+    const std::string sidecar =
+        R"({"schema":"gonio.texture/1","recipe":"r","source":{"sha256":"s"},"files":[],"cd_per_unit":1})";
+    for (const std::size_t levels : {std::size_t{1}, limit("json-depth").value - 1}) {
         EXPECT_TRUE(read_sidecar(with_extra(sidecar, levels))) << levels;
         EXPECT_FALSE(sidecar_fields(with_extra(sidecar, levels)).empty()) << levels;
     }
@@ -39,7 +40,7 @@ TEST(HostileJson, DeepSidecarsAreNone) {
 
 TEST(HostileJson, DeepRecordsAreNone) {
     const std::string record =
-        R"({"schema":"gonio.asset/1","source":{"sha256":"s"},"files":[],"instead":[],"target":"gltf"})";
+        R"({"schema":"gonio.asset/2","source":{"sha256":"s"},"files":[],"instead":[],"target":"gltf"})";
     EXPECT_TRUE(read_asset_record(with_extra(record, limit("json-depth").value - 1)));
     EXPECT_FALSE(read_asset_record(with_extra(record, 100000)));
 }
@@ -53,8 +54,7 @@ TEST(HostileJson, DeepManifestsAreRefusedWithTheirPlace) {
               "m.json:2:72: error: nested deeper than 64 levels, the limit 'json-depth'\n"
               "hint: 'gonio list limits' says what each limit is of");
     EXPECT_EQ(refusal("\n  [3]"), "m.json:2:3: error: not a manifest: it is not a JSON object");
-    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error: broken JSON: invalid literal\n"
-                                     "hint: expected '[', '{', or a literal");
+    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error: broken JSON: invalid literal");
     EXPECT_EQ(refusal(R"({"schema":"hunter2"})"), "m.json: error: the schema is not gonio.manifest/1");
 }
 

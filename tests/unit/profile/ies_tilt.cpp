@@ -1,5 +1,6 @@
 // TILT=INCLUDE and TILT=<name>: the factors of a tilted lamp, in the file or beside it.
 #include <gonio/base/file.hpp>
+#include <gonio/base/file_set.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 

@@ -252,7 +252,7 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
     for (int i = 0; i < 1e6; ++i)
         more += "0,";
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 86),
-              "rig.json:1:8248: error: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
+              "rig.json:1:8249: error: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
 }
 
 TEST(Rig, FilesAreNamedWithTheirPath) {
@@ -369,7 +369,7 @@ TEST(Rig, ProfilesAreReadOnceAndShared) {
 TEST(Rig, NestingAndSizeAreBounded) {
     EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 39), "rig.json: error: a rig is a JSON object");
     EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
-              "rig.json:1:52: error: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
+              "rig.json:1:50: error: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
               "hint: 'gonio list limits' says what each limit is of");
     std::string deep;
     for (int i = 0; i < 100000; ++i)

@@ -15,7 +15,7 @@ namespace gonio::detail {
 using OrderedJson = nlohmann::ordered_json;
 
 // The bytes of a text as nlohmann::json reads them, and how many it has read: within a call of a json_sax the last of
-// them ends what the call is about. Must outlive its iterators.
+// them ends what the call is about, or of a number is the one behind it. Must outlive its iterators.
 class JsonBytes {
 public:
     class Iterator {
