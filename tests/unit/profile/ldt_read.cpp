@@ -137,7 +137,7 @@ TEST(LdtRead, Numbers) {
         expect_error(read(with(lamp(), 51, bad)),
                      "lamp:51:1: error[LDT0103]: '" + bad + "' is not a finite number up to 1e30");
     // Of a text that is not EULUMDAT nothing is quoted.
-    for (const int line : {2, 3, 4})
+    for (const std::size_t line : {2U, 3U, 4U})
         EXPECT_EQ(said(read(with(lamp(), line, "hunter2"))).find("hunter2"), std::string::npos) << line;
     expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: a text that is not a number stands where "
                                                    "the type of luminaire is expected");
