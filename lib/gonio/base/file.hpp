@@ -11,15 +11,18 @@
 
 namespace gonio {
 
+// Of files that have no limit of their own. (clang 14 takes no consteval call as a default argument.)
+inline constexpr const Limit& largest_file = limit("file-bytes");
+
 // The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, on what cannot be opened or read,
 // and on more bytes than the limit: never allocates what a size announces before it has been read.
-Result<std::string> read_file(const std::string& path, const Limit& most = limit("file-bytes"));
+Result<std::string> read_file(const std::string& path, const Limit& most = largest_file);
 
 // The first `count` bytes of a file, or as many as it has. Fails as read_file does.
 Result<std::string> read_file_start(const std::string& path, std::size_t count);
 
 // As read_file, from standard input.
-Result<std::string> read_standard_input(const Limit& most = limit("file-bytes"));
+Result<std::string> read_standard_input(const Limit& most = largest_file);
 
 // Writes to standard output, all or an error. SIGPIPE keeps its default action unless the program changed it.
 Result<void> write_standard_output(std::string_view bytes);

@@ -9,9 +9,12 @@
 
 namespace gonio {
 
+// Of what is not a texture. (clang 14 takes no consteval call as a default argument.)
+inline constexpr const Limit& longest_picture_side = limit("picture-side");
+
 // Fails (usage) on a side below 1 or above the limit `side`, and on more pixels than the limit picture-pixels. `what`
 // and `unit` name it in the message: "a picture of 30000x30000 pixels".
-Result<void> check_picture_size(std::int64_t width, std::int64_t height, const Limit& side = limit("picture-side"),
+Result<void> check_picture_size(std::int64_t width, std::int64_t height, const Limit& side = longest_picture_side,
                                 std::string_view what = "a picture", std::string_view unit = "pixels");
 
 } // namespace gonio
