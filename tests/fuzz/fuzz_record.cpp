@@ -38,7 +38,7 @@ void check_sidecar(std::string_view text) {
     require(record.has_value() == again.has_value());
     if (!record) return;
     require(record->source_sha256 == again->source_sha256 && record->recipe == again->recipe &&
-            record->face_files == again->face_files);
+            record->files == again->files);
     // Both readers find the same source.
     if (record->source_sha256.empty()) return;
     require(std::any_of(fields.begin(), fields.end(), [&](const SidecarField& field) {
