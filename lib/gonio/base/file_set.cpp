@@ -98,8 +98,9 @@ int take_name(Staged& file, bool undoable) {
 
 void give_name_back(Staged& file) {
     if (file.old != nullptr) {
-        if (::renameat(file.folder, file.old->name.data(), file.folder, file.name.c_str()) == 0)
-            detail::forget(*std::exchange(file.old, nullptr));
+        // Where even that fails, what was there stays under its temporary name: it is never removed.
+        (void)::renameat(file.folder, file.old->name.data(), file.folder, file.name.c_str());
+        detail::forget(*std::exchange(file.old, nullptr));
     } else if (!file.replaces) {
         ::unlinkat(file.folder, file.name.c_str(), 0);
     }
