@@ -5,14 +5,15 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=$root/build/quickstart
+build=$root/build/release
 out=${1:-$build/quickstart.png}
 
 bash "$root/cli/install-dependencies.sh"
 
-# ccache only where the caller asked for it: a first build has nothing to gain from it.
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF > /dev/null
-cmake --build "$build"
+# The folder of tests/run.sh, which builds on what is here. A folder that is configured stays as it is.
+cd "$root"
+[[ -f $build/build.ninja ]] || cmake --preset release -DBUILD_TESTING=OFF > /dev/null
+cmake --build --preset release --target gonio-tool
 
 gonio=$build/cli/gonio
 "$gonio" preview "$root/profiles/downlight.ies" --stage floor -s 640x480 -o "$out"

@@ -31,7 +31,7 @@ for set in avx2 avx512; do
     grep -qw "$flag" /proc/cpuinfo || left_out+="|kernels[a-z_]*_$set"
 done
 
-programs=("$build/tests/gonio-unit")
+programs=("$build/tests/gonio-unit" -object "$build/tests/gonio-unit-threads")
 for more in "$build/cli/gonio" "$build"/cli/gonio-*.so; do
     [[ -f $more ]] && programs+=(-object "$more")
 done

@@ -4,7 +4,8 @@
 #   tests/run.sh                    all of them
 #   tests/run.sh -R MediaDisplay    those whose name matches
 #
-# GONIO_WERROR=ON turns warnings into errors. Ends with ctest's summary and its exit status.
+# It goes on in the folder of cli/quickstart.sh: no source is compiled twice. GONIO_WERROR=ON turns warnings into errors.
+# Ends with ctest's summary and its exit status.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,12 +13,10 @@ cd "$root"
 
 bash cli/install-dependencies.sh --tests
 
-export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-# The precompiled headers' times of day do not change what comes out.
-export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-# A checkout elsewhere finds what this one has compiled.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 jobs=$(nproc)
-cmake --preset release "-DGONIO_WERROR=${GONIO_WERROR:-OFF}" > /dev/null
+options=(-DBUILD_TESTING=ON)
+# Another value than the folder has would compile all of it again.
+[[ -z ${GONIO_WERROR:-} ]] || options+=("-DGONIO_WERROR=$GONIO_WERROR")
+cmake --preset release "${options[@]}" > /dev/null
 cmake --build --preset release --parallel "$jobs"
 exec ctest --test-dir build/release --output-on-failure --parallel "$jobs" --no-tests=error "$@"

@@ -93,7 +93,7 @@ complete -o filenames -F _gonio gonio
 }
 
 // Text between single quotes of zsh and fish.
-std::string quoted(std::string_view text) {
+std::string in_single_quotes(std::string_view text) {
     std::string out;
     for (const char c : text)
         out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -104,7 +104,7 @@ std::string fish_script() {
     std::string script = "# fish completion of gonio\ncomplete -c gonio -n __fish_use_subcommand -f\n";
     for (const Command* command : commands()) {
         script += fmt::format("complete -c gonio -n __fish_use_subcommand -a {} -d '{}'\n", command->name,
-                              quoted(command->summary));
+                              in_single_quotes(command->summary));
         for (const OptionGroup& group : command->groups)
             for (const Option& option : group.options) {
                 script += fmt::format("complete -c gonio -n '__fish_seen_subcommand_from {}'", command->name);
@@ -112,8 +112,8 @@ std::string fish_script() {
                     script += name.starts_with("--") ? fmt::format(" -l {}", name.substr(2))
                                                      : fmt::format(" -s {}", name.substr(1));
                 if (!option.value.empty()) script += " -r";
-                if (!option.list.empty()) script += fmt::format(" -f -a '{}'", quoted(words_of(option.list)));
-                script += fmt::format(" -d '{}'\n", quoted(option.help));
+                if (!option.list.empty()) script += fmt::format(" -f -a '{}'", in_single_quotes(words_of(option.list)));
+                script += fmt::format(" -d '{}'\n", in_single_quotes(option.help));
             }
     }
     return script;
