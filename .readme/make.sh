@@ -39,7 +39,7 @@ stage room --shape tube:r=2cm,l=1.2m --intensity 2500lm --color 4000K
     --fov 14deg --target 0.42,-0.28,0.36 \
     --sweep roughness=0.15:0.75:4 --sweep metallic=0,1 -s 130x110 -o $here/sweep.png
 
-for picture in $here/*.png; do
+for picture in "$here"/*.png; do
     bytes=$(stat -c %s "$picture")
     ((bytes < 60000)) || { echo "$picture has $bytes bytes, more than 60 kB" >&2; exit 1; }
 done

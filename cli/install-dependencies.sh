@@ -4,25 +4,25 @@
 #   cli/install-dependencies.sh           what building the library and the tool needs
 #   cli/install-dependencies.sh --tests   … and running tests/run.sh
 #   cli/install-dependencies.sh --bench   … and the benchmark programs (-DGONIO_BENCH=ON)
-#   cli/install-dependencies.sh --ci      … and running .ci/run (clang, its sanitizers, clang-tidy, clang-format)
+#   cli/install-dependencies.sh --ci      … and running .ci/run (those, clang, its sanitizers, clang-tidy, ccache)
 #
 # Needs root or sudo, and only when something is missing.
 set -euo pipefail
 
 packages=(
-    g++ cmake ninja-build pkg-config ccache
+    g++ cmake ninja-build pkg-config
     libopenimageio-dev libopencolorio-dev
     libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev libpugixml-dev
 )
 test_packages=(libgtest-dev python3-openimageio jq)
 bench_packages=(libbenchmark-dev libfast-float-dev)
-ci_packages=(clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14)
+ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
 
 for argument in "$@"; do
     case $argument in
     --tests) packages+=("${test_packages[@]}") ;;
     --bench) packages+=("${test_packages[@]}" "${bench_packages[@]}") ;;
-    --ci) packages+=("${test_packages[@]}" "${ci_packages[@]}") ;;
+    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${ci_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0

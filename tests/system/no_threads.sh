@@ -7,10 +7,10 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-[[ $(id -u) == 0 ]] && command -v setpriv > /dev/null || {
+if [[ $(id -u) != 0 ]] || ! command -v setpriv > /dev/null; then
     echo "skipped: needs root and setpriv"
     exit 77
-}
+fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/here"
@@ -26,6 +26,7 @@ cd "$work/here"
 limited() {
     local most=$1
     shift
+    # shellcheck disable=SC2016 # the inner shell expands them
     timeout 10 setpriv --reuid="$user" --regid="$user" --clear-groups \
         bash -c 'ulimit -u "$1"; shift; exec "$@"' limited "$most" "$@"
 }

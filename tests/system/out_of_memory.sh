@@ -34,7 +34,8 @@ limited info first.ies
 
 limited info -j 1 first.ies big.ies last.ies
 ((status == 5)) || fail "exit $status, not 5"
-grep -q '^first.ies$' out && grep -q '^last.ies$' out || fail "the others are not read"
+grep -q '^first.ies$' out || fail "the input before is not read"
+grep -q '^last.ies$' out || fail "the input after is not read"
 grep -q '^big.ies: error: out of memory$' said || fail "the reason is not said"
 grep -q '^3 files: 2 read, 1 failed$' said || fail "the closing line does not count it"
 

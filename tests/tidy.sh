@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# clang-tidy on lib/ and cli/.
+#
+#   bash tests/tidy.sh            what has changed since the last landed state
+#   bash tests/tidy.sh --all      every file (half an hour on two cores), with clang's analyzer, which takes two fifths of it
+#   bash tests/tidy.sh FILE…      these
+#
+# The last landed state is $GONIO_TIDY_SINCE; else origin/main, where the checkout is ahead of it; else the newest commit
+# that is six hours older than HEAD. A changed header is read through its own source, or else through the first file that
+# includes it. Where there is no history, every file is read.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+build=build/tidy
+
+# Without precompiled headers, which are g++'s, and which would hide a missing #include.
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=OFF \
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
+
+checks='-clang-analyzer-*'
+files=()
+landed() {
+    local base
+    if [[ -n ${GONIO_TIDY_SINCE:-} ]]; then
+        git rev-parse --verify "$GONIO_TIDY_SINCE^{commit}"
+        return
+    fi
+    if base=$(git merge-base HEAD origin/main 2> /dev/null) && [[ $base != "$(git rev-parse HEAD)" ]]; then
+        echo "$base"
+        return
+    fi
+    base=$(git rev-list -1 --before=$(($(git show -s --format=%ct HEAD) - 6 * 3600)) HEAD)
+    echo "$base"
+}
+# The source that reads a header: its own, or the first that includes it.
+reader() { # HEADER
+    local own=${1%.hpp}.cpp
+    if [[ -f $own ]]; then echo "$own"; return; fi
+    git grep -lF "${1#lib/}" -- 'lib/*.cpp' 'cli/*.cpp' | head -n 1 || true
+}
+
+if [[ ${1:-} == --all ]]; then
+    checks=''
+    mapfile -t files < <(find lib cli -name '*.cpp')
+elif (($#)); then
+    files=("$@")
+elif ! git rev-parse --verify --quiet HEAD > /dev/null || ! since=$(landed) || [[ -z $since ]]; then
+    echo 'no history to compare with: every file is read'
+    mapfile -t files < <(find lib cli -name '*.cpp')
+else
+    echo "changed since $(git show -s --format='%h %s' "$since"):"
+    while IFS= read -r file; do
+        case $file in
+        *.cpp) files+=("$file") ;;
+        *.hpp) mapfile -t -O "${#files[@]}" files < <(reader "$file") ;;
+        esac
+    done < <(git diff --name-only --diff-filter=d "$since" -- lib cli; git ls-files --others --exclude-standard -- lib cli)
+fi
+
+# Files of no target (another machine's kernels) have no flags to be read with.
+known=()
+while IFS= read -r file; do
+    if grep -qF "\"file\": \"$root/$file\"" "$build/compile_commands.json"; then known+=("$file"); fi
+done < <(((${#files[@]} == 0)) || printf '%s\n' "${files[@]}" | sort -u)
+echo "${#known[@]} files"
+((${#known[@]})) || exit 0
+
+# What clang-tidy says about one file is kept together, and shown only when there is something.
+tidy_one() { # FILE
+    local said status=0
+    said=$(clang-tidy-14 --quiet ${checks:+"--checks=$checks"} --extra-arg=-Wno-unknown-warning-option -p "$build" "$1" \
+        2> /dev/null) || status=$?
+    ((status == 0)) || printf '%s\n' "$said"
+    return "$status"
+}
+export -f tidy_one
+export checks build
+# shellcheck disable=SC2016 # the inner shell expands it
+printf '%s\0' "${known[@]}" | xargs -0 -n 1 -P "$(nproc)" bash -c 'tidy_one "$1"' _
