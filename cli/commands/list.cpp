@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 
 #include "../arguments.hpp"
@@ -54,13 +54,9 @@ int run(const Arguments& arguments, Console& console) {
         return 0;
     }
     const std::string& name = arguments.positional().front();
-    const NamedList* list = find_list(name);
-    if (list == nullptr) {
-        std::vector<std::string_view> names;
-        for (const NamedList& known : named_lists())
-            names.push_back(known.name);
-        return console.fail(unknown_name("list", name, names).value());
-    }
+    const Result<const NamedList*> found = find_named("list", name, named_lists());
+    if (!found) return console.fail(found.error());
+    const NamedList* const list = *found;
     const std::vector<ListEntry> entries = list->entries();
     if (arguments.has("--markdown")) {
         console.print(markdown(*list, entries));

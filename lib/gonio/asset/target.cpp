@@ -1,6 +1,6 @@
 #include <gonio/asset/detail/scene_light.hpp>
 #include <gonio/asset/target.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 
 #include <fmt/format.h>
 
@@ -135,12 +135,7 @@ std::span<const Target> targets() {
 }
 
 Result<const Target*> find_target(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Target& target : all) {
-        if (target.name == name) return &target;
-        names.push_back(target.name);
-    }
-    return unknown_name("target", name, names);
+    return find_named("target", name, all);
 }
 
 std::string target_readme(const Target& target) {

@@ -1,5 +1,5 @@
 #include <gonio/bake/engine.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -115,12 +115,7 @@ std::span<const Engine> engines() {
 }
 
 Result<const Engine*> find_engine(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Engine& engine : engines()) {
-        if (engine.name == name) return &engine;
-        names.push_back(engine.name);
-    }
-    return unknown_name("engine", name, names);
+    return find_named("engine", name, engines());
 }
 
 } // namespace gonio

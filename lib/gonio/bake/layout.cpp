@@ -1,5 +1,5 @@
 #include <gonio/bake/layout.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 
 #include <fmt/format.h>
 
@@ -48,6 +48,7 @@ constexpr std::array infos{
                "column i covers atan2(x, -z) in [i, i+1]/width*360-180 deg, row j covers asin(y) in 90-[j, "
                "j+1]/height*180 deg; a texel holds the mean over its solid angle"},
 };
+static_assert(in_enum_order(infos, &LayoutInfo::layout, Layout::panorama));
 
 double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
@@ -329,12 +330,7 @@ const LayoutInfo& info_of(Layout layout) {
 }
 
 Result<Layout> parse_layout(std::string_view text) {
-    std::vector<std::string_view> names;
-    for (const LayoutInfo& known : infos) {
-        if (known.name == text) return known.layout;
-        names.push_back(known.name);
-    }
-    return unknown_name("layout", text, names);
+    return find_named("layout", text, infos).map([](const LayoutInfo* known) { return known->layout; });
 }
 
 void Chart::folds(bool /*along_s*/, double /*fixed*/, double /*from*/, double /*to*/,

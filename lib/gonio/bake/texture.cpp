@@ -12,6 +12,7 @@ namespace gonio {
 namespace {
 
 constexpr std::array<std::string_view, 4> names{"none", "peak", "mean", "flux"};
+static_assert(names.size() == static_cast<std::size_t>(Normalization::flux) + 1);
 
 } // namespace
 

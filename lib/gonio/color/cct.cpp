@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/locus.hpp>
@@ -26,6 +26,7 @@ constexpr std::array loci{
     LocusName{"daylight", Locus::daylight, "CIE D illuminants, 4000–25000 K"},
     LocusName{"blend", Locus::blend, "planckian to 4000 K, daylight from 5000 K, mixed between (TM-30)"},
 };
+static_assert(in_enum_order(loci, &LocusName::locus, Locus::blend));
 
 double per_kk(Kelvin temperature) {
     return 1e3 / temperature.value;
@@ -155,12 +156,7 @@ std::span<const LocusName> locus_names() {
 }
 
 Result<Locus> parse_locus(std::string_view text) {
-    std::vector<std::string_view> names;
-    for (const LocusName& known : loci) {
-        if (known.name == text) return known.locus;
-        names.push_back(known.name);
-    }
-    return unknown_name("locus", text, names);
+    return find_named("locus", text, loci).map([](const LocusName* known) { return known->locus; });
 }
 
 Xy daylight_xy(Kelvin temperature) {
@@ -232,12 +228,9 @@ Result<double> parse_tint(std::string_view text) {
     if (at == std::string_view::npos)
         return fail(Failure::usage, fmt::format("the tint '{}' does not say whose it is", text),
                     fmt::format("write {}@dng, or another of 'gonio list tints'", text));
-    std::vector<std::string_view> names;
-    for (const TintConvention& known : tint_conventions()) {
-        if (known.name == text.substr(at + 1)) return *number / known.per_duv;
-        names.push_back(known.name);
-    }
-    return unknown_name("tint", text.substr(at + 1), names);
+    return find_named("tint", text.substr(at + 1), tint_conventions()).map([&](const TintConvention* known) {
+        return *number / known->per_duv;
+    });
 }
 
 Result<Cct> parse_cct(std::string_view text) {

@@ -1,8 +1,7 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/light/presets.hpp>
 
 #include <array>
-#include <vector>
 
 namespace gonio {
 
@@ -38,12 +37,7 @@ std::span<const LightPreset> light_presets() {
 }
 
 Result<const LightPreset*> find_preset(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const LightPreset& preset : presets) {
-        if (preset.name == name) return &preset;
-        names.push_back(preset.name);
-    }
-    return unknown_name("preset", name, names);
+    return find_named("preset", name, presets);
 }
 
 } // namespace gonio

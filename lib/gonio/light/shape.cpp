@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/profile/read.hpp>
@@ -34,7 +35,7 @@ constexpr std::array kinds{
 };
 
 struct FalloffName {
-    std::string_view text;
+    std::string_view name;
     Falloff falloff;
 };
 
@@ -129,12 +130,7 @@ Result<Falloff> falloff_of(const KindText& text) {
                                     [](const KindText::Entry& candidate) { return candidate.key == "falloff"; });
     if (entry == text.entries.end()) return Falloff::frostbite;
     const std::string name = entry->value.value_or("");
-    std::vector<std::string_view> names;
-    for (const FalloffName& known : falloffs) {
-        if (known.text == name) return known.falloff;
-        names.push_back(known.text);
-    }
-    return unknown_name("falloff", name, names);
+    return find_named("falloff", name, falloffs).map([](const FalloffName* known) { return known->falloff; });
 }
 
 Result<Shape> spot(const KindText& text) {
@@ -269,7 +265,7 @@ WebSlot web_slot(Shape& shape) {
 
 const char* to_text(Falloff falloff) {
     for (const FalloffName& name : falloffs)
-        if (name.falloff == falloff) return name.text.data();
+        if (name.falloff == falloff) return name.name.data();
     return "";
 }
 

@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/plot/diagram.hpp>
 
 #include <array>
@@ -23,12 +23,7 @@ std::span<const DiagramKind> diagram_kinds() {
 }
 
 Result<const DiagramKind*> find_diagram(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const DiagramKind& kind : kinds) {
-        if (kind.name == name) return &kind;
-        names.push_back(kind.name);
-    }
-    return unknown_name("diagram", name, names);
+    return find_named("diagram", name, kinds);
 }
 
 } // namespace gonio

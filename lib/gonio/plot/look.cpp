@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/plot/look.hpp>
@@ -20,6 +20,7 @@ constexpr std::array known{
     LookName{Look::isolux, "isolux", "lines of equal lux or nits over the dimmed picture"},
     LookName{Look::luminance, "luminance", "the luminance as a grey picture, with a legend in nits"},
 };
+static_assert(in_enum_order(known, &LookName::look, Look::luminance));
 
 constexpr std::int32_t nothing_seen = -1;
 constexpr std::int32_t outline_seen = -2;
@@ -32,12 +33,7 @@ std::span<const LookName> looks() {
 
 Result<Look> parse_look(std::string_view name) {
     if (name == "falsecolor") name = "falsecolour";
-    std::vector<std::string_view> names;
-    for (const LookName& look : known) {
-        if (look.name == name) return look.look;
-        names.push_back(look.name);
-    }
-    return unknown_name("look", name, names);
+    return find_named("look", name, known).map([](const LookName* look) { return look->look; });
 }
 
 std::string_view to_text(Look look) {

@@ -1,9 +1,8 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/plot/palette.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace gonio {
 
@@ -74,12 +73,7 @@ const Palette& diverging_palette() {
 
 Result<const Palette*> find_palette(std::string_view name) {
     if (name == "grey") name = "gray";
-    std::vector<std::string_view> names;
-    for (const Palette& palette : known) {
-        if (palette.name == name) return &palette;
-        names.push_back(palette.name);
-    }
-    return unknown_name("palette", name, names);
+    return find_named("palette", name, known);
 }
 
 } // namespace gonio

@@ -1,11 +1,10 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/preview/tone_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace gonio {
 
@@ -16,6 +15,7 @@ constexpr std::array known{
     ToneMapName{ToneMap::ue3, "ue3", "Unreal Engine 3: y = 1.0275 x/(x+0.22), display-encoded, in the view's stead"},
     ToneMapName{ToneMap::ue3_inverse, "ue3-inverse", "linear light that UE3's curve shows as the plain sRGB picture"},
 };
+static_assert(in_enum_order(known, &ToneMapName::map, ToneMap::ue3_inverse));
 
 } // namespace
 
@@ -24,12 +24,7 @@ std::span<const ToneMapName> tone_maps() {
 }
 
 Result<ToneMap> parse_tone_map(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const ToneMapName& map : known) {
-        if (map.name == name) return map.map;
-        names.push_back(map.name);
-    }
-    return unknown_name("tone map", name, names);
+    return find_named("tone map", name, known).map([](const ToneMapName* map) { return map->map; });
 }
 
 std::string_view to_text(ToneMap map) {

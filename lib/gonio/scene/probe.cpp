@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/probe.hpp>
@@ -110,12 +110,9 @@ std::string_view to_text(IrradianceMethod method) {
 }
 
 Result<IrradianceMethod> parse_irradiance_method(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const IrradianceMethodName& known : method_names) {
-        if (known.name == name) return known.method;
-        names.push_back(known.name);
-    }
-    return unknown_name("method", name, names);
+    return find_named("method", name, method_names).map([](const IrradianceMethodName* known) {
+        return known->method;
+    });
 }
 
 void ProbeOccurrence::add(const ProbeOccurrence& others, std::size_t offset) {
