@@ -27,6 +27,7 @@ constexpr double curve_step_deg = 0.5;
 // The γ at which a curve is evaluated on one side of the nadir.
 std::vector<double> curve_gammas(const Web& web) {
     std::vector<double> gammas = even_steps(0.0, 180.0, curve_step_deg);
+    if (web.photometry() != Photometry::c) return gammas; // its own angles run along no C-plane
     for (const double own : web.gammas_deg())
         if (own >= 0.0 && own <= 180.0) gammas.push_back(own);
     // Where the table ends the intensity falls to 0 at once: the curve needs both values.

@@ -14,6 +14,7 @@
 #include "../folders.hpp"
 #include "json_schema.hpp"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -359,6 +360,35 @@ TEST(LightScene, OfGltfHasIndicesAndPlaces) {
         EXPECT_EQ(node["translation"][1], 2.0);
         EXPECT_EQ(node["translation"][2], 0.4);
     }
+}
+
+// The shapes, sizes and amounts of pbrt's lights, each by itself.
+TEST(LightScene, OfPbrtHoldsEveryKind) {
+    const std::vector<Light> lights = studio();
+    const Target& pbrt = **find_target("pbrt");
+    const auto text = [&](std::string_view name) {
+        for (const Light& light : lights)
+            if (light.name == name) return light_scene(pbrt, {&light, 1}, {"one", "", Meters(1.0)})->files[0].bytes;
+        return std::string();
+    };
+    const auto luminance = [](double nits) {
+        return fmt::format("AreaLightSource \"diffuse\" \"rgb L\" [ 1 1 1 ] \"float scale\" [ {} ]", nits);
+    };
+    const auto holds = [&](std::string_view name, std::string_view part) {
+        const std::string all = text(name);
+        EXPECT_NE(all.find(part), std::string::npos) << name << " lacks " << part << "\n" << all;
+    };
+    for (const Light& light : lights)
+        for (const char* area : {"key light", "disk", "panel", "tube"})
+            if (light.name == area) holds(area, luminance(light.luminance.value));
+    holds("key light", "Shape \"sphere\" \"float radius\" 0.1\n");
+    holds("disk", "Shape \"disk\" \"float radius\" 0.2\n");
+    holds("panel", "[ -0.3 -0.15 0  -0.3 0.15 0  0.3 -0.15 0  0.3 0.15 0 ]");
+    holds("tube", "Translate -0.6 0 0\n    Shape \"sphere\" \"float radius\" 0.02");
+    holds("tube", "\"cylinder\" \"float radius\" 0.02 \"float zmin\" -0.6 \"float zmax\" 0.6");
+    holds("sun", "LightSource \"distant\" \"rgb L\" [ 1 1 1 ] \"float illuminance\" [ 500 ]");
+    holds("soft", "\"float coneangle\" [ 40 ] \"float conedeltaangle\" [ 14.99999999"); // 40° − 25° by radians
+    holds("point", "LightSource \"point\" \"rgb I\" [ 1 1 1 ] \"float scale\" [ 40 ]");
 }
 
 // Lux over distances in the scene's units, or refused.

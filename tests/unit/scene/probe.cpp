@@ -281,6 +281,49 @@ TEST(Probe, FrostbiteLuminanceIsItsBrdfTimesLux) {
     EXPECT_EQ(probe({&light, 1}, {&receiver, 1}, options).error().failure, Failure::unsupported);
 }
 
+// The named methods on every area light: without a lobe they are the exact diffuse part, a light that is small against
+// the lobe shows what the exact integral does, and a range takes from them what it takes from the exact one.
+TEST(Probe, NamedMethodsAgreeWhereTheyMust) {
+    const Receiver receiver{{0, 0, 0}, {0, 0, 1}};
+    const auto seen = [&](const Light& light, std::string_view material, IrradianceMethod method) {
+        ProbeOptions options;
+        options.method = method;
+        options.view = ProbeView{{-0.6, 0.1, 1.0}, parse_material(material).value()};
+        return probe({&light, 1}, {&receiver, 1}, options).value().luminance.at(0);
+    };
+    for (const char* const shape :
+         {"sphere:r=3mm", "disk:r=3mm", "rect:w=6mm,h=4mm", "tube:r=1mm,l=5mm", "sun:angle=0.1deg"}) {
+        const bool sun = std::string_view(shape).starts_with("sun");
+        Light light = make(shape, sun ? "900lx" : "900lm", {1.3, -0.4, 2.0}, {-1.3, 0.4, -2.0});
+        light.color = parse_light_color("rgb(1,0.5,0.2)").value();
+        for (const IrradianceMethod method :
+             {IrradianceMethod::ltc, IrradianceMethod::representative_point, IrradianceMethod::dominant_direction,
+              IrradianceMethod::specular_d, IrradianceMethod::spherical_hack, IrradianceMethod::sun_disk}) {
+            const auto because = [&] {
+                return std::string(shape) + " by method " + std::to_string(static_cast<int>(method));
+            };
+            for (const char* matte : {"lambert:albedo=0.5", "eon:albedo=0.5,roughness=0.7"}) {
+                const ProbeLuminance named = seen(light, matte, method);
+                const ProbeLuminance exact = seen(light, matte, IrradianceMethod::exact);
+                EXPECT_EQ(named.specular.value, 0.0) << because();
+                // Of a rough surface the BRDF towards the centre stands for all of the light: a seventh of a degree.
+                EXPECT_NEAR(named.diffuse.value / exact.diffuse.value, 1.0, matte[0] == 'l' ? 1e-5 : 2e-3) << because();
+            }
+            const ProbeLuminance named = seen(light, "ggx:alpha=0.4", method);
+            const ProbeLuminance exact = seen(light, "ggx:alpha=0.4", IrradianceMethod::exact);
+            // ltc is a fit of the lobe; the others widen it by the light's size, 4 % at ten times these sizes.
+            EXPECT_NEAR(named.specular.value / exact.specular.value, 1.0, method == IrradianceMethod::ltc ? 0.06 : 0.01)
+                << because();
+            if (sun) continue;
+            Light ranged = light;
+            ranged.range = Meters(4.0);
+            EXPECT_NEAR(seen(ranged, "ggx:alpha=0.4", method).specular.value / named.specular.value,
+                        lux(ranged, receiver) / lux(light, receiver), 2e-3)
+                << because();
+        }
+    }
+}
+
 TEST(Probe, RefusesWhatHasNoMeaning) {
     const Light light = make("point", "1cd", {0, 0, 1});
     constexpr double inf = std::numeric_limits<double>::infinity();

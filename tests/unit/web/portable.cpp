@@ -1,6 +1,7 @@
 // The portable dialect, claim by claim.
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/portable_text.hpp>
 #include <gonio/web/to_profile.hpp>
 
 #include "webs.hpp"
@@ -19,6 +20,28 @@ using namespace gonio::test;
 bool says(const Diagnostics& diagnostics, std::string_view code) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [&](const Diagnostic& diagnostic) { return diagnostic.code == code; });
+}
+
+// Every character that has a spelling, in both encodings that files use; one that has none is a question mark.
+TEST(Portable, SpellsWhatAsciiLacks) {
+    const auto ascii = [](std::string text) {
+        EXPECT_TRUE(web_detail::make_ascii(text));
+        return text;
+    };
+    EXPECT_EQ(ascii("\u00C6\u00E6\u00DF \u00C0\u00C9\u00D1\u00D8\u00FC\u00FF"), "AEaess AENOuy");
+    EXPECT_EQ(ascii("a\u00A0b \u00A9\u00AE 5\u00B0 \u00B10.1 m\u00B2 m\u00B3 \u00B5\u03BCm"),
+              "a b (C)(R) 5deg +-0.1 m2 m3 uum");
+    EXPECT_EQ(ascii("\u0152\u0153 \u03A9 1\u20132\u20143\u22124"), "OEoe Ohm 1-2-3-4");
+    EXPECT_EQ(ascii("\u2018a\u2019 \u201Cb\u201D \u201Ec \u2026 \u20AC \u2122 \u4E2D\U0001F4A1"),
+              "'a' \"b\" \"c ... EUR (TM) ??");
+    EXPECT_EQ(ascii("\x80 \x84\x93\x94 \x85 \x8C\x9C \x91\x92 \x96\x97 \x99 \xB0 \xFC \x81"),
+              "EUR \"\"\" ... OEoe '' -- (TM) deg u ?");
+    // Cut short, too long a form, a surrogate's lead: no UTF-8, so the code page 1252.
+    EXPECT_EQ(ascii("\xC3"), "A");
+    EXPECT_EQ(ascii("\xC0\xAF"), "A?");
+    std::string plain = "plain\ttext";
+    EXPECT_FALSE(web_detail::make_ascii(plain));
+    EXPECT_EQ(plain, "plain text");
 }
 
 // What the survey of loaders asks for, claim by claim.
