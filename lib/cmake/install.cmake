@@ -8,13 +8,14 @@ install(TARGETS gonio EXPORT gonio-targets
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(TARGETS gonio-image gonio-color LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
 
-# Public headers only: what lies under detail/, a module's folder or a fitting program's is no one else's.
+# Public headers only: not those under detail/, of a module, of a fitting program or of gonio-measure. A new one has to be
+# listed in public-headers.txt too, which the test consumer.install compares.
 install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/gonio" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
         FILES_MATCHING PATTERN "*.hpp"
         PATTERN "detail" EXCLUDE
         PATTERN "fit" EXCLUDE
         PATTERN "data" EXCLUDE
-        REGEX "/gonio/media/(image|color)$" EXCLUDE)
+        REGEX "/gonio/(measure|media/image|media/color)$" EXCLUDE)
 
 # The CIE's numbers are compiled in; their licence wants to go with them.
 install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# Whether the first block of C++ in a page is the program, but for its first line.
+#
+#   tests/consumer/check_example.sh PAGE PROGRAM
+set -euo pipefail
+
+diff <(sed -n '/^```cpp$/,/^```$/{ /^```/d; p }' "$1") <(tail -n +2 "$2")
