@@ -278,7 +278,7 @@ constexpr std::array lists{
     NamedList{"methods", "ways to compute the illuminance of a light", methods},
     NamedList{"normalizations", "what a texel of 1 means", normalizations},
     NamedList{"palettes", "colours of false-colour pictures", palettes},
-    NamedList{"policies", "whose meaning of photometric numbers", policies},
+    NamedList{"policies", "what other programs mean by photometric numbers", policies},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"scalings", "what bench takes the time of by size", scalings},
     NamedList{"shapes", "shapes of lights", shapes},
@@ -289,7 +289,7 @@ constexpr std::array lists{
     NamedList{"sweeps", "what a sweep of preview can change", sweeps},
     NamedList{"targets", "programs that import delivers to", targets},
     NamedList{"tints", "measures of the distance from the locus", tints},
-    NamedList{"tone-maps", "curves in the stead of a display's view", tone_maps},
+    NamedList{"tone-maps", "curves that replace the view of a display", tone_maps},
     NamedList{"units", "units of values", units},
 };
 

@@ -137,7 +137,7 @@ Result<void> compare_temperatures(const CctRequest& request, CctAnswer& answer) 
 // The answer to a chromaticity, whose temperature is asked for.
 Result<std::vector<CctAnswer>> nearest_black_body(std::string input, CctKind kind, Uv at, const CctRequest& request) {
     if (request.duv)
-        return fail(Failure::usage, fmt::format("'{}' has a Duv of its own", input), "leave --duv and --tint out");
+        return fail(Failure::usage, fmt::format("'{}' already has a Duv", input), "leave --duv and --tint out");
     Result<Cct> cct = exact_cct(at);
     if (!cct) return pass_on(cct);
     CctAnswer answer = in_space(std::move(input), kind, at, request);
@@ -219,7 +219,7 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
         return parse_amount(text, Dimension::temperature, "a bound of a range");
     };
     if (second == std::string::npos)
-        return fail(Failure::usage, fmt::format("'{}' is no value and no range", word),
+        return fail(Failure::usage, fmt::format("'{}' is neither a value nor a range", word),
                     "a range is FROM:TO:STEP, for example 2000K:10000K:100K");
     Result<double> from = parse_amount(word.substr(0, first), Dimension::temperature, "the start of a range");
     if (!from) return pass_on(from);
@@ -243,7 +243,7 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
 Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctRequest& request) {
     if (const std::optional<Spectrum> illuminant = find_illuminant(value)) {
         if (request.duv)
-            return fail(Failure::usage, fmt::format("'{}' has a Duv of its own", value), "leave --duv and --tint out");
+            return fail(Failure::usage, fmt::format("'{}' already has a Duv", value), "leave --duv and --tint out");
         Result<CctAnswer> answer = answer_of(*illuminant, value, request);
         if (!answer) return pass_on(answer);
         return std::vector{std::move(*answer)};
@@ -283,7 +283,7 @@ Result<std::vector<CctAnswer>> answer_xy(const std::string& text, const CctReque
     if (!v) return pass_on(v);
     const Xy xy{(*v)[0], (*v)[1]};
     if (!is_real(xy))
-        return fail(Failure::usage, fmt::format("xy {} is no colour: it lies outside the spectral locus", text),
+        return fail(Failure::usage, fmt::format("xy {} is not a colour: it lies outside the spectral locus", text),
                     "real colours have mixtures of wavelengths");
     return nearest_black_body(fmt::format("xy {}", text), CctKind::chromaticity, to_uv(xy), request);
 }
@@ -293,7 +293,7 @@ Result<std::vector<CctAnswer>> answer_uv_prime(const std::string& text, const Cc
     if (!v) return pass_on(v);
     const Uv uv = to_uv(UvPrime{(*v)[0], (*v)[1]});
     if (!is_real(to_xy(uv)))
-        return fail(Failure::usage, fmt::format("u'v' {} is no colour: it lies outside the spectral locus", text),
+        return fail(Failure::usage, fmt::format("u'v' {} is not a colour: it lies outside the spectral locus", text),
                     "real colours have mixtures of wavelengths");
     return nearest_black_body(fmt::format("u'v' {}", text), CctKind::chromaticity, uv, request);
 }
@@ -308,7 +308,7 @@ Result<std::vector<CctAnswer>> answer_rgb(const std::string& text, const CctRequ
 
 Result<std::vector<CctAnswer>> answer_spectrum(const std::string& text, const CctRequest& request) {
     if (request.duv)
-        return fail(Failure::usage, fmt::format("'{}' has a Duv of its own", text), "leave --duv and --tint out");
+        return fail(Failure::usage, fmt::format("'{}' already has a Duv", text), "leave --duv and --tint out");
     Result<std::vector<Spectrum>> spectra = std::vector<Spectrum>();
     if (text == "-") {
         Result<std::string> bytes = read_standard_input(limit("spectrum-bytes"));

@@ -91,7 +91,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command bake_command;
 const Command bake_command{
     "bake",
-    "a profile as a texture whose texels are exact means, with a sidecar",
+    "bake a profile into a texture of exact means, with a sidecar",
     "FILE… --layout LAYOUT -s WxH -o OUT",
     "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
     "or @LIST for a list of files. EXR files carry the sidecar's fields as attributes\n"

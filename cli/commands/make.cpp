@@ -152,7 +152,7 @@ Result<ProfileHeader> header_for(const Arguments& arguments, const std::string& 
     for (const std::string& text : arguments.values("--keyword")) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
-            return fail(Failure::usage, fmt::format("'{}' is no keyword", text), "write --keyword NAME=TEXT");
+            return fail(Failure::usage, fmt::format("'{}' is not a keyword", text), "write --keyword NAME=TEXT");
         header.keywords.push_back({text.substr(0, equals), text.substr(equals + 1)});
     }
     // What the standard requires and a formula has not.

@@ -40,7 +40,7 @@ Result<Direction> parse_direction(std::string_view text) {
         if (c && gamma)
             return fail(Failure::usage, fmt::format("gamma lies between 0 and 180 degrees, not at {}", *gamma));
     }
-    return fail(Failure::usage, fmt::format("'{}' is no direction", text),
+    return fail(Failure::usage, fmt::format("'{}' is not a direction", text),
                 "write C,GAMMA in degrees, for example 90,30");
 }
 

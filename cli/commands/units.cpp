@@ -21,7 +21,7 @@ constexpr std::array unit_options{
     Option{"--shape", "SHAPE", "what emits the light (point)", "shapes"},
     Option{"--to", "UNIT,…", "units wanted: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY",
            "units"},
-    Option{"--policy", "NAME", "whose meaning of the numbers (physical); 'all' compares them", "policies"},
+    Option{"--policy", "NAME", "which program's meaning of the numbers (physical); 'all' compares them", "policies"},
     Option{"--preset", "NAME", "an everyday source instead of VALUE and --shape", "presets"},
     Option{"--solve", "LUX", "0.1lx: the distance where the light gives that; 500lx@2m: the flux that gives that"},
     Option{"--assume", "SHAPE", "the size of what has none, for its luminance: sphere:r=1cm", "shapes"},

@@ -20,7 +20,7 @@ namespace gonio::cli {
 
 inline constexpr std::array import_options{
     Option{"--to", "TARGET,…", "which programs the light is for", "targets"},
-    Option{"-O,--output-dir", "DIR", "folder that exists; each target gets one of its own in it"},
+    Option{"-O,--output-dir", "DIR", "folder that exists; each target gets a folder in it"},
     Option{"--flux", "LUMENS", "scale a profile's light to this, for example 800lm (as measured)"},
     Option{
         "--color", "COLOR",

@@ -108,7 +108,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                     "use -O DIR");
     if (folder && !is_folder(*folder))
         return file_exists(*folder)
-                   ? fail(Failure::io, "cannot write into it: it is no folder", "-O names a folder", *folder)
+                   ? fail(Failure::io, "cannot write into it: it is not a folder", "-O names a folder", *folder)
                    : fail(Failure::io, "the folder does not exist", fmt::format("make it: mkdir -p '{}'", *folder),
                           *folder);
     FilesInUse files(inputs);

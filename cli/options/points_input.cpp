@@ -96,7 +96,7 @@ Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& colum
         const std::optional<double> number = parse_number(field.text);
         if (!number)
             return malformed(source, line, field.column,
-                             known ? fmt::format("'{}' is no number", field.text) : "not a table of points",
+                             known ? fmt::format("'{}' is not a number", field.text) : "not a table of points",
                              known ? "" : "write x,y,z or x,y,z,nx,ny,nz");
         values[c] = *number;
     }

@@ -30,7 +30,7 @@ Result<PixelSize> parse_size(std::string_view text) {
         const std::optional<int> height = parse_count(text.substr(cross + 1));
         if (width && height) return PixelSize{*width, *height};
     }
-    return fail(Failure::usage, fmt::format("'{}' is no size", text), "write WIDTHxHEIGHT, for example 512x256");
+    return fail(Failure::usage, fmt::format("'{}' is not a size", text), "write WIDTHxHEIGHT, for example 512x256");
 }
 
 Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {

@@ -79,7 +79,7 @@ Result<FalloffOptions> read_falloff(const Arguments& arguments) {
     if (!text) return options;
     const std::size_t colon = text->find(':');
     if (colon == std::string::npos)
-        return fail(Failure::usage, fmt::format("'{}' is no span of distances", *text),
+        return fail(Failure::usage, fmt::format("'{}' is not a span of distances", *text),
                     "write FROM:TO, for example 0.1m:20m");
     Result<double> from = parse_amount(std::string_view(*text).substr(0, colon), Dimension::length, "--distance");
     if (!from) return pass_on(from);

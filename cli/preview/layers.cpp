@@ -124,7 +124,7 @@ public:
     const Json& layers_json() const { return layers_; }
 
 private:
-    // What is no light's comes first, since it says how many layers there are.
+    // What is not a light's comes first, since it says how many layers there are.
     Result<void> begin(const RenderOptions& options) {
         if (choice_.lights) {
             Result<Rendering> unlit = render_unlit(request_.stage, lights_, request_.stage.camera, options);

@@ -46,7 +46,7 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
     const bool of_lux = unit != nullptr && unit->dimension == Dimension::illuminance;
     const bool of_nits = unit != nullptr && unit->dimension == Dimension::luminance;
     if (!of_lux && !of_nits)
-        return fail(Failure::usage, fmt::format("'{}' is no unit of illuminance or luminance", *text),
+        return fail(Failure::usage, fmt::format("'{}' is not a unit of illuminance or luminance", *text),
                     "use lx or fc for illuminance, nt, cd/m2 or fL for luminance");
     if (!named && request.look != Look::luminance)
         request.quantity = of_lux ? PictureQuantity::illuminance : PictureQuantity::luminance;
@@ -76,7 +76,7 @@ Result<void> read_scale(std::string_view text, LookRequest& request) {
     }
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos || text.find(':', colon + 1) != std::string_view::npos)
-        return wrong(fmt::format("'{}' is no scale", whole));
+        return wrong(fmt::format("'{}' is not a scale", whole));
     ValueScale scale;
     for (auto [end, part] :
          {std::pair{&scale.low, text.substr(0, colon)}, std::pair{&scale.high, text.substr(colon + 1)}}) {
@@ -216,7 +216,7 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
                     fmt::format("{} cannot hold the light up to 8 that ue3-inverse gives", format.title), "write .exr");
     for (const std::string_view option : {"--view", "--display", "--ocio"})
         if (*map != ToneMap::none && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--tone-map {} stands in the stead of {}", to_text(*map), option),
+            return fail(Failure::usage, fmt::format("--tone-map {} replaces {}", to_text(*map), option),
                         "leave one of them out");
     return request;
 }

@@ -32,7 +32,7 @@ inline constexpr std::array preview_look_options{
 inline constexpr std::array preview_exposure_options{
     Option{"--exposure", "EV",
            "auto, an exposure value: 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
-    Option{"--tone-map", "NAME", "none, ue3 or ue3-inverse, in the view's stead (none)", "tone-maps"},
+    Option{"--tone-map", "NAME", "none, ue3 or ue3-inverse, instead of the view (none)", "tone-maps"},
 };
 
 struct LookRequest {

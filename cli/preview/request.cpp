@@ -31,7 +31,7 @@ Result<Shadows> read_shadows(const Arguments& arguments) {
     if (!kind || *kind == "soft") return Shadows::soft;
     if (*kind == "hard") return Shadows::hard;
     if (*kind == "off") return Shadows::off;
-    return fail(Failure::usage, fmt::format("'{}' is no kind of shadows", *kind), "off, hard or soft");
+    return fail(Failure::usage, fmt::format("'{}' is not a kind of shadows", *kind), "off, hard or soft");
 }
 
 Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {

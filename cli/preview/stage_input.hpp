@@ -20,7 +20,7 @@ inline constexpr std::array preview_stage_options{
     Option{"--camera", "X,Y,Z", "where the camera stands, in metres (frames the stage)"},
     Option{"--target", "X,Y,Z", "where it looks (what the stage shows)"},
     Option{"--fov", "ANGLE", "its full vertical field of view"},
-    Option{"--figure", "", "somebody of 1.75 m on the stage, to tell sizes by"},
+    Option{"--figure", "", "add a 1.75 m figure for scale"},
     Option{"--ticks", "", "a thin dark line on every whole metre of floors and walls"},
 };
 

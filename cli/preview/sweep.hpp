@@ -17,7 +17,7 @@ inline constexpr std::array preview_sweep_options{
         "a picture for each value: cct=2000K:8000K:7, radius=1cm:1m:5:log, roughness=0.1,0.4; NAME.KEY for one light "
         "or surface; a second one makes rows",
         "sweeps"},
-    Option{"-O,--output-dir", "DIR", "with --sweep: each picture as a file of its own (png, or --to)"},
+    Option{"-O,--output-dir", "DIR", "with --sweep: each picture as a separate file (png, or --to)"},
     Option{"--overwrite", "", "with -O: replace what exists"},
 };
 

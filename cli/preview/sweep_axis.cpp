@@ -135,8 +135,8 @@ private:
                          "even ratios are FROM:TO:COUNT:log, even steps FROM:TO:COUNT");
         const std::optional<Quantity> from = quantity_of(parts[0]);
         const std::optional<Quantity> to = quantity_of(parts[1]);
-        if (!from) return wrong(at[0], fmt::format("'{}' is no number", parts[0]), "a list has commas: A,B,C");
-        if (!to) return wrong(at[1], fmt::format("'{}' is no number", parts[1]));
+        if (!from) return wrong(at[0], fmt::format("'{}' is not a number", parts[0]), "a list has commas: A,B,C");
+        if (!to) return wrong(at[1], fmt::format("'{}' is not a number", parts[1]));
         Result<double> last = same_unit(*from, *to, at[1]);
         if (!last) return pass_on(last);
         Result<std::size_t> steps = read_count(parts[2], at[2]);
@@ -178,7 +178,7 @@ private:
         std::size_t count = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
         if ((error != std::errc() && error != std::errc::result_out_of_range) || end != text.data() + text.size())
-            return wrong(at, fmt::format("'{}' is no count of values", text), "write FROM:TO:COUNT");
+            return wrong(at, fmt::format("'{}' is not a count of values", text), "write FROM:TO:COUNT");
         if (error != std::errc() || count < 2 || count > most_sweep_values)
             return wrong(at, fmt::format("a sweep has 2 to {} (the limit '{}'), not {}",
                                          amount_of(limit("sweep-values")), limit("sweep-values").name, text));

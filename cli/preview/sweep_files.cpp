@@ -34,7 +34,7 @@ std::string file_of(const Sweep& sweep, std::size_t cell, const std::string& fol
 
 Result<std::vector<std::string>> plan_sweep_files(const Arguments& arguments, const Sweeper& sweeper) {
     const std::string folder = arguments.value("--output-dir").value_or("");
-    if (!is_folder(folder)) return fail(Failure::io, "is no folder", "make it first", folder);
+    if (!is_folder(folder)) return fail(Failure::io, "is not a folder", "make it first", folder);
     FilesInUse in_use(sweeper.request().lights.files);
     std::vector<std::string> files;
     for (std::size_t cell = 0; cell < sweeper.sweep().cells(); ++cell) {

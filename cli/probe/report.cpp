@@ -43,7 +43,7 @@ Json method_json(const ProbeRequest& request, const ProbeStretch& stretch, std::
     const ProbeResult& truth = stretch.by_method.front();
     const ProbeResult& result = stretch.by_method[m];
     const double lx = result.illuminance_lx[i];
-    // The ratio to darkness is no number.
+    // The ratio to darkness is not a number.
     Json json{{"method", to_text(request.methods[m])},
               {"illuminance_lx", lx},
               {"error_lx", lx - truth.illuminance_lx[i]},

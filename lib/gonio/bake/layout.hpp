@@ -71,7 +71,7 @@ public:
     // Whether there is any such place.
     [[nodiscard]] virtual bool folds_between(bool along_s, double fixed, double from, double to) const;
 
-    // How far it is from there, in s and t, to a point around which the map is no power series; folds aside.
+    // How far it is from there, in s and t, to a point around which the map is not a power series; folds aside.
     [[nodiscard]] virtual double smooth_within(double s, double t) const;
 
     // Of the whole chart [sr].

@@ -144,7 +144,7 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
     }
     if (cct.duv != 0.0 && !is_real(to_xy(planck)))
         return fail(Failure::usage,
-                    fmt::format("{} K with a Duv of {} is no real colour", rounded(T.value), rounded(cct.duv)),
+                    fmt::format("{} K with a Duv of {} is not a real colour", rounded(T.value), rounded(cct.duv)),
                     "it lies outside the spectral locus: take a smaller Duv");
     return planck;
 }
@@ -224,9 +224,9 @@ std::span<const TintConvention> tint_conventions() {
 Result<double> parse_tint(std::string_view text) {
     const std::size_t at = text.find('@');
     const std::optional<double> number = parse_number(text.substr(0, at));
-    if (!number) return fail(Failure::usage, fmt::format("'{}' is no tint", text), "write for example 10@dng");
+    if (!number) return fail(Failure::usage, fmt::format("'{}' is not a tint", text), "write for example 10@dng");
     if (at == std::string_view::npos)
-        return fail(Failure::usage, fmt::format("the tint '{}' does not say whose it is", text),
+        return fail(Failure::usage, fmt::format("the tint '{}' does not name its convention", text),
                     fmt::format("write {}@dng, or another of 'gonio list tints'", text));
     return find_named("tint", text.substr(at + 1), tint_conventions()).map([&](const TintConvention* known) {
         return *number / known->per_duv;
@@ -241,7 +241,7 @@ Result<Cct> parse_cct(std::string_view text) {
     if (slash == std::string_view::npos) return cct;
     const std::optional<double> duv = parse_number(text.substr(slash + 1));
     if (!duv)
-        return fail(Failure::usage, fmt::format("'{}' is no Duv", text.substr(slash + 1)),
+        return fail(Failure::usage, fmt::format("'{}' is not a Duv", text.substr(slash + 1)),
                     "write for example 2700K/0.003");
     cct.duv = *duv;
     return cct;

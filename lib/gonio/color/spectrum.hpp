@@ -60,7 +60,7 @@ std::optional<Spectrum> find_illuminant(std::string_view name);
 Result<Spectrum> blackbody_spectrum(Kelvin temperature);
 
 // Lines of WAVELENGTH,POWER: nm; separated by comma, semicolon, tab or blanks; '#' begins a comment, and one line of
-// column names may stand first. Fails (malformed) with line and column on what is no number, on negative power, on
+// column names may stand first. Fails (malformed) with line and column on what is not a number, on negative power, on
 // wavelengths that do not ascend or lie outside 1–100000 nm, on gaps (a step above 20 nm, or more than 2.5 times the
 // usual one), on spectra that do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum
 // does not reach 380 and 780 nm. Of a text without any such line nothing is quoted: it is something else.

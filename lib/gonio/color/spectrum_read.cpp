@@ -48,7 +48,7 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
             return malformed(places.of(i),
                              fmt::format("negative power, {} at {} nm", rounded(spectrum.power[i]), rounded(nm[i], 9)));
         if (!(nm[i] >= least_nm && nm[i] <= greatest_nm))
-            return malformed(places.of(i), fmt::format("{} is no wavelength of light in nanometres", rounded(nm[i], 9)),
+            return malformed(places.of(i), fmt::format("{} is not a wavelength of light in nanometres", rounded(nm[i], 9)),
                              "wavelengths are from 1 to 100000 nm; the eye sees from 380 to 780 nm");
         if (i > 0 && !(nm[i] > nm[i - 1]))
             return malformed(places.of(i), fmt::format("wavelengths must ascend, but {} nm follows {} nm",
@@ -119,7 +119,7 @@ constexpr std::string_view blackbody_prefix = "blackbody:";
 Unexpected unknown_spectrum(const std::string& text, const std::string& path) {
     const std::vector<std::string_view> names = illuminant_names();
     const std::string_view guess = nearest(text, names);
-    return fail(Failure::io, fmt::format("'{}' is no illuminant, and no file: there is none of that name", path),
+    return fail(Failure::io, fmt::format("'{}' is neither an illuminant nor a file that exists", path),
                 guess.empty() ? "name a CIE illuminant ('gonio list illuminants'), blackbody:2700K, a CSV or TM-33 file"
                               : fmt::format("did you mean '{}'?", guess));
 }
@@ -151,7 +151,7 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
             return malformed({source, line, words.front().column}, "not a spectrum: expected lines WAVELENGTH,POWER");
         if (!nm)
             return malformed({source, line, words.front().column},
-                             fmt::format("'{}' is no wavelength", words.front().text), "lines are WAVELENGTH,POWER");
+                             fmt::format("'{}' is not a wavelength", words.front().text), "lines are WAVELENGTH,POWER");
         if (words.size() > 2)
             return malformed({source, line, words[2].column}, "more than two columns",
                              "lines are WAVELENGTH,POWER: leave one spectrum in the file");
@@ -160,7 +160,7 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
             return malformed({source, line, words.size() < 2 ? behind : words[1].column},
                              fmt::format("no power is given at {} nm", rounded(*nm, 9)));
         const std::optional<double> power = parse_number(words[1].text);
-        if (!power) return malformed({source, line, words[1].column}, fmt::format("'{}' is no power", words[1].text));
+        if (!power) return malformed({source, line, words[1].column}, fmt::format("'{}' is not a power", words[1].text));
         spectrum.wavelengths_nm.push_back(*nm);
         spectrum.power.push_back(*power);
         places.line.push_back(line);

@@ -56,7 +56,7 @@ Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files) {
     for (const NamedEfficacy& known : efficacies)
         names.push_back(known.name);
     const std::string_view guess = value ? std::string_view() : nearest(text, names);
-    return fail(Failure::usage, fmt::format("'{}' is no luminous efficacy", text),
+    return fail(Failure::usage, fmt::format("'{}' is not a luminous efficacy", text),
                 guess.empty() ? std::string("write for example 60W@90lm/W, at most 683 lm/W; 'gonio list efficacies' "
                                             "shows the conventions with a name")
                               : fmt::format("did you mean '{}'?", guess));

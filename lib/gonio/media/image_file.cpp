@@ -289,7 +289,7 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values) {
     const ImageFormat* const format = sniff_image_format(bytes);
     if (format == nullptr)
-        return fail(Failure::malformed, "this is no picture of a known format",
+        return fail(Failure::malformed, "this is not a picture of a known format",
                     "there are: OpenEXR, PNG, TIFF, Radiance HDR, JPEG");
     if (format->name == "png" && !detail::is_whole_png(bytes))
         return fail(Failure::malformed, "the PNG picture cannot be read: it is torn or damaged");

@@ -45,7 +45,7 @@ inline constexpr ProfileCode profile_codes[] = {
      "Other spellings of the same years are understood; other programs may refuse them."},
     {"IES0102", Severity::warning, Severity::warning, false, "unknown version",
      "The first line claims LM-63 but names no version that gonio knows. The file is read as LM-63-2002: the twelfth "
-     "number is no factor, and dimensions follow the codes of 2002."},
+     "number is not a factor, and dimensions follow the codes of 2002."},
     {"IES0103", Severity::warning, Severity::warning, false, "no version line",
      "Files of LM-63-1986 have no version line, and this one is read as such: the twelfth number is a factor. A newer "
      "file that lost its first line means something else by it."},
@@ -114,7 +114,7 @@ inline constexpr ProfileCode profile_codes[] = {
      "The twelfth number is a ballast-lamp factor up to 1991, reserved and 1 in 1995 and 2002, and the file generation "
      "type in 2019: 1.00001 undefined, 1.0001 simulated, 1 and 1.1 tested at an unaccredited or accredited laboratory, "
      "with .001 for scaled lumens and .01 for interpolated angles. Here it is none of these; it is kept, and from 1995 "
-     "on it is no factor."},
+     "on it is not a factor."},
     {"IES0214", Severity::warning, Severity::warning, false, "text after the table",
      "The announced values were all read and something follows. Either it is a remark, or a count is wrong."},
     {"IES0215", Severity::warning, Severity::warning, false, "number of lamps not positive",

@@ -112,7 +112,7 @@ inline double divide_exactly(std::uint64_t w, int k) {
 }
 
 // Reads the number at `p` and returns what is behind it: a byte that ends_number. nullptr, and `value` left alone, when
-// it must be read another way, or is no number.
+// it must be read another way, or is not a number.
 inline const char* read_decimal(const char* p, const char* end, double& value) {
     if constexpr (std::endian::native != std::endian::little) return nullptr;
     if (end - p < decimal_lookahead) return nullptr;

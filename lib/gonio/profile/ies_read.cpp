@@ -249,7 +249,7 @@ private:
         }
         const auto whole = [&](std::size_t i, double lowest, std::string_view what) -> Result<void> {
             if (value[i] == std::floor(value[i]) && value[i] >= lowest && value[i] <= largest_count) return {};
-            return report_.fail("IES0203", place[i], fmt::format("{} is no {}", value[i], what));
+            return report_.fail("IES0203", place[i], fmt::format("{} is not a {}", value[i], what));
         };
         if (Result<void> ok = whole(0, -largest_count, "number of lamps"); !ok) return ok;
         if (Result<void> ok = whole(3, 1.0, "number of vertical angles"); !ok) return ok;

@@ -187,7 +187,7 @@ private:
         double number_read = 0.0;
         if (Result<void> read = number(number_read, what); !read) return read;
         if (number_read != std::floor(number_read) || number_read < lowest || number_read > largest_count)
-            return report_.fail("LDT0201", number_offset_, fmt::format("{} is no {}", number_read, what));
+            return report_.fail("LDT0201", number_offset_, fmt::format("{} is not a {}", number_read, what));
         value = static_cast<int>(number_read);
         return {};
     }

@@ -44,7 +44,7 @@ Result<IesTilt> parse_tilt(NumberScanner& numbers, std::size_t end, Report& repo
 Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, const ReadBeside& read_beside,
                                  Report& report);
 
-// Says that the token `numbers` read last is no number, or no finite one.
+// Says that the token `numbers` read last is not a number, or no finite one.
 Unexpected not_a_number(const NumberScanner& numbers, Token token, Report& report);
 
 // Where things stand in the file, for what is said after the whole of it was read.

@@ -83,7 +83,7 @@ private:
         if (!parsed)
             return report_.fail("TM30101",
                                 begin_ + static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
-                                fmt::format("this is no well-formed XML: {}", parsed.description()));
+                                fmt::format("this is not well-formed XML: {}", parsed.description()));
         const std::string_view root = local_name(document_.document_element().name());
         if (!is_tm33_root(root))
             return report_.fail("TM30102", place(document_.document_element()),
@@ -146,7 +146,7 @@ private:
         if (!value)
             report_.add("TM30201", place(text.data(), element),
                         text.empty() ? fmt::format("{} is empty", local_name(element.name()))
-                                     : fmt::format("{} is no number for {}", quoted(text.substr(0, 40)),
+                                     : fmt::format("{} is not a number for {}", quoted(text.substr(0, 40)),
                                                    local_name(element.name())));
         return value;
     }
@@ -313,7 +313,7 @@ private:
                 const std::optional<double> nm = plain_number(point.attribute("w").value());
                 const std::optional<double> power = plain_number(point.child_value());
                 if (!nm || !power)
-                    return report_.fail("TM30207", place(point), "a point of the spectrum is no pair of numbers");
+                    return report_.fail("TM30207", place(point), "a point of the spectrum is not a pair of numbers");
                 spectrum.wavelengths_nm.push_back(*nm);
                 spectrum.power.push_back(*power);
                 plain = plain && !point.first_attribute().next_attribute() && !has_elements(point) &&

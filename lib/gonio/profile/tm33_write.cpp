@@ -138,7 +138,7 @@ void set_text(pugi::xml_node element, const std::string& text) {
 void put_number(pugi::xml_node owner, std::span<const std::string_view> paths, const std::optional<double>& value) {
     pugi::xml_node element = first_of(owner, paths);
     const std::optional<double> written = element ? plain_number(element.child_value()) : std::nullopt;
-    if (written == value) return; // also where text that is no number was not taken
+    if (written == value) return; // also where text that is not a number was not taken
     if (!value) {
         element.parent().remove_child(element);
         return;

@@ -68,7 +68,7 @@ inline ByteClasses classify_64(const char* p) {
 
 // Converts the token from `p` to `end`, which has no sign and whose bytes are all numeric in the sense of ByteClasses.
 // At least eight bytes of text must lie before `p` and decimal_lookahead ones behind `end`. False, and `value` left
-// alone, when it must be read another way, or is no number.
+// alone, when it must be read another way, or is not a number.
 inline bool convert_magnitude(const char* p, const char* end, double& value) {
     if constexpr (std::endian::native != std::endian::little) return false;
     const auto length = static_cast<std::size_t>(end - p);

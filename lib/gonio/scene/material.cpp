@@ -34,7 +34,7 @@ Result<void> read_unit(const KindText& text, std::string_view key, double& targe
     const std::string* value = text.value(key);
     if (value == nullptr) return {};
     const std::optional<double> number = parse_number(*value);
-    if (!number) return fail(Failure::usage, fmt::format("{} of '{}' is no number: '{}'", key, text.kind, *value));
+    if (!number) return fail(Failure::usage, fmt::format("{} of '{}' is not a number: '{}'", key, text.kind, *value));
     if (*number < 0.0 || *number > 1.0) return outside(text, key, *value);
     target = *number;
     return {};
@@ -45,7 +45,7 @@ Result<void> read_color(const KindText& text, std::string_view key, glm::dvec3& 
     if (value == nullptr) return {};
     const Result<glm::dvec3> rgb = parse_rgb(*value);
     if (!rgb)
-        return fail(Failure::usage, fmt::format("{} of '{}' is no colour: '{}'", key, text.kind, *value),
+        return fail(Failure::usage, fmt::format("{} of '{}' is not a colour: '{}'", key, text.kind, *value),
                     "write a number in [0, 1] or rgb(r,g,b)");
     for (int channel = 0; channel < 3; ++channel)
         if ((*rgb)[channel] > 1.0) return outside(text, key, *value);

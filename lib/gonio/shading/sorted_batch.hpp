@@ -287,7 +287,7 @@ struct SortedBatch {
         const S most = reach(spread, normal);
         // More than rounding leaves open: a receiver on the light, turned to it, sees all of it in its own plane.
         const S least = -(most + S(3e-6) * ((simd::abs(c.x) + simd::abs(c.y)) + (simd::abs(c.z) + size)));
-        // What is no number, of a product that overflows, is not dark.
+        // What is not a number, of a product that overflows, is not dark.
         const std::uint32_t lit = ~simd::lane_bits(height < least) & real;
         const std::uint32_t is_above = simd::lane_bits(height > most) & lit;
         if constexpr (is_tube<Light<S>>) {

@@ -211,7 +211,7 @@ struct Paired<pack<float, Isa>> {
 template<class S>
 using paired = typename Paired<S>::type;
 
-// The pack of a pair; what is no pair stays itself.
+// The pack of a pair; what is not a pair stays itself.
 template<class S>
 struct Half {
     using type = S;

@@ -50,7 +50,7 @@ Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, bo
             const std::optional<double> value = parse_number(field);
             if (!value)
                 return malformed(source, number, start + 1,
-                                 known ? fmt::format("'{}' is no number", field) : "not a table of candela",
+                                 known ? fmt::format("'{}' is not a number", field) : "not a table of candela",
                                  "a row is C and one candela for each gamma, the first row gamma angles");
             if (!in_amount_range(*value))
                 return malformed(source, number, start + 1,

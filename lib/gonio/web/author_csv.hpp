@@ -13,7 +13,7 @@ namespace gonio {
 // degrees. Fields are separated by commas, semicolons or tabs, decimals by points; empty lines and lines that begin
 // with '#' are skipped. Symmetry is read from the planes as LM-63 does: one plane is axial, 0–90, 0–180 and 90–270 are
 // mirrored, a missing plane at 360° is closed. `source` names the table in messages. Fails (malformed) with line and
-// column on what is no number, on a row of another length and on angles that make no grid.
+// column on what is not a number, on a row of another length and on angles that make no grid.
 Result<Web> web_from_csv(std::string_view text, const std::string& source);
 
 } // namespace gonio

@@ -151,10 +151,10 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
     };
     for (const Bad& bad :
          {Bad{replaced("400,", "400,-0.1"), "x.csv:5", "negative power, -0.1 at 400 nm"},
-          Bad{replaced("400,", "400,nan"), "x.csv:5:5", "'nan' is no power"},
+          Bad{replaced("400,", "400,nan"), "x.csv:5:5", "'nan' is not a power"},
           Bad{replaced("400,", "400"), "x.csv:5:4", "no power is given at 400 nm"},
           Bad{replaced("400,", "400,"), "x.csv:5:5", "no power is given at 400 nm"},
-          Bad{replaced("400,", "x,1"), "x.csv:5:1", "'x' is no wavelength"},
+          Bad{replaced("400,", "x,1"), "x.csv:5:1", "'x' is not a wavelength"},
           Bad{replaced("400,", "395,1"), "x.csv:5", "wavelengths must ascend, but 395 nm follows 395 nm"},
           Bad{replaced("400,", "400,1,2"), "x.csv:5:7", "more than two columns"},
           Bad{rows(380, 500, 5) + rows(540, 780, 5), "x.csv:26", "a gap: nothing between 500 and 540 nm"},
@@ -163,10 +163,10 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
               "0\n"
               "680,0\n700,0\n",
               "x.csv", "no power anywhere in the spectrum"},
-          Bad{good + "1e300,1\n", "x.csv:82", "1e+300 is no wavelength of light in nanometres"},
+          Bad{good + "1e300,1\n", "x.csv:82", "1e+300 is not a wavelength of light in nanometres"},
           Bad{"", "x.csv", "a spectrum of fewer than two points"},
           Bad{"500,1\n", "x.csv", "a spectrum of fewer than two points"},
-          Bad{"380,1\n700,1e999\n", "x.csv:2:5", "'1e999' is no power"}}) {
+          Bad{"380,1\n700,1e999\n", "x.csv:2:5", "'1e999' is not a power"}}) {
         const Result<Spectrum> read = parse_spectrum_csv(bad.text, "x.csv");
         ASSERT_FALSE(read) << bad.message;
         EXPECT_EQ(read.error().failure, Failure::malformed);

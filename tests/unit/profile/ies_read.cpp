@@ -259,11 +259,11 @@ TEST(IesRead, CountsThatAreNone) {
     for (const std::string bad : {"0", "-3", "2.5", "1e10"})
         EXPECT_FALSE(read(with(lamp, 7, "1 1000 1 " + bad + " 2 1 2 0.1 0.2 0"))) << bad;
     expect_error(read(with(lamp, 7, "1 1000 1 2.5 2 1 2 0.1 0.2 0")),
-                 "lamp:7:10: error[IES0203]: 2.5 is no number of vertical angles");
+                 "lamp:7:10: error[IES0203]: 2.5 is not a number of vertical angles");
     expect_error(read(with(lamp, 7, "1 1000 1 3 0 1 2 0.1 0.2 0")),
-                 "lamp:7:12: error[IES0203]: 0 is no number of horizontal angles");
+                 "lamp:7:12: error[IES0203]: 0 is not a number of horizontal angles");
     expect_error(read(with(lamp, 7, "1.5 1000 1 3 2 1 2 0.1 0.2 0")),
-                 "lamp:7:1: error[IES0203]: 1.5 is no number of lamps");
+                 "lamp:7:1: error[IES0203]: 1.5 is not a number of lamps");
     expect_error(read(with(lamp, 7, "1 1000 1 3 2 4 2 0.1 0.2 0")),
                  "lamp:7:14: error[IES0208]: photometric type 4, expected 1, 2 or 3");
     expect_error(read(with(lamp, 7, "1 1000 1 3 2 1 3 0.1 0.2 0")),
@@ -334,7 +334,7 @@ TEST(IesRead, HugeCountsAreNeverAllocated) {
     expect_error(read(with(lamp, 7, "1 1000 1 2147483647 2 1 2 0.1 0.2 0")),
                  "lamp:10:1: error[IES0204]: 2147483647 vertical angles announced, 3 found");
     expect_error(read(with(lamp, 7, "1 1000 1 2147483648 2 1 2 0.1 0.2 0")),
-                 "lamp:7:10: error[IES0203]: 2147483648 is no number of vertical angles");
+                 "lamp:7:10: error[IES0203]: 2147483648 is not a number of vertical angles");
     expect_error(read(with(lamp, 7, "1 1000 1 3 2147483647 1 2 0.1 0.2 0")),
                  "lamp:11:5: error[IES0302]: horizontal angle 80.5 follows 100");
     TextLines lines = with(lamp, 6, "TILT=INCLUDE");

@@ -51,7 +51,7 @@ TEST(IesTilt, Include) {
     expect_silent(read_it(lines));
     expect_error(read_it(with(lines, 3, "4")),
                  "lamp:3:1: error[IES0113]: lamp-to-luminaire geometry 4, expected 1, 2 or 3");
-    expect_error(read_it(with(lines, 4, "0")), "lamp:4:1: error[IES0114]: 0 is no number of tilt angles");
+    expect_error(read_it(with(lines, 4, "0")), "lamp:4:1: error[IES0114]: 0 is not a number of tilt angles");
     expect_error(read_it(with(lines, 5, "0 90 45")), "lamp:5:6: error[IES0114]: tilt angle 45 follows 90");
     expect_error(read_it(with(lines, 4, "2147483647")), "lamp:6:1: error[IES0114]: tilt angle 1 follows 90");
     lines.resize(6);

@@ -119,9 +119,9 @@ TEST(LdtRead, LampSetsStandOneAfterTheOther) {
     expect_says(read(with(lines, 23, "87.5")),
                 "lamp:23:1: warning[LDT0408]: absolute photometry, and the light output ratio is 87.5");
     expect_says(read(with(lamp(), 27, "0")), "lamp:27:1: warning[LDT0210]: a set of no lamps");
-    expect_error(read(with(lamp(), 26, "0")), "lamp:26:1: error[LDT0201]: 0 is no number of lamp sets");
+    expect_error(read(with(lamp(), 26, "0")), "lamp:26:1: error[LDT0201]: 0 is not a number of lamp sets");
     expect_error(read(with(lamp(), 26, "2147483647")),
-                 "lamp:33:1: error[LDT0201]: 0.1 is no number of lamps"); // no memory for what is only announced
+                 "lamp:33:1: error[LDT0201]: 0.1 is not a number of lamps"); // no memory for what is only announced
 }
 
 TEST(LdtRead, Numbers) {
@@ -141,8 +141,8 @@ TEST(LdtRead, Numbers) {
         EXPECT_EQ(said(read(with(lamp(), line, "hunter2"))).find("hunter2"), std::string::npos) << line;
     expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: a text that is not a number stands where "
                                                    "the type of luminaire is expected");
-    expect_error(read(with(lamp(), 4, "4.5")), "lamp:4:1: error[LDT0201]: 4.5 is no number of C-planes");
-    expect_error(read(with(lamp(), 6, "0")), "lamp:6:1: error[LDT0201]: 0 is no number of gamma angles");
+    expect_error(read(with(lamp(), 4, "4.5")), "lamp:4:1: error[LDT0201]: 4.5 is not a number of C-planes");
+    expect_error(read(with(lamp(), 6, "0")), "lamp:6:1: error[LDT0201]: 0 is not a number of gamma angles");
 }
 
 TEST(LdtRead, ABlankNumberIsZeroUnlessTheFileEnds) {

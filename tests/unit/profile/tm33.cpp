@@ -194,9 +194,9 @@ TEST(Tm33Read, PointsInAnyOrder) {
 
 TEST(Tm33Read, BrokenXmlIsSaidWhere) {
     expect_error(read(with(lamp, 14, "<Description>LED</Describtion>")),
-                 "lamp:14:19: error[TM30101]: this is no well-formed XML: Start-end tags mismatch");
+                 "lamp:14:19: error[TM30101]: this is not well-formed XML: Start-end tags mismatch");
     expect_error(read(TextLines{"<IESTM33-22>"}),
-                 "lamp:1:13: error[TM30101]: this is no well-formed XML: Start-end tags mismatch");
+                 "lamp:1:13: error[TM30101]: this is not well-formed XML: Start-end tags mismatch");
     EXPECT_FALSE(read(joined(lamp).substr(0, 700)));
     expect_error(read(TextLines{"<IESTM33-22><Version>1.1</Version>", "</IESTM33-22>"}),
                  "lamp:1:1: error[TM30105]: the document describes no emitter");
@@ -220,11 +220,11 @@ TEST(Tm33Read, NoBombs) {
 
 TEST(Tm33Read, NumbersThatAreNone) {
     expect_says(read(with(lamp, 15, "<RatedLumens>many</RatedLumens>")),
-                "lamp:15:14: warning[TM30201]: 'many' is no number for RatedLumens");
+                "lamp:15:14: warning[TM30201]: 'many' is not a number for RatedLumens");
     EXPECT_FALSE(file_of(with(lamp, 15, "<RatedLumens>many</RatedLumens>")).emitters[0].rated_lumens);
     expect_says(read(with(lamp, 15, "<RatedLumens/>")), "lamp:15:1: warning[TM30201]: RatedLumens is empty");
     expect_error(read(with(lamp, 15, "<RatedLumens>many</RatedLumens>"), true),
-                 "lamp:15:14: error[TM30201]: 'many' is no number for RatedLumens");
+                 "lamp:15:14: error[TM30201]: 'many' is not a number for RatedLumens");
     expect_says(read(with(lamp, 19, "<AbsolutePhotometry>perhaps</AbsolutePhotometry>")),
                 "lamp:19:21: warning[TM30202]: 'perhaps' is neither true nor false");
     EXPECT_EQ(
@@ -292,7 +292,7 @@ TEST(Tm33Read, Spectra) {
     expect_says(read(spectrum("<Wavelengths>500 400</Wavelengths><Values>1 2</Values>")),
                 "lamp:16:31: warning[TM30303]: the wavelengths do not ascend");
     expect_error(read(spectrum("<SpectralData w=\"x\">1</SpectralData>")),
-                 "lamp:16:53: error[TM30207]: a point of the spectrum is no pair of numbers");
+                 "lamp:16:53: error[TM30207]: a point of the spectrum is not a pair of numbers");
 }
 
 TEST(Tm33Read, TextThatIsNotUtf8) {

@@ -266,7 +266,7 @@ TEST(Rig, FilesAreNamedWithTheirPath) {
     EXPECT_EQ(light_refusal(R"({"shape":"spot:outer=20deg,mask=missing.ies","intensity":"1cd"})", Failure::io),
               fmt::format("rig.json: error: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
                           profiles));
-    // A text that is no profile, as a rig that names itself is.
+    // A text that is not a profile, as a rig that names itself is.
     EXPECT_EQ(light_refusal(R"({"shape":"ies:README.md"})").substr(0, 46),
               "rig.json: error[PRF0103]: lights[0].shape: " + profiles.substr(0, 3));
 }
@@ -336,7 +336,7 @@ TEST_F(RigFiles, OfAnotherKindAreNotQuoted) {
         EXPECT_EQ(said.find("root"), std::string::npos) << said;
         EXPECT_EQ(said.find("hunter2"), std::string::npos) << said;
     }
-    // Nor is a JSON text that is no rig.
+    // Nor is a JSON text that is not a rig.
     EXPECT_EQ(refusal(R"({"api_token":"hunter2"})"), "rig.json: error: not a rig: it begins with another key\n"
                                                      "hint: write \"schema\": \"gonio.rig/1\" first");
     EXPECT_EQ(refusal(R"({"schema":"hunter2"})", Failure::unsupported),

@@ -143,7 +143,7 @@ TEST(Csv, SaysWhereItIsWrong) {
     const auto said = [](std::string_view text) {
         return web_from_csv(text, "t.csv").error().diagnostics.back().message;
     };
-    EXPECT_EQ(said("x,0,90\n0,5,oh\n"), "'oh' is no number");
+    EXPECT_EQ(said("x,0,90\n0,5,oh\n"), "'oh' is not a number");
     EXPECT_EQ(said("root:x:0\nmallory:hunter2:1\n"), "not a table of candela");
     EXPECT_EQ(said("name,hunter2\n"), "not a table of candela");
     EXPECT_EQ(place("").file, "t.csv");

@@ -104,7 +104,7 @@ OCIO::ConstConfigRcPtr builtin_config() {
 
     const auto raw = OCIO::ColorSpace::Create(OCIO::REFERENCE_SPACE_SCENE);
     raw->setName("raw");
-    raw->setDescription("numbers that are no colour");
+    raw->setDescription("numbers that are not a colour");
     raw->setIsData(true);
     config->addColorSpace(raw);
 
