@@ -6,6 +6,5 @@ const char* const source_folder = GONIO_TEST_SOURCE;
 const char* const modules_folder = GONIO_TEST_MODULES;
 const char* const fakes_folder = GONIO_TEST_FAKE_MODULES;
 const char* const corpus_folder = GONIO_TEST_CORPUS;
-const char* const reference_folder = GONIO_TEST_REFERENCE;
 
 } // namespace gonio::test

@@ -41,7 +41,6 @@ shading::LightConstants constants(const specular::Row& row) {
 // The light's sizes and axes are rounded to float here: 1e-6 of the luminance, 4e-4 where the horizon leaves little.
 TEST(MeasureSpecular, QuadratureGivesTheStoredValues) {
     const auto rows = specular::rows();
-    if (rows.empty()) GTEST_SKIP() << "no reference values of speculars were given at configure time";
     std::vector<double> errors;
     for (std::size_t i = 0; i < rows.size(); i += 3) {
         const specular::Row& row = rows[i];

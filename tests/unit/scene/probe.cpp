@@ -5,7 +5,7 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
 
-#include "../folders.hpp"
+#include "../reference_rows.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -135,23 +135,8 @@ TEST(Probe, PlaneEmittersAgreeWithTheSumOverTheirArea) {
 // Poses of every area shape to 17 digits, each placed as a light: sees to it that widths and axes run where they
 // should.
 TEST(Probe, AgreesWithTheReference) {
-    const std::string folder = test::reference_folder;
-    if (folder.empty()) GTEST_SKIP() << "no folder of reference values is given";
-    const std::string text = read_file(folder + "/irradiance.csv").value();
     int poses = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        std::string_view line(text.data() + start, end - start);
-        start = end + 1;
-        if (line.empty() || line.starts_with('#') || line.starts_with("kind")) continue;
-        const std::size_t comma = line.find(',');
-        const std::string_view kind = line.substr(0, comma);
-        std::vector<double> v; // centre, axis, width direction, two sizes, normal, E
-        for (std::string_view rest = line; rest.find(',') != std::string_view::npos;) {
-            rest.remove_prefix(rest.find(',') + 1);
-            v.push_back(parse_number(rest.substr(0, rest.find(','))).value());
-        }
-        ASSERT_EQ(v.size(), 15U);
+    for (const auto& [kind, v] : test::irradiance_rows()) {
         const glm::dvec3 axis(v[3], v[4], v[5]);
         LightDescription light;
         light.intensity = parse_photometric_value("1nt").value();
@@ -174,7 +159,7 @@ TEST(Probe, AgreesWithTheReference) {
         }
         Diagnostics diagnostics;
         const double e = lux(resolve_light(light, diagnostics).value(), {{0, 0, 0}, {v[11], v[12], v[13]}});
-        EXPECT_NEAR(e, v[14], 1e-10 * std::max(v[14], 1e-6)) << line;
+        EXPECT_NEAR(e, v[14], 1e-10 * std::max(v[14], 1e-6)) << kind << " at row " << poses;
         ++poses;
     }
     EXPECT_EQ(poses, 1000);

@@ -3,9 +3,8 @@
 #include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/occlusion.hpp>
 
-#include "../folders.hpp"
+#include "../reference_rows.hpp"
 #include "area_truth.hpp"
-#include "reference_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,11 +68,9 @@ INSTANTIATE_TEST_SUITE_P(Shapes, AreaIrradiance, testing::Values(Shape::disk, Sh
                          [](const auto& each) { return name_of(each.param); });
 
 TEST_P(AreaIrradiance, StoredReferenceValues) {
-    const std::string folder = gonio::test::reference_folder;
-    if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
     int rows = 0;
     double worst_share = 0.0;
-    for (const reference::Row& v : reference::rows(folder, name_of(GetParam()))) {
+    for (const auto& [kind, v] : gonio::test::irradiance_rows(name_of(GetParam()))) {
         const Pose pose{GetParam(), {v[0], v[1], v[2]},   {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, v[9],
                         v[10],      {v[11], v[12], v[13]}};
         const double plain_bar = 1e-10 * v[14] + 1e-15 * subtended(pose);

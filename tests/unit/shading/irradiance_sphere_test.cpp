@@ -5,9 +5,8 @@
 #include <gonio/shading/irradiance_sphere_named.hpp>
 #include <gonio/shading/kernels.hpp>
 
-#include "../folders.hpp"
+#include "../reference_rows.hpp"
 #include "poses.hpp"
-#include "reference_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,11 +51,9 @@ double conditioning(const Pose& pose) {
 }
 
 TEST(SphereIrradiance, StoredReferenceValues) {
-    const std::string folder = gonio::test::reference_folder;
-    if (folder.empty()) GTEST_SKIP() << "no folder of reference values was given at configure time";
     int rows = 0;
     double worst_share = 0.0;
-    for (const reference::Row& v : reference::rows(folder, "sphere")) {
+    for (const auto& [kind, v] : gonio::test::irradiance_rows("sphere")) {
         const Pose pose{{v[0], v[1], v[2]}, v[9], {v[11], v[12], v[13]}};
         const double bar = std::max(1e-10 * v[14] + 1e-15 * subtended(pose), 50.0 * conditioning(pose));
         const double error = std::fabs(exact(pose) - v[14]);

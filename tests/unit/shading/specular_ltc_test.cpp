@@ -342,7 +342,6 @@ TEST(SpecularLtc, FiniteForHostileNumbers) {
 
 TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     const auto rows = specular::rows();
-    if (rows.empty()) GTEST_SKIP() << "no reference values of speculars were given at configure time";
     // Median and what 95 of 100 are below, measured and a little more. Of the transformed cosine alone the medians are
     // 0.0320, 0.0152, 0.0305 and 0.0348.
     const std::map<std::string, std::pair<double, double>> bars = {

@@ -3,11 +3,9 @@
 
 #include <gonio/shading/shade.hpp>
 
-#include "../folders.hpp"
+#include "../reference_rows.hpp"
 #include "poses.hpp"
 
-#include <charconv>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -26,25 +24,10 @@ struct Row {
     double alpha, luminance;
 };
 
-// All of them, in order; none where there is no such file.
-inline std::vector<Row> rows() {
-    const std::string folder = gonio::test::reference_folder;
-    std::ifstream file(folder + "/specular.csv");
+inline std::vector<Row> rows(const std::string& kind = {}) {
     std::vector<Row> rows;
-    std::string line;
-    while (std::getline(file, line)) {
-        const std::size_t comma = line.find(',');
-        if (comma == std::string::npos) continue;
-        std::vector<double> v;
-        for (const char* at = line.data() + comma + 1; at < line.data() + line.size();) {
-            double value = 0.0;
-            const auto [next, error] = std::from_chars(at, line.data() + line.size(), value);
-            if (error != std::errc()) break;
-            v.push_back(value);
-            at = next + 1;
-        }
-        if (v.size() != 20) continue;
-        rows.push_back({line.substr(0, comma),
+    for (const auto& [shape, v] : gonio::test::specular_rows(kind))
+        rows.push_back({shape,
                         {v[0], v[1], v[2]},
                         {v[3], v[4], v[5]},
                         {v[6], v[7], v[8]},
@@ -54,7 +37,6 @@ inline std::vector<Row> rows() {
                         v[10],
                         v[17],
                         v[18]});
-    }
     return rows;
 }
 

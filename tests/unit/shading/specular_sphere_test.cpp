@@ -1,15 +1,13 @@
 // The specular part under a sphere light, against stored values of another program's quadrature.
 #include <gonio/shading/shade.hpp>
 
-#include "../folders.hpp"
 #include "poses.hpp"
+#include "specular_rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -19,32 +17,7 @@ namespace {
 using namespace gonio::shading;
 using poses::Vec;
 
-struct Row {
-    Vec center, normal, view;
-    double radius, alpha, luminance; // of GGX with F = 1 under 1 nt
-};
-
-// The sphere rows of specular.csv; empty where there is no such file.
-std::vector<Row> stored_rows() {
-    const std::string folder = gonio::test::reference_folder;
-    std::ifstream file(folder + "/specular.csv");
-    std::vector<Row> rows;
-    std::string line;
-    while (std::getline(file, line)) {
-        if (line.rfind("sphere,", 0) != 0) continue;
-        std::vector<double> v;
-        for (const char* at = line.data() + 7; at < line.data() + line.size();) {
-            double value = 0.0;
-            const auto [next, error] = std::from_chars(at, line.data() + line.size(), value);
-            if (error != std::errc()) break;
-            v.push_back(value);
-            at = next + 1;
-        }
-        if (v.size() != 20) continue;
-        rows.push_back({{v[0], v[1], v[2]}, {v[11], v[12], v[13]}, {v[14], v[15], v[16]}, v[9], v[17], v[18]});
-    }
-    return rows;
-}
+using specular::Row;
 
 // The BRDF itself over the cap, by the midpoint rule in the ring's height and azimuth.
 double by_midpoints(const Row& row) {
@@ -54,7 +27,7 @@ double by_midpoints(const Row& row) {
     const Vec l = poses::unit(row.center);
     const Vec u = poses::unit(cross(l, std::fabs(l.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
     const Vec w = cross(l, u);
-    const double height = 2.0 * std::pow(std::sin(std::asin(row.radius / d) / 2.0), 2.0); // 1 − cosσ
+    const double height = 2.0 * std::pow(std::sin(std::asin(row.p / d) / 2.0), 2.0); // 1 − cosσ
     double sum = 0.0;
     for (int i = 0; i < rings; ++i) {
         const double h = height * (i + 0.5) / rings;
@@ -70,8 +43,7 @@ double by_midpoints(const Row& row) {
 }
 
 TEST(SpecularOfASphere, TheBrdfIntegratesToTheStoredValues) {
-    const auto rows = stored_rows();
-    if (rows.empty()) GTEST_SKIP() << "no reference values of speculars were given at configure time";
+    const auto rows = specular::rows("sphere");
     int rough = 0;
     for (const Row& row : rows) {
         if (row.alpha < 0.15) continue; // narrower lobes need a finer rule
@@ -83,17 +55,16 @@ TEST(SpecularOfASphere, TheBrdfIntegratesToTheStoredValues) {
 
 // An approximation; these are the errors within which it is one.
 TEST(SpecularOfASphere, RepresentativePoint) {
-    const auto rows = stored_rows();
-    if (rows.empty()) GTEST_SKIP() << "no reference values of speculars were given at configure time";
+    const auto rows = specular::rows("sphere");
     std::vector<double> smooth;
     std::vector<double> rough;
     for (const Row& row : rows) {
         if (row.luminance < 1e-6) continue;
         const Frostbite<double> mirror{{0, 0, 0}, {1, 1, 1}, 1.0, std::sqrt(row.alpha), row.alpha};
-        const double value = shade<SpecularMethod::representative_point>(
-                                 SurfacePoint<double>{{0, 0, 0}, row.normal, row.view},
-                                 SphereLight<double>{row.center, {1, 1, 1}, row.radius, 0.0}, mirror)
-                                 .x;
+        const double value =
+            shade<SpecularMethod::representative_point>(SurfacePoint<double>{{0, 0, 0}, row.normal, row.view},
+                                                        SphereLight<double>{row.center, {1, 1, 1}, row.p, 0.0}, mirror)
+                .x;
         (row.alpha < 0.25 ? smooth : rough).push_back(std::fabs(value / row.luminance - 1.0));
     }
     for (auto* errors : {&smooth, &rough}) {
