@@ -100,7 +100,6 @@ TEST_P(AreaKernels, SameAtAnyScale) {
 }
 
 TEST_P(AreaKernels, TwoSidedGivesEachSideWhatOneSideGives) {
-    if (kind == Kind::tube) GTEST_SKIP() << "a tube has no sides";
     AreaCases cases = gonio::measure::area_cases(kind, 4000, 24);
     const std::vector<float> front = run(cases);
     for (LightConstants& light : cases.lights)
@@ -112,6 +111,7 @@ TEST_P(AreaKernels, TwoSidedGivesEachSideWhatOneSideGives) {
     const std::vector<float> turned = run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i)
         ASSERT_NEAR(turned[i], front[i], 2e-5F * front[i] + 4e-6F) << i;
+    if (kind == Kind::tube) return; // has no sides, whatever is asked for
     for (LightConstants& light : cases.lights)
         light.two_sided = false;
     for (const float lx : run(cases))
