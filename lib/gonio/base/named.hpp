@@ -22,8 +22,8 @@ auto find_named(std::string_view what, std::string_view name, const Rows& rows) 
     return unknown_name(what, name, names);
 }
 
-// Whether row i describes the enumerator of value i, up to and with `last`: what a table must hold that is indexed by an
-// enumeration. static_assert(in_enum_order(rows, &Row::member, Enum::last)).
+// Whether row i describes the enumerator of value i, up to and with `last`: what a table must hold that is indexed by
+// an enumeration. static_assert(in_enum_order(rows, &Row::member, Enum::last)).
 template<class Rows, class Row, class Enum>
 constexpr bool in_enum_order(const Rows& rows, Enum Row::*member, Enum last) {
     std::size_t i = 0;

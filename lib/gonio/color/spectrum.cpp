@@ -84,7 +84,8 @@ Result<Band> parse_band(std::string_view text) {
         const std::optional<double> last = nanometers(text.substr(colon + 1));
         if (first && last && *first > 0.0 && *first < *last) return Band{*first, *last};
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a band of wavelengths", text), "write for example 380nm:780nm");
+    return fail(Failure::usage, fmt::format("'{}' is not a band of wavelengths", text),
+                "write for example 380nm:780nm");
 }
 
 std::string to_text(Band band) {

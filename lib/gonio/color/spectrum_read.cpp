@@ -48,7 +48,8 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
             return malformed(places.of(i),
                              fmt::format("negative power, {} at {} nm", rounded(spectrum.power[i]), rounded(nm[i], 9)));
         if (!(nm[i] >= least_nm && nm[i] <= greatest_nm))
-            return malformed(places.of(i), fmt::format("{} is not a wavelength of light in nanometres", rounded(nm[i], 9)),
+            return malformed(places.of(i),
+                             fmt::format("{} is not a wavelength of light in nanometres", rounded(nm[i], 9)),
                              "wavelengths are from 1 to 100000 nm; the eye sees from 380 to 780 nm");
         if (i > 0 && !(nm[i] > nm[i - 1]))
             return malformed(places.of(i), fmt::format("wavelengths must ascend, but {} nm follows {} nm",
@@ -160,7 +161,8 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
             return malformed({source, line, words.size() < 2 ? behind : words[1].column},
                              fmt::format("no power is given at {} nm", rounded(*nm, 9)));
         const std::optional<double> power = parse_number(words[1].text);
-        if (!power) return malformed({source, line, words[1].column}, fmt::format("'{}' is not a power", words[1].text));
+        if (!power)
+            return malformed({source, line, words[1].column}, fmt::format("'{}' is not a power", words[1].text));
         spectrum.wavelengths_nm.push_back(*nm);
         spectrum.power.push_back(*power);
         places.line.push_back(line);

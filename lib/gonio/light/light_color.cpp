@@ -43,7 +43,8 @@ Result<Uv> chromaticity(std::string_view text, FileScope* files) {
     if (!amount || amount->unit->dimension != Dimension::temperature) {
         const std::string_view guess = nearest(text, illuminant_names());
         if (guess.empty()) return no_color(text);
-        return fail(Failure::usage, fmt::format("'{}' is not a colour", text), fmt::format("did you mean '{}'?", guess));
+        return fail(Failure::usage, fmt::format("'{}' is not a colour", text),
+                    fmt::format("did you mean '{}'?", guess));
     }
     Result<Cct> cct = parse_cct(text);
     if (!cct) return pass_on(cct);

@@ -101,7 +101,8 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     const void* const table = entry ? entry() : nullptr;
     if (table == nullptr) {
         ::dlclose(handle);
-        return fail(Failure::unsupported, fmt::format("{} is not a module of gonio: it has no {}", name.file, name.entry),
+        return fail(Failure::unsupported,
+                    fmt::format("{} is not a module of gonio: it has no {}", name.file, name.entry),
                     "install gonio again", path);
     }
     std::uint32_t version = 0;

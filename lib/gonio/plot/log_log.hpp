@@ -43,7 +43,8 @@ struct LogLogOptions {
     int columns = 2;
 };
 
-// SVG. Points whose x or y is not a number above 0 (y: nor 0) are left out. Fails (usage) where nothing is left to draw.
+// SVG. Points whose x or y is not a number above 0 (y: nor 0) are left out. Fails (usage) where nothing is left to
+// draw.
 Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const LogLogOptions& options);
 
 } // namespace gonio

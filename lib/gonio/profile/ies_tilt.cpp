@@ -55,7 +55,8 @@ Result<IesTilt> parse_tilt(NumberScanner& numbers, std::size_t end, Report& repo
     double announced = 0.0;
     if (Result<void> read = header_number(numbers, announced, end, report); !read) return pass_on(read);
     if (!(announced >= 1.0 && announced <= largest_count) || announced != std::floor(announced))
-        return report.fail("IES0114", numbers.token_offset(), fmt::format("{} is not a number of tilt angles", announced));
+        return report.fail("IES0114", numbers.token_offset(),
+                           fmt::format("{} is not a number of tilt angles", announced));
     tilt.lamp_to_luminaire_geometry = static_cast<int>(geometry);
     const auto count = static_cast<std::size_t>(announced);
     for (std::vector<double>* list : {&tilt.angles_deg, &tilt.factors}) {
