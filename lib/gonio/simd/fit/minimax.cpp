@@ -1,6 +1,5 @@
-// Prints the coefficients of simd/math_float.hpp: minimax polynomials in the weighted sense, by Remez' exchange.
-//
-//     g++ -std=c++20 -O2 -I../../.. minimax.cpp -o minimax && ./minimax
+// Prints the coefficients of simd/math.hpp: minimax polynomials in the weighted sense, by Remez' exchange. The test
+// generated.minimax compares them.
 //
 // Each function is written as a known head plus a power times P(t); the weight makes the error of P an error relative
 // to the function. The last column is that error before rounding of the coefficients to float.
