@@ -6,7 +6,7 @@
 #   bash tests/tidy.sh FILE…      these
 #
 # The last landed state is $GONIO_TIDY_SINCE; else origin/main, where the checkout is ahead of it; else the newest commit
-# that is six hours older than HEAD. A changed header is read through its own source, or else through the first file that
+# that is three hours older than HEAD. A changed header is read through its own source, or else through the first file that
 # includes it. Where there is no history, every file is read.
 set -euo pipefail
 
@@ -30,7 +30,7 @@ landed() {
         echo "$base"
         return
     fi
-    base=$(git rev-list -1 --before=$(($(git show -s --format=%ct HEAD) - 6 * 3600)) HEAD)
+    base=$(git rev-list -1 --before=$(($(git show -s --format=%ct HEAD) - 3 * 3600)) HEAD)
     echo "$base"
 }
 # The source that reads a header: its own, or the first that includes it.
