@@ -31,9 +31,9 @@ struct Tally {
         // What doubles leave open: the estimate of the truth itself is as small.
         const double slack = 1e-12 * std::abs(truth);
         const double off = std::max(std::abs(value.value - truth) - slack, 0.0);
-        broken += off > value.error_estimate ? 1 : 0;
-        missed += off > goal * std::abs(truth) ? 1 : 0;
-        not_converged += value.converged ? 0 : 1;
+        if (off > value.error_estimate) ++broken;
+        if (off > goal * std::abs(truth)) ++missed;
+        if (!value.converged) ++not_converged;
         evaluations += value.evaluations;
         most_evaluations = std::max(most_evaluations, value.evaluations);
         if (value.error_estimate > 0.0) worst_share = std::max(worst_share, off / value.error_estimate);

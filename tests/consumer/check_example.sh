@@ -4,4 +4,5 @@
 #   tests/consumer/check_example.sh PAGE PROGRAM
 set -euo pipefail
 
+# shellcheck disable=SC2016 # the marks of Markdown are no command
 diff <(sed -n '/^```cpp$/,/^```$/{ /^```/d; p }' "$1") <(tail -n +2 "$2")
