@@ -66,9 +66,8 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
 }
 
 std::vector<std::string> files_of(const Shape& shape) {
-    if (const auto* const profile = std::get_if<ProfileShape>(&shape)) return {profile->file};
-    if (const Mask mask = mask_of(shape); mask.file != nullptr && !mask.file->empty()) return {*mask.file};
-    return {};
+    const std::string* const file = file_of(shape);
+    return file != nullptr ? std::vector{*file} : std::vector<std::string>();
 }
 
 std::vector<std::string> files_of_color(const std::string& color) {

@@ -13,20 +13,15 @@ namespace {
 
 // What there is to say about a shape when nothing was asked for.
 std::vector<std::string> usual_units(const Shape& shape) {
-    struct Usual {
-        static std::vector<std::string> punctual() { return {"lm", "cd", "lx@1m"}; }
-        static std::vector<std::string> area() { return {"lm", "cd", "nt", "ev"}; }
-        std::vector<std::string> operator()(const PointShape&) const { return punctual(); }
-        std::vector<std::string> operator()(const SpotShape&) const { return punctual(); }
-        std::vector<std::string> operator()(const FrustumShape&) const { return punctual(); }
-        std::vector<std::string> operator()(const ProfileShape&) const { return punctual(); }
-        std::vector<std::string> operator()(const SphereShape&) const { return area(); }
-        std::vector<std::string> operator()(const DiskShape&) const { return area(); }
-        std::vector<std::string> operator()(const RectShape&) const { return area(); }
-        std::vector<std::string> operator()(const TubeShape&) const { return area(); }
-        std::vector<std::string> operator()(const SunShape&) const { return {"lx", "nt", "ev"}; }
-    };
-    return std::visit(Usual{}, shape);
+    switch (class_of(shape)) {
+    case ShapeClass::punctual:
+        return {"lm", "cd", "lx@1m"};
+    case ShapeClass::area:
+        return {"lm", "cd", "nt", "ev"};
+    case ShapeClass::sun:
+        break;
+    }
+    return {"lx", "nt", "ev"};
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -43,15 +38,9 @@ bool is_luminance(Dimension dimension) {
     return dimension == Dimension::luminance || dimension == Dimension::luminance_ev;
 }
 
-bool has_luminance(const Shape& shape) {
-    return std::holds_alternative<SphereShape>(shape) || std::holds_alternative<DiskShape>(shape) ||
-           std::holds_alternative<RectShape>(shape) || std::holds_alternative<TubeShape>(shape) ||
-           std::holds_alternative<SunShape>(shape);
-}
-
 // A luminance of what has no area is that of the assumed shape with the same flux.
 bool takes_assumed(const Shape& shape, const UnitsRequest& request, Dimension dimension) {
-    return request.assumed && is_luminance(dimension) && !has_luminance(shape);
+    return request.assumed && is_luminance(dimension) && class_of(shape) == ShapeClass::punctual;
 }
 
 Result<Emission> emission(const Shape& shape, const PhotometricValue& value, const UnitsRequest& request,
@@ -150,7 +139,7 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
     if (const auto text = arguments.value("--assume")) {
         Result<Shape> assumed = parse_shape(*text);
         if (!assumed) return pass_on(assumed);
-        if (!has_luminance(*assumed) || std::holds_alternative<SunShape>(*assumed))
+        if (class_of(*assumed) != ShapeClass::area)
             return fail(Failure::usage, fmt::format("--assume takes a shape with an area, not '{}'", *text),
                         "for example --assume sphere:r=1cm");
         request.assumed = std::move(*assumed);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -19,45 +20,29 @@ double tidy_degrees(Radians angle) {
     return degrees(tidy) == angle ? tidy : exact;
 }
 
-// The keys of each shape's grammar, with their units.
-struct DescribeShape {
+// A value of a shape's grammar under its key with the unit: "r_m", "outer_deg", "two_sided".
+struct DescribeValue {
     Json& json;
+    std::string key;
 
-    void operator()(const PointShape&) const {}
-    void operator()(const SpotShape& spot) const {
-        json["outer_deg"] = tidy_degrees(spot.outer);
-        json["inner_deg"] = tidy_degrees(spot.inner);
-        json["falloff"] = to_text(spot.falloff);
-    }
-    void operator()(const FrustumShape& frustum) const {
-        json["h_deg"] = tidy_degrees(frustum.horizontal);
-        json["v_deg"] = tidy_degrees(frustum.vertical);
-    }
-    void operator()(const ProfileShape& profile) const {
-        json["file"] = profile.file;
-        json["flux_lm"] = flux(*profile.web).value;
-        json["peak_cd"] = peak(*profile.web).intensity.value;
-    }
-    void operator()(const SphereShape& sphere) const { json["r_m"] = sphere.radius.value; }
-    void operator()(const DiskShape& disk) const {
-        json["r_m"] = disk.radius.value;
-        json["two_sided"] = disk.two_sided;
-    }
-    void operator()(const RectShape& rect) const {
-        json["w_m"] = rect.width.value;
-        json["h_m"] = rect.height.value;
-        json["two_sided"] = rect.two_sided;
-    }
-    void operator()(const TubeShape& tube) const {
-        json["r_m"] = tube.radius.value;
-        json["l_m"] = tube.length.value;
-    }
-    void operator()(const SunShape& sun) const { json["angle_deg"] = tidy_degrees(sun.diameter); }
+    void operator()(Meters length) const { json[key + "_m"] = length.value; }
+    void operator()(Radians angle) const { json[key + "_deg"] = tidy_degrees(angle); }
+    void operator()(bool there) const { json[key] = there; }
+    void operator()(Falloff falloff) const { json[key] = to_text(falloff); }
 };
 
 Json shape_json(const Shape& shape) {
     Json json{{"kind", kind_of(shape)}};
-    std::visit(DescribeShape{json}, shape);
+    for (const ShapeValue& value : values_of(shape)) {
+        std::string key(value.key);
+        std::replace(key.begin(), key.end(), '-', '_');
+        std::visit(DescribeValue{json, std::move(key)}, value.value);
+    }
+    if (const auto* const profile = std::get_if<ProfileShape>(&shape)) {
+        json["file"] = profile->file;
+        json["flux_lm"] = flux(*profile->web).value;
+        json["peak_cd"] = peak(*profile->web).intensity.value;
+    }
     if (const Mask mask = mask_of(shape); mask.file != nullptr) json["mask"] = *mask.file;
     return json;
 }

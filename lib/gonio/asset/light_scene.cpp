@@ -3,6 +3,7 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/light/shape_factors.hpp>
+#include <gonio/light/shape_traits.hpp>
 
 #include <fmt/format.h>
 
@@ -60,15 +61,43 @@ struct Grid {
     std::vector<double> gammas;
 };
 
-// As fine as the light's far intensity needs, in its own frame.
+// As fine as a shape's far intensity needs, in its own frame.
+Grid grid_of(const SpotShape& spot) {
+    return {Symmetry::axial, {0.0}, gammas_of(spot)};
+}
+Grid grid_of(const FrustumShape& /*above the horizon it is dark*/) {
+    return {Symmetry::quadrant, steps(0.0, 90.0, 45), steps(0.0, 90.0, 180)};
+}
+Grid grid_of(const TubeShape& /*smooth*/) {
+    return {Symmetry::quadrant, steps(0.0, 90.0, 36), steps(0.0, 180.0, 72)};
+}
+Grid around_axis() {
+    return {Symmetry::axial, {0.0}, steps(0.0, 180.0, 180)};
+}
+Grid grid_of(const PointShape& /*shape*/) {
+    return around_axis();
+}
+Grid grid_of(const ProfileShape& /*its web is taken*/) {
+    return around_axis();
+}
+Grid grid_of(const SunShape& /*is refused*/) {
+    return around_axis();
+}
+Grid grid_of(const SphereShape& /*shape*/) {
+    return around_axis();
+}
+// Far away a flat light is a cosine about its direction, whatever its outline.
+template<class Flat>
+requires requires(Flat flat) {
+    flat.two_sided;
+}
+Grid grid_of(const Flat& /*shape*/) {
+    return around_axis();
+}
+
 Grid grid_of(const Light& light) {
     if (mask_of(light.shape).web != nullptr) return {Symmetry::none, steps(0.0, 360.0, 144), steps(0.0, 180.0, 180)};
-    if (const auto* spot = std::get_if<SpotShape>(&light.shape)) return {Symmetry::axial, {0.0}, gammas_of(*spot)};
-    if (std::holds_alternative<FrustumShape>(light.shape))
-        return {Symmetry::quadrant, steps(0.0, 90.0, 45), steps(0.0, 90.0, 180)};
-    if (std::holds_alternative<TubeShape>(light.shape))
-        return {Symmetry::quadrant, steps(0.0, 90.0, 36), steps(0.0, 180.0, 72)};
-    return {Symmetry::axial, {0.0}, steps(0.0, 180.0, 180)};
+    return std::visit([](const auto& shape) { return grid_of(shape); }, light.shape);
 }
 
 Result<Web> far_web(const Light& light) {
@@ -131,7 +160,7 @@ public:
 
     Result<void> add(const Light& light) {
         const std::string name = asset_detail::unique_name(light.name, names_);
-        const bool is_sun = std::holds_alternative<SunShape>(light.shape);
+        const bool is_sun = class_of(light.shape) == ShapeClass::sun;
         const bool dark = is_sun ? !(light.illuminance.value > 0.0) : !emits(light);
         if (dark) {
             say(light, "is dark, and left out");

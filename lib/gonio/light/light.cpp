@@ -1,13 +1,11 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/light/light.hpp>
-#include <gonio/light/lobe.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/web/metrics.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace gonio {
@@ -17,18 +15,6 @@ namespace {
 bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
-
-// The largest measure [m]; 0 for lights without size.
-struct Size {
-    double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
-    double operator()(const DiskShape& disk) const { return disk.radius.value; }
-    double operator()(const RectShape& rect) const { return std::max(rect.width.value, rect.height.value); }
-    double operator()(const TubeShape& tube) const { return std::max(tube.radius.value, tube.length.value); }
-    template<class Punctual>
-    double operator()(const Punctual& /*shape*/) const {
-        return 0.0;
-    }
-};
 
 // Pictures and engines hold all of it as 32-bit floats.
 Result<void> check_amount(const Light& light) {
@@ -42,39 +28,13 @@ Result<void> check_amount(const Light& light) {
     if (Result<void> checked = check(light.intensity.value, "luminous intensity", "cd"); !checked) return checked;
     if (Result<void> checked = check(light.luminance.value, "luminance", "cd/m2"); !checked) return checked;
     if (Result<void> checked = check(light.illuminance.value, "illuminance", "lx"); !checked) return checked;
-    if (const double size = std::visit(Size(), light.shape); !in_amount_range(size))
+    const double size = with_traits(light.shape, [](const auto& kind, auto traits) { return traits.largest(kind); });
+    if (!in_amount_range(size))
         return fail(Failure::usage, fmt::format("a light of {} m is larger than {} m", size, greatest_amount));
     if (std::isfinite(light.web_scale)) return {};
     return fail(Failure::usage, "the profile is too dark to be scaled to an amount",
                 "its greatest intensity is next to nothing");
 }
-
-// Intensity over Light::intensity towards a direction of the light's frame, without web or mask.
-struct Share {
-    const glm::dvec3& local;
-
-    double across() const { return std::hypot(local.x, local.y); }
-    double facing(bool two_sided) const {
-        const double cos_theta = -local.z / glm::length(local);
-        return two_sided ? std::abs(cos_theta) : std::max(cos_theta, 0.0);
-    }
-
-    double operator()(const PointShape&) const { return 1.0; }
-    double operator()(const SpotShape& spot) const { return lobe(spot, Radians(std::atan2(across(), -local.z))); }
-    double operator()(const FrustumShape& frustum) const { return lobe(frustum, local); }
-    double operator()(const ProfileShape&) const { return 1.0; }
-    double operator()(const SphereShape&) const { return 1.0; }
-    double operator()(const DiskShape& disk) const { return facing(disk.two_sided); }
-    double operator()(const RectShape& rect) const { return facing(rect.two_sided); }
-    double operator()(const TubeShape& tube) const {
-        // The shadow of a capsule: 2 r l sin ψ + π r², ψ from its axis.
-        const double sin_psi = std::hypot(local.y, local.z) / glm::length(local);
-        const double side = 2.0 * tube.length.value;
-        const double caps = std::numbers::pi * tube.radius.value;
-        return (side * sin_psi + caps) / (side + caps);
-    }
-    double operator()(const SunShape&) const { return 0.0; }
-};
 
 } // namespace
 
@@ -82,7 +42,7 @@ Candelas Light::intensity_towards(const glm::dvec3& direction) const {
     const glm::dvec3 local = frame.to_local(direction);
     if (const auto* profile = std::get_if<ProfileShape>(&shape))
         return Candelas(web_scale * profile->web->candela(local));
-    const double share = std::visit(Share{local}, shape);
+    const double share = with_traits(shape, [&](const auto& kind, auto traits) { return traits.shown(kind, local); });
     const Web* const mask = share > 0.0 ? mask_of(shape).web : nullptr;
     return intensity * (mask != nullptr ? share * web_scale * mask->candela(local) : share);
 }
@@ -113,8 +73,8 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (!description.intensity) {
         if (profile == nullptr)
             return fail(Failure::usage, std::string("a ") + kind_of(light.shape) + " light needs an intensity",
-                        std::holds_alternative<SunShape>(light.shape) ? "give for example 100klx"
-                                                                      : "give for example 800lm");
+                        class_of(light.shape) == ShapeClass::sun ? "give for example 100klx"
+                                                                 : "give for example 800lm");
         light.intensity = peak(*profile->web).intensity;
         return light;
     }

@@ -3,6 +3,7 @@
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/masked_flux.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/rings.hpp>
@@ -217,40 +218,23 @@ double masked(const FrustumShape& frustum, const Web& mask) {
 }
 
 // Masks of types A and B: no sums over planes; the shape is a weight on the web's rings.
-double masked_rings(const Shape& shape, const Web& mask) {
+double masked_rings(const SpotShape& spot, const Web& mask) {
     Rings rings(mask);
-    if (const auto* spot = std::get_if<SpotShape>(&shape)) {
-        rings.cut_at_gamma(to_degrees(spot->inner));
-        const Rings::Weight weight = [&](const glm::dvec3& direction) {
-            return lobe(*spot, Radians(std::atan2(std::hypot(direction.x, direction.y), -direction.z)));
-        };
-        return rings.zone(0.0, to_degrees(spot->outer), weight);
-    }
-    const auto& frustum = std::get<FrustumShape>(shape);
+    rings.cut_at_gamma(to_degrees(spot.inner));
+    const Rings::Weight weight = [&](const glm::dvec3& direction) {
+        return lobe(spot, Radians(std::atan2(std::hypot(direction.x, direction.y), -direction.z)));
+    };
+    return rings.zone(0.0, to_degrees(spot.outer), weight);
+}
+double masked_rings(const FrustumShape& frustum, const Web& mask) {
+    Rings rings(mask);
     rings.cut_at_pyramid(0.5 * to_degrees(frustum.horizontal), 0.5 * to_degrees(frustum.vertical));
     return rings.zone(0.0, 90.0, [&](const glm::dvec3& direction) { return lobe(frustum, direction); });
 }
 
-// The area that a flat shape or a tube shows towards a direction of its frame, over that along its own.
-struct ShownShare {
-    const glm::dvec3& d; // unit
-
-    double flat(bool two_sided) const { return two_sided ? std::abs(d.z) : std::max(-d.z, 0.0); }
-    double operator()(const DiskShape& s) const { return flat(s.two_sided); }
-    double operator()(const RectShape& s) const { return flat(s.two_sided); }
-    double operator()(const TubeShape& s) const {
-        const double side = 2.0 * s.length.value;
-        const double ends = pi * s.radius.value;
-        return (side * std::hypot(d.y, d.z) + ends) / (side + ends);
-    }
-    template<class Other>
-    double operator()(const Other& /*shape*/) const {
-        return 0.0;
-    }
-};
-
 // ∬ mask · shown area over that along the direction, dω.
-double masked_area(const Shape& shape, const Web& mask) {
+template<class Kind>
+double masked_area(const Kind& shape, const Web& mask) {
     std::vector<double> gammas_deg;
     for (int deg = 0; deg <= 180; ++deg)
         gammas_deg.push_back(deg);
@@ -268,7 +252,7 @@ double masked_area(const Shape& shape, const Web& mask) {
                 for (const QuadratureNode& of_c : three) {
                     const double c = (plane + 0.5 + 0.5 * of_c.at) * radians_per_degree;
                     const glm::dvec3 toward = direction_of({Radians(c), Radians(gamma)});
-                    const double shown = std::visit(ShownShare{toward}, shape);
+                    const double shown = ShapeTraits<Kind>::shown(shape, toward);
                     if (shown > 0.0) ring += of_c.weight * shown * mask.candela(toward);
                 }
             sum += of_gamma.weight * half * std::sin(gamma) * ring;
@@ -280,13 +264,17 @@ double masked_area(const Shape& shape, const Web& mask) {
 
 Steradians masked_solid_angle(const Shape& shape, const Web& mask) {
     const double top = peak(mask).intensity.value;
-    if (std::holds_alternative<PointShape>(shape) || std::holds_alternative<SphereShape>(shape))
-        return Steradians(flux(mask).value / top);
-    const bool lit_by_angle = std::holds_alternative<SpotShape>(shape) || std::holds_alternative<FrustumShape>(shape);
-    if (lit_by_angle && mask.photometry() != Photometry::c) return Steradians(masked_rings(shape, mask) / top);
-    if (const auto* spot = std::get_if<SpotShape>(&shape)) return Steradians(masked(*spot, mask) / top);
-    if (const auto* frustum = std::get_if<FrustumShape>(&shape)) return Steradians(masked(*frustum, mask) / top);
-    return Steradians(masked_area(shape, mask) / top);
+    return with_traits(shape, [&]<class Kind>(const Kind& kind, ShapeTraits<Kind>) {
+        if constexpr (!MaskedShape<Kind>)
+            return Steradians(0.0);
+        else if constexpr (ShapeTraits<Kind>::masked_by == MaskedBy::mask)
+            return Steradians(flux(mask).value / top);
+        else if constexpr (ShapeTraits<Kind>::masked_by == MaskedBy::lobe)
+            return Steradians((mask.photometry() != Photometry::c ? masked_rings(kind, mask) : masked(kind, mask)) /
+                              top);
+        else
+            return Steradians(masked_area(kind, mask) / top);
+    });
 }
 
 } // namespace gonio

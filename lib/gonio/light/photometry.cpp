@@ -27,11 +27,6 @@ void note(ConversionSteps* steps, double value, const char* unit, fmt::format_st
     steps->push_back({std::move(formula), value, unit});
 }
 
-bool inverse_square_is_exact(const Shape& shape) {
-    return !std::holds_alternative<DiskShape>(shape) && !std::holds_alternative<RectShape>(shape) &&
-           !std::holds_alternative<TubeShape>(shape);
-}
-
 void note_inverse_square(ConversionSteps* steps, const Shape& shape, double intensity, double lux, Meters distance) {
     if (steps == nullptr || inverse_square_is_exact(shape) || !(lux > 0.0)) return;
     const double d = distance.value;

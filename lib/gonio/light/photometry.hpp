@@ -9,8 +9,8 @@
 //   sun                    E = π sin²(δ/2) L; no flux, no intensity
 // "cd" is the intensity along the shape's direction as emitted, mask and all (a web: its peak, a tube: from the side).
 // "lx@d" is the illuminance of a receiver that faces the light at distance d from its centre along its direction,
-// exact for the shape (gonio/light/facing.hpp); a web's is taken along γ = 0. The sun's "lx" is on a plane across its
-// direction and takes no distance. Disks and rectangles have cd, lx and nt per side.
+// exact for the shape (gonio/light/closed_forms.hpp); a web's is taken along γ = 0. The sun's "lx" is on a plane across
+// its direction and takes no distance. Disks and rectangles have cd, lx and nt per side.
 #pragma once
 
 #include <gonio/base/quantity.hpp>

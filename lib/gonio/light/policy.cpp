@@ -104,6 +104,7 @@ public:
     Meanings unreal() const {
         if (is<DiskShape>()) return none("unreal has rectangular area lights and no disks");
         if (is<FrustumShape>()) return none("unreal has no frustum lights");
+        if (!has<SphereShape, TubeShape, RectShape>()) return none(lacks("unreal"));
         Meanings meanings = punctual({0.0, unreal_widest_rad, "I = Φ/2π(1 − cos b), b at most 89°"}, true);
         meanings.luminance_at_ev_0 = 1.0;
         if (is<SphereShape>() || is<TubeShape>()) {
@@ -122,6 +123,7 @@ public:
 
     Meanings unity() const {
         if (is<SphereShape>()) return none("unity-hdrp has disks, rectangles and tubes, no sphere lights");
+        if (!has<DiskShape, RectShape, TubeShape>()) return none(lacks("unity-hdrp"));
         PunctualRule rule{4.0 * pi, 0.5 * pi, "I = Φ/4π, \"reflector\" off"};
         Meanings meanings = punctual(rule, true);
         if (is<FrustumShape>()) meanings.units = {lumens(facts_.solid_angle, 4.0 * pi, rule.spot_formula), candela()};
@@ -131,7 +133,7 @@ public:
             const double true_sr = pi * (2.0 * pi * r * l + 4.0 * pi * r * r) / (2.0 * r * l + pi * r * r);
             meanings.units = {{Dimension::luminous_flux, true_sr / (2.0 * pi), "L = Φ/4πl of a line"}};
             meanings.note = "a line without a radius";
-        } else if (is<DiskShape>() || is<RectShape>()) {
+        } else {
             add_areas(meanings);
         }
         return meanings;
@@ -151,7 +153,7 @@ public:
     }
 
     Meanings threejs() const {
-        if (is<SphereShape>() || is<DiskShape>() || is<TubeShape>() || is<FrustumShape>() || is<ProfileShape>())
+        if (!has<RectShape>() || is<FrustumShape>() || is<ProfileShape>())
             return none("three.js has point, spot, rectangular and directional lights only");
         Meanings meanings = punctual({pi, 0.5 * pi, "power = π I"}, false);
         if (is<RectShape>())
@@ -171,8 +173,9 @@ public:
     }
 
     Meanings usd() const {
-        if (is<PointShape>() || is<SpotShape>() || is<FrustumShape>() || is<ProfileShape>())
+        if (class_of(shape_) == ShapeClass::punctual)
             return none("UsdLux has lights with an area only; shape a sphere, disk, rectangle or cylinder");
+        if (!has<SphereShape, DiskShape, RectShape, TubeShape>()) return none(lacks("UsdLux"));
         Meanings meanings;
         meanings.units = {honest(Dimension::luminance, "intensity · 2^exposure = L")};
         if (is<SunShape>()) meanings.units.push_back(honest(Dimension::illuminance, "inputs:normalize = 1, E"));
@@ -181,7 +184,7 @@ public:
     }
 
     Meanings blender() const {
-        if (is<TubeShape>() || is<FrustumShape>() || is<ProfileShape>())
+        if (!has<SphereShape, DiskShape, RectShape>() || is<FrustumShape>() || is<ProfileShape>())
             return none("blender has point, spot, area and sun lights");
         Meanings meanings;
         if (is<SunShape>()) {
@@ -214,7 +217,15 @@ private:
     bool is() const {
         return std::holds_alternative<S>(shape_);
     }
-    bool has_area() const { return is<SphereShape>() || is<DiskShape>() || is<RectShape>() || is<TubeShape>(); }
+    bool has_area() const { return class_of(shape_) == ShapeClass::area; }
+    // Whether the program has the shape: not, where it is an area light of another kind than those.
+    template<class... Kinds>
+    bool has() const {
+        return !has_area() || (is<Kinds>() || ...);
+    }
+    std::string lacks(std::string_view program) const {
+        return fmt::format("{} has no {} lights", program, kind_of(shape_));
+    }
 
     static Meanings::Entry candela() { return honest(Dimension::luminous_intensity, "I"); }
 
@@ -293,8 +304,7 @@ constexpr auto policy_list = [] {
 // Φ of one candela before any mask.
 Result<Facts> facts_of(const Shape& shape) {
     Facts facts;
-    const bool punctual = std::holds_alternative<PointShape>(shape) || std::holds_alternative<SpotShape>(shape) ||
-                          std::holds_alternative<FrustumShape>(shape) || std::holds_alternative<ProfileShape>(shape);
+    const bool punctual = class_of(shape) == ShapeClass::punctual;
     if (!punctual && mask_of(shape).web != nullptr)
         return fail(Failure::unsupported, "no other program has masks on lights with a size",
                     "name the shape without its mask");

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace gonio {
 
@@ -26,6 +27,7 @@ struct PointShape {
 enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, smoothstep_angle };
 
 const char* to_text(Falloff falloff); // "smoothstep-cos"
+Result<Falloff> parse_falloff(std::string_view name);
 
 // 0 ≤ inner ≤ outer ≤ π/2, half angles from the axis; inner = outer is `hard`. An outer angle of 0 is a ray: it has an
 // intensity and no flux.
@@ -93,6 +95,14 @@ struct SunShape {
 using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, RectShape,
                            TubeShape, SunShape>;
 
+// What a shape is: a point for all that receives its light, a luminous surface, or one at infinity.
+enum class ShapeClass { punctual, area, sun };
+
+ShapeClass class_of(const Shape& shape);
+
+// Whether it is a flat surface, which emits to one side or to both.
+bool is_flat(const Shape& shape);
+
 // A kind of shape, as `gonio list shapes` shows it.
 struct ShapeKind {
     std::string_view kind;    // "sphere"
@@ -118,6 +128,23 @@ struct Mask {
 };
 
 Mask mask_of(const Shape& shape);
+
+// The file of a ProfileShape or of a mask; nullptr: none. Points into the shape.
+const std::string* file_of(const Shape& shape);
+
+// What the keys of its grammar stand for, in their order; files are left out.
+struct ShapeValue {
+    std::string_view key;
+    std::variant<Meters, Radians, bool, Falloff> value;
+};
+std::vector<ShapeValue> values_of(const Shape& shape);
+
+// Sets a parameter of a sweep ("radius", "size", "outer"; gonio/scene/parameter.hpp) from text of the grammar. False
+// where the shape has none of that name. Fails (usage) as parse_shape() does.
+Result<bool> set_shape_parameter(Shape& shape, std::string_view name, const std::string& value);
+
+// The kinds that have it: "sphere, disk, tube".
+std::string kinds_with_parameter(std::string_view name);
 
 const char* kind_of(const Shape& shape); // "sphere"
 

@@ -36,4 +36,7 @@ Factor flux_factor(const Shape& shape, const ShapeFactors& factors);
 // E over the strength for a receiver that faces the shape at `distance` ≥ nearest_m; of the sun, 1.
 Factor facing_factor(const Shape& shape, const ShapeFactors& factors, Meters distance);
 
+// Whether the illuminance of a receiver that faces the shape falls with the square of the distance at every distance.
+bool inverse_square_is_exact(const Shape& shape);
+
 } // namespace gonio

@@ -1,4 +1,5 @@
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/falloff.hpp>
@@ -46,9 +47,12 @@ Result<std::vector<double>> lux_along(const Light& light, const std::vector<doub
 
 // How far the light itself reaches along its direction.
 double own_reach_m(const Shape& shape) {
-    if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->radius.value;
-    if (const auto* tube = std::get_if<TubeShape>(&shape)) return tube->radius.value;
-    return 0.0;
+    return with_traits(shape, []<class Kind>(const Kind& kind, ShapeTraits<Kind>) {
+        if constexpr (PunctualShape<Kind>)
+            return 0.0;
+        else
+            return ShapeTraits<Kind>::nearest(kind);
+    });
 }
 
 PagePath path_of(const Chart& chart, const std::vector<double>& meters, const std::vector<double>& lux,
@@ -74,7 +78,7 @@ struct Curves {
 };
 
 Result<Curves> curves_of(const PlottedLight& plotted, const std::vector<double>& meters) {
-    if (std::holds_alternative<SunShape>(plotted.light.shape))
+    if (class_of(plotted.light.shape) == ShapeClass::sun)
         return fail(Failure::usage, "a sun shines the same at every distance: it has no falloff to draw", {},
                     plotted.label);
     Curves curves;

@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/detail/intensity_pattern.hpp>
 #include <gonio/scene/reference.hpp>
 
@@ -51,18 +52,35 @@ LobeConstants::Kind kind_of_falloff(Falloff falloff) {
     return LobeConstants::Kind::smoothstep_angle;
 }
 
-LobeConstants lobe_of(const Shape& shape) {
+// Of a punctual shape.
+LobeConstants lobe_of(const PointShape& /*alike in all directions*/) {
+    return {};
+}
+LobeConstants lobe_of(const ProfileShape& /*its web says it*/) {
+    return {};
+}
+LobeConstants lobe_of(const SpotShape& spot) {
     LobeConstants lobe;
-    if (const auto* spot = std::get_if<SpotShape>(&shape)) {
-        lobe.kind = kind_of_falloff(spot->falloff);
-        lobe.inner = static_cast<float>(spot->inner.value);
-        lobe.outer = static_cast<float>(spot->outer.value);
-    } else if (const auto* frustum = std::get_if<FrustumShape>(&shape)) {
-        lobe.kind = LobeConstants::Kind::frustum;
-        lobe.inner = static_cast<float>(0.5 * frustum->horizontal.value);
-        lobe.outer = static_cast<float>(0.5 * frustum->vertical.value);
-    }
+    lobe.kind = kind_of_falloff(spot.falloff);
+    lobe.inner = static_cast<float>(spot.inner.value);
+    lobe.outer = static_cast<float>(spot.outer.value);
     return lobe;
+}
+LobeConstants lobe_of(const FrustumShape& frustum) {
+    LobeConstants lobe;
+    lobe.kind = LobeConstants::Kind::frustum;
+    lobe.inner = static_cast<float>(0.5 * frustum.horizontal.value);
+    lobe.outer = static_cast<float>(0.5 * frustum.vertical.value);
+    return lobe;
+}
+
+LobeConstants lobe_of(const Shape& shape) {
+    return with_traits(shape, []<class Kind>(const Kind& kind, ShapeTraits<Kind>) -> LobeConstants {
+        if constexpr (PunctualShape<Kind>)
+            return lobe_of(kind);
+        else
+            return {};
+    });
 }
 
 void copy(const glm::dvec3& from, float (&to)[3]) {

@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/detail/light_reach.hpp>
 #include <gonio/scene/reference.hpp>
 
@@ -117,37 +118,6 @@ void add_web_cones(const Web& web, const Frame& frame, LightReach& reach) {
     add(frame.z, -lit.greatest);
 }
 
-struct OwnCone {
-    const Light& light;
-
-    double operator()(const SpotShape& spot) const { return spot.outer.value; }
-    double operator()(const FrustumShape& frustum) const {
-        const double x = std::tan(0.5 * frustum.horizontal.value);
-        const double y = std::tan(0.5 * frustum.vertical.value);
-        return std::atan(std::hypot(x, y));
-    }
-    double operator()(const DiskShape& disk) const { return flat(disk.two_sided); }
-    double operator()(const RectShape& rect) const { return flat(rect.two_sided); }
-    template<class Other>
-    double operator()(const Other& /*emits all round*/) const {
-        return std::numbers::pi;
-    }
-
-private:
-    static double flat(bool two_sided) { return two_sided ? std::numbers::pi : 0.5 * std::numbers::pi; }
-};
-
-struct BodyRadius {
-    double operator()(const SphereShape& s) const { return s.radius.value; }
-    double operator()(const DiskShape& s) const { return s.radius.value; }
-    double operator()(const RectShape& s) const { return 0.5 * std::hypot(s.width.value, s.height.value); }
-    double operator()(const TubeShape& s) const { return 0.5 * s.length.value + s.radius.value; }
-    template<class Punctual>
-    double operator()(const Punctual& /*shape*/) const {
-        return 0.0;
-    }
-};
-
 } // namespace
 
 Unlit LightReach::unlit(const SampleBounds& bounds) const {
@@ -176,15 +146,16 @@ LightReach reach_of(const Light& light, bool mask_from_center) {
     LightReach reach;
     reach.center = light.frame.origin;
     reach.range = light.range ? light.range->value : std::numeric_limits<double>::infinity();
-    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) { // alone at infinity
         reach.at_infinity = true;
         reach.range = std::numeric_limits<double>::infinity();
         reach.toward = light.frame.z;
         reach.angular_radius_sin = std::sin(0.5 * sun->diameter.value);
         return reach;
     }
-    reach.body_radius = std::visit(BodyRadius{}, light.shape);
-    const double own = std::visit(OwnCone{light}, light.shape);
+    reach.body_radius = with_traits(light.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
+    const double own =
+        with_traits(light.shape, [](const auto& kind, auto traits) { return traits.half_cone(kind).value; });
     if (own < std::numbers::pi) reach.cones[reach.cone_count++] = cone_of(-light.frame.z, own + angle_room);
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;

@@ -46,10 +46,9 @@ std::optional<shading::Approximation> approximation(IrradianceMethod method) {
 
 // Whether the method takes a light with a size as a point.
 bool becomes_point(const Shape& shape, IrradianceMethod method) {
-    if (!has_extent(shape) || std::holds_alternative<SunShape>(shape)) return false;
+    if (class_of(shape) != ShapeClass::area) return false;
     if (method == IrradianceMethod::point) return true;
-    return method == IrradianceMethod::ue4 &&
-           (std::holds_alternative<DiskShape>(shape) || std::holds_alternative<RectShape>(shape));
+    return method == IrradianceMethod::ue4 && is_flat(shape);
 }
 
 std::vector<LitLight> lit_lights(std::span<const Light> lights, IrradianceMethod method) {
@@ -87,7 +86,7 @@ LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& ta
       constants(light_constants(of_light)),
       pattern(of_light, tables, becomes_point(of_light.shape, method)),
       reach(reach_of(of_light, method != IrradianceMethod::reference)),
-      has_surface(has_extent(of_light.shape) && !std::holds_alternative<SunShape>(of_light.shape)) {
+      has_surface(class_of(of_light.shape) == ShapeClass::area) {
     const bool as_point = becomes_point(light.shape, method);
     is_punctual = as_point || !has_extent(light.shape);
     const bool is_masked = mask_of(light.shape).web != nullptr;

@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
 
@@ -85,39 +86,49 @@ MaterialConstants constants_of(const shading::Eon<double>& material) {
     return constants;
 }
 
+// What each light of the core leaves in the constants, besides its centre and colour.
+using shading::LightConstants;
+
+void take(const shading::SphereLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::sphere;
+    constants.radius = static_cast<float>(light.radius);
+}
+void take(const shading::DiskLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::disk;
+    constants.radius = static_cast<float>(light.radius);
+    constants.two_sided = light.two_sided;
+}
+void take(const shading::RectangleLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::rectangle;
+    constants.width = static_cast<float>(light.width);
+    constants.height = static_cast<float>(light.height);
+    constants.two_sided = light.two_sided;
+}
+void take(const shading::SunLight<double>& /*its angle below*/, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::sun;
+    constants.inverse_range = 0.0F;
+}
+void take(const shading::TubeLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::tube;
+    copy(light.axis, constants.axis);
+    constants.radius = static_cast<float>(light.radius);
+    constants.length = static_cast<float>(light.length);
+}
+
 } // namespace
 
 shading::LightConstants light_constants(const Light& light) {
-    using LightKind = shading::LightConstants::Kind;
     shading::LightConstants constants;
     copy(light.frame.origin, constants.position);
     if (light.range) constants.inverse_range = static_cast<float>(1.0 / light.range->value);
     copy(-light.frame.z, constants.axis);
     copy(light.frame.x, constants.width_direction);
-    if (const auto* sphere = std::get_if<SphereShape>(&light.shape)) {
-        constants.kind = LightKind::sphere;
-        constants.radius = static_cast<float>(sphere->radius.value);
-    } else if (const auto* disk = std::get_if<DiskShape>(&light.shape)) {
-        constants.kind = LightKind::disk;
-        constants.radius = static_cast<float>(disk->radius.value);
-        constants.two_sided = disk->two_sided;
-    } else if (const auto* rect = std::get_if<RectShape>(&light.shape)) {
-        constants.kind = LightKind::rectangle;
-        constants.width = static_cast<float>(rect->width.value);
-        constants.height = static_cast<float>(rect->height.value);
-        constants.two_sided = rect->two_sided;
-    } else if (const auto* tube = std::get_if<TubeShape>(&light.shape)) {
-        constants.kind = LightKind::tube;
-        copy(light.frame.x, constants.axis);
-        constants.radius = static_cast<float>(tube->radius.value);
-        constants.length = static_cast<float>(tube->length.value);
-    }
-    if (const auto* sun = std::get_if<SunShape>(&light.shape)) {
-        constants.kind = LightKind::sun;
+    with_traits(light.shape, [&]<class Kind>(const Kind& kind, ShapeTraits<Kind>) {
+        if constexpr (!PunctualShape<Kind>) take(ShapeTraits<Kind>::core(kind, light.frame, light.color), constants);
+    });
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) // the core light has its sine alone
         constants.angular_radius = static_cast<float>(0.5 * sun->diameter.value);
-        constants.inverse_range = 0.0F;
-    }
-    const bool punctual = constants.kind == LightKind::punctual;
+    const bool punctual = constants.kind == LightConstants::Kind::punctual;
     copy(punctual ? light.color : light.color * light.luminance.value, constants.color);
     return constants;
 }

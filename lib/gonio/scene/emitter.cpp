@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/primitives.hpp>
 
@@ -47,8 +48,9 @@ struct Distance {
     std::optional<double> operator()(const TubeShape& tube) const {
         return distance_to(Capsule{light.frame.origin, light.frame.x, 0.5 * tube.length.value, tube.radius.value}, ray);
     }
-    template<class Other>
-    std::optional<double> operator()(const Other& /*no surface*/) const {
+    std::optional<double> operator()(const SunShape& /*no surface at a finite distance*/) const { return std::nullopt; }
+    template<PunctualShape Kind>
+    std::optional<double> operator()(const Kind& /*no surface*/) const {
         return std::nullopt;
     }
 };
@@ -68,8 +70,9 @@ struct Reach {
     double operator()(const TubeShape& tube) const {
         return 0.5 * tube.length.value * std::abs(glm::dot(frame.x, direction)) + tube.radius.value;
     }
-    template<class Other>
-    double operator()(const Other& /*no surface*/) const {
+    double operator()(const SunShape& /*no surface at a finite distance*/) const { return 0.0; }
+    template<PunctualShape Kind>
+    double operator()(const Kind& /*no surface*/) const {
         return 0.0;
     }
 };

@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/detail/light_lines.hpp>
 
 #include <algorithm>
@@ -89,8 +90,9 @@ struct Seen {
         return seen;
     }
 
-    template<class Other>
-    LightLines operator()(const Other& /*no surface at a finite distance*/) const {
+    LightLines operator()(const SunShape& /*no surface at a finite distance*/) const { return {}; }
+    template<PunctualShape Kind>
+    LightLines operator()(const Kind& /*no surface*/) const {
         return {};
     }
 

@@ -1,6 +1,5 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
-#include <gonio/light/lobe.hpp>
 #include <gonio/scene/parameter.hpp>
 
 #include <fmt/format.h>
@@ -8,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -17,29 +15,39 @@ namespace gonio {
 
 namespace {
 
-constexpr std::array of_lights{
-    ParameterName{"cct", "2700K", "colour temperature: 2700K or 2700K/0.003"},
-    ParameterName{"color", "d65", "colour, as --color takes it"},
-    ParameterName{"intensity", "800lm", "amount: lm, cd, nt, lx, W"},
-    ParameterName{"radius", "10cm", "sphere, disk, tube (r)"},
-    ParameterName{"width", "60cm", "rect (w)"},
-    ParameterName{"length", "1.2m", "tube (l)"},
-    ParameterName{"size", "2", "sphere, disk, rect, tube: a factor on all of its lengths"},
-    ParameterName{"h", "30cm", "rect: its height; frustum: its horizontal angle"},
-    ParameterName{"v", "40deg", "frustum: its vertical angle"},
-    ParameterName{"outer", "40deg", "spot: half angle of its edge"},
-    ParameterName{"cone", "80deg", "spot: full angle of its edge"},
-    ParameterName{"inner", "5deg", "spot: half angle up to which it is full"},
-    ParameterName{"beam", "30deg", "spot: full angle at half of its peak; inner keeps its share of outer"},
-    ParameterName{"falloff", "hard", "spot: from inner to outer"},
-    ParameterName{"angle", "0.53deg", "sun: its diameter"},
-    ParameterName{"x", "1m", "place of its centre"},
-    ParameterName{"y", "1m", "place of its centre"},
-    ParameterName{"height", "2.5m", "of its centre above 0"},
-    ParameterName{"rotate", "90deg", "about its direction, C0 towards C90"},
-    ParameterName{"yaw", "45deg", "turns its direction about the vertical, against the clock from above"},
-    ParameterName{"range", "12m", "distance at which it is windowed to nothing"},
-};
+// Names, examples and, but for those that name the shapes themselves, what has them.
+std::vector<ParameterName> parameters_of_lights() {
+    static const auto of_shapes = [](std::string_view name, std::string_view what) {
+        return kinds_with_parameter(name) + std::string(what);
+    };
+    static const std::string radius = of_shapes("radius", " (r)");
+    static const std::string width = of_shapes("width", " (w)");
+    static const std::string length = of_shapes("length", " (l)");
+    static const std::string size = of_shapes("size", ": a factor on all of its lengths");
+    return {
+        {"cct", "2700K", "colour temperature: 2700K or 2700K/0.003"},
+        {"color", "d65", "colour, as --color takes it"},
+        {"intensity", "800lm", "amount: lm, cd, nt, lx, W"},
+        {"radius", "10cm", radius},
+        {"width", "60cm", width},
+        {"length", "1.2m", length},
+        {"size", "2", size},
+        {"h", "30cm", "rect: its height; frustum: its horizontal angle"},
+        {"v", "40deg", "frustum: its vertical angle"},
+        {"outer", "40deg", "spot: half angle of its edge"},
+        {"cone", "80deg", "spot: full angle of its edge"},
+        {"inner", "5deg", "spot: half angle up to which it is full"},
+        {"beam", "30deg", "spot: full angle at half of its peak; inner keeps its share of outer"},
+        {"falloff", "hard", "spot: from inner to outer"},
+        {"angle", "0.53deg", "sun: its diameter"},
+        {"x", "1m", "place of its centre"},
+        {"y", "1m", "place of its centre"},
+        {"height", "2.5m", "of its centre above 0"},
+        {"rotate", "90deg", "about its direction, C0 towards C90"},
+        {"yaw", "45deg", "turns its direction about the vertical, against the clock from above"},
+        {"range", "12m", "distance at which it is windowed to nothing"},
+    };
+}
 
 constexpr std::array of_materials{
     ParameterName{"albedo", "0.5", "lambert, eon, blinn"},
@@ -53,135 +61,6 @@ constexpr std::array of_materials{
     ParameterName{"specular", "0.5", "ue4, blinn"},
     ParameterName{"cavity", "0.5", "ue4"},
     ParameterName{"wet", "0.5", "blinn"},
-};
-
-// A shape of the kind, from text of its grammar.
-template<class Kind>
-Result<Kind> parse_as(const std::string& text) {
-    Result<Shape> shape = parse_shape(text);
-    if (!shape) return pass_on(shape);
-    return std::get<Kind>(*shape);
-}
-
-// Takes the member of a shape that the grammar read.
-template<class Kind, class Member>
-Result<bool> take(Kind& shape, Member Kind::*member, const std::string& text) {
-    Result<Kind> read = parse_as<Kind>(text);
-    if (!read) return pass_on(read);
-    shape.*member = (*read).*member;
-    return true;
-}
-
-// The half angle at which a lobe has half of its peak.
-Radians half_beam(const SpotShape& spot) {
-    double inside = 0.0;
-    double outside = spot.outer.value;
-    for (int step = 0; step < 64; ++step) {
-        const double middle = 0.5 * (inside + outside);
-        (lobe(spot, Radians(middle)) >= 0.5 ? inside : outside) = middle;
-    }
-    return Radians(outside);
-}
-
-SpotShape with_outer(SpotShape spot, double outer, double inner_share) {
-    spot.outer = Radians(outer);
-    spot.inner = Radians(std::fmin(inner_share, 1.0) * outer);
-    return spot;
-}
-
-// The beam widens with the outer angle, so that this is a search by halves.
-Result<bool> set_beam(SpotShape& spot, const std::string& value) {
-    Result<double> beam = parse_amount(value, Dimension::angle, "beam");
-    if (!beam) return pass_on(beam);
-    const double widest = 0.5 * std::numbers::pi;
-    const double inner_share = spot.outer.value > 0.0 ? spot.inner / spot.outer : 0.0;
-    const double most = 2.0 * half_beam(with_outer(spot, widest, inner_share)).value;
-    if (!(*beam > 0.0) || *beam > most)
-        return fail(Failure::usage,
-                    fmt::format("beam of this 'spot' must be greater than 0deg and at most {}deg, not {}",
-                                rounded(to_degrees(Radians(most))), value),
-                    "it is the full angle at half of the peak");
-    double low = 0.0;
-    double high = widest;
-    for (int step = 0; step < 64; ++step) {
-        const double middle = 0.5 * (low + high);
-        (2.0 * half_beam(with_outer(spot, middle, inner_share)).value < *beam ? low : high) = middle;
-    }
-    spot = with_outer(spot, high, inner_share);
-    return true;
-}
-
-struct ShapeParameter {
-    std::string_view name;
-    std::string value;
-
-    std::string text(std::string_view kind, std::string_view key, std::string_view others = "") const {
-        return fmt::format("{}:{}={}{}", kind, key, value, others);
-    }
-
-    Result<bool> operator()(PointShape&) const { return false; }
-    Result<bool> operator()(ProfileShape&) const { return false; }
-    Result<bool> operator()(SpotShape& spot) const {
-        if (name == "beam") return set_beam(spot, value);
-        if (name == "falloff") return take(spot, &SpotShape::falloff, text("spot", "falloff", ",outer=45deg"));
-        if (name == "inner") {
-            // Bounded by the spot's own outer angle.
-            Result<SpotShape> read = parse_as<SpotShape>(text("spot", "inner", ",outer=90deg"));
-            if (!read) return pass_on(read);
-            return set_angles(spot, read->inner, spot.outer);
-        }
-        if (name != "outer" && name != "cone") return false;
-        Result<SpotShape> read = parse_as<SpotShape>(text("spot", name));
-        if (!read) return pass_on(read);
-        return set_angles(spot, spot.inner, read->outer);
-    }
-    Result<bool> operator()(FrustumShape& frustum) const {
-        if (name == "h") return take(frustum, &FrustumShape::horizontal, text("frustum", "h", ",v=40deg"));
-        if (name == "v") return take(frustum, &FrustumShape::vertical, text("frustum", "v", ",h=40deg"));
-        return false;
-    }
-    Result<bool> operator()(SphereShape& sphere) const {
-        if (name == "size") return scale({&sphere.radius});
-        return name == "radius" ? take(sphere, &SphereShape::radius, text("sphere", "r")) : false;
-    }
-    Result<bool> operator()(DiskShape& disk) const {
-        if (name == "size") return scale({&disk.radius});
-        return name == "radius" ? take(disk, &DiskShape::radius, text("disk", "r")) : false;
-    }
-    Result<bool> operator()(RectShape& rect) const {
-        if (name == "size") return scale({&rect.width, &rect.height});
-        if (name == "width") return take(rect, &RectShape::width, text("rect", "w", ",h=1m"));
-        return name == "h" ? take(rect, &RectShape::height, text("rect", "h", ",w=1m")) : false;
-    }
-    Result<bool> operator()(TubeShape& tube) const {
-        if (name == "size") return scale({&tube.radius, &tube.length});
-        if (name == "radius") return take(tube, &TubeShape::radius, text("tube", "r", ",l=1m"));
-        return name == "length" ? take(tube, &TubeShape::length, text("tube", "l", ",r=1cm")) : false;
-    }
-    Result<bool> operator()(SunShape& sun) const {
-        return name == "angle" ? take(sun, &SunShape::diameter, text("sun", "angle")) : false;
-    }
-
-private:
-    Result<bool> scale(std::initializer_list<Meters*> lengths) const {
-        const std::optional<double> factor = parse_number(value);
-        if (!factor || !(*factor > 0.0))
-            return fail(Failure::usage, fmt::format("size is a factor greater than 0, not '{}'", value));
-        for (Meters* const length : lengths)
-            length->value *= *factor;
-        return true;
-    }
-
-    Result<bool> set_angles(SpotShape& spot, Radians inner, Radians outer) const {
-        if (inner.value > outer.value)
-            return fail(Failure::usage,
-                        fmt::format("inner of 'spot', {}deg, is more than outer, {}deg", rounded(to_degrees(inner)),
-                                    rounded(to_degrees(outer))),
-                        "both are half angles from the axis");
-        spot.inner = inner;
-        spot.outer = outer;
-        return true;
-    }
 };
 
 Result<bool> set_color(LightDescription& light, std::string_view name, std::string_view value,
@@ -215,7 +94,7 @@ Result<bool> set_angle(LightDescription& light, std::string_view name, std::stri
 }
 
 Result<bool> set_length(LightDescription& light, std::string_view name, std::string_view value) {
-    if (std::holds_alternative<SunShape>(light.shape)) return false;
+    if (class_of(light.shape) == ShapeClass::sun) return false;
     Result<double> meters = parse_amount(value, Dimension::length, name);
     if (!meters) return pass_on(meters);
     if (name == "range") {
@@ -304,6 +183,7 @@ void take_key(BlinnMaterial& to, const BlinnMaterial& from, std::string_view key
 } // namespace
 
 std::span<const ParameterName> light_parameters() {
+    static const std::vector<ParameterName> of_lights = parameters_of_lights();
     return of_lights;
 }
 
@@ -322,7 +202,7 @@ Result<bool> set_parameter(LightDescription& light, std::string_view name, std::
         light.intensity = *amount;
         return true;
     }
-    return std::visit(ShapeParameter{name, std::string(value)}, light.shape);
+    return set_shape_parameter(light.shape, name, std::string(value));
 }
 
 Result<bool> set_parameter(Material& material, std::string_view name, std::string_view value) {
@@ -343,7 +223,7 @@ Result<bool> set_parameter(Material& material, std::string_view name, std::strin
 
 std::vector<std::string_view> parameters_of(const LightDescription& light) {
     std::vector<std::string_view> names;
-    for (const ParameterName& parameter : of_lights) {
+    for (const ParameterName& parameter : light_parameters()) {
         LightDescription scratch = light;
         Diagnostics unheard;
         // A bound of this light that the example misses is one of a parameter that it has.

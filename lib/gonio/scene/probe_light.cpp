@@ -1,12 +1,10 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
-#include <gonio/shading/irradiance_disk.hpp>
-#include <gonio/shading/irradiance_named.hpp>
-#include <gonio/shading/irradiance_rectangle.hpp>
-#include <gonio/shading/irradiance_sphere_named.hpp>
-#include <gonio/shading/irradiance_tube.hpp>
+#include <gonio/shading/irradiance_approximate.hpp>
+#include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/shade.hpp>
 
 #include <glm/geometric.hpp>
@@ -38,75 +36,70 @@ double luminance_y(const glm::dvec3& rgb) {
     return glm::dot(rgb, rec709_luminance);
 }
 
-// E/L of each area shape by each method; `c` is the way from the receiver to the centre.
+// E/L of each area light by each method; `c` is the way from the receiver to the centre.
 struct AreaIrradiance {
-    const Frame& frame;
     Vec c;
     Vec n;
     IrradianceMethod method;
 
-    double operator()(const SphereShape& s) const {
-        const double r = s.radius.value;
-        switch (method) {
-        case IrradianceMethod::frostbite:
-            return shading::irradiance_sphere_frostbite(c, r, n);
-        case IrradianceMethod::ue4:
-            return shading::irradiance_sphere_point(c, r, n);
-        default:
-            return shading::irradiance_sphere(c, r, n);
-        }
+    double operator()(const shading::SphereLight<double>& light) const {
+        if (method == IrradianceMethod::frostbite) return by<Approximation::frostbite>(light);
+        if (method == IrradianceMethod::ue4) return by<Approximation::point>(light);
+        return shading::detail::irradiance(light, c, n);
     }
-    double operator()(const DiskShape& s) const {
-        const double front = one_side(s, vec(-frame.z));
-        return s.two_sided ? front + one_side(s, vec(frame.z)) : front;
+    double operator()(const shading::TubeLight<double>& light) const {
+        if (method == IrradianceMethod::frostbite) return by<Approximation::frostbite>(light);
+        if (method == IrradianceMethod::ue4) return by<Approximation::ue4>(light);
+        return shading::detail::irradiance(light, c, n);
     }
-    double operator()(const RectShape& s) const {
-        const double front = one_side(s, vec(-frame.z));
-        return s.two_sided ? front + one_side(s, vec(frame.z)) : front;
-    }
-    double operator()(const TubeShape& s) const {
-        const double r = s.radius.value;
-        const double l = s.length.value;
-        switch (method) {
-        case IrradianceMethod::frostbite:
-            return shading::irradiance_tube_frostbite(c, vec(frame.x), r, l, n);
-        case IrradianceMethod::ue4:
-            return shading::irradiance_tube_ue4(c, vec(frame.x), r, l, n);
-        default:
-            return shading::irradiance_tube(c, vec(frame.x), r, l, n);
-        }
-    }
-    template<class Punctual>
-    double operator()(const Punctual& /*shape*/) const {
-        return 0.0;
+    double operator()(const shading::SunLight<double>& light) const { return shading::detail::irradiance(light, c, n); }
+    template<class Flat>
+    double operator()(Flat light) const {
+        const bool both = light.two_sided;
+        light.two_sided = false;
+        const double front = one_side(light);
+        if (!both) return front;
+        light.axis = light.axis * -1.0;
+        return front + one_side(light);
     }
 
 private:
-    double one_side(const DiskShape& s, const Vec& axis) const {
-        if (method == IrradianceMethod::frostbite)
-            return shading::irradiance_disk_frostbite(c, axis, s.radius.value, n);
-        return shading::irradiance_disk(c, axis, s.radius.value, n);
+    using Approximation = shading::Approximation;
+
+    template<Approximation approximation, class CoreLight>
+    double by(const CoreLight& light) const {
+        return shading::detail::approximate<double, approximation>(light, c, n);
     }
-    double one_side(const RectShape& s, const Vec& axis) const {
-        const double w = s.width.value;
-        const double h = s.height.value;
-        if (method == IrradianceMethod::frostbite)
-            return shading::irradiance_rectangle_frostbite(c, axis, vec(frame.x), w, h, n);
-        return shading::irradiance_rectangle(c, axis, vec(frame.x), w, h, n);
+    template<class Flat>
+    double one_side(const Flat& light) const {
+        if (method == IrradianceMethod::frostbite) return by<Approximation::frostbite>(light);
+        return shading::detail::irradiance(light, c, n);
     }
 };
 
-bool punctual(const Shape& shape) {
-    return !std::holds_alternative<SphereShape>(shape) && !std::holds_alternative<DiskShape>(shape) &&
-           !std::holds_alternative<RectShape>(shape) && !std::holds_alternative<TubeShape>(shape) &&
-           !std::holds_alternative<SunShape>(shape);
+// Whether a point is inside a light, where it sees nothing else.
+bool is_within(const shading::SphereLight<double>& light, const glm::dvec3& to_center) {
+    return glm::length(to_center) < light.radius;
 }
+bool is_within(const shading::TubeLight<double>& light, const glm::dvec3& to_center) {
+    const glm::dvec3 axis(light.axis.x, light.axis.y, light.axis.z);
+    const double along = glm::dot(to_center, axis);
+    const double half = 0.5 * light.length;
+    return glm::length(to_center - std::clamp(along, -half, half) * axis) < light.radius;
+}
+bool is_within(const shading::SunLight<double>& /*at infinity*/, const glm::dvec3& /*to_center*/) {
+    return false;
+}
+template<class Flat>
+bool is_within(const Flat& /*light*/, const glm::dvec3& /*to_center*/) requires requires(Flat light) {
+    light.two_sided;
+}
+{ return false; }
 
 // Whether the light is taken as a point: it is one, it is asked for, or the method has no form of its shape.
 bool as_point(const Shape& shape, IrradianceMethod method) {
-    if (punctual(shape) || method == IrradianceMethod::point) return true;
-    return method == IrradianceMethod::ue4 &&
-           (std::holds_alternative<DiskShape>(shape) || std::holds_alternative<RectShape>(shape));
+    if (!has_extent(shape) || method == IrradianceMethod::point) return true;
+    return method == IrradianceMethod::ue4 && is_flat(shape);
 }
 
 // 1/d² with the guard of 1 cm that the method has.
@@ -133,15 +126,6 @@ double of_sun(const SunShape& sun, const Frame& frame, const glm::dvec3& normal)
     if (c >= s) return std::numbers::pi * s * s * c;
     if (c <= -s) return 0.0;
     return std::max(shading::irradiance_straddling_cap(s, std::max(std::cos(0.5 * sun.diameter.value), 0.0), c), 0.0);
-}
-
-bool is_inside(const Shape& shape, const Frame& frame, const glm::dvec3& to_center) {
-    if (const auto* sphere = std::get_if<SphereShape>(&shape)) return glm::length(to_center) < sphere->radius.value;
-    const auto* tube = std::get_if<TubeShape>(&shape);
-    if (tube == nullptr) return false;
-    const double along = glm::dot(to_center, frame.x);
-    const double half = 0.5 * tube->length.value;
-    return glm::length(to_center - std::clamp(along, -half, half) * frame.x) < tube->radius.value;
 }
 
 // Whose illuminance the method takes.
@@ -173,7 +157,8 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
                           const ProbeWay& way) {
     const IrradianceMethod method = illuminance_method(way.method);
     const glm::dvec3 to_center = light.frame.origin - position;
-    const bool inside = is_inside(light.shape, light.frame, to_center);
+    const bool inside = with_core_light(light.shape, light.frame, light.color, false,
+                                        [&](const auto& core) { return is_within(core, to_center); });
     const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
     const bool masked_area = has_extent(light.shape) && mask_of(light.shape).web != nullptr;
     // Behind a mask there is no closed form.
@@ -189,10 +174,10 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
         return {bounded(lx)};
     }
     if (as_point(light.shape, method)) return of_point(light, vec(to_center), vec(normal), method);
-    const double e_over_l =
-        inside && method == IrradianceMethod::exact
-            ? std::numbers::pi
-            : std::visit(AreaIrradiance{light.frame, vec(to_center), vec(normal), method}, light.shape);
+    const double e_over_l = inside && method == IrradianceMethod::exact
+                                ? std::numbers::pi
+                                : with_core_light(light.shape, light.frame, light.color, 0.0,
+                                                  AreaIrradiance{vec(to_center), vec(normal), method});
     return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center)) * mask_share(light, position)),
             0.0, remark};
 }

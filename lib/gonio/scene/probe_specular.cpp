@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
@@ -69,47 +70,18 @@ shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_cente
 }
 
 // The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
-double sun_radius(const SunShape& sun) {
-    return std::min(std::sin(0.5 * sun.diameter.value), 1.0 - 1e-12);
+shading::SphereLight<double> as_sphere(const shading::SunLight<double>& sun) {
+    return {sun.toward, sun.luminance, std::min(sun.sine, 1.0 - 1e-12), 0.0};
 }
 
 struct ByMethod {
-    const Light& light;
     const shading::SurfacePoint<double>& point; // at the origin
     const Material& material;
     IrradianceMethod method;
-    Vec center; // from the point
 
-    NamedLuminance operator()(const SphereShape& s) const {
-        return of(shading::SphereLight<double>{center, luminance(), s.radius.value, 0.0});
-    }
-    NamedLuminance operator()(const DiskShape& s) const {
-        return of(
-            shading::DiskLight<double>{center, luminance(), vec(-light.frame.z), s.radius.value, 0.0, s.two_sided});
-    }
-    NamedLuminance operator()(const RectShape& s) const {
-        return of(shading::RectangleLight<double>{center, luminance(), vec(-light.frame.z), vec(light.frame.x),
-                                                  s.width.value, s.height.value, 0.0, s.two_sided});
-    }
-    NamedLuminance operator()(const TubeShape& s) const {
-        return of(
-            shading::TubeLight<double>{center, luminance(), vec(light.frame.x), s.radius.value, s.length.value, 0.0});
-    }
-    NamedLuminance operator()(const SunShape& s) const {
-        return of(shading::SphereLight<double>{vec(light.frame.z), luminance(), sun_radius(s), 0.0});
-    }
-    template<class Punctual>
-    NamedLuminance operator()(const Punctual& /*shape*/) const {
-        return {};
-    }
-
-private:
-    Vec luminance() const { return vec(light.color * light.luminance.value); }
-
-    static double y_of(Vec rgb) { return glm::dot(glm::dvec3(rgb.x, rgb.y, rgb.z), rec709_luminance); }
-
+    NamedLuminance operator()(const shading::SunLight<double>& sun) const { return (*this)(as_sphere(sun)); }
     template<class CoreLight>
-    NamedLuminance of(const CoreLight& core_light) const {
+    NamedLuminance operator()(const CoreLight& core_light) const {
         return std::visit(
             [&](const auto& m) {
                 const auto core = core_material(m);
@@ -128,6 +100,9 @@ private:
             },
             material);
     }
+
+private:
+    static double y_of(Vec rgb) { return glm::dot(glm::dvec3(rgb.x, rgb.y, rgb.z), rec709_luminance); }
 
     template<class CoreLight, class Core>
     double diffuse(const CoreLight& core_light, const Core& core) const {
@@ -164,11 +139,14 @@ NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, c
                                const ProbeSurface& surface, IrradianceMethod method) {
     const Vec center = vec(light.frame.origin - position);
     const shading::SurfacePoint<double> point{{0.0, 0.0, 0.0}, vec(normal), vec(surface.view)};
-    NamedLuminance nt = std::visit(ByMethod{light, point, surface.material, method, center}, light.shape);
+    Frame from_here = light.frame;
+    from_here.origin -= position;
+    NamedLuminance nt = with_core_light(light.shape, from_here, light.color * light.luminance.value, NamedLuminance(),
+                                        ByMethod{point, surface.material, method});
     const double masked = mask_share(light, position);
     nt.diffuse_nt *= masked;
     nt.specular_nt *= masked;
-    if (light.range && !std::holds_alternative<SunShape>(light.shape)) {
+    if (light.range && class_of(light.shape) != ShapeClass::sun) {
         const double window = shading::window_squared(shading::length(center), 1.0 / light.range->value);
         nt.diffuse_nt *= window;
         nt.specular_nt *= window;

@@ -1,10 +1,12 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/detail/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
 #include <gonio/scene/detail/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/shading/falloff.hpp>
+#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/shade.hpp>
 
 #include <glm/geometric.hpp>
@@ -26,43 +28,22 @@ using detail::vec;
 // Lights that are seen smaller than this have no digits left of their own outline; they are a direction.
 constexpr double least_reach = 1e-8; // [rad]
 
-// Where the shape is seen from a receiver at the origin; all lengths by `scale`.
-struct Region {
-    const Frame& frame;
-    Vec center;
-    Vec normal;
-    double scale;
-
-    LightRegion operator()(const SphereShape& s) const {
-        return LightRegion::sphere(center, scale * s.radius.value, normal);
-    }
-    LightRegion operator()(const DiskShape& s) const {
-        return LightRegion::disk(center, vec(-frame.z), scale * s.radius.value, s.two_sided, normal);
-    }
-    LightRegion operator()(const RectShape& s) const {
-        return LightRegion::rectangle(center, vec(-frame.z), vec(frame.x), scale * s.width.value,
-                                      scale * s.height.value, s.two_sided, normal);
-    }
-    LightRegion operator()(const TubeShape& s) const {
-        return LightRegion::tube(center, vec(frame.x), scale * s.radius.value, scale * s.length.value, normal);
-    }
-    LightRegion operator()(const SunShape& s) const {
-        const double sigma = 0.5 * s.diameter.value;
-        return LightRegion::cap(vec(frame.z), std::sin(sigma), std::max(std::cos(sigma), 0.0), normal);
-    }
-    // A cap without a size.
-    template<class Punctual>
-    LightRegion operator()(const Punctual& /*shape*/) const {
-        return LightRegion::cap(normal, 0.0, 1.0, normal);
-    }
-};
-
-double largest_size(const Shape& shape) {
-    if (const auto* s = std::get_if<SphereShape>(&shape)) return s->radius.value;
-    if (const auto* s = std::get_if<DiskShape>(&shape)) return s->radius.value;
-    if (const auto* s = std::get_if<RectShape>(&shape)) return std::max(s->width.value, s->height.value);
-    if (const auto* s = std::get_if<TubeShape>(&shape)) return std::max(s->radius.value, s->length.value);
-    return 0.0;
+// Where a light is seen from a receiver at the origin; lengths of the light are multiplied by `scale`.
+LightRegion region_of(const shading::SphereLight<double>& light, Vec center, Vec normal, double scale) {
+    return LightRegion::sphere(center, scale * light.radius, normal);
+}
+LightRegion region_of(const shading::DiskLight<double>& light, Vec center, Vec normal, double scale) {
+    return LightRegion::disk(center, light.axis, scale * light.radius, light.two_sided, normal);
+}
+LightRegion region_of(const shading::RectangleLight<double>& light, Vec center, Vec normal, double scale) {
+    return LightRegion::rectangle(center, light.axis, light.width_direction, scale * light.width, scale * light.height,
+                                  light.two_sided, normal);
+}
+LightRegion region_of(const shading::TubeLight<double>& light, Vec center, Vec normal, double scale) {
+    return LightRegion::tube(center, light.axis, scale * light.radius, scale * light.length, normal);
+}
+LightRegion region_of(const shading::SunLight<double>& light, Vec /*center*/, Vec normal, double /*scale*/) {
+    return LightRegion::cap(light.toward, light.sine, light.cosine, normal);
 }
 
 // The light's luminance towards the receiver from the direction ω, over that of its brightest.
@@ -120,12 +101,17 @@ struct Pose {
 
 Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
     const Vec center = vec(light.frame.origin - position);
-    const bool windowed = light.range && !std::holds_alternative<SunShape>(light.shape);
+    const bool windowed = light.range && class_of(light.shape) != ShapeClass::sun;
     const double window = windowed ? shading::window_squared(shading::length(center), 1.0 / light.range->value) : 1.0;
-    // Squares of what is scaled neither overflow nor vanish.
-    const double scale =
-        simd::reciprocal_power_of_two(std::max(shading::largest_component(center), largest_size(light.shape)));
-    return {std::visit(Region{light.frame, center * scale, vec(normal), scale}, light.shape), vec(normal),
+    const LightRegion none = LightRegion::cap(vec(normal), 0.0, 1.0, vec(normal));
+    const auto region = [&](const auto& core) {
+        const auto seen = shading::seen_from(core, center);
+        // Squares of what is scaled neither overflow nor vanish.
+        const double scale = simd::reciprocal_power_of_two(
+            std::max(shading::largest_component(seen.to_center), shading::detail::largest_size(seen.light)));
+        return region_of(seen.light, seen.to_center * scale, vec(normal), scale);
+    };
+    return {with_core_light(light.shape, light.frame, light.color, none, region), vec(normal),
             light.luminance.value * window};
 }
 
@@ -169,9 +155,7 @@ ReferenceValue operator+(const ReferenceValue& a, const ReferenceValue& b) {
 }
 
 bool has_extent(const Shape& shape) {
-    return std::holds_alternative<SphereShape>(shape) || std::holds_alternative<DiskShape>(shape) ||
-           std::holds_alternative<RectShape>(shape) || std::holds_alternative<TubeShape>(shape) ||
-           std::holds_alternative<SunShape>(shape);
+    return class_of(shape) != ShapeClass::punctual;
 }
 
 ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace gonio {
 
@@ -20,33 +20,31 @@ constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // What decides how much a light with a web emits.
-using Emitter = std::tuple<std::size_t, std::array<double, 3>, const Web*, std::string_view, double, double, double>;
+using Emitter = std::tuple<std::size_t, std::vector<double>, const Web*, std::string_view, double, double, double>;
 
-struct EmitterOf {
-    std::array<double, 3> numbers{};
-    const Web* web = nullptr;
-
-    EmitterOf(const PointShape& s) : web(s.mask.get()) {}
-    EmitterOf(const SpotShape& s)
-        : numbers{s.outer.value, s.inner.value, static_cast<double>(s.falloff)}, web(s.mask.get()) {}
-    EmitterOf(const FrustumShape& s) : numbers{s.horizontal.value, s.vertical.value, 0.0}, web(s.mask.get()) {}
-    EmitterOf(const ProfileShape& s) : web(s.web.get()) {}
-    EmitterOf(const SphereShape& s) : numbers{s.radius.value, 0.0, 0.0}, web(s.mask.get()) {}
-    EmitterOf(const DiskShape& s) : numbers{s.radius.value, s.two_sided ? 1.0 : 0.0, 0.0}, web(s.mask.get()) {}
-    EmitterOf(const RectShape& s)
-        : numbers{s.width.value, s.height.value, s.two_sided ? 1.0 : 0.0}, web(s.mask.get()) {}
-    EmitterOf(const TubeShape& s) : numbers{s.radius.value, s.length.value, 0.0}, web(s.mask.get()) {}
-    EmitterOf(const SunShape& /*no web*/) {}
-};
+// The values of the shape's keys, whatever they are.
+std::vector<double> numbers_of(const Shape& shape) {
+    struct Number {
+        double operator()(Meters length) const { return length.value; }
+        double operator()(Radians angle) const { return angle.value; }
+        double operator()(bool there) const { return there ? 1.0 : 0.0; }
+        double operator()(Falloff falloff) const { return static_cast<double>(falloff); }
+    };
+    std::vector<double> numbers;
+    for (const ShapeValue& value : values_of(shape))
+        numbers.push_back(std::visit(Number(), value.value));
+    return numbers;
+}
 
 // Nothing for lights without a web: theirs is arithmetic.
 std::optional<Emitter> emitter_of(const LightDescription& light) {
-    const EmitterOf of = std::visit([](const auto& kind) { return EmitterOf(kind); }, light.shape);
-    if (of.web == nullptr) return std::nullopt;
+    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
+    const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
+    if (web == nullptr) return std::nullopt;
     const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
     return Emitter{light.shape.index(),
-                   of.numbers,
-                   of.web,
+                   numbers_of(light.shape),
+                   web,
                    value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
                    value.number,
                    value.unit.distance.value_or(Meters()).value,

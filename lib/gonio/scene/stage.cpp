@@ -16,11 +16,15 @@ bool is_chosen(const glm::dvec3& up) {
     return up != Camera().up;
 }
 
-// From its middle [m].
+// How far what has a long side reaches along it, from its middle [m]; 0 of what is round.
 double reach_along_c0(const Shape& shape) {
-    if (const auto* const rect = std::get_if<RectShape>(&shape)) return 0.5 * rect->width.value;
-    if (const auto* const tube = std::get_if<TubeShape>(&shape)) return 0.5 * tube->length.value + tube->radius.value;
-    return 0.0;
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.width; }) return 0.5 * kind.width.value;
+            if constexpr (requires { kind.length; }) return 0.5 * kind.length.value + kind.radius.value;
+            return 0.0;
+        },
+        shape);
 }
 
 } // namespace

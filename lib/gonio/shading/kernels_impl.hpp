@@ -4,8 +4,7 @@
 // not be a function that other files could call.
 #pragma once
 
-#include <gonio/shading/irradiance_named.hpp>
-#include <gonio/shading/irradiance_sphere_named.hpp>
+#include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
@@ -16,33 +15,6 @@
 #include <cstddef>
 
 namespace gonio::shading::detail {
-
-template<class S, Approximation method>
-GONIO_FORCE_INLINE S approximate(const SphereLight<S>& light, vec3<S> center, vec3<S> n) {
-    if constexpr (method == Approximation::frostbite) return irradiance_sphere_frostbite(center, light.radius, n);
-    if constexpr (method == Approximation::ue4) return irradiance_sphere_ue4(center, light.radius, n);
-    return irradiance_sphere_point(center, light.radius, n);
-}
-template<class S, Approximation method>
-GONIO_FORCE_INLINE S approximate(const DiskLight<S>& light, vec3<S> center, vec3<S> n) {
-    if constexpr (method == Approximation::frostbite)
-        return irradiance_disk_frostbite(center, light.axis, light.radius, n);
-    return irradiance_disk_point(center, light.axis, light.radius, n);
-}
-template<class S, Approximation method>
-GONIO_FORCE_INLINE S approximate(const RectangleLight<S>& light, vec3<S> center, vec3<S> n) {
-    if constexpr (method == Approximation::frostbite)
-        return irradiance_rectangle_frostbite(center, light.axis, light.width_direction, light.width, light.height, n);
-    return irradiance_rectangle_point(center, light.axis, light.width_direction, light.width, light.height, n);
-}
-template<class S, Approximation method>
-GONIO_FORCE_INLINE S approximate(const TubeLight<S>& light, vec3<S> center, vec3<S> n) {
-    if constexpr (method == Approximation::frostbite)
-        return irradiance_tube_frostbite(center, light.axis, light.radius, light.length, n);
-    if constexpr (method == Approximation::ue4)
-        return irradiance_tube_ue4(center, light.axis, light.radius, light.length, n);
-    return irradiance_tube_point(center, light.axis, light.radius, light.length, n);
-}
 
 template<class S>
 void irradiance_punctual(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
@@ -103,20 +75,11 @@ void irradiance_sun(const Surfaces& surfaces, const LightConstants& light_consta
 template<class S>
 void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
     using Two = simd::paired<S>; // two chains fill each other's gaps
-    switch (light.kind) {
-    case LightConstants::Kind::punctual:
-        return irradiance_punctual<S>(surfaces, light, lx);
-    case LightConstants::Kind::sphere:
-        return irradiance_area<Two, SphereLight>(surfaces, light, lx);
-    case LightConstants::Kind::disk:
-        return irradiance_area<Two, DiskLight>(surfaces, light, lx);
-    case LightConstants::Kind::rectangle:
-        return irradiance_area<Two, RectangleLight>(surfaces, light, lx);
-    case LightConstants::Kind::tube:
-        return irradiance_area<Two, TubeLight>(surfaces, light, lx);
-    case LightConstants::Kind::sun:
-        return irradiance_sun<S>(surfaces, light, lx);
-    }
+    if (light.kind == LightConstants::Kind::punctual) return irradiance_punctual<S>(surfaces, light, lx);
+    if (light.kind == LightConstants::Kind::sun) return irradiance_sun<S>(surfaces, light, lx);
+    with_area_light(light.kind, [&]<template<class> class Light>(OfKind<Light>) {
+        irradiance_area<Two, Light>(surfaces, light, lx);
+    });
 }
 
 template<class S, class Material>
@@ -241,22 +204,12 @@ void approximate_sun(const Surfaces& surfaces, const LightConstants& light_const
 
 template<class S>
 void approximate_any(const Surfaces& surfaces, const LightConstants& light, Approximation method, float* lx) {
-    switch (light.kind) {
-    case LightConstants::Kind::punctual:
-        for (std::size_t i = 0; i < surfaces.count; ++i)
-            lx[i] = 0.0F;
-        return;
-    case LightConstants::Kind::sphere:
-        return approximate_light<S, SphereLight<S>>(surfaces, light, method, lx);
-    case LightConstants::Kind::disk:
-        return approximate_light<S, DiskLight<S>>(surfaces, light, method, lx);
-    case LightConstants::Kind::rectangle:
-        return approximate_light<S, RectangleLight<S>>(surfaces, light, method, lx);
-    case LightConstants::Kind::tube:
-        return approximate_light<S, TubeLight<S>>(surfaces, light, method, lx);
-    case LightConstants::Kind::sun:
-        return approximate_sun<S>(surfaces, light, lx);
-    }
+    if (light.kind == LightConstants::Kind::sun) return approximate_sun<S>(surfaces, light, lx);
+    for (std::size_t i = 0; light.kind == LightConstants::Kind::punctual && i < surfaces.count; ++i)
+        lx[i] = 0.0F;
+    with_area_light(light.kind, [&]<template<class> class Light>(OfKind<Light>) {
+        approximate_light<S, Light<S>>(surfaces, light, method, lx);
+    });
 }
 
 // The tables, each in the file that is compiled for its set.

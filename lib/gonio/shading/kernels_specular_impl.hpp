@@ -67,24 +67,15 @@ void specular_light(const Surfaces& surfaces, const LightConstants& light, const
 template<class S, class Lobe>
 void specular_lobe(const Surfaces& surfaces, const LightConstants& light, const Lobe& lobe, SpecularMethod method,
                    float* scale, float* grazing) {
-    switch (light.kind) {
-    case LightConstants::Kind::punctual:
-        for (std::size_t i = 0; i < surfaces.count; ++i) {
-            scale[i] = 0.0F;
-            grazing[i] = 0.0F;
-        }
-        return;
-    case LightConstants::Kind::sphere:
-        return specular_light<S, SphereLight<S>>(surfaces, light, lobe, method, scale, grazing);
-    case LightConstants::Kind::disk:
-        return specular_light<S, DiskLight<S>>(surfaces, light, lobe, method, scale, grazing);
-    case LightConstants::Kind::rectangle:
-        return specular_light<S, RectangleLight<S>>(surfaces, light, lobe, method, scale, grazing);
-    case LightConstants::Kind::tube:
-        return specular_light<S, TubeLight<S>>(surfaces, light, lobe, method, scale, grazing);
-    case LightConstants::Kind::sun:
-        return specular_light<S, SunLight<S>>(surfaces, light, lobe, method, scale, grazing);
+    const auto of = [&]<template<class> class Light>(OfKind<Light>) {
+        specular_light<S, Light<S>>(surfaces, light, lobe, method, scale, grazing);
+    };
+    if (light.kind == LightConstants::Kind::sun) return of(OfKind<SunLight>{});
+    for (std::size_t i = 0; light.kind == LightConstants::Kind::punctual && i < surfaces.count; ++i) {
+        scale[i] = 0.0F;
+        grazing[i] = 0.0F;
     }
+    with_area_light(light.kind, of);
 }
 
 template<class S>

@@ -9,6 +9,7 @@
 
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_lobe.hpp>
+#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/vec3.hpp>
 
 #include <cstddef>
@@ -207,6 +208,13 @@ GONIO_FORCE_INLINE TubePoints<S> points_of(const TubeLight<S>& light, const Fram
     end(0, S(-1));
     end(1, S(1));
     return points;
+}
+
+template<class S, class Light, class Frame>
+requires SeenAsAnother<Light, S> GONIO_FORCE_INLINE auto points_of(const Light& light, const Frame& frame,
+                                                                   vec3<S> to_center) {
+    const auto seen = light.seen_from(to_center);
+    return points_of(seen.light, frame, seen.to_center);
 }
 
 } // namespace gonio::shading::detail

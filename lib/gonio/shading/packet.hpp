@@ -102,27 +102,38 @@ GONIO_FORCE_INLINE void constants(const MaterialConstants& from, KullaConty<S>& 
         to.loss.c[i] = S(from.loss[i]);
 }
 
+template<template<class> class Light>
+struct OfKind {};
+
+// work(OfKind<SphereLight>{}) and so on; not for a punctual light or a sun. The one place that knows which light of the
+// core a kind is.
+template<class Work>
+GONIO_FORCE_INLINE void with_area_light(LightConstants::Kind kind, const Work& work) {
+    switch (kind) {
+    case LightConstants::Kind::punctual:
+    case LightConstants::Kind::sun:
+        return;
+    case LightConstants::Kind::sphere:
+        return work(OfKind<SphereLight>{});
+    case LightConstants::Kind::disk:
+        return work(OfKind<DiskLight>{});
+    case LightConstants::Kind::rectangle:
+        return work(OfKind<RectangleLight>{});
+    case LightConstants::Kind::tube:
+        return work(OfKind<TubeLight>{});
+    }
+}
+
 // work(light), of the light's own type; not for a punctual one.
 template<class S, class Work>
 GONIO_FORCE_INLINE void with_light(const LightConstants& from, const Work& work) {
-    const auto spread = [&]<class Light>(Light light) {
+    const auto spread = [&]<template<class> class Light>(OfKind<Light>) {
+        Light<S> light;
         constants(from, light);
         work(light);
     };
-    switch (from.kind) {
-    case LightConstants::Kind::punctual:
-        return;
-    case LightConstants::Kind::sphere:
-        return spread(SphereLight<S>{});
-    case LightConstants::Kind::disk:
-        return spread(DiskLight<S>{});
-    case LightConstants::Kind::rectangle:
-        return spread(RectangleLight<S>{});
-    case LightConstants::Kind::tube:
-        return spread(TubeLight<S>{});
-    case LightConstants::Kind::sun:
-        return spread(SunLight<S>{});
-    }
+    if (from.kind == LightConstants::Kind::sun) return spread(OfKind<SunLight>{});
+    with_area_light(from.kind, spread);
 }
 
 template<class S, template<class> class Material>

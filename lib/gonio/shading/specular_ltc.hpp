@@ -7,6 +7,7 @@
 #include <gonio/shading/light_points.hpp>
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/ltc_tube.hpp>
+#include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/specular_method.hpp>
 
 namespace gonio::shading {
@@ -140,6 +141,15 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
             simd::min(simd::max(grazing, S(0)), S(1))};
 }
 
+template<class S, class Light, template<class> class Lobe, class CosineOf>
+requires SeenAsAnother<Light, S> GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light,
+                                                                                      vec3<S> to_center, vec3<S> normal,
+                                                                                      vec3<S> view, const Lobe<S>& lobe,
+                                                                                      const CosineOf& cosine_of) {
+    const auto seen = light.seen_from(to_center);
+    return specular_ltc(seen.light, seen.to_center, normal, view, lobe, cosine_of);
+}
+
 // The same, with its cosine from the table of all α.
 template<class S, class Light, template<class> class Lobe>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
@@ -155,7 +165,8 @@ GONIO_FORCE_INLINE S diffuse_ltc(const Light& light, vec3<S> to_center, vec3<S> 
                                  S linear_roughness) {
     const S n_dot_v = dot(normal, view);
     const LtcLobe<S> lobe = ltc_diffuse(linear_roughness, n_dot_v);
-    const S share = detail::ltc_share(lobe, ltc_frame(normal, view), light, to_center);
+    const auto seen = seen_from(light, to_center);
+    const S share = detail::ltc_share(lobe, ltc_frame(normal, view), seen.light, seen.to_center);
     return simd::select(n_dot_v > S(0), share * lobe.albedo, S(0));
 }
 

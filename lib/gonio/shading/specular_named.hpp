@@ -188,6 +188,13 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> 
     return {simd::min(simd::max(scale, S(0)), S(specular_ceiling)), simd::min(terms.grazing, S(1))};
 }
 
+template<SpecularMethod method, class S, class Light, template<class> class Lobe>
+requires SeenAsAnother<Light, S> GONIO_FORCE_INLINE SpecularLuminance<S>
+specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view, const Lobe<S>& lobe) {
+    const auto seen = light.seen_from(to_center);
+    return specular_by<method>(seen.light, seen.to_center, normal, view, lobe);
+}
+
 // GGX of α, which counts as in [minimum_alpha, 1].
 template<SpecularMethod method, class S, class Light>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,

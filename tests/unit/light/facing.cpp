@@ -1,5 +1,5 @@
 // Illuminance of facing receivers against integrals over what they see.
-#include <gonio/light/facing.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
@@ -18,6 +18,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double ratios[] = {1e-3, 0.03, 0.2, 1.0, 3.0, 30.0, 1e3, 1e6};
+
+template<class Kind>
+double facing_illuminance(const Kind& shape, Meters distance) {
+    return ShapeTraits<Kind>::facing(shape, distance).value;
+}
 
 // [0, 1] cut towards 0 in halves, so that a light much nearer than its size is seen sharply.
 template<class F>

@@ -33,13 +33,18 @@ private:
     using Sampler = std::variant<shading::SphereSampler<double>, shading::DiskSampler<double>,
                                  shading::RectangleSampler<double>, shading::TubeSampler<double>>;
 
-    static Sampler sampler_of(const Light& light, const glm::dvec3& to_center);
+    struct Seen {
+        Sampler sampler;
+        bool shines; // the receiver is not on the dark side
+    };
+
+    static Seen seen_from(const Light& light, const glm::dvec3& to_center);
 
     const Light& light_;
     const Web* mask_;
     glm::dvec3 receiver_;
     double luminance_nt_ = 0.0; // without a mask, 0 on the dark side
-    Sampler sampler_;
+    Seen seen_;
 };
 
 } // namespace gonio::detail

@@ -1,0 +1,88 @@
+#include <gonio/light/shape_keys.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+namespace gonio {
+
+namespace {
+
+const KindText::Entry* entry_of(const KindText& text, std::string_view key) {
+    const auto entry = std::find_if(text.entries.begin(), text.entries.end(),
+                                    [&](const KindText::Entry& candidate) { return candidate.key == key; });
+    return entry == text.entries.end() ? nullptr : &*entry;
+}
+
+// The entry as written; fails when it is not there or bare. `example` is a value that would do.
+Result<std::string> needed(const KindText& text, std::string_view key, const char* what, std::string_view example) {
+    if (const std::string* value = text.value(key)) return *value;
+    return fail(Failure::usage, fmt::format("'{}' needs {}={}", text.kind, key, what),
+                fmt::format("write for example {}:{}={}", text.kind, key, example));
+}
+
+} // namespace
+
+Result<Meters> read_length(const KindText& text, std::string_view key) {
+    Result<std::string> value = needed(text, key, "LENGTH", "3cm");
+    if (!value) return pass_on(value);
+    Result<double> meters = parse_amount(*value, Dimension::length, fmt::format("{} of '{}'", key, text.kind));
+    if (!meters) return pass_on(meters);
+    if (!(*meters > 0.0))
+        return fail(Failure::usage, fmt::format("{} of '{}' must be greater than 0, not {}", key, text.kind, *value));
+    return Meters(*meters);
+}
+
+// What text in degrees rounds to above the greatest angle is the greatest.
+Result<Radians> read_angle(const KindText& text, std::string_view key, std::string_view example,
+                           const AngleRange& range) {
+    Result<std::string> value = needed(text, key, "ANGLE", example);
+    if (!value) return pass_on(value);
+    Result<double> angle = parse_amount(*value, Dimension::angle, fmt::format("{} of '{}'", key, text.kind));
+    if (!angle) return pass_on(angle);
+    const double least = range.least_deg / 180.0 * std::numbers::pi;
+    const double most = range.most_deg / 180.0 * std::numbers::pi;
+    if (*angle > most && *angle < most * (1.0 + 1e-15)) *angle = most;
+    const bool fits =
+        (range.takes_least ? *angle >= least : *angle > least) && (range.takes_most ? *angle <= most : *angle < most);
+    if (!fits)
+        return fail(Failure::usage, fmt::format("{} of '{}' must be {} {}deg and {} {}deg, not {}", key, text.kind,
+                                                range.takes_least ? "at least" : "greater than", range.least_deg,
+                                                range.takes_most ? "at most" : "less than", range.most_deg, *value));
+    return Radians(*angle);
+}
+
+Result<bool> read_flag(const KindText& text, std::string_view key) {
+    const KindText::Entry* const entry = entry_of(text, key);
+    if (entry == nullptr) return false;
+    if (entry->value)
+        return fail(Failure::usage, fmt::format("'{}' of '{}' takes no value", key, text.kind),
+                    fmt::format("write {} alone", key));
+    return true;
+}
+
+Result<Falloff> read_falloff(const KindText& text, std::string_view key) {
+    const KindText::Entry* const entry = entry_of(text, key);
+    if (entry == nullptr) return Falloff::frostbite;
+    return parse_falloff(entry->value.value_or(""));
+}
+
+Result<void> read_mask(const KindText& text, std::string& file) {
+    const KindText::Entry* const entry = entry_of(text, "mask");
+    if (entry == nullptr) return {};
+    if (!entry->value || entry->value->empty())
+        return fail(Failure::usage, fmt::format("mask of '{}' needs a file", text.kind), "write mask=lamp.ies");
+    file = *entry->value;
+    return {};
+}
+
+Result<double> read_factor(std::string_view value) {
+    const std::optional<double> factor = parse_number(value);
+    if (!factor || !(*factor > 0.0))
+        return fail(Failure::usage, fmt::format("size is a factor greater than 0, not '{}'", value));
+    return *factor;
+}
+
+} // namespace gonio

@@ -1,0 +1,28 @@
+// What a measured luminaire says of itself: description.hpp. Its web says the rest.
+#pragma once
+
+#include <gonio/base/kind_text.hpp>
+#include <gonio/light/shapes/description.hpp>
+
+namespace gonio {
+
+template<>
+struct ShapeTraits<ProfileShape> {
+    static constexpr ShapeClass shape_class = ShapeClass::punctual;
+    static constexpr std::string_view kind = "ies";
+    static constexpr std::string_view summary = "a measured luminaire: an IES or EULUMDAT profile";
+    static constexpr std::string_view grammar = "ies:FILE";
+    static constexpr std::tuple<> keys{};
+
+    // Of "ies" without its colon: with it, the rest is the file (parse_shape).
+    static Result<ProfileShape> parse(const KindText&) {
+        return fail(Failure::usage, "'ies' needs a file", "write ies:lamp.ies");
+    }
+
+    static double largest(const ProfileShape&) { return 0.0; }
+    static double radius(const ProfileShape&) { return 0.0; }
+    static Radians half_cone(const ProfileShape&) { return shape_detail::all_round; }
+    static double shown(const ProfileShape&, const glm::dvec3&) { return 1.0; }
+};
+
+} // namespace gonio

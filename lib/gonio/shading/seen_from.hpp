@@ -1,0 +1,29 @@
+// What a receiver sees of a light: the light itself, or another that has the same cone of directions.
+#pragma once
+
+#include <gonio/shading/vec3.hpp>
+
+namespace gonio::shading {
+
+// A light that is another one for every receiver, as an ellipse is a disk: `seen_from(to_center)` gives that, without a
+// window, and `to_center` of it.
+template<class Light, class S>
+concept SeenAsAnother = requires(const Light& light, vec3<S> to_center) {
+    light.seen_from(to_center);
+};
+
+template<class Light, class S>
+struct Seen {
+    Light light;
+    vec3<S> to_center;
+};
+
+template<class S, class Light>
+GONIO_FORCE_INLINE auto seen_from(const Light& light, vec3<S> to_center) {
+    if constexpr (SeenAsAnother<Light, S>)
+        return light.seen_from(to_center);
+    else
+        return Seen<Light, S>{light, to_center};
+}
+
+} // namespace gonio::shading
