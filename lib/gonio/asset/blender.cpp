@@ -195,6 +195,9 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
     case LightKind::disk:
         return lamp("AREA", 4.0 * pi * l.radius * l.radius * l.nits) +
                fmt::format("light.shape = \"DISK\"\nlight.size = {}\n", 2.0 * l.radius);
+    case LightKind::ellipse:
+        return lamp("AREA", pi * l.width * l.height * l.nits) +
+               fmt::format("light.shape = \"ELLIPSE\"\nlight.size = {}\nlight.size_y = {}\n", l.width, l.height);
     case LightKind::rect:
         return lamp("AREA", 4.0 * l.width * l.height * l.nits) +
                fmt::format("light.shape = \"RECTANGLE\"\nlight.size = {}\nlight.size_y = {}\n", l.width, l.height);

@@ -283,6 +283,11 @@ private:
         made.radius = disk.radius.value * scale_.length;
         return place_area(light, disk, LightKind::disk, disk.two_sided, std::move(made));
     }
+    Result<void> place(const Light& light, const EllipseShape& ellipse, SceneLight made) {
+        made.width = ellipse.width.value * scale_.length;
+        made.height = ellipse.height.value * scale_.length;
+        return place_area(light, ellipse, LightKind::ellipse, ellipse.two_sided, std::move(made));
+    }
     Result<void> place(const Light& light, const RectShape& rect, SceneLight made) {
         made.width = rect.width.value * scale_.length;
         made.height = rect.height.value * scale_.length;

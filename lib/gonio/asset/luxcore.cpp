@@ -61,7 +61,9 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
                     fmt::format("{0}.position = {1}\n{0}.radius = {2}\n", prefix, triple(light.frame.origin, " "),
                                 light.radius));
     case LightKind::disk:
-        return glowing(light, disk_mesh(light.radius));
+        return glowing(light, ellipse_mesh(light.radius, light.radius));
+    case LightKind::ellipse:
+        return glowing(light, ellipse_mesh(0.5 * light.width, 0.5 * light.height));
     case LightKind::rect:
         return glowing(light, rectangle_mesh(light.width, light.height));
     case LightKind::tube:

@@ -127,6 +127,8 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
         return ball(light, frame.origin);
     case LightKind::disk:
         return flat("disk", light, light.radius, light.radius);
+    case LightKind::ellipse:
+        return flat("disk", light, 0.5 * light.width, 0.5 * light.height);
     case LightKind::rect:
         return flat("rectangle", light, 0.5 * light.width, 0.5 * light.height);
     case LightKind::tube: {

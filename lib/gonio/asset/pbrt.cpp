@@ -27,6 +27,16 @@ std::string ball(double x, double radius) {
                        x, radius);
 }
 
+std::string triangles(const Mesh& mesh) {
+    std::string indices;
+    for (const glm::ivec3& face : mesh.faces)
+        indices += fmt::format(" {} {} {}", face.x, face.y, face.z);
+    std::string points;
+    for (const glm::dvec3& point : mesh.points)
+        points += " " + triple(point, " ");
+    return fmt::format("  Shape \"trianglemesh\" \"integer indices\" [{} ]\n    \"point3 P\" [{} ]\n", indices, points);
+}
+
 std::string body(const SceneLight& light, const SceneContent& scene) {
     const std::string color = fmt::format("\"rgb I\" [ {} ]", triple(light.color, " "));
     constexpr double degree = 180.0 / std::numbers::pi;
@@ -51,6 +61,8 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
         return area(light, ball(0.0, light.radius));
     case LightKind::disk: // its normal is +Z
         return area(light, fmt::format("  Rotate 180 1 0 0\n  Shape \"disk\" \"float radius\" {}\n", light.radius));
+    case LightKind::ellipse: // of triangles: pbrt samples a stretched disk by the area that it had before
+        return area(light, triangles(ellipse_mesh(0.5 * light.width, 0.5 * light.height)));
     case LightKind::rect: {
         // Its normal is that of the first edge times the second: +Y × +X.
         const double x = 0.5 * light.width;

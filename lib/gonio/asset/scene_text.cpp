@@ -102,14 +102,15 @@ Mesh rectangle_mesh(double width, double height) {
     return {{{-x, -y, 0.0}, {-x, y, 0.0}, {x, y, 0.0}, {x, -y, 0.0}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-Mesh disk_mesh(double radius) {
+Mesh ellipse_mesh(double half_width, double half_height) {
     constexpr int around = 96;
-    const double corner = radius * std::sqrt(2.0 * pi / around / std::sin(2.0 * pi / around));
+    const double beyond = std::sqrt(2.0 * pi / around / std::sin(2.0 * pi / around));
+    const double x = half_width * beyond;
+    const double y = half_height * beyond;
     Mesh mesh;
     mesh.points.emplace_back(0.0, 0.0, 0.0);
     for (int i = 0; i < around; ++i)
-        mesh.points.emplace_back(corner * std::cos(2.0 * pi * i / around), -corner * std::sin(2.0 * pi * i / around),
-                                 0.0);
+        mesh.points.emplace_back(x * std::cos(2.0 * pi * i / around), -y * std::sin(2.0 * pi * i / around), 0.0);
     for (int i = 0; i < around; ++i)
         mesh.faces.emplace_back(0, 1 + i, 1 + (i + 1) % around);
     return mesh;

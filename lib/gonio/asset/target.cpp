@@ -14,7 +14,7 @@ namespace {
 constexpr std::array point_sun{LightKind::point, LightKind::sun};
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
-constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk,
+constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk, LightKind::ellipse,
                                LightKind::rect,  LightKind::tube,   LightKind::sun};
 
 constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter};

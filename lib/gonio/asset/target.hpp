@@ -33,7 +33,7 @@ struct AssetFile {
     std::optional<AssetPicture> picture;
 };
 
-enum class LightKind { point, spot, profile, sphere, disk, rect, tube, sun };
+enum class LightKind { point, spot, profile, sphere, disk, ellipse, rect, tube, sun };
 
 // A target's unit of length.
 enum class TargetLength { any, meter, centimeter, none };

@@ -21,6 +21,7 @@ struct Prim {
     double nits = 0.0;
     std::string inputs; // further lines
     bool shaped = false;
+    double stretch_y = 1.0; // of its transform
 };
 
 Prim as_point(const SceneLight& light, double units_per_meter) {
@@ -59,6 +60,12 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
     case LightKind::disk:
         prim.type = "DiskLight";
         prim.inputs = fmt::format("        float inputs:radius = {}\n", light.radius);
+        return prim;
+    case LightKind::ellipse:
+        // A disk that its transform stretches: a scale changes the size and not the luminance.
+        prim.type = "DiskLight";
+        prim.inputs = fmt::format("        float inputs:radius = {}\n", 0.5 * light.width);
+        prim.stretch_y = light.height / light.width;
         return prim;
     case LightKind::rect:
         prim.type = "RectLight";
@@ -102,8 +109,9 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
                               "        matrix4d xformOp:transform = ( {}, {}, {}, {} )\n"
                               "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n"
                               "    }}\n",
-                              triple(light.color), prim.nits, prim.inputs, row(light.frame.x, 0), row(light.frame.y, 0),
-                              row(light.frame.z, 0), row(light.frame.origin, 1));
+                              triple(light.color), prim.nits, prim.inputs, row(light.frame.x, 0),
+                              row(prim.stretch_y * light.frame.y, 0), row(light.frame.z, 0),
+                              row(light.frame.origin, 1));
 }
 
 } // namespace

@@ -175,7 +175,7 @@ public:
     Meanings usd() const {
         if (class_of(shape_) == ShapeClass::punctual)
             return none("UsdLux has lights with an area only; shape a sphere, disk, rectangle or cylinder");
-        if (!has<SphereShape, DiskShape, RectShape, TubeShape>()) return none(lacks("UsdLux"));
+        if (!has<SphereShape, DiskShape, EllipseShape, RectShape, TubeShape>()) return none(lacks("UsdLux"));
         Meanings meanings;
         meanings.units = {honest(Dimension::luminance, "intensity · 2^exposure = L")};
         if (is<SunShape>()) meanings.units.push_back(honest(Dimension::illuminance, "inputs:normalize = 1, E"));
@@ -184,7 +184,7 @@ public:
     }
 
     Meanings blender() const {
-        if (!has<SphereShape, DiskShape, RectShape>() || is<FrustumShape>() || is<ProfileShape>())
+        if (!has<SphereShape, DiskShape, EllipseShape, RectShape>() || is<FrustumShape>() || is<ProfileShape>())
             return none("blender has point, spot, area and sun lights");
         Meanings meanings;
         if (is<SunShape>()) {

@@ -70,6 +70,15 @@ struct DiskShape {
     std::shared_ptr<const Web> mask = {};
 };
 
+// `width` along X, `height` along Y: the whole axes.
+struct EllipseShape {
+    Meters width;  // > 0
+    Meters height; // > 0
+    bool two_sided = false;
+    std::string mask_file = {};
+    std::shared_ptr<const Web> mask = {};
+};
+
 // `width` along X, `height` along Y.
 struct RectShape {
     Meters width;  // > 0
@@ -92,8 +101,8 @@ struct SunShape {
     Radians diameter; // angular, in (0, π]
 };
 
-using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, RectShape,
-                           TubeShape, SunShape>;
+using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, EllipseShape,
+                           RectShape, TubeShape, SunShape>;
 
 // What a shape is: a point for all that receives its light, a luminous surface, or one at infinity.
 enum class ShapeClass { punctual, area, sun };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/shapes/disk.hpp>
+#include <gonio/light/shapes/ellipse.hpp>
 #include <gonio/light/shapes/frustum.hpp>
 #include <gonio/light/shapes/point.hpp>
 #include <gonio/light/shapes/profile.hpp>

@@ -67,6 +67,10 @@ SurfaceSample sample(const shading::LightConstants& light, Random& random) {
                 axis};
     const double phi = random.uniform(0.0, 2.0 * std::numbers::pi);
     const Vec round = in_plane(std::cos(phi), std::sin(phi));
+    if (light.kind == Kind::ellipse) {
+        const double out = std::sqrt(random.uniform());
+        return {in_plane(out * std::cos(phi) * half(light.width), out * std::sin(phi) * half(light.height)), axis};
+    }
     if (light.kind == Kind::disk) return {round * (r * std::sqrt(random.uniform())), axis};
     if (random.uniform() < 0.5) return {axis * (random.uniform(-1.0, 1.0) * half(light.length)) + round * r, round};
     const Vec out = random_direction(random);
@@ -111,6 +115,8 @@ double bounding_radius(const shading::LightConstants& light) {
     case Kind::sphere:
     case Kind::disk:
         return r;
+    case Kind::ellipse:
+        return 0.5 * static_cast<double>(std::max(light.width, light.height));
     case Kind::rectangle:
         return 0.5 * std::hypot(static_cast<double>(light.width), static_cast<double>(light.height));
     case Kind::tube:

@@ -30,8 +30,9 @@ struct AreaCases {
     [[nodiscard]] shading::Surfaces surfaces(std::size_t group) const;
 };
 
-// `count` poses before lights of kind sphere, disk, rectangle (sides 1:1 to 100:1) or tube (length 0.01 to 100 radii),
-// sizes from 1 cm to 100 m; one-sided lights are seen from the front. The same for the same seed on every machine.
+// `count` poses before lights of kind sphere, disk, ellipse or rectangle (sides 1:1 to 100:1) or tube (length 0.01 to
+// 100 radii), sizes from 1 cm to 100 m; one-sided lights are seen from the front. The same for the same seed on every
+// machine.
 AreaCases area_cases(shading::LightConstants::Kind kind, std::size_t count, std::uint64_t seed);
 
 // Poses of one stratum, at least `count` of them, before the lights that area_cases makes.

@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
+#include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
 #include <gonio/shading/specular_named.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -45,6 +46,10 @@ S with_light(const shading::LightConstants& light, const Work& work) {
         return work(shading::SphereLight<S>{zero, zero, radius, S(0)});
     case Kind::disk:
         return work(shading::DiskLight<S>{zero, zero, vec<S>(light.axis), radius, S(0), light.two_sided});
+    case Kind::ellipse:
+        return work(shading::EllipseLight<S>{zero, zero, vec<S>(light.axis), vec<S>(light.width_direction),
+                                             S(0.5) * static_cast<S>(light.width),
+                                             S(0.5) * static_cast<S>(light.height), S(0), light.two_sided});
     case Kind::rectangle:
         return work(shading::RectangleLight<S>{zero, zero, vec<S>(light.axis), vec<S>(light.width_direction),
                                                static_cast<S>(light.width), static_cast<S>(light.height), S(0),

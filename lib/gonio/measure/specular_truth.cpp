@@ -156,6 +156,17 @@ double over_light(const shading::LightConstants& light, Vec center, Vec normal, 
             },
             [r](double u) { return 2.0 * pi * r * r * u; }));
     }
+    case Kind::ellipse: {
+        const Vec x = vec(light.width_direction) * (0.5 * static_cast<double>(light.width));
+        const Vec y = shading::cross(axis, vec(light.width_direction)) * (0.5 * static_cast<double>(light.height));
+        const double area = 0.25 * pi * static_cast<double>(light.width) * static_cast<double>(light.height);
+        return integrate(flat(
+            axis,
+            [=](double u, double v) {
+                return center + x * (u * std::cos(2.0 * pi * v)) + y * (u * std::sin(2.0 * pi * v));
+            },
+            [area](double u) { return 2.0 * area * u; }));
+    }
     case Kind::rectangle: {
         const Vec x = vec(light.width_direction) * static_cast<double>(light.width);
         const Vec y = shading::cross(axis, vec(light.width_direction)) * static_cast<double>(light.height);

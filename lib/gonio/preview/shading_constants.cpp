@@ -98,6 +98,12 @@ void take(const shading::DiskLight<double>& light, LightConstants& constants) {
     constants.radius = static_cast<float>(light.radius);
     constants.two_sided = light.two_sided;
 }
+void take(const shading::EllipseLight<double>& light, LightConstants& constants) {
+    constants.kind = LightConstants::Kind::ellipse;
+    constants.width = static_cast<float>(2.0 * light.half_width);
+    constants.height = static_cast<float>(2.0 * light.half_height);
+    constants.two_sided = light.two_sided;
+}
 void take(const shading::RectangleLight<double>& light, LightConstants& constants) {
     constants.kind = LightConstants::Kind::rectangle;
     constants.width = static_cast<float>(light.width);

@@ -39,6 +39,12 @@ struct Distance {
         const bool inside = at && std::hypot(at->x, at->y) <= disk.radius.value;
         return inside ? std::optional(at->distance) : std::nullopt;
     }
+    std::optional<double> operator()(const EllipseShape& ellipse) const {
+        const auto at = cross_plane(light.frame, ray, ellipse.two_sided);
+        const bool inside =
+            at && std::hypot(at->x / (0.5 * ellipse.width.value), at->y / (0.5 * ellipse.height.value)) <= 1.0;
+        return inside ? std::optional(at->distance) : std::nullopt;
+    }
     std::optional<double> operator()(const RectShape& rect) const {
         const auto at = cross_plane(light.frame, ray, rect.two_sided);
         const bool inside =
@@ -62,6 +68,10 @@ struct Reach {
     double operator()(const SphereShape& sphere) const { return sphere.radius.value; }
     double operator()(const DiskShape& disk) const {
         return disk.radius.value * glm::length(glm::cross(frame.z, direction));
+    }
+    double operator()(const EllipseShape& ellipse) const {
+        return std::hypot(0.5 * ellipse.width.value * glm::dot(frame.x, direction),
+                          0.5 * ellipse.height.value * glm::dot(frame.y, direction));
     }
     double operator()(const RectShape& rect) const {
         return 0.5 * rect.width.value * std::abs(glm::dot(frame.x, direction)) +

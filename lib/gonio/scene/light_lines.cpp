@@ -55,6 +55,26 @@ struct Seen {
         return seen;
     }
 
+    // The same chords of the circle that the ellipse is stretched from: of the direction e they are 2 sin θ/k long,
+    // k = |(e_x/a, e_y/b)|, and their middles lie on the conjugate diameter.
+    LightLines operator()(const EllipseShape& ellipse) const {
+        LightLines seen = flat(ellipse.two_sided);
+        if (seen.count == 0) return seen;
+        const double a = 0.5 * ellipse.width.value;
+        const double b = 0.5 * ellipse.height.value;
+        const double e_x = glm::dot(seen.axis, frame.x) / a;
+        const double e_y = glm::dot(seen.axis, frame.y) / b;
+        const double k = std::hypot(e_x, e_y);
+        const glm::dvec3 conjugate = (b * e_x / k) * frame.y - (a * e_y / k) * frame.x;
+        for (std::size_t i = 0; i < light_line_count; ++i) {
+            const double theta = pi * place(i);
+            const double half = std::sin(theta) / k;
+            set_flat(seen, i, std::cos(theta) * conjugate, -half, half,
+                     a * b * k * std::sin(theta) * pi / static_cast<double>(light_line_count));
+        }
+        return seen;
+    }
+
     // Evenly by the turn.
     LightLines operator()(const RectShape& rect) const {
         LightLines seen = flat(rect.two_sided);

@@ -32,7 +32,7 @@ std::vector<ParameterName> parameters_of_lights() {
         {"width", "60cm", width},
         {"length", "1.2m", length},
         {"size", "2", size},
-        {"h", "30cm", "rect: its height; frustum: its horizontal angle"},
+        {"h", "30cm", "ellipse, rect: its height; frustum: its horizontal angle"},
         {"v", "40deg", "frustum: its vertical angle"},
         {"outer", "40deg", "spot: half angle of its edge"},
         {"cone", "80deg", "spot: full angle of its edge"},

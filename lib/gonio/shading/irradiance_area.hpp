@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/shading/irradiance_disk.hpp>
+#include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_sphere.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
@@ -37,6 +38,10 @@ template<class S>
 GONIO_FORCE_INLINE S irradiance(const RectangleLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     return irradiance_rectangle(to_center, light.axis, light.width_direction, light.width, light.height, normal,
                                 light.two_sided);
+}
+template<class S>
+GONIO_FORCE_INLINE S irradiance(const EllipseLight<S>& light, vec3<S> to_center, vec3<S> normal) {
+    return irradiance_ellipse(light, to_center, normal);
 }
 template<class S>
 GONIO_FORCE_INLINE S irradiance(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {

@@ -25,7 +25,7 @@ struct Surfaces {
 };
 
 struct LightConstants {
-    enum class Kind : std::uint8_t { punctual, sphere, disk, rectangle, tube, sun };
+    enum class Kind : std::uint8_t { punctual, sphere, disk, ellipse, rectangle, tube, sun };
 
     Kind kind = Kind::punctual;
     float position[3] = {}; // [m], of the centre; not read for a sun
@@ -37,13 +37,13 @@ struct LightConstants {
     // How `shade` takes the glossy part of a light with a size; of no meaning for a punctual one.
     SpecularMethod specular_method = standard_specular_method;
     float angular_radius = 0.0F; // sun [rad], half of its diameter; in [0, π/2]
-    // The rest is read by disk, rectangle, tube and (the axis alone) sun.
-    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where disk, rectangle and sun emit to; along the tube
-    float width_direction[3] = {1.0F, 0.0F, 0.0F}; // rectangle: unit, perpendicular to the axis
-    float width = 0.0F;                            // rectangle [m], along width_direction
-    float height = 0.0F;                           // rectangle [m], across it
+    // The rest is read by flat lights (disk, ellipse, rectangle), the tube and (the axis alone) the sun.
+    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where flat lights and the sun emit to; along the tube
+    float width_direction[3] = {1.0F, 0.0F, 0.0F}; // ellipse, rectangle: unit, perpendicular to the axis
+    float width = 0.0F;                            // ellipse, rectangle [m], along width_direction
+    float height = 0.0F;                           // ellipse, rectangle [m], across it
     float length = 0.0F;                           // tube [m], of the cylinder without its round ends
-    bool two_sided = false;                        // disk, rectangle: emit to both sides, the luminance on each
+    bool two_sided = false;                        // flat lights: emit to both sides, the luminance on each
 };
 
 struct MaterialConstants {

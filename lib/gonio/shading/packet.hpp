@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/lights.hpp>
 #include <gonio/shading/reflect.hpp>
@@ -42,6 +43,13 @@ template<class S>
 GONIO_FORCE_INLINE void constants(const LightConstants& from, DiskLight<S>& to) {
     to = {broadcast<S>(from.position), broadcast<S>(from.color),
           broadcast<S>(from.axis),     S(from.radius),
+          S(from.inverse_range),       from.two_sided};
+}
+template<class S>
+GONIO_FORCE_INLINE void constants(const LightConstants& from, EllipseLight<S>& to) {
+    to = {broadcast<S>(from.position), broadcast<S>(from.color),
+          broadcast<S>(from.axis),     broadcast<S>(from.width_direction),
+          S(0.5F * from.width),        S(0.5F * from.height),
           S(from.inverse_range),       from.two_sided};
 }
 template<class S>
@@ -117,6 +125,8 @@ GONIO_FORCE_INLINE void with_area_light(LightConstants::Kind kind, const Work& w
         return work(OfKind<SphereLight>{});
     case LightConstants::Kind::disk:
         return work(OfKind<DiskLight>{});
+    case LightConstants::Kind::ellipse:
+        return work(OfKind<EllipseLight>{});
     case LightConstants::Kind::rectangle:
         return work(OfKind<RectangleLight>{});
     case LightConstants::Kind::tube:

@@ -144,8 +144,9 @@ TEST(ClosedForms, ConversionsKeepThem) {
 // A web is integrated once, and gives what it gives alone; other shapes likewise.
 TEST(ClosedForms, PreparedAndAloneAgree) {
     const std::string web = std::string("ies:") + test::source_folder + "/profiles/street.ies";
-    for (const char* text : {"point", "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm",
-                             "disk:r=3cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", web.c_str()}) {
+    for (const char* text :
+         {"point", "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm", "disk:r=3cm",
+          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1cm,l=1m", web.c_str()}) {
         Result<Shape> shape = parse_shape(text);
         ASSERT_TRUE(shape);
         Diagnostics ignored;

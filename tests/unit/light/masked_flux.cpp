@@ -66,8 +66,9 @@ TEST(MaskedFlux, AConstantMaskOnAShapeWithASizeChangesNothing) {
     const Web masks[] = {constant(Symmetry::axial, {0}, {0, 180}, 3.0),
                          constant(Symmetry::none, {-17, 40, 101, 222, 343}, {0, 1, 60, 180}, 9.0)};
     for (const Web& mask : masks)
-        for (const char* text : {"sphere:r=10cm", "disk:r=10cm", "disk:r=10cm,two-sided", "rect:w=60cm,h=30cm",
-                                 "rect:w=60cm,h=30cm,two-sided", "tube:r=1cm,l=1m", "tube:r=1m,l=1cm"})
+        for (const char* text :
+             {"sphere:r=10cm", "disk:r=10cm", "disk:r=10cm,two-sided", "ellipse:w=60cm,h=10cm", "rect:w=60cm,h=30cm",
+              "rect:w=60cm,h=30cm,two-sided", "tube:r=1cm,l=1m", "tube:r=1m,l=1cm"})
             EXPECT_NEAR(flux_of(text, mask), unmasked(text), 1e-7 * unmasked(text)) << text;
 }
 

@@ -78,9 +78,15 @@ TEST(Policy, AreaLightsWithAKnownFault) {
 }
 
 TEST(Policy, NumbersRoundTrip) {
-    const char* const shapes[] = {
-        "point",       "spot:outer=40deg,inner=25deg", "frustum:h=60deg,v=40deg", "sphere:r=3cm",
-        "disk:r=10cm", "rect:w=60cm,h=30cm",           "tube:r=1.3cm,l=1.2m",     "sun:angle=0.53deg"};
+    const char* const shapes[] = {"point",
+                                  "spot:outer=40deg,inner=25deg",
+                                  "frustum:h=60deg,v=40deg",
+                                  "sphere:r=3cm",
+                                  "disk:r=10cm",
+                                  "ellipse:w=60cm,h=30cm",
+                                  "rect:w=60cm,h=30cm",
+                                  "tube:r=1.3cm,l=1.2m",
+                                  "sun:angle=0.53deg"};
     const char* const values[] = {"800lm", "1200cd", "5000nt", "12ev", "300lx", "7evlx", "60W@683"};
     int own = 0;
     for (const Policy& policy : policies())
@@ -162,6 +168,7 @@ TEST(DistanceOf, IsTheInverseOfTheIlluminance) {
                                   "spot:outer=40deg,inner=25deg",
                                   "sphere:r=30cm",
                                   "disk:r=50cm",
+                                  "ellipse:w=50cm,h=20cm",
                                   "rect:w=60cm,h=3m",
                                   "tube:r=1.3cm,l=1.2m",
                                   "tube:r=40cm,l=1mm"};

@@ -27,8 +27,9 @@ TEST(Shape, EveryKindIsListedAndParsed) {
     std::set<std::string_view> listed;
     for (const ShapeKind& kind : shape_kinds())
         listed.insert(kind.kind);
-    for (const char* text : {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm",
-                             "disk:r=10cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m", "sun:angle=0.53deg"})
+    for (const char* text :
+         {"point", "spot:outer=40deg", "frustum:h=60deg,v=40deg", "ies:lamp.ies", "sphere:r=3cm", "disk:r=10cm",
+          "ellipse:w=60cm,h=30cm", "rect:w=60cm,h=30cm", "tube:r=1.3cm,l=1.2m", "sun:angle=0.53deg"})
         EXPECT_EQ(listed.erase(kind_of(test::shape(text))), 1U) << text;
     EXPECT_TRUE(listed.empty());
 }
@@ -88,6 +89,9 @@ TEST(Shape, WhatMakesNoShapeIsRefused) {
                              "frustum:h=0deg,v=60deg",
                              "disk",
                              "disk:r=0m",
+                             "ellipse:w=1m",
+                             "ellipse:w=1m,h=0m",
+                             "ellipse:r=1m",
                              "disk:r=1m,two-sided=1",
                              "disk:r=1m,twosided",
                              "rect:w=1m",
@@ -117,7 +121,7 @@ TEST(Shape, MasksAreLoadedLikeProfiles) {
     const std::string file = (folder.path() / "mask.ies").string();
     std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n200 100\n";
     for (const char* kind : {"point:", "spot:outer=40deg,", "frustum:h=60deg,v=40deg,", "sphere:r=1m,", "disk:r=1m,",
-                             "rect:w=1m,h=1m,", "tube:r=1m,l=1m,"}) {
+                             "ellipse:w=1m,h=2m,", "rect:w=1m,h=1m,", "tube:r=1m,l=1m,"}) {
         Shape shape = test::shape(std::string(kind) + "mask=" + file);
         EXPECT_EQ(*mask_of(shape).file, file);
         EXPECT_EQ(mask_of(shape).web, nullptr);

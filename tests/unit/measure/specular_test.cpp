@@ -75,7 +75,7 @@ TEST(MeasureSpecular, CasesAreTheSameForTheSameSeedAndSeen) {
 
 // Linearly transformed cosines are several times nearer to the truth than any single direction (README of shading/).
 TEST(MeasureSpecular, LtcIsTheMostAccurateMethodOfEveryShape) {
-    for (const Kind kind : {Kind::sphere, Kind::disk, Kind::rectangle, Kind::tube}) {
+    for (const Kind kind : {Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
         const auto cases = measure::specular_cases(kind, 60, 3);
         const auto truth = measure::specular_truth(cases);
         double best_of_others = HUGE_VAL;

@@ -31,8 +31,8 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
                                "blinn:albedo=rgb(0.8,0.5,0.2),smoothness=0.3,wet=0.5",
                                "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3",
                                "kulla-conty:f0=rgb(0.9,0.5,0.1),alpha=0.5"};
-constexpr std::array kinds{LightKind::punctual, LightKind::sphere, LightKind::disk, LightKind::rectangle,
-                           LightKind::tube};
+constexpr std::array kinds{LightKind::punctual, LightKind::sphere,    LightKind::disk,
+                           LightKind::ellipse,  LightKind::rectangle, LightKind::tube};
 
 // Surface points and what of them the kernels read.
 struct Points {
@@ -91,6 +91,8 @@ Vec truth_of(const LightConstants& light, const Points& points, std::size_t i, c
                 return shaded<shading::SphereLight<double>>(light, points, i, core);
             case LightKind::disk:
                 return shaded<shading::DiskLight<double>>(light, points, i, core);
+            case LightKind::ellipse:
+                return shaded<shading::EllipseLight<double>>(light, points, i, core);
             case LightKind::rectangle:
                 return shaded<shading::RectangleLight<double>>(light, points, i, core);
             case LightKind::tube:

@@ -85,6 +85,7 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
 const std::array<Light, 5>& lights() {
     static const std::array made{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
                                  light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
+                                 light_of("ellipse:w=1.2m,h=30cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("rect:w=1m,h=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("rect:w=20cm,h=2m", "1000cd", {0.1, -0.2, 2.4}),
                                  light_of("tube:r=8cm,l=1.2m", "1000cd", {0.1, -0.2, 2.4}, {0.0, 0.0, -1.0})};

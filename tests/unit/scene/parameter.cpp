@@ -51,6 +51,9 @@ TEST(Parameter, OfAShapeIsThatOfItsGrammar) {
     };
     for (const Case& c : {Case{"sphere:r=3cm", "radius", "1.3cm", "sphere:r=1.3cm"},
                           Case{"disk:r=3cm", "radius", "0.7ft", "disk:r=0.7ft"},
+                          Case{"ellipse:w=3cm,h=2cm", "width", "1in", "ellipse:w=1in,h=2cm"},
+                          Case{"ellipse:w=3cm,h=2cm", "h", "4cm", "ellipse:w=3cm,h=4cm"},
+                          Case{"ellipse:w=3cm,h=2cm", "size", "2", "ellipse:w=6cm,h=4cm"},
                           Case{"rect:w=1m,h=2m", "width", "33cm", "rect:w=33cm,h=2m"},
                           Case{"rect:w=1m,h=2m", "h", "33cm", "rect:w=1m,h=33cm"},
                           Case{"rect:w=1m,h=2m", "size", "2", "rect:w=2m,h=4m"},
@@ -204,8 +207,9 @@ TEST(Parameter, IsLackedOrRefused) {
 // Nothing is listed that no light or material has, and each light's list is what can be set.
 TEST(Parameter, ListsAreWhatThereIs) {
     std::set<std::string_view> met;
-    for (const char* shape : {"point", "spot:outer=30deg", "frustum:h=30deg,v=20deg", "sphere:r=3cm", "disk:r=3cm",
-                              "rect:w=1m,h=1m", "tube:r=3cm,l=1m", "sun:angle=1deg", "ies:lamp.ies"})
+    for (const char* shape :
+         {"point", "spot:outer=30deg", "frustum:h=30deg,v=20deg", "sphere:r=3cm", "disk:r=3cm", "ellipse:w=3cm,h=2cm",
+          "rect:w=1m,h=1m", "tube:r=3cm,l=1m", "sun:angle=1deg", "ies:lamp.ies"})
         for (const std::string_view name : parameters_of(described(shape)))
             met.insert(name);
     EXPECT_EQ(met.size(), light_parameters().size());

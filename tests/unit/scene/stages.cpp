@@ -336,8 +336,9 @@ std::vector<Vec> outline(const Shape& shape) {
 
 TEST(Stages, HangLightsOfOrdinarySizeClearOfEverything) {
     for (const StageKind& kind : stage_kinds())
-        for (const char* const shape : {"tube:r=2cm,l=1.2m", "tube:r=13mm,l=60cm", "rect:w=60cm,h=60cm",
-                                        "rect:w=1.2m,h=30cm", "rect:w=30cm,h=1.2m", "disk:r=30cm", "sphere:r=12cm"}) {
+        for (const char* const shape :
+             {"tube:r=2cm,l=1.2m", "tube:r=13mm,l=60cm", "rect:w=60cm,h=60cm", "rect:w=1.2m,h=30cm",
+              "rect:w=30cm,h=1.2m", "disk:r=30cm", "ellipse:w=1.2m,h=20cm", "sphere:r=12cm"}) {
             SCOPED_TRACE(std::string(kind.name) + " " + shape);
             const Stage stage = make_stage(kind.name).value();
             const Light light = hung_on(stage, shape);
@@ -356,8 +357,8 @@ TEST(Stages, HangLightsOfOrdinarySizeClearOfEverything) {
 // C0 of all others points at the wall, as that of a profile does.
 TEST(Stages, TurnOnlyLightsThatWouldReachTheWall) {
     const Stage wall = make_stage("wall").value();
-    for (const char* const shape :
-         {"point", "disk:r=40cm", "rect:w=60cm,h=30cm", "tube:r=2cm,l=90cm", "spot:outer=20deg"})
+    for (const char* const shape : {"point", "disk:r=40cm", "ellipse:w=90cm,h=30cm", "rect:w=60cm,h=30cm",
+                                    "tube:r=2cm,l=90cm", "spot:outer=20deg"})
         EXPECT_EQ(hung_on(wall, shape).frame.x, Vec(0, 1, 0)) << shape;
     for (const char* const shape : {"tube:r=2cm,l=1.2m", "tube:r=2cm,l=96cm", "rect:w=1m,h=30cm"})
         EXPECT_EQ(glm::abs(hung_on(wall, shape).frame.x), Vec(1, 0, 0)) << shape;

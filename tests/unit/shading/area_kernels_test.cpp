@@ -36,7 +36,10 @@ constexpr std::size_t scaled(std::size_t count) {
 }
 
 std::string name_of(Kind kind) {
-    return kind == Kind::disk ? "disk" : kind == Kind::rectangle ? "rectangle" : "tube";
+    return kind == Kind::disk        ? "disk"
+           : kind == Kind::ellipse   ? "ellipse"
+           : kind == Kind::rectangle ? "rectangle"
+                                     : "tube";
 }
 
 class AreaKernels : public testing::TestWithParam<std::tuple<Kind, gonio::simd::InstructionSet>> {
@@ -53,7 +56,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Sets, AreaKernels,
-                         testing::Combine(testing::Values(Kind::disk, Kind::rectangle, Kind::tube),
+                         testing::Combine(testing::Values(Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube),
                                           testing::ValuesIn(gonio::simd::available_sets().begin(),
                                                             gonio::simd::available_sets().end())),
                          [](const auto& each) {
@@ -283,6 +286,12 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
             double truth = 0.0;
             if (kind == Kind::disk)
                 truth = shade(point, DiskLight<double>{zero, white, axis, light.radius, 0.0, false}, frostbite).x;
+            if (kind == Kind::ellipse)
+                truth = shade(point,
+                              EllipseLight<double>{zero, white, axis, across, 0.5 * double{light.width},
+                                                   0.5 * double{light.height}, 0.0, false},
+                              frostbite)
+                            .x;
             if (kind == Kind::rectangle)
                 truth = shade(point,
                               RectangleLight<double>{zero, white, axis, across, light.width, light.height, 0.0, false},
@@ -339,7 +348,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
 
 TEST(AreaMethods, ErrorsOfEachAreWhatTheyAreKnownFor) {
     using namespace gonio::measure;
-    for (const Kind kind : {Kind::disk, Kind::rectangle, Kind::tube}) {
+    for (const Kind kind : {Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
         const AreaCases all = area_cases(kind, 2000, 1);
         const AreaCases far = area_cases_of(kind, Stratum::far, 512, 1);
         const AreaCases straddling = area_cases_of(kind, Stratum::straddling, 512, 1);

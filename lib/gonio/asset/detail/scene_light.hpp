@@ -33,8 +33,8 @@ struct SceneLight {
     double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
     double outer = 0.0;
     double radius = 0.0;         // of a sphere, a disk, a tube [unit]
-    double width = 0.0;          // of a rectangle along X; a tube's cylinder
-    double height = 0.0;         // of a rectangle along Y
+    double width = 0.0;          // of an ellipse and a rectangle along X; a tube's cylinder
+    double height = 0.0;         // of an ellipse and a rectangle along Y
     double diameter = 0.0;       // of the sun [rad]
     std::optional<double> range; // [unit]; only where the target has the window
     std::size_t profile = 0;     // of a profile: index
@@ -110,8 +110,8 @@ Mesh capsule_mesh(double radius, double length);
 // A rectangle across −Z, which its normal points along.
 Mesh rectangle_mesh(double width, double height);
 
-// The same of a disk, as a polygon of its area.
-Mesh disk_mesh(double radius);
+// The same of an ellipse, as a polygon of its area.
+Mesh ellipse_mesh(double half_width, double half_height);
 
 // The texture that an engine of gonio/bake/engine.hpp reads, as the file holds it.
 AssetPicture engine_picture(std::string_view engine, const Web& web);

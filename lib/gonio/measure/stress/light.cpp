@@ -26,7 +26,7 @@ double log_uniform(Random& random, double low, double high) {
 // From a micrometre to a thousand kilometres.
 Shape random_shape(Random& random) {
     const auto size = [&] { return Meters(log_uniform(random, 1e-6, 1e6)); };
-    switch (random.bits() % 8) {
+    switch (random.bits() % 9) {
     case 0:
         return PointShape{};
     case 1: {
@@ -44,6 +44,8 @@ Shape random_shape(Random& random) {
         return RectShape{size(), size(), random.bits() % 2 == 0};
     case 6:
         return TubeShape{size(), size()};
+    case 7:
+        return EllipseShape{size(), size(), random.bits() % 2 == 0};
     default:
         return SunShape{Radians(log_uniform(random, 1e-6, std::numbers::pi))};
     }

@@ -38,8 +38,8 @@ Result<Contest> of_area(Kind kind, const char* shape, std::optional<Stratum> str
                       place_of(methods, "exact", "float"), std::move(cases), std::move(truth), floor_e_over_l);
 }
 
-constexpr std::array kinds{std::pair{"disk", Kind::disk}, std::pair{"rectangle", Kind::rectangle},
-                           std::pair{"tube", Kind::tube}};
+constexpr std::array kinds{std::pair{"disk", Kind::disk}, std::pair{"ellipse", Kind::ellipse},
+                           std::pair{"rectangle", Kind::rectangle}, std::pair{"tube", Kind::tube}};
 
 } // namespace
 

@@ -112,8 +112,11 @@ Result<Contest> of_scene(const char* name, Scene made, const SuiteOptions& optio
     return contest;
 }
 
-constexpr std::array shapes{std::pair{"point", "point"}, std::pair{"sphere", "sphere:r=10cm"},
-                            std::pair{"disk", "disk:r=20cm"}, std::pair{"rectangle", "rect:w=60cm,h=30cm"},
+constexpr std::array shapes{std::pair{"point", "point"},
+                            std::pair{"sphere", "sphere:r=10cm"},
+                            std::pair{"disk", "disk:r=20cm"},
+                            std::pair{"ellipse", "ellipse:w=60cm,h=20cm"},
+                            std::pair{"rectangle", "rect:w=60cm,h=30cm"},
                             std::pair{"tube", "tube:r=2cm,l=1m"}};
 
 } // namespace

@@ -11,7 +11,8 @@ namespace {
 using Kind = shading::LightConstants::Kind;
 
 constexpr std::array kinds{std::pair{"sphere", Kind::sphere}, std::pair{"disk", Kind::disk},
-                           std::pair{"rectangle", Kind::rectangle}, std::pair{"tube", Kind::tube}};
+                           std::pair{"ellipse", Kind::ellipse}, std::pair{"rectangle", Kind::rectangle},
+                           std::pair{"tube", Kind::tube}};
 
 // Where the lobe sees nothing of the light there is nothing to be relative to.
 constexpr double floor_luminance = 1e-3;

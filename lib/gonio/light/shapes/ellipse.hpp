@@ -1,0 +1,49 @@
+// What an ellipse says of itself: description.hpp.
+#pragma once
+
+#include <gonio/light/closed_forms.hpp>
+#include <gonio/light/shapes/description.hpp>
+#include <gonio/shading/irradiance_ellipse.hpp>
+
+namespace gonio {
+
+template<>
+struct ShapeTraits<EllipseShape> {
+    static constexpr ShapeClass shape_class = ShapeClass::area;
+    static constexpr std::string_view kind = "ellipse";
+    static constexpr std::string_view summary = "a Lambertian ellipse, w along X and h along Y";
+    static constexpr std::tuple keys{LengthKey<EllipseShape>{"w", "width", &EllipseShape::width},
+                                     LengthKey<EllipseShape>{"h", "h", &EllipseShape::height},
+                                     FlagKey<EllipseShape>{"two-sided", &EllipseShape::two_sided}};
+    static constexpr MaskedBy masked_by = MaskedBy::shown_area;
+    static constexpr const char* masked_flux = "Φ = (∬ mask cosγ dω) I₀";
+    static constexpr bool inverse_square_is_exact = false;
+
+    static double largest(const EllipseShape& s) { return std::fmax(s.width.value, s.height.value); }
+    static double radius(const EllipseShape& s) { return 0.5 * largest(s); }
+    static double nearest(const EllipseShape&) { return 0.0; }
+    static Radians half_cone(const EllipseShape& s) { return shape_detail::flat_half_cone(s); }
+    static double shown(const EllipseShape& s, const glm::dvec3& direction) {
+        return shape_detail::flat_shown(s, direction);
+    }
+    static Factor flux(const EllipseShape& s) { return shape_detail::flat_flux(s); }
+    static Factor projected(const EllipseShape& s) {
+        return {closed_form::ellipse_area(s.width.value, s.height.value), "I = π/4 w h L"};
+    }
+    static Factor facing(const EllipseShape& s, Meters distance) {
+        return {closed_form::facing_ellipse(s.width.value, s.height.value, distance.value),
+                "E = I/√((d² + a²)(d² + b²)), a = w/2, b = h/2"};
+    }
+    static shading::EllipseLight<double> core(const EllipseShape& s, const Frame& frame, const glm::dvec3& luminance) {
+        return {shape_detail::core(frame.origin),
+                shape_detail::core(luminance),
+                shape_detail::core(-frame.z),
+                shape_detail::core(frame.x),
+                0.5 * s.width.value,
+                0.5 * s.height.value,
+                0.0,
+                s.two_sided};
+    }
+};
+
+} // namespace gonio
