@@ -12,7 +12,7 @@
 
 namespace gonio::color {
 
-// A space as the kernels want it. Results are linear RGB of luminance 1, negative where the gamut ends.
+// A space in the form that the kernels use. Results are linear RGB of luminance 1, negative outside the gamut.
 struct RgbConstants {
     float a[3] = {};
     float b[3] = {};
