@@ -55,7 +55,7 @@ constexpr std::array examples{
     Example{"gonio make spot:outer=25deg,inner=15deg --lumens 800lm -o spot.ies", "a cone with a soft edge"},
     Example{"gonio make downlight:beam=36deg --lumens 1200lm --watts 12W --opening disk:d=15cm -o down.ldt",
             "a recessed downlight as EULUMDAT"},
-    Example{"gonio make csv:table.csv -o lamp.ies", "a table: first row: gamma angles; then rows of C and its candela"},
+    Example{"gonio make csv:table.csv -o lamp.ies", "a table of candela from a spreadsheet"},
 };
 
 // A spot is the library's own shape of lights.

@@ -32,7 +32,7 @@ constexpr std::array diagram_options{
     Option{"--per-klm", "", "show candela per 1000 lm, to compare shapes"},
     Option{"--height", "LENGTH", "isolux, cone: height of the light above the plane (3m)"},
     Option{"--extent", "LENGTH", "isolux: distance from the centre of the plane to its edges (twice the height)"},
-    Option{"--title", "TEXT", "a headline"},
+    Option{"--title", "TEXT", "title of the diagram"},
     Option{"--to", "FORMAT", "svg or an 8-bit picture format, if the file name does not show it (svg)", "images"},
 };
 constexpr std::array groups{OptionGroup{"diagram", diagram_options},
