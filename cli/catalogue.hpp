@@ -18,9 +18,9 @@
 namespace gonio::cli {
 
 inline constexpr std::array catalogue_options{
-    Option{"--shard", "K/N", "of all inputs only the K-th, K+N-th, …: the same ones whoever runs it"},
-    Option{"--manifest", "FILE", "write a list of what was made, with the hash of every file"},
-    Option{"--merge", "", "the inputs are the manifests of all shards; -o writes that of the whole"},
+    Option{"--shard", "K/N", "process only inputs K, K+N, …: the same ones on every machine"},
+    Option{"--manifest", "FILE", "write a list of the files that were made, with their hashes"},
+    Option{"--merge", "", "merge the manifests of all shards, given as FILE, into that of -o"},
 };
 
 inline constexpr OptionGroup catalogue_group{"catalogue", catalogue_options};

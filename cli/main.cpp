@@ -62,9 +62,9 @@ int run(std::span<char* const> words, Console& console) {
     const Command* command = find_command(name == "--version" || name == "-V" ? "version" : name);
     if (command == nullptr) {
         if (name.starts_with("-"))
-            return console.fail(
-                fail(Failure::usage, fmt::format("unknown option '{}'", name), "a command comes first: gonio help")
-                    .value());
+            return console.fail(fail(Failure::usage, fmt::format("unknown option '{}'", name),
+                                     "put the command first; 'gonio help' lists the commands")
+                                    .value());
         return unknown_command(name, console);
     }
     Result<Arguments> arguments = Arguments::parse(*command, words.subspan(1));

@@ -27,7 +27,7 @@ Result<int> parse_texels(const std::string& text, const char* option) {
 Result<void> parse_plane(const Arguments& arguments, BakeOptions& bake) {
     for (const char* option : {"--cone", "--border"})
         if (arguments.value(option) && bake.layout != Layout::gnomonic)
-            return fail(Failure::usage, fmt::format("{} belongs to the layout gnomonic", option),
+            return fail(Failure::usage, fmt::format("{} is only for the layout gnomonic", option),
                         "add --layout gnomonic");
     if (const auto text = arguments.value("--cone")) {
         Result<double> cone = parse_amount(*text, Dimension::angle, "--cone");
@@ -60,11 +60,11 @@ Result<void> parse_extent(const Arguments& arguments, BakeRequest& request) {
     const std::optional<std::string> limit = arguments.value("--max-error");
     const bool automatic = text && *text == "auto";
     if (automatic != limit.has_value())
-        return automatic ? fail(Failure::usage, "-s auto needs a limit", "add --max-error 1% or --max-error 5cd")
-                         : fail(Failure::usage, "--max-error belongs to -s auto", "add -s auto");
+        return automatic ? fail(Failure::usage, "-s auto needs an error limit", "add --max-error 1% or --max-error 5cd")
+                         : fail(Failure::usage, "--max-error is only for -s auto", "add -s auto");
     if (automatic) {
         if (bake.sampling != Sampling::mean)
-            return fail(Failure::usage, "-s auto is for textures of means, which this engine's are not");
+            return fail(Failure::usage, "-s auto is only for textures of means, but this engine reads samples");
         Result<ErrorLimit> parsed = parse_limit(*limit);
         if (!parsed) return pass_on(parsed);
         request.max_error = *parsed;
@@ -76,7 +76,7 @@ Result<void> parse_extent(const Arguments& arguments, BakeRequest& request) {
         if (bake.layout == Layout::cube) {
             if (size->width != size->height)
                 return fail(Failure::usage, fmt::format("a face of a cube is square, not {}", *text),
-                            "write for example -s 128x128");
+                            "for example -s 128x128");
             bake.width = size->width <= max_texture_size ? 6 * size->width : size->width;
         }
     }
@@ -113,7 +113,8 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     BakeRequest request;
     if (const auto name = arguments.value("--engine")) {
         if (arguments.value("--layout"))
-            return fail(Failure::usage, "--layout and --engine are both given", "an engine has its layout");
+            return fail(Failure::usage, "--layout and --engine are both given",
+                        "an engine sets the layout; leave one of them out");
         Result<const Engine*> engine = find_engine(*name);
         if (!engine) return pass_on(engine);
         request.engine = *engine;

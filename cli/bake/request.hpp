@@ -18,19 +18,19 @@
 namespace gonio::cli {
 
 inline constexpr std::array bake_options{
-    Option{"--layout", "LAYOUT", "how directions are laid out (latlong)", "layouts"},
-    Option{"--engine", "NAME", "layout, size, frame and sampling as that engine reads them", "engines"},
-    Option{"-s,--size", "WxH", "texels across and down (latlong: 512x256; cube: of a face); auto: see --max-error"},
-    Option{"--max-error", "LIMIT",
-           "with -s auto: the smallest size that is nowhere further off; 5cd, or 1% of the peak"},
-    Option{"--cone", "ANGLE", "gnomonic: full angle across the middle (90deg)"},
-    Option{"--border", "N", "gnomonic: dark texels around (0)"},
-    Option{"--normalize", "HOW", "what a texel of 1 means: none (candela), peak, mean, flux (none)", "normalizations"},
-    Option{"--pixel", "KIND", "float, half, uint16, uint8: what a texel is stored as (float where the format has it)"},
-    Option{"--sidecar", "FILE", "where the JSON that describes the texture goes (OUTPUT.json)"},
-    Option{"--no-sidecar", "", "write no such file"},
-    Option{"--stats", "", "say how many texels were evaluated and how long it took"},
-    Option{"--no-skip", "", "evaluate every texel, mirror images and darkness too; the texels are the same"},
+    Option{"--layout", "LAYOUT", "layout of the directions (latlong)", "layouts"},
+    Option{"--engine", "NAME", "use the layout, size, frame and sampling that an engine reads", "engines"},
+    Option{"-s,--size", "WxH",
+           "width and height in texels (latlong: 512x256; cube: of one face); auto: see --max-error"},
+    Option{"--max-error", "LIMIT", "with -s auto: use the smallest size within this error: 5cd, or 1% of the peak"},
+    Option{"--cone", "ANGLE", "gnomonic: full angle from edge to edge (90deg)"},
+    Option{"--border", "N", "gnomonic: width of the dark border in texels (0)"},
+    Option{"--normalize", "HOW", "meaning of a texel of 1: none (candela), peak, mean, flux (none)", "normalizations"},
+    Option{"--pixel", "KIND", "pixel type: float, half, uint16, uint8 (float if the format has it)"},
+    Option{"--sidecar", "FILE", "write the JSON sidecar to this file (OUTPUT.json)"},
+    Option{"--no-sidecar", "", "write no sidecar"},
+    Option{"--stats", "", "print how many texels were evaluated and the time"},
+    Option{"--no-skip", "", "evaluate every texel, mirrored and dark ones too; the texture is the same"},
 };
 
 // --max-error: candela, or a share of each profile's peak.

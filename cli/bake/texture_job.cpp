@@ -51,7 +51,7 @@ Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeReques
     const bool holds_floats = has_pixel(format, media::Pixel::float32);
     const media::Pixel pixel = request.pixel.value_or(holds_floats ? media::Pixel::float32 : format.pixels.front());
     if (!has_pixel(format, pixel))
-        return fail(Failure::usage, fmt::format("{} has no {} pixels", format.title, media::to_text(pixel)),
+        return fail(Failure::usage, fmt::format("{} cannot store {} pixels", format.title, media::to_text(pixel)),
                     "write .exr for float and half, .png or .tif for uint16 and uint8");
     const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
     // An integer texture of candela would be white all over.
@@ -65,8 +65,8 @@ Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeReques
         std::find(format.channels.begin(), format.channels.end(), channels) == format.channels.end())
         return fail(
             Failure::unsupported,
-            fmt::format("{} holds {} channels, a texture has {}", format.title, format.channels.front(), channels),
-            "write .exr, which holds any number");
+            fmt::format("{} holds {} channels, but a texture has {}", format.title, format.channels.front(), channels),
+            "write .exr, which holds any number of channels");
     return pixel;
 }
 
@@ -126,7 +126,7 @@ Result<void> refuse_existing(const Arguments& arguments, const TextureJob& job) 
     for (const std::string& file : job.pictures)
         if (file_exists(file))
             return fail(Failure::usage, fmt::format("'{}' exists", file),
-                        "add --overwrite, or -u to write only what is out of date");
+                        "add --overwrite, or -u to write only outdated files");
     return {};
 }
 
@@ -156,8 +156,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
         TextureJob job{std::move(files), *format, *pixel, {}, {}, recipe_of(request, **format, *pixel)};
         const bool to_stdout = job.files.output == "-";
         if (request.bake.layout == Layout::cube && to_stdout)
-            return fail(Failure::usage, "six files cannot go to standard output",
-                        "use -o FILE, or --layout cube-strip");
+            return fail(Failure::usage, "six files cannot go to stdout", "use -o FILE, or --layout cube-strip");
         job.pictures = request.bake.layout == Layout::cube ? face_files(job.files.output)
                                                            : std::vector<std::string>{job.files.output};
         if (request.sidecar || (!to_stdout && !request.no_sidecar))

@@ -178,7 +178,7 @@ Result<int> bench_scaling(const Arguments& arguments, Console& console) {
         if (!written) return pass_on(written);
     }
     if (run.complete) return status;
-    console.note("ended by Ctrl-C");
+    console.note("stopped by Ctrl-C");
     return worse(status, interrupted_status);
 }
 

@@ -47,7 +47,7 @@ std::string says_text(const Standings& standings) {
     std::size_t values = 0;
     for (const Standing& row : standings.rows)
         values = std::max(values, row.error.count);
-    return fmt::format("error {}, of {} values, against {}; time of one {}, ratio to {} {}", title.error, values,
+    return fmt::format("error {}, over {} values, against {}; time per {}, ratio to {} {}", title.error, values,
                        title.truth, title.item, baseline.method, baseline.code);
 }
 

@@ -50,8 +50,8 @@ Result<void> refuse_beside(std::string_view mode, std::span<const std::string_vi
                            const Arguments& arguments) {
     for (const std::string_view option : options)
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} has no use for {}", mode, option),
-                        "'gonio bench --help' says what goes with what");
+            return fail(Failure::usage, fmt::format("{} cannot be combined with {}", mode, option),
+                        "'gonio bench --help' shows which options go together");
     return {};
 }
 
@@ -84,7 +84,7 @@ Result<int> bench_stress(const Arguments& arguments, Console& console) {
     run.seed = options.seed;
     if (!json)
         console.print(fmt::format("{}\n\n{:<34}  {:>12}  {:>8}  {:>6}  {}\n", run_text(run), "subject", "evaluations",
-                                  "worst", "broken", "bar, of which the worst is a share"));
+                                  "worst", "broken", "error bound; worst is a share of it"));
     listen_for_interrupt();
     double weights = 0.0;
     for (const StressSubject& subject : measure::stress_subjects())
@@ -121,7 +121,7 @@ Result<int> bench_stress(const Arguments& arguments, Console& console) {
     }
     if (broken > 0) status = worse(status, 1);
     if (!interrupted()) return status;
-    console.note(fmt::format("ended by Ctrl-C in subject {} of {}", rows.size(), measure::stress_subjects().size()));
+    console.note(fmt::format("stopped by Ctrl-C in subject {} of {}", rows.size(), measure::stress_subjects().size()));
     return worse(status, interrupted_status);
 }
 

@@ -36,7 +36,7 @@ Result<std::vector<double>> numbers(std::string_view text, std::size_t count, st
         rest.remove_prefix(comma + 1);
     }
     return fail(Failure::usage, fmt::format("{} takes {} numbers, not '{}'", what, count, text),
-                fmt::format("write for example {}", example));
+                fmt::format("for example {}", example));
 }
 
 constexpr std::string_view primaries_prefix = "primaries:";
@@ -46,8 +46,7 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
     const std::string name = arguments.value("--space").value_or("rec709");
     // A configuration that was named is asked for every space, so that none is ignored.
     if (arguments.has("--ocio") && !arguments.has("--space"))
-        return fail(Failure::usage, "--ocio names a configuration, but no --space of it is asked for",
-                    "add for example --space scene_linear");
+        return fail(Failure::usage, "--ocio needs a --space of that configuration", "for example --space scene_linear");
     const RgbSpace* const known = find_rgb_space(name);
     if (known != nullptr && !arguments.has("--ocio")) return *known;
     if (name.starts_with(primaries_prefix)) {
@@ -110,7 +109,7 @@ CctAnswer in_space(std::string input, CctKind kind, Uv at, const CctRequest& req
 Result<void> compare_colors(const CctRequest& request, CctAnswer& answer) {
     if (!request.versus) return {};
     if (answer.cct->duv != 0.0 || request.locus != Locus::planckian)
-        return fail(Failure::usage, "--versus compares black bodies, and this is none",
+        return fail(Failure::usage, "--versus compares black bodies, and this colour is not one",
                     "leave out --duv, --tint and --locus");
     Result<std::vector<const ColorMethod*>> methods = parse_color_methods(*request.versus);
     if (!methods) return pass_on(methods);
@@ -184,7 +183,8 @@ Result<CctRequest> cct_request(const Arguments& arguments) {
         request.duv = *duv;
     }
     if (const auto text = arguments.value("--tint")) {
-        if (request.duv) return fail(Failure::usage, "--duv and --tint are both given", "they say the same thing");
+        if (request.duv)
+            return fail(Failure::usage, "--duv and --tint are both given", "both set the distance from the locus");
         Result<double> duv = parse_tint(*text);
         if (!duv) return pass_on(duv);
         request.duv = *duv;
@@ -258,7 +258,8 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
     }
     if (request.duv) {
         if (value.find('/') != std::string::npos)
-            return fail(Failure::usage, fmt::format("'{}' has a Duv, and another one is given", value));
+            return fail(Failure::usage,
+                        fmt::format("'{}' already has a Duv, and --duv or --tint gives another one", value));
         cct->duv = *request.duv;
     }
     Result<Uv> at = exact_uv(*cct, request.locus);
@@ -284,7 +285,7 @@ Result<std::vector<CctAnswer>> answer_xy(const std::string& text, const CctReque
     const Xy xy{(*v)[0], (*v)[1]};
     if (!is_real(xy))
         return fail(Failure::usage, fmt::format("xy {} is not a colour: it lies outside the spectral locus", text),
-                    "real colours have mixtures of wavelengths");
+                    "real colours are mixtures of wavelengths and lie inside it");
     return nearest_black_body(fmt::format("xy {}", text), CctKind::chromaticity, to_uv(xy), request);
 }
 
@@ -294,7 +295,7 @@ Result<std::vector<CctAnswer>> answer_uv_prime(const std::string& text, const Cc
     const Uv uv = to_uv(UvPrime{(*v)[0], (*v)[1]});
     if (!is_real(to_xy(uv)))
         return fail(Failure::usage, fmt::format("u'v' {} is not a colour: it lies outside the spectral locus", text),
-                    "real colours have mixtures of wavelengths");
+                    "real colours are mixtures of wavelengths and lie inside it");
     return nearest_black_body(fmt::format("u'v' {}", text), CctKind::chromaticity, uv, request);
 }
 

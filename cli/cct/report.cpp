@@ -61,9 +61,9 @@ std::string versus_text(const CctAnswer& answer) {
     Rows rows;
     const bool forward = answer.versus.front().of_color.has_value();
     if (forward)
-        rows.push_back({"  method", "Δu'v'", "cct K", "error K", "Duv", "luminance", "says"});
+        rows.push_back({"  method", "Δu'v'", "cct K", "error K", "Duv", "luminance", "formula"});
     else
-        rows.push_back({"  method", "cct K", "error K", "says"});
+        rows.push_back({"  method", "cct K", "error K", "formula"});
     const double truth = answer.cct->temperature.value;
     for (const CctVersus& versus : answer.versus) {
         const std::string error = std::isfinite(versus.cct_k) ? fmt::format("{:+.3g}", versus.cct_k - truth) : "-";
@@ -125,7 +125,7 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
     line("luminance", rounded(color.luminance, 4));
     if (!color.in_gamut)
         line("gamut", request.gamut == Gamut::clip
-                          ? fmt::format("outside {}: clipped, {} in u'v' away", request.space.name,
+                          ? fmt::format("outside {}: clipped by {} in u'v'", request.space.name,
                                         rounded(color.delta_uv_prime, 2))
                           : fmt::format("outside {}: a component is negative", request.space.name));
     if (answer.spectrum)
@@ -133,7 +133,7 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
                                      gonio::to_text(answer.spectrum->band)));
     if (answer.blackbody)
         line("black body",
-             fmt::format("{} lm/W in all, {} of 360–830 nm, {} nt", rounded(answer.blackbody->total_lm_per_w, 4),
+             fmt::format("{} lm/W in total, {} within 360–830 nm, {} nt", rounded(answer.blackbody->total_lm_per_w, 4),
                          rounded(answer.blackbody->band_lm_per_w, 4), rounded(answer.blackbody_luminance->value, 4)));
     return text + versus_text(answer);
 }

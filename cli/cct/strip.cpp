@@ -67,14 +67,14 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
     const std::size_t rows = 1 + answers.front().versus.size();
     for (const CctAnswer& answer : answers)
         if (1 + answer.versus.size() != rows || (rows > 1 && !answer.versus.front().of_color))
-            return fail(Failure::usage, "--versus in a picture compares colours of temperatures only");
+            return fail(Failure::usage, "a picture with --versus compares only colour temperatures");
     if (Result<void> fits = check_picture_size(size.width, size.height + strip_scale_px(size)); !fits)
         return pass_on(fits);
     const auto width = static_cast<std::size_t>(size.width);
     const auto height = static_cast<std::size_t>(size.height);
     if (size.width < 1 || size.height < 1 || width < answers.size() || height < 2 * rows)
         return fail(Failure::usage,
-                    fmt::format("a picture of {}x{} pixels has no room for {} colours{}", size.width, size.height,
+                    fmt::format("a picture of {}x{} pixels is too small for {} colours{}", size.width, size.height,
                                 answers.size(), rows > 1 ? fmt::format(" and {} methods", rows - 1) : std::string()),
                     "use a larger -s");
     Image image(size.width, size.height, 3);

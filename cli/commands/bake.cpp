@@ -28,19 +28,18 @@ constexpr std::array groups{OptionGroup{"texture", bake_options},
 constexpr std::array examples{
     Example{"gonio bake lamp.ies --layout latlong -s 512x256 -o lamp.exr",
             "candela in 32-bit float, and lamp.exr.json"},
-    Example{"gonio bake lamp.ies --layout octahedral-equal-area -s 256x256 -o lamp.exr",
-            "every texel the same solid angle"},
+    Example{"gonio bake lamp.ies --layout octahedral-equal-area -s 256x256 -o lamp.exr", "texels of equal solid angle"},
     Example{"gonio bake spot.ies --layout gnomonic --cone 60deg --border 1 --normalize peak -o cookie.png",
-            "a spot's cookie"},
+            "a cookie for a spot light"},
     Example{"gonio bake lamp.ies --engine unity-spot --cone 80deg -o cookie.png",
-            "as an engine reads it; gonio list engines"},
+            "a cookie for Unity; 'gonio list engines' shows all engines"},
     Example{"gonio bake lamp.ies --layout cube -s 128x128 -o lamp.exr",
             "six files lamp-px.exr, -nx, -py, -ny, -pz, -nz, and lamp.exr.json"},
-    Example{"gonio bake lamp.ies -s auto --max-error 1% -o lamp.exr", "the smallest texture that is that near"},
+    Example{"gonio bake lamp.ies -s auto --max-error 1% -o lamp.exr", "the smallest texture within 1 % of the peak"},
     Example{"gonio bake library -u -O textures --manifest textures.json",
-            "a whole folder; what the same input and options have made already stays"},
-    Example{"gonio bake library --shard 2/8 -O textures --manifest 2.json", "one of eight jobs"},
-    Example{"gonio bake --merge 1.json 2.json -o all.json", "what all jobs have made"},
+            "a whole folder; textures that are up to date are skipped"},
+    Example{"gonio bake library --shard 2/8 -O textures --manifest 2.json", "the second of eight jobs"},
+    Example{"gonio bake --merge 1.json 2.json -o all.json", "one manifest for all jobs"},
 };
 
 Result<int> bake_all(const Arguments& arguments, Console& console) {
@@ -91,13 +90,13 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command bake_command;
 const Command bake_command{
     "bake",
-    "bake a profile into a texture of exact means, with a sidecar",
+    "write a profile as a texture of exact means, with a sidecar",
     "FILE… --layout LAYOUT -s WxH -o OUT",
-    "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
-    "or @LIST for a list of files. EXR files carry the sidecar's fields as attributes\n"
-    "gonio:…; PNG and TIFF have no place for them. Out of date (-u) is what other bytes or\n"
-    "options made than its sidecar says, or what holds other bytes than it says; without a sidecar, what is older\n"
-    "than its input.",
+    "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
+    "for a list of files. EXR files also carry the fields of the sidecar as attributes gonio:…;\n"
+    "PNG and TIFF cannot. With -u, a texture is outdated if its sidecar names other input bytes or\n"
+    "options, or if the texture does not hold the bytes that the sidecar names; without a sidecar,\n"
+    "if it is older than its input.",
     groups,
     examples,
     run};

@@ -29,25 +29,25 @@ namespace {
 using measure::Standings;
 
 constexpr std::array suite_options{
-    Option{"--suite", "NAME,...", "what to measure, or all (all)", "suites"},
-    Option{"--method", "NAME,...", "only these methods, and the baseline of each table"},
+    Option{"--suite", "NAME,...", "suites to measure, or all (all)", "suites"},
+    Option{"--method", "NAME,...", "measure only these methods and the baseline of each table"},
     Option{"--quick", "", "fewer cases and samples: all suites within a minute"},
-    Option{"--seed", "N", "of the cases (1)"},
+    Option{"--seed", "N", "random seed of the cases (1)"},
 };
 constexpr std::array stress_options{
-    Option{"--stress", "", "adversarial and random input for every numeric function, held to its documented bar"},
-    Option{"--count", "N", "--stress: evaluations of all functions together, about (1e7)"},
+    Option{"--stress", "", "test every numeric function against its error bound on adversarial and random input"},
+    Option{"--count", "N", "with --stress: approximate number of evaluations in total (1e7)"},
 };
 constexpr std::array scaling_options{
-    Option{"--scaling", "NAME,...", "time against size instead: lights, pixels, file-size, threads, or all",
+    Option{"--scaling", "NAME,...", "measure time against size: lights, pixels, file-size, threads, or all",
            "scalings"},
 };
 constexpr std::array report_options{
     Option{"--json", "", "one JSON object"},
-    Option{"--jsonl", "", "one JSON object a line, for each table"},
+    Option{"--jsonl", "", "one JSON object per line for each table"},
     Option{"--csv", "", "comma-separated values"},
     Option{"--markdown", "", "tables in Markdown"},
-    Option{"-o,--output", "FILE", "a file besides, .svg: error against time; .csv, .md, .json too; again for more"},
+    Option{"-o,--output", "FILE", "also write a file: .svg (error against time), .csv, .md or .json; repeatable"},
 };
 constexpr std::array groups{OptionGroup{"suites", suite_options},
                             OptionGroup{"stress", stress_options},
@@ -56,11 +56,11 @@ constexpr std::array groups{OptionGroup{"suites", suite_options},
                             threads_group,
                             common_group};
 constexpr std::array examples{
-    Example{"gonio bench --quick", "every method of every kind, error and time, on this machine"},
+    Example{"gonio bench --quick", "error and time of every method on this machine"},
     Example{"gonio bench --suite irradiance -o irradiance.svg", "one suite, with a chart of error against time"},
-    Example{"gonio bench --stress --count 1e8", "whether any function breaks its promise, and on which input"},
+    Example{"gonio bench --stress --count 1e8", "search for inputs that break an error bound"},
     Example{"gonio bench --scaling lights -o lights.svg", "how time grows with the number of lights"},
-    Example{"gonio bench --suite specular --method ltc,specular-d --csv > specular.csv", "two methods, for a program"},
+    Example{"gonio bench --suite specular --method ltc,specular-d --csv > specular.csv", "two methods as CSV"},
 };
 
 enum class Form { words, json, jsonl, csv, markdown };
@@ -82,8 +82,8 @@ Result<Form> form_of(const Arguments& arguments) {
     for (const auto& [name, its_form] : forms) {
         if (!arguments.has(name)) continue;
         if (!given.empty())
-            return fail(Failure::usage, fmt::format("{} and {} exclude each other", given, name),
-                        "write more forms to files: -o bench.csv -o bench.json");
+            return fail(Failure::usage, fmt::format("{} and {} cannot be combined", given, name),
+                        "write further formats to files: -o bench.csv -o bench.json");
         given = name;
         form = its_form;
     }
@@ -112,8 +112,9 @@ Result<void> read_outputs(const Arguments& arguments, Request& request) {
 Result<Request> parse(const Arguments& arguments) {
     Request request;
     if (!arguments.positional().empty())
-        return fail(Failure::usage, fmt::format("bench takes no argument '{}'", arguments.positional().front()),
-                    "name what to measure with --suite");
+        return fail(Failure::usage,
+                    fmt::format("bench does not take the argument '{}'", arguments.positional().front()),
+                    "name suites with --suite");
     Result<std::vector<const measure::Suite*>> suites =
         measure::parse_suites(arguments.value("--suite").value_or("all"));
     if (!suites) return pass_on(suites);
@@ -236,7 +237,7 @@ Result<int> bench(const Arguments& arguments, Console& console) {
     run.seed = request->options.seed;
     run.quick = request->options.quick;
     if (!run.build.optimized || run.build.checked)
-        console.note("warning: this build is not made for speed, and its times mean little");
+        console.note("warning: this build is not optimised, so its times mean little");
     const bool words = request->form == Form::words || request->form == Form::markdown;
     if (words && !request->chart_to_standard_output) console.print(run_text(run) + "\n");
     if (request->form == Form::csv) console.print(standings_csv_header());
@@ -258,7 +259,7 @@ Result<int> bench(const Arguments& arguments, Console& console) {
         if (!written) return pass_on(written);
     }
     if (run.complete) return status;
-    console.note(fmt::format("ended by Ctrl-C after {} tables", all->size()));
+    console.note(fmt::format("stopped by Ctrl-C after {} tables", all->size()));
     return worse(status, interrupted_status);
 }
 
@@ -273,16 +274,15 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command bench_command;
 const Command bench_command{
     "bench",
-    "run time against error of every method on this machine",
+    "measure run time and error of every method on this machine",
     "[--suite NAME] [--quick] | --stress [--count N] | --scaling NAME",
-    "Each table holds the methods of one kind on the same seeded cases: their error against "
-    "the truth, the time of one\n"
-    "evaluation (the least of all samples) and the median ratio to a named baseline, taken in "
-    "turn in the same rounds.\n"
-    "A star marks what no other row beats in both median error and time: the Pareto front. Below a table stands where\n"
-    "the method is that is used where none is asked for, and what the others' errors buy.\n"
-    "--stress looks for input that breaks a function instead: it prints the worst share of each bar, every broken one\n"
-    "with its input in hexadecimal floats, and exits 1 where there is any.",
+    "Each table shows the methods of one kind on the same seeded cases: their error against a reference, the time per\n"
+    "evaluation (the least of all samples) and the median ratio to a named baseline, measured in the same rounds.\n"
+    "A star marks the Pareto front: no other row has both a smaller median error and a shorter time. The line below a\n"
+    "table says whether the default method is on the front, and what the other methods gain or lose.\n"
+    "--stress searches for input that breaks a function: it prints the greatest share of each error bound that was "
+    "used\n"
+    "and every broken bound with its input in hexadecimal floats, and exits with 1 if there is one.",
     groups,
     examples,
     run};

@@ -23,29 +23,29 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array color_options{
-    Option{"--xy", "X,Y", "the temperature of a CIE 1931 chromaticity; again for more"},
-    Option{"--uv-prime", "U,V", "the temperature of a CIE 1976 chromaticity u', v'; again for more"},
-    Option{"--rgb", "R,G,B", "the temperature of a linear RGB in --space; again for more"},
-    Option{"--spectrum", "NAME", "an illuminant, blackbody:2700K, a CSV or TM-33 file; '-' is standard input",
-           "illuminants"},
-    Option{"--duv", "DUV", "distance from the Planckian locus in u, v, positive above it: greener"},
-    Option{"--tint", "TINT", "the same in a program's measure: 10@dng", "tints"},
+    Option{"--xy", "X,Y", "colour temperature of a CIE 1931 chromaticity; repeatable"},
+    Option{"--uv-prime", "U,V", "colour temperature of a CIE 1976 chromaticity u', v'; repeatable"},
+    Option{"--rgb", "R,G,B", "colour temperature of a linear RGB in --space; repeatable"},
+    Option{"--spectrum", "NAME", "an illuminant, blackbody:2700K, a CSV or TM-33 file; '-' is stdin", "illuminants"},
+    Option{"--duv", "DUV", "distance from the Planckian locus in u, v; positive is above it, greener"},
+    Option{"--tint", "TINT", "the same distance as the tint of a program: 10@dng", "tints"},
     Option{"--locus", "LOCUS", "planckian, daylight, blend (planckian)", "loci"},
 };
 constexpr std::array space_options{
-    Option{"--space", "SPACE", "of the RGB (rec709), also a linear space of the OpenColorIO configuration", "spaces"},
-    Option{"--gamut", "GAMUT", "keep negative components, or clip them with the luminance kept (keep)"},
+    Option{"--space", "SPACE", "colour space of the RGB (rec709), or a linear space of the OpenColorIO configuration",
+           "spaces"},
+    Option{"--gamut", "GAMUT", "keep negative components, or clip them at the same luminance (keep)"},
     Option{"--normalize", "WHAT",
-           "luminance: Y = 1, so that lumens stay; max: the greatest component is 1 (luminance)"},
+           "luminance: Y = 1, which keeps the lumens; max: the greatest component is 1 (luminance)"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
-    Option{"--band", "BAND", "wavelengths of the radiant flux of an efficacy: 380nm:780nm (all of the spectrum)"},
-    Option{"--versus", "METHOD,…", "how far others are from it: names, or all", "color-methods"},
+    Option{"--band", "BAND", "wavelengths of the radiant flux in the efficacy: 380nm:780nm (the whole spectrum)"},
+    Option{"--versus", "METHOD,…", "compare with other methods: names, or all", "color-methods"},
 };
 constexpr std::array strip_options{
-    Option{"-o,--output", "FILE", "a picture of the colours side by side; '-' is standard output (with --to)"},
-    Option{"-s,--size", "WxH", "its pixels across and down (1024x128)"},
-    Option{"--to", "FORMAT", "its format, where the file name does not tell", "images"},
-    Option{"--no-scale", "", "the colours alone; pictures of integers have a scale with numbers at their foot"},
+    Option{"-o,--output", "FILE", "write a picture of the colours side by side; '-' is stdout (with --to)"},
+    Option{"-s,--size", "WxH", "width and height of the picture in pixels (1024x128)"},
+    Option{"--to", "FORMAT", "format of the picture, if the file name does not show it", "images"},
+    Option{"--no-scale", "", "leave out the scale that integer formats have at the bottom"},
     durable_option,
 };
 constexpr std::array groups{OptionGroup{"colour", color_options}, OptionGroup{"space", space_options},
@@ -55,10 +55,11 @@ constexpr std::array examples{
     Example{"gonio cct 2700K/0.003 --space acescg --json", "3e-3 above the locus, in ACEScg"},
     Example{"gonio cct --xy 0.3127,0.329", "the correlated colour temperature and Duv of D65"},
     Example{"gonio cct 2000K:10000K:500K", "a table"},
-    Example{"gonio cct 2000K:10000K:50K --versus krystek,helland,usd -o strip.png", "colours beside approximations"},
-    Example{"gonio cct 1850K --versus all", "how far engines are from a candle"},
+    Example{"gonio cct 2000K:10000K:50K --versus krystek,helland,usd -o strip.png",
+            "colours next to their approximations"},
+    Example{"gonio cct 1850K --versus all", "how far engines are off at the colour of a candle"},
     Example{"gonio cct --spectrum lamp.csv --band 380nm:780nm", "colour and luminous efficacy of a measured spectrum"},
-    Example{"cut -d, -f2 lamps.csv | gonio cct - --jsonl", "values on standard input"},
+    Example{"cut -d, -f2 lamps.csv | gonio cct - --jsonl", "values from stdin"},
 };
 
 struct Question {
@@ -204,14 +205,14 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command cct_command;
-const Command cct_command{"cct",
-                          "colour temperature, Duv, chromaticity, spectra and RGB",
-                          "VALUE… [options]",
-                          "VALUE is a temperature (2700K), one with its Duv (2700K/0.003), a range "
-                          "(2000K:10000K:100K), a CIE illuminant (d65),\n"
-                          "or '-' for lines of these on standard input.",
-                          groups,
-                          examples,
-                          run};
+const Command cct_command{
+    "cct",
+    "compute colour temperature, Duv, chromaticity and RGB of lights and spectra",
+    "VALUE… [options]",
+    "VALUE is a temperature (2700K), a temperature with its Duv (2700K/0.003), a range\n"
+    "(2000K:10000K:100K), a CIE illuminant (d65), or '-' to read such values from stdin, one per line.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

@@ -25,9 +25,9 @@ namespace {
 
 constexpr std::array groups{profile_input_group, json_group, threads_group, common_group};
 constexpr std::array examples{
-    Example{"gonio check lamp.ies", "what is wrong with the file, and what of its light cannot be"},
-    Example{"gonio check --strict library", "a folder; every departure from the standards counts"},
-    Example{"gonio explain WEB0301", "what a code means"},
+    Example{"gonio check lamp.ies", "errors of the file, and implausible light"},
+    Example{"gonio check --strict library", "a folder, held to the letter of the standards"},
+    Example{"gonio explain WEB0301", "the meaning of a code"},
 };
 
 struct Checked {
@@ -110,7 +110,7 @@ std::string verdict(const Checked& checked) {
     for (const auto& [number, what] :
          {std::pair{checked.errors, "error"}, std::pair{checked.warnings, "warning"}, std::pair{checked.notes, "note"}})
         if (number > 0) text += (text.empty() ? "" : ", ") + counted(number, what);
-    if (text.empty()) return "no fault found";
+    if (text.empty()) return "no problems found";
     return checked.readable ? text : "unreadable, " + text;
 }
 
@@ -158,7 +158,7 @@ int run(const Arguments& arguments, Console& console) {
         return outcome;
     });
     if (files->size() > 1)
-        console.note(fmt::format("{} without fault, {} passed with remarks, {} did not pass, {} unreadable",
+        console.note(fmt::format("{} without problems, {} passed with remarks, {} did not pass, {} unreadable",
                                  clean.load(), passed.load(), failed.load(), not_read.load()));
     return status;
 }
@@ -167,11 +167,11 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command check_command;
 const Command check_command{"check",
-                            "validate profiles: their text, their numbers, and whether such a light can be",
+                            "validate the text, the numbers and the physics of profiles",
                             "FILE… [options]",
-                            "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
-                            "or @LIST for a list of files. Exit status 4: unreadable; 1: an error, or with --strict a\n"
-                            "warning; 0: neither.",
+                            "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
+                            "for a list of files. Exit status: 0 passed; 1 an error, or with --strict a warning;\n"
+                            "4 unreadable.",
                             groups,
                             examples,
                             run};

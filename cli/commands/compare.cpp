@@ -19,12 +19,12 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array compare_options{
-    Option{"--rtol", "FRACTION", "differ when any direction differs by more than this fraction of the peak (1e-6)"},
+    Option{"--rtol", "FRACTION", "tolerance in every direction, as a fraction of the peak (1e-6)"},
 };
 constexpr std::array groups{OptionGroup{"comparison", compare_options}, profile_input_group, json_group, common_group};
 constexpr std::array examples{
-    Example{"gonio compare lamp.ies lamp.ldt", "0 when they are the same light, 1 and the worst direction when not"},
-    Example{"gonio compare new.ies old.ies --rtol 0.02", "alike to 2 % of the peak"},
+    Example{"gonio compare lamp.ies lamp.ldt", "exit status 0 if they are the same light, 1 if not"},
+    Example{"gonio compare new.ies old.ies --rtol 0.02", "equal within 2 % of the peak"},
 };
 
 constexpr int differ = 1; // exit status
@@ -90,7 +90,7 @@ std::string to_text(const Report& report) {
                                        rounded(d.gamma_deg), rounded(d.a.value), rounded(d.b.value))
                          : std::string("none"));
     line("rms", fmt::format("{} cd", rounded(d.rms.value, 4)));
-    if (!d.exact) line("note", "of two goniometers: compared at every half degree and at both tables' angles");
+    if (!d.exact) line("note", "two types of goniometer: compared every half degree and at the angles of both tables");
     return text;
 }
 
@@ -99,18 +99,18 @@ Result<double> tolerance(const Arguments& arguments) {
     if (!text) return 1e-6;
     const std::optional<double> value = parse_number(*text);
     if (!value || *value < 0.0)
-        return fail(Failure::usage, fmt::format("--rtol takes a fraction from 0, not '{}'", *text), "for example 1e-3");
+        return fail(Failure::usage, fmt::format("--rtol takes a fraction of 0 or more, not '{}'", *text),
+                    "for example 1e-3");
     return *value;
 }
 
 Result<int> compare(const Arguments& arguments, Console& console) {
     Result<std::vector<std::string>> files = input_files(arguments);
     if (files && files->size() != 2)
-        return fail(Failure::usage, fmt::format("two profiles are compared, {} are given", files->size()),
+        return fail(Failure::usage, fmt::format("compare takes two profiles, not {}", files->size()),
                     "for example: gonio compare lamp.ies lamp.ldt");
     if (!files) return pass_on(files);
-    if (files->front() == "-" && files->back() == "-")
-        return fail(Failure::usage, "standard input cannot be both profiles");
+    if (files->front() == "-" && files->back() == "-") return fail(Failure::usage, "stdin cannot be both profiles");
     Result<double> rtol = tolerance(arguments);
     if (!rtol) return pass_on(rtol);
     Result<ProfileInputOptions> options = profile_input(arguments);
@@ -145,10 +145,10 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command compare_command;
 const Command compare_command{"compare",
-                              "the difference of two profiles, the worst direction named",
+                              "measure how much two profiles differ, and in which direction most",
                               "A B [--rtol FRACTION]",
-                              "A and B are profiles of any format; one of them may be '-', standard input.\n"
-                              "Exit status 0: equal within --rtol of the peak in every direction; 1: not.",
+                              "A and B are profiles of any format; one of them may be '-' for stdin.\n"
+                              "Exit status: 0 equal within --rtol of the peak in every direction; 1 not equal.",
                               groups,
                               examples,
                               run};

@@ -142,7 +142,7 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command completion_command;
-const Command completion_command{"completion", "a completion script for a shell", "bash|zsh|fish", "", groups, examples,
-                                 run};
+const Command completion_command{
+    "completion", "print a completion script for a shell", "bash|zsh|fish", "", groups, examples, run};
 
 } // namespace gonio::cli

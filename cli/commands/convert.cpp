@@ -23,25 +23,27 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array convert_options{
-    Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
-    Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists (with --to)"},
-    Option{"--to", "FORMAT", "ies, ldt or tm33, where the output's name does not tell", "formats"},
-    Option{"--dialect", "NAME", "of IES: lm-63-1995, lm-63-2002, lm-63-2019, portable (the source's, else lm-63-2002)",
+    Option{"-o,--output", "FILE", "write one output; '-' is stdout (with --to)"},
+    Option{"-O,--output-dir", "DIR", "write one output per input into an existing folder (with --to)"},
+    Option{"--to", "FORMAT", "ies, ldt or tm33, if the output name does not show the format", "formats"},
+    Option{"--dialect", "NAME",
+           "IES dialect: lm-63-1995, lm-63-2002, lm-63-2019, portable (that of the source, else lm-63-2002)",
            "dialects"},
     Option{"--compact", "FRACTION",
-           "leave out planes that a symmetry gives back to this fraction of the peak; 0: exactly (kept as stored)"},
-    Option{"-u,--update", "", "with -O: only where the input is newer than the output"},
-    Option{"--overwrite", "", "with -O: replace what exists"},
-    Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+           "leave out planes that a symmetry restores within this fraction of the peak; 0: exactly (keep all)"},
+    Option{"-u,--update", "", "with -O: write only outputs that are older than their input"},
+    Option{"--overwrite", "", "with -O: replace existing files"},
+    Option{"-n,--dry-run", "", "print what would be written, but write nothing"},
     durable_option,
 };
 
 constexpr std::array groups{OptionGroup{"output", convert_options}, profile_input_group, json_group, threads_group,
                             common_group};
 constexpr std::array examples{
-    Example{"gonio convert lamp.ldt -o lamp.ies", "EULUMDAT as LM-63-2002; what is lost is said"},
-    Example{"gonio convert *.ies -O game --dialect portable", "IES files that every engine's loader reads alike"},
-    Example{"gonio convert lamp.ies -o small.ies --compact 1e-3", "measured in full, symmetric to 0.1 % of the peak"},
+    Example{"gonio convert lamp.ldt -o lamp.ies", "EULUMDAT to LM-63-2002; losses are reported"},
+    Example{"gonio convert *.ies -O game --dialect portable", "IES files that every engine reads the same way"},
+    Example{"gonio convert lamp.ies -o small.ies --compact 1e-3",
+            "leave out planes that are symmetric within 0.1 % of the peak"},
     Example{"gonio convert - --to ldt -o - < lamp.ies", "through pipes"},
 };
 
@@ -72,7 +74,8 @@ Result<Converted> convert(const Job& job, const Request& request) {
     Result<ResolvedWeb> web = again ? resolve_web(*again) : Result<ResolvedWeb>(pass_on(again));
     if (!web) {
         const std::string reason = web.error().diagnostics.empty() ? "" : web.error().diagnostics.back().message;
-        return fail(Failure::internal, fmt::format("what was written cannot be read again: {}", reason), {}, job.input);
+        return fail(Failure::internal, fmt::format("the written profile cannot be read back: {}", reason), {},
+                    job.input);
     }
     Converted converted;
     converted.profile = std::move(*again);
@@ -145,7 +148,7 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     if (arguments.has("--output-dir") && !arguments.has("--to") && !arguments.has("--dialect"))
-        return fail(Failure::usage, "-O names no format", "add --to ies, --to ldt, --to tm33 or --dialect NAME");
+        return fail(Failure::usage, "-O needs a format", "add --to ies, --to ldt, --to tm33 or --dialect NAME");
     const std::string format = arguments.value("--to").value_or("ies");
     Result<std::vector<Job>> jobs = plan_outputs(arguments, *inputs, format == "tm33" ? "xml" : format);
     if (!jobs) return pass_on(jobs);
@@ -181,13 +184,14 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command convert_command;
-const Command convert_command{"convert",
-                              "a profile in another format or dialect, and what that loses",
-                              "FILE… -o OUT | -O DIR [options]",
-                              "FILE is an IES, EULUMDAT or TM-33 profile, a folder of them, '-' for standard input,\n"
-                              "or @LIST for a list of files.",
-                              groups,
-                              examples,
-                              run};
+const Command convert_command{
+    "convert",
+    "write a profile in another format or dialect, and report what is lost",
+    "FILE… -o OUT | -O DIR [options]",
+    "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
+    "for a list of files.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

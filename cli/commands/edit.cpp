@@ -24,24 +24,25 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array edit_options{
-    Option{"--sum", "", "of several inputs: their light together"},
-    Option{"--blend", "SHARE", "of two inputs: this share of the second, the rest of the first"},
-    Option{"--resample", "C,GAMMA", "type C on even steps: 5deg,2.5deg"},
-    Option{"--crop", "LOW,HIGH", "dark outside these gamma: 0deg,80deg"},
-    Option{"--symmetrize", "HOW", "the mean of the mirror images: axial, quadrant, bilateral-0-180, bilateral-90-270"},
-    Option{"--mirror", "PLANE", "in the plane c0-180 or c90-270"},
-    Option{"--rotate", "ANGLE", "about the axis, C0 towards C90: 90deg"},
-    Option{"--tilt-by", "ANGLE", "lean the axis towards --tilt-towards: 15deg"},
-    Option{"--tilt-towards", "C", "the plane that --tilt-by leans to (0deg)"},
-    Option{"--stretch", "FACTOR", "a linear luminaire this many times as long, with its flux, watts and length"},
-    Option{"--dim", "FACTOR", "every intensity times this"},
-    Option{"--lumens", "FLUX", "scaled to this flux: 1200lm"},
+    Option{"--sum", "", "add the light of several inputs"},
+    Option{"--blend", "SHARE", "mix two inputs: this share of the second, the rest of the first"},
+    Option{"--resample", "C,GAMMA", "resample to type C in equal steps: 5deg,2.5deg"},
+    Option{"--crop", "LOW,HIGH", "remove the light outside these gamma: 0deg,80deg"},
+    Option{"--symmetrize", "HOW",
+           "take the mean of the mirror images: axial, quadrant, bilateral-0-180, bilateral-90-270"},
+    Option{"--mirror", "PLANE", "mirror in the plane c0-180 or c90-270"},
+    Option{"--rotate", "ANGLE", "rotate about the axis, C0 towards C90: 90deg"},
+    Option{"--tilt-by", "ANGLE", "tilt the axis towards --tilt-towards: 15deg"},
+    Option{"--tilt-towards", "C", "the C-plane that --tilt-by tilts towards (0deg)"},
+    Option{"--stretch", "FACTOR", "make a linear luminaire this many times as long, with its flux, watts and length"},
+    Option{"--dim", "FACTOR", "multiply every intensity by this"},
+    Option{"--lumens", "FLUX", "scale to this flux: 1200lm"},
 };
-constexpr std::array groups{OptionGroup{"changes, made in this order", edit_options}, profile_output_group,
+constexpr std::array groups{OptionGroup{"changes, applied in this order", edit_options}, profile_output_group,
                             profile_input_group, json_group, common_group};
 constexpr std::array examples{
     Example{"gonio edit tube.ies --stretch 1.5 -o longer.ies", "36 W of 1.2 m become 54 W of 1.8 m"},
-    Example{"gonio edit lamp.ies --rotate 90deg --lumens 1200lm -o lamp.ldt", "turned, scaled, as EULUMDAT"},
+    Example{"gonio edit lamp.ies --rotate 90deg --lumens 1200lm -o lamp.ldt", "rotate, scale and write EULUMDAT"},
     Example{"gonio edit up.ies down.ies --sum -o both.ies", "two lights in one"},
 };
 
@@ -189,12 +190,12 @@ Result<std::vector<double>> weights_for(const Arguments& arguments, std::size_t 
         const std::optional<double> share = parse_number(*blend);
         if (!share || *share < 0.0 || *share > 1.0)
             return fail(Failure::usage, fmt::format("--blend takes a share from 0 to 1, not '{}'", *blend));
-        if (inputs != 2) return fail(Failure::usage, fmt::format("--blend takes two profiles, {} are given", inputs));
+        if (inputs != 2) return fail(Failure::usage, fmt::format("--blend takes two profiles, not {}", inputs));
         return std::vector{1.0 - *share, *share};
     }
     if (inputs > 1 && !arguments.has("--sum"))
-        return fail(Failure::usage, fmt::format("{} profiles are given", inputs),
-                    "--sum adds their light, --blend mixes two; else name one");
+        return fail(Failure::usage, fmt::format("edit takes one profile, not {}", inputs),
+                    "--sum adds their light, --blend mixes two");
     return std::vector<double>(inputs, 1.0);
 }
 
@@ -243,7 +244,7 @@ Result<int> edit(const Arguments& arguments, Console& console) {
     if (Result<void> changed = change_web(edited.web, arguments, cost); !changed) return pass_on(changed);
     if (cost.max_error_cd > 0.0) {
         const double top = std::abs(peak(edited.web).intensity.value);
-        console.note(fmt::format("resampled: at most {} cd off, {} of the peak; flux {:+.3g} lm",
+        console.note(fmt::format("resampled: error up to {} cd, {} of the peak; flux {:+.3g} lm",
                                  rounded(cost.max_error_cd, 3), rounded(top > 0.0 ? cost.max_error_cd / top : 0.0, 3),
                                  cost.flux_error_lm));
     }
@@ -267,10 +268,10 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command edit_command;
 const Command edit_command{"edit",
-                           "a profile turned, cut, evened out, scaled, stretched or mixed with others",
+                           "rotate, crop, symmetrise, scale, stretch or mix profiles",
                            "IN… [changes] -o OUT",
-                           "IN is a profile of any format, '-' for standard input; several with --sum or --blend.\n"
-                           "What has to be resampled is said with its error.",
+                           "IN is a profile of any format, or '-' for stdin; --sum and --blend take several.\n"
+                           "If a change needs resampling, the error is reported.",
                            groups,
                            examples,
                            run};

@@ -19,11 +19,11 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array explain_options{
-    Option{"--markdown", "", "as a page of documentation"},
+    Option{"--markdown", "", "print all codes as a Markdown page"},
 };
 constexpr std::array groups{OptionGroup{"output", explain_options}, json_group, common_group};
-constexpr std::array examples{Example{"gonio explain IES0204", "what a diagnostic means and what to do"},
-                              Example{"gonio explain --markdown > CODES.md", "all of them, as a page"}};
+constexpr std::array examples{Example{"gonio explain IES0204", "what this diagnostic means and what to do"},
+                              Example{"gonio explain --markdown > CODES.md", "all codes, as a page"}};
 
 struct Explained {
     std::string_view code;
@@ -51,7 +51,7 @@ Json to_json(const Explained& entry) {
         {"code", entry.code}, {"severity", entry.severity}, {"title", entry.title}, {"explanation", entry.explanation}};
 }
 
-// What the codes that begin so are about.
+// The heading above the codes with this prefix.
 struct Group {
     std::string_view prefix;
     std::string_view title;
@@ -73,7 +73,7 @@ constexpr std::array page_groups{
     Group{"TM304", "TM-33: the table"},
     Group{"WEB01", "What a file means"},
     Group{"WEB02", "What is lost or changed in another format"},
-    Group{"WEB03", "Whether such a light can be"},
+    Group{"WEB03", "Plausibility"},
 };
 
 std::string_view title_of(std::string_view prefix) {
@@ -84,8 +84,8 @@ std::string_view title_of(std::string_view prefix) {
 
 std::string markdown(const std::vector<Explained>& codes) {
     std::string page =
-        "# Diagnostic codes\n\nWritten by `gonio explain --markdown`; a test compares. A code never gets "
-        "another meaning. `gonio check` says them,\nand exits with 1 on an error, under `--strict` on a "
+        "# Diagnostic codes\n\nPrinted by `gonio explain --markdown`; a test compares. A code never changes its "
+        "meaning. `gonio check` reports\nthese codes. It exits with 1 on an error, and with `--strict` on a "
         "warning too.\n";
     std::string_view group;
     for (const Explained& entry : codes) {
@@ -104,7 +104,7 @@ int run(const Arguments& arguments, Console& console) {
     if (arguments.has("--markdown")) {
         if (json || !arguments.positional().empty())
             return console.fail(
-                fail(Failure::usage, "--markdown is a page of all codes, and takes no other form").value());
+                fail(Failure::usage, "--markdown prints all codes; it takes neither CODE nor --json").value());
         console.print(markdown(all));
         return 0;
     }
@@ -120,9 +120,9 @@ int run(const Arguments& arguments, Console& console) {
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const Explained& entry) { return entry.code == code; });
         if (found == all.end())
-            return console.fail(
-                fail(Failure::usage, fmt::format("there is no diagnostic '{}'", code), "'gonio explain' lists them all")
-                    .value());
+            return console.fail(fail(Failure::usage, fmt::format("unknown diagnostic code '{}'", code),
+                                     "'gonio explain' lists them all")
+                                    .value());
         report["codes"].push_back(to_json(*found));
         if (!json)
             console.print(
@@ -136,6 +136,6 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command explain_command;
 const Command explain_command{
-    "explain", "what a diagnostic's code means and what to do", "[CODE…]", "", groups, examples, run};
+    "explain", "describe a diagnostic code and what to do about it", "[CODE…]", "", groups, examples, run};
 
 } // namespace gonio::cli

@@ -35,7 +35,7 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command help_command;
-const Command help_command{"help", "the commands, or one command's options and examples", "[COMMAND]", "", groups, {},
+const Command help_command{"help", "show the commands, or the options and examples of one", "[COMMAND]", "", groups, {},
                            run};
 
 } // namespace gonio::cli

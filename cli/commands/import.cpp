@@ -36,7 +36,7 @@ constexpr std::array examples{
             "the same 800 lm of warm white everywhere"},
     Example{"gonio import studio.rig.json --to blender,unreal -O assets", "all lights of a rig, area lights included"},
     Example{"gonio import library -u --to pbrt -O assets --manifest assets.json",
-            "a catalogue; what the same input and options have made already stays"},
+            "a catalogue; assets that are up to date are skipped"},
 };
 
 // Two inputs of one name would write the same files.
@@ -46,7 +46,8 @@ Result<void> distinct(const std::vector<std::string>& inputs) {
         const auto [other, is_new] = taken.emplace(asset_name(input), input);
         if (!is_new)
             return fail(Failure::usage,
-                        fmt::format("'{}' and '{}' would both be called '{}'", other->second, input, other->first),
+                        fmt::format("the assets of '{}' and '{}' would both be called '{}'", other->second, input,
+                                    other->first),
                         "rename one, or import them into different folders");
     }
     return {};
@@ -67,7 +68,7 @@ Result<void> write_readme(const std::string& file, const Target& target, const C
     if (*there == text) return {};
     const std::string_view title = std::string_view(text).substr(0, text.find('\n') + 1);
     if (there->empty() || there->starts_with(title)) return write_output(file, text);
-    console.note(fmt::format("{}: is not from gonio, and stays as it is", file));
+    console.note(fmt::format("{}: not written by gonio, left unchanged", file));
     return {};
 }
 
@@ -120,15 +121,16 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command import_command;
-const Command import_command{"import",
-                             "a profile, or a rig's lights, as the same light in every engine",
-                             "FILE… --to TARGET,… -O DIR",
-                             "FILE is an IES, EULUMDAT or TM-33 profile, a rig (gonio.rig/1), a folder of profiles,\n"
-                             "'-' for a profile on standard input, or @LIST for a list of files. What a target cannot\n"
-                             "hold of a rig is said, with what it does instead.",
-                             groups,
-                             examples,
-                             run,
-                             true};
+const Command import_command{
+    "import",
+    "write a profile or the lights of a rig for engines and renderers",
+    "FILE… --to TARGET,… -O DIR",
+    "FILE is an IES, EULUMDAT or TM-33 profile, a rig (gonio.rig/1), a folder of profiles,\n"
+    "'-' for a profile from stdin, or @LIST for a list of files. Anything a target cannot store\n"
+    "is reported, with what is written instead.",
+    groups,
+    examples,
+    run,
+    true};
 
 } // namespace gonio::cli

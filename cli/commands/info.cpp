@@ -30,7 +30,7 @@ namespace {
 constexpr std::array groups{profile_input_group, json_group, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio info lamp.ies", "format, angles, flux, peak, beam and field angle"},
-    Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright ones of a folder"},
+    Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright profiles of a folder"},
 };
 
 struct Lamp {
@@ -379,10 +379,10 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command info_command;
 const Command info_command{"info",
-                           "what a profile is: format, angles, symmetry, flux, peak, beam and field",
+                           "show the format, angles, symmetry, flux, peak, beam and field of a profile",
                            "FILE… [options]",
-                           "FILE is an IES or EULUMDAT profile, a folder of them, '-' for standard input,\n"
-                           "or @LIST for a list of files.",
+                           "FILE is an IES, EULUMDAT or TM-33 profile, a folder of profiles, '-' for stdin, or @LIST\n"
+                           "for a list of files.",
                            groups,
                            examples,
                            run};

@@ -18,7 +18,7 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array list_options{
-    Option{"--markdown", "", "as a page of documentation"},
+    Option{"--markdown", "", "print the list as a Markdown page"},
 };
 constexpr std::array groups{OptionGroup{"output", list_options}, json_group, common_group};
 constexpr std::array examples{Example{"gonio list shapes", "the shapes that --shape takes"},
@@ -34,8 +34,12 @@ std::string in_a_cell(std::string_view text) {
 std::string markdown(const NamedList& list, const std::vector<ListEntry>& entries) {
     std::string title(list.summary);
     title.front() = to_upper(title.front());
-    std::string page = fmt::format("# {}\n\nWritten by `gonio list {} --markdown`; a test compares.\n\n| name | what "
-                                   "it is |\n|---|---|\n",
+    std::string page = fmt::format("# {}\n"
+                                   "\n"
+                                   "Printed by `gonio list {} --markdown`; a test compares.\n"
+                                   "\n"
+                                   "| name | what it is |\n"
+                                   "|---|---|\n",
                                    title, list.name);
     for (const ListEntry& entry : entries)
         page += fmt::format("| `{}` | {} |\n", in_a_cell(entry.name), in_a_cell(entry.says));
@@ -45,9 +49,9 @@ std::string markdown(const NamedList& list, const std::vector<ListEntry>& entrie
 int run(const Arguments& arguments, Console& console) {
     const bool json = arguments.has("--json") || arguments.has("--jsonl");
     if (arguments.has("--markdown") && (json || arguments.positional().empty()))
-        return console.fail(fail(Failure::usage, "--markdown is a page of one list, and takes no other form",
-                                 "for example: gonio list limits --markdown")
-                                .value());
+        return console.fail(
+            fail(Failure::usage, "--markdown takes one LIST and no --json", "for example: gonio list limits --markdown")
+                .value());
     if (arguments.positional().empty()) {
         for (const NamedList& list : named_lists())
             console.print(fmt::format("{:<16}{}\n", list.name, list.summary));
@@ -81,7 +85,7 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command list_command;
-const Command list_command{"list", "what there is: shapes, units, layouts, stages, …", "[LIST]", "", groups, examples,
-                           run};
+const Command list_command{
+    "list", "show the names that options take: shapes, units, layouts, stages, …", "[LIST]", "", groups, examples, run};
 
 } // namespace gonio::cli

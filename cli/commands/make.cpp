@@ -29,21 +29,21 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array light_options{
-    Option{"--lumens", "FLUX", "the luminaire's flux: 1200lm (1000lm; of csv: as the table says)"},
+    Option{"--lumens", "FLUX", "flux of the luminaire: 1200lm (1000lm; csv: that of the table)"},
     Option{"--watts", "POWER", "input power: 12W (none)"},
-    Option{"--absolute", "", "absolute photometry: no flux of lamps is declared"},
+    Option{"--absolute", "", "absolute photometry: declare no lamp flux"},
     Option{"--opening", "SHAPE", "luminous opening: point, disk:d=15cm, rect:w=30cm,l=1.2m, box:w=,l=,h=, tube:d=,l="},
 };
 constexpr std::array table_options{
-    Option{"--planes", "STEP", "between C-planes or horizontal angles (5deg)"},
-    Option{"--gammas", "STEP", "between vertical angles (2.5deg)"},
-    Option{"--type", "TYPE", "goniometer of the table: A, B or C (C)"},
+    Option{"--planes", "STEP", "step between C-planes or horizontal angles (5deg)"},
+    Option{"--gammas", "STEP", "step between vertical angles (2.5deg)"},
+    Option{"--type", "TYPE", "type of goniometer of the table: A, B or C (C)"},
 };
 constexpr std::array text_options{
-    Option{"--name", "TEXT", "the luminaire's name (its shape)"},
-    Option{"--number", "TEXT", "its catalogue number"},
-    Option{"--lamp", "TEXT", "the lamp"},
-    Option{"--keyword", "NAME=TEXT", "any other keyword, _CCT=3000 for example; may be given several times"},
+    Option{"--name", "TEXT", "name of the luminaire (its shape)"},
+    Option{"--number", "TEXT", "catalogue number of the luminaire"},
+    Option{"--lamp", "TEXT", "name of the lamp"},
+    Option{"--keyword", "NAME=TEXT", "any other keyword, for example _CCT=3000; repeatable"},
 };
 constexpr std::array groups{OptionGroup{"light", light_options},
                             OptionGroup{"table", table_options},
@@ -55,7 +55,7 @@ constexpr std::array examples{
     Example{"gonio make spot:outer=25deg,inner=15deg --lumens 800lm -o spot.ies", "a cone with a soft edge"},
     Example{"gonio make downlight:beam=36deg --lumens 1200lm --watts 12W --opening disk:d=15cm -o down.ldt",
             "a recessed downlight as EULUMDAT"},
-    Example{"gonio make csv:table.csv -o lamp.ies", "a table: first row gamma angles, then C and its candela per row"},
+    Example{"gonio make csv:table.csv -o lamp.ies", "a table of candela from a spreadsheet"},
 };
 
 // A spot is the library's own shape of lights.
@@ -70,7 +70,7 @@ Result<AuthoredShape> shape_of(const std::string& text) {
     Result<Shape> parsed = parse_shape(text);
     if (!parsed) return pass_on(parsed);
     const auto& spot = std::get<SpotShape>(*parsed);
-    if (!spot.mask_file.empty()) return fail(Failure::usage, "the spot of 'make' takes no mask");
+    if (!spot.mask_file.empty()) return fail(Failure::usage, "make does not take a mask for a spot");
     return AuthoredShape{[spot](double, double gamma) { return lobe(spot, degrees(gamma)); }, Symmetry::axial, 90.0};
 }
 
@@ -80,7 +80,7 @@ Result<double> positive(const Arguments& arguments, std::string_view option, Dim
     Result<double> value = parse_amount(*text, dimension, option);
     if (!value) return pass_on(value);
     if (*value > 0.0) return *value;
-    return fail(Failure::usage, fmt::format("{} takes more than 0, not {}", option, *text));
+    return fail(Failure::usage, fmt::format("{} must be greater than 0, not {}", option, *text));
 }
 
 Result<double> step(const Arguments& arguments, std::string_view option, double standard_deg) {
@@ -130,7 +130,7 @@ Result<LuminousOpening> opening_of(const Arguments& arguments) {
             if (known.keys[i].empty()) continue;
             const std::string* const value = parsed->value(known.keys[i]);
             if (value == nullptr)
-                return fail(Failure::usage, fmt::format("an opening '{}' needs {}", known.kind, known.keys[i]));
+                return fail(Failure::usage, fmt::format("the opening '{}' needs {}", known.kind, known.keys[i]));
             Result<double> meters = parse_amount(*value, Dimension::length, known.keys[i]);
             if (!meters) return pass_on(meters);
             if (!(*meters > 0.0))
@@ -182,7 +182,7 @@ Result<Web> web_for(const Arguments& arguments, const std::string& shape, double
     if (shape.starts_with("csv:")) {
         for (const std::string_view option : {"--planes", "--gammas", "--type"})
             if (arguments.has(option))
-                return fail(Failure::usage, fmt::format("{} has no meaning for a table that lists its angles", option));
+                return fail(Failure::usage, fmt::format("{} does not apply to a table that lists its angles", option));
         const std::string file = shape.substr(4);
         if (Result<void> free = check_outputs({&file, 1}, {&output, 1}); !free) return pass_on(free);
         Result<std::string> text =
@@ -210,7 +210,7 @@ Result<Web> web_for(const Arguments& arguments, const std::string& shape, double
 
 Result<int> make(const Arguments& arguments, Console& console) {
     if (arguments.positional().size() != 1)
-        return fail(Failure::usage, fmt::format("one shape is made, {} are given", arguments.positional().size()),
+        return fail(Failure::usage, fmt::format("make takes one shape, not {}", arguments.positional().size()),
                     "for example: gonio make downlight:beam=36deg -o down.ies");
     const std::string& shape = arguments.positional().front();
     Result<ProfileOutput> output = profile_output(arguments);
@@ -252,17 +252,17 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command make_command;
 const Command make_command{
     "make",
-    "author a profile: a spot, a beam, a batwing, a wall-washer, a street light, a table",
+    "create a profile from a formula or a table: spot, beam, batwing, wall-washer, street light",
     "SHAPE -o OUT [options]",
-    "SHAPE is spot:outer=…,inner=…,falloff=… or one of these, keys left out taking the values shown:\n"
-    "  cosine:power=1,up=0                      cos^p of gamma; up: as much again upwards\n"
+    "SHAPE is spot:outer=…,inner=…,falloff=… or one of these; the values shown are the defaults:\n"
+    "  cosine:power=1,up=0                      cos^p of gamma; up: this factor upwards\n"
     "  gaussian:beam=30deg                      half of the peak at the beam angle\n"
-    "  downlight:beam=30deg,spill=0.05          a beam over a soft spill\n"
-    "  batwing:reach=45deg,across=45deg,edge=0.25  even illuminance on the floor out to an ellipse\n"
+    "  downlight:beam=30deg,spill=0.05          a beam with soft spill light\n"
+    "  batwing:reach=45deg,across=45deg,edge=0.25  uniform illuminance inside an ellipse on the floor\n"
     "  wall-washer:lean=35deg,height=18deg,width=32deg,spill=0.03  a lobe towards a wall at C0\n"
     "  street:throw=60deg,out=20deg,width=20deg  two lobes along C0–C180, turned to the street at C90\n"
     "  tube:r=13mm,l=1.2m                       a bare Lambertian tube along C0\n"
-    "  csv:FILE                                 first row gamma angles, then C and its candela per row",
+    "  csv:FILE                                 first row: gamma angles; then rows of C and its candela",
     groups,
     examples,
     run};

@@ -27,13 +27,13 @@ namespace {
 
 constexpr std::array diagram_options{
     Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone, falloff (polar)", "diagrams"},
-    Option{"-s,--size", "WxH", "pixels across and down (720x720)"},
-    Option{"--plane", "DEG", "polar, cartesian, cone: a plane to draw, with its opposite; again for more (0deg 90deg)"},
-    Option{"--per-klm", "", "intensities for 1000 lm of flux, to compare shapes"},
-    Option{"--height", "LENGTH", "isolux, cone: of the light above the plane (3m)"},
-    Option{"--extent", "LENGTH", "isolux: from the middle of the plane to its edges (twice the height)"},
-    Option{"--title", "TEXT", "a headline"},
-    Option{"--to", "FORMAT", "svg or a picture format of 8 bits, where the file name does not tell (svg)", "images"},
+    Option{"-s,--size", "WxH", "width and height in pixels (720x720)"},
+    Option{"--plane", "DEG", "polar, cartesian, cone: plane to draw, with the opposite one; repeatable (0deg 90deg)"},
+    Option{"--per-klm", "", "show candela per 1000 lm, to compare shapes"},
+    Option{"--height", "LENGTH", "isolux, cone: height of the light above the plane (3m)"},
+    Option{"--extent", "LENGTH", "isolux: distance from the centre of the plane to its edges (twice the height)"},
+    Option{"--title", "TEXT", "title of the diagram"},
+    Option{"--to", "FORMAT", "svg or an 8-bit picture format, if the file name does not show it (svg)", "images"},
 };
 constexpr std::array groups{OptionGroup{"diagram", diagram_options},
                             OptionGroup{"falloff", falloff_options},
@@ -43,11 +43,11 @@ constexpr std::array groups{OptionGroup{"diagram", diagram_options},
                             common_group};
 constexpr std::array examples{
     Example{"gonio plot lamp.ies -o lamp.svg", "a polar diagram of the planes C0 and C90"},
-    Example{"gonio plot old.ies new.ldt --diagram cartesian --per-klm -o both.svg", "two profiles over each other"},
+    Example{"gonio plot old.ies new.ldt --diagram cartesian --per-klm -o both.svg", "two profiles in one diagram"},
     Example{"gonio plot street.ldt --diagram isolux --height 8m -o street.svg", "lux on the ground"},
     Example{"gonio plot --diagram falloff --shape sphere:r=10cm --shape disk:r=30cm --intensity 800lm -o falloff.png",
-            "where lights with a size leave the inverse square"},
-    Example{"gonio plot catalogue -O diagrams", "one diagram for each profile below a folder"},
+            "where lights with a size depart from the inverse square"},
+    Example{"gonio plot catalogue -O diagrams", "one diagram for each profile in a folder"},
 };
 
 struct Request {
@@ -62,7 +62,8 @@ Result<double> positive_length(const Arguments& arguments, std::string_view name
     if (!text) return otherwise;
     Result<double> length = parse_amount(*text, Dimension::length, name);
     if (!length) return pass_on(length);
-    if (!(*length > 0.0)) return fail(Failure::usage, fmt::format("{} takes a length above 0, not '{}'", name, *text));
+    if (!(*length > 0.0))
+        return fail(Failure::usage, fmt::format("{} takes a length greater than 0, not '{}'", name, *text));
     return *length;
 }
 
@@ -107,7 +108,7 @@ Result<Request> parse(const Arguments& arguments) {
 
 // A file's name without its folder: a label has little room.
 std::string label_of(const std::string& file) {
-    if (file == "-") return "standard input";
+    if (file == "-") return "stdin";
     return file.substr(file.rfind('/') + 1);
 }
 
@@ -130,12 +131,12 @@ Result<void> read_format(const Arguments& arguments, Request& request) {
     const bool by_name = !output.empty() && output != "-";
     if (named ? *named == "svg" : !by_name || output.ends_with(".svg")) return {};
     if (!named && media::find_image_format(output) == nullptr)
-        return fail(Failure::usage, fmt::format("the name '{}' tells no format of diagrams", output),
+        return fail(Failure::usage, fmt::format("the name '{}' does not show a diagram format", output),
                     "end it in .svg or .png, or add --to");
     Result<const media::ImageFormat*> format = picture_format(named, output);
     if (!format) return pass_on(format);
     if (!has_pixel(**format, media::Pixel::uint8))
-        return fail(Failure::usage, fmt::format("{} holds light, not diagrams", (*format)->title),
+        return fail(Failure::usage, fmt::format("{} is for light, not for diagrams", (*format)->title),
                     "write .svg, .png, .tif or .jpg");
     Result<void> fits = check_picture_size(request.plot.width_px, request.plot.height_px);
     if (!fits) error_hint(fits.error(), "use a smaller -s, or write .svg, which has no pixels");
@@ -243,14 +244,13 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command plot_command;
-const Command plot_command{
-    "plot",
-    "diagrams of profiles, as SVG or pictures: polar, cartesian, heat map, isolux, cone, falloff",
-    "FILE… -o OUT.svg | FILE… -o OUT.png | FILE… -O DIR",
-    "FILE is a profile, a folder of them, '-' for standard input, or @LIST for a list of files.\n"
-    "With -o all profiles share one diagram, with -O each has its own.",
-    groups,
-    examples,
-    run};
+const Command plot_command{"plot",
+                           "draw polar, cartesian, heat-map, isolux, cone and falloff diagrams",
+                           "FILE… -o OUT.svg | FILE… -o OUT.png | FILE… -O DIR",
+                           "FILE is a profile, a folder of profiles, '-' for stdin, or @LIST for a list of files.\n"
+                           "With -o all profiles share one diagram; with -O each has its own.",
+                           groups,
+                           examples,
+                           run};
 
 } // namespace gonio::cli

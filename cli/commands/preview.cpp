@@ -40,11 +40,11 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"stage", preview_stage_options},
                             OptionGroup{"picture", preview_picture_options},
                             OptionGroup{"evaluation", preview_method_options},
-                            OptionGroup{"look", preview_look_options},
+                            OptionGroup{"display mode", preview_look_options},
                             OptionGroup{"sheet", preview_sheet_options},
                             OptionGroup{"sweep", preview_sweep_options},
                             OptionGroup{"layers", preview_layer_options},
-                            OptionGroup{"sheets of every kind", contact_sheet_options},
+                            OptionGroup{"sheets, comparisons and sweeps", contact_sheet_options},
                             OptionGroup{"exposure", preview_exposure_options},
                             OptionGroup{"output", preview_output_options},
                             OptionGroup{"export", preview_export_options},
@@ -55,23 +55,22 @@ constexpr std::array examples{
     Example{"gonio preview --shape sphere:r=10cm --intensity 800lm -o bulb.png", "a globe"},
     Example{"gonio preview --rig room.json -o room.png", "all lights of a scene"},
     Example{"gonio preview lamp.ies --material 'kulla-conty:f0=rgb(1,0.77,0.34),alpha=0.2' -o gold.png",
-            "what it makes of gold"},
-    Example{"gonio preview lamp.ies --look falsecolour --scale 1lx:1000lx -o lux.png", "lux by colour"},
+            "its light on gold"},
+    Example{"gonio preview lamp.ies --look falsecolour --scale 1lx:1000lx -o lux.png", "lux in false colour"},
     Example{"gonio preview --rig street.json --look isolux --levels 1lx,5lx,10lx -o lines.png", "lines of equal lux"},
-    Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the lux themselves, one number a pixel"},
-    Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye used to 500 lx would see it"},
-    Example{"gonio preview --rig park.json --stats -o park.png", "with what the renderer could leave out"},
+    Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the values in lux, one per pixel"},
+    Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye adapted to 500 lx sees it"},
+    Example{"gonio preview --rig park.json --stats -o park.png", "print what the renderer skipped"},
     Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
             "how far a method is off, and where"},
-    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "with every white"},
+    Example{"gonio preview --rig room.json --sweep cct=2000K:8000K:7 -o whites.png", "seven whites, from warm to cool"},
     Example{"gonio preview lamp.ies --sweep roughness=0.1:0.9:5 --sweep metallic=0,1 -o finish.png",
             "five finishes of paint and of metal"},
-    Example{"gonio preview --rig room.json --aov lights -o room.exr",
-            "the share of each light, to mix them afterwards"},
+    Example{"gonio preview --rig room.json --aov lights -o room.exr", "a layer for each light, to mix them later"},
     Example{"gonio preview --shape rect:w=1m,h=1m --intensity 900lm --method reference --time 30s -o truth.exr",
-            "by light paths, as far as half a minute comes"},
+            "the path-traced reference, for 30 seconds"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
-    Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, to check it by"},
+    Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, as a check"},
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
@@ -165,13 +164,14 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--export"))
         for (const std::string_view option : several_pictures)
             if (arguments.has(option))
-                return fail(Failure::usage, fmt::format("--export is of one picture, {} of several", option),
+                return fail(Failure::usage, fmt::format("--export is for one picture, {} for several", option),
                             "export without it");
     if (arguments.has("--aov")) return preview_layers(arguments, console);
     if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     if (arguments.has("--compare")) return preview_compare(arguments, console);
-    if (arguments.has("--overwrite")) return fail(Failure::usage, "--overwrite is of -O", "add --sweep and -O DIR");
+    if (arguments.has("--overwrite"))
+        return fail(Failure::usage, "--overwrite is only for -O", "add --sweep and -O DIR");
     if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);
@@ -244,14 +244,15 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command preview_command;
-const Command preview_command{"preview",
-                              "a picture of how lights fall on a stage",
-                              "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT | -O DIR | --export SCENE",
-                              "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1, which "
-                              "may name\nthe stage, camera and materials too; options win over it.",
-                              groups,
-                              examples,
-                              run,
-                              true};
+const Command preview_command{
+    "preview",
+    "render how lights fall on a stage",
+    "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT | -O DIR | --export SCENE",
+    "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1, which\n"
+    "may also name the stage, camera and materials. Options override the rig.",
+    groups,
+    examples,
+    run,
+    true};
 
 } // namespace gonio::cli

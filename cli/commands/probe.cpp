@@ -26,18 +26,18 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             OptionGroup{"report", probe_report_options},
                             light_common_group};
 constexpr std::array examples{
-    Example{"gonio probe --rig room.json --at 0,0,0.8 --normal 0,0,1", "lux on a table, and what each light gives"},
+    Example{"gonio probe --rig room.json --at 0,0,0.8 --normal 0,0,1", "lux on a table, in total and from each light"},
     Example{"gonio probe lamp.ies --position 0,0,2.5 --grid -2,-2,0:4,0,0:0,4,0:21x21",
             "min, mean, max and uniformity on a floor"},
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
             "--compare exact,frostbite",
-            "what an approximation costs"},
+            "the error of an approximation"},
     Example{"gonio probe --shape tube:r=2cm,l=1.2m --intensity 2500lm --position 0,0,2 --at 0,0,0 "
             "--view 1,0,1 --material frostbite:smoothness=0.7 --method reference --error 1e-8",
-            "what the eye sees of a glossy floor, with the error that is left"},
+            "the luminance of a glossy floor, with an error estimate"},
     Example{"gonio probe --shape sphere:r=20cm --intensity 800lm --position 0,1,1 --at 0,0,0 "
             "--view 0,-1,1 --material frostbite:smoothness=0.8 --compare representative-point",
-            "how far a highlight's approximation is off"},
+            "the error of an approximate highlight"},
 };
 
 constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of lights held at a time
@@ -83,11 +83,11 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command probe_command;
 const Command probe_command{"probe",
-                            "illuminance and luminance at points, from a rig or one light",
+                            "compute illuminance and luminance at points, from a rig or one light",
                             "--rig RIG | FILE | --shape SHAPE … --at X,Y,Z",
-                            "FILE is an IES or EULUMDAT profile. A rig is a JSON file of schema gonio.rig/1.\n"
-                            "Prints lux in double precision, and with --view and --material the luminance that\n"
-                            "the eye sees there, in nits; lights neither occlude nor reflect each other.",
+                            "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1.\n"
+                            "Prints lux in double precision. With --view and --material it also prints the luminance\n"
+                            "towards the eye in nits. Lights neither occlude nor reflect each other.",
                             groups,
                             examples,
                             run,

@@ -18,12 +18,12 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array sample_options{
-    Option{"--at", "C,GAMMA", "a direction in degrees; may be given several times"},
+    Option{"--at", "C,GAMMA", "a direction in degrees; repeatable"},
 };
 constexpr std::array groups{OptionGroup{"directions", sample_options}, profile_input_group, json_group, common_group};
 constexpr std::array examples{
     Example{"gonio sample lamp.ies --at 0,30", "candela 30° from the nadir in the C0 plane"},
-    Example{"printf '0,0\\n90,45\\n' | gonio sample lamp.ldt -", "directions from standard input, one a line"},
+    Example{"printf '0,0\\n90,45\\n' | gonio sample lamp.ldt -", "directions from stdin, one per line"},
 };
 
 struct Direction {
@@ -38,7 +38,7 @@ Result<Direction> parse_direction(std::string_view text) {
         const auto gamma = parse_number(trimmed(text.substr(comma + 1)));
         if (c && gamma && *gamma >= 0.0 && *gamma <= 180.0) return Direction{*c, *gamma};
         if (c && gamma)
-            return fail(Failure::usage, fmt::format("gamma lies between 0 and 180 degrees, not at {}", *gamma));
+            return fail(Failure::usage, fmt::format("gamma must lie between 0 and 180 degrees, not {}", *gamma));
     }
     return fail(Failure::usage, fmt::format("'{}' is not a direction", text),
                 "write C,GAMMA in degrees, for example 90,30");
@@ -73,13 +73,12 @@ Result<int> sample(const Arguments& arguments, Console& console) {
     const bool from_pipe = files.size() == 2 && files[1] == "-" && at.empty();
     if (from_pipe) files.pop_back();
     if (files.size() != 1)
-        return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()),
+        return fail(Failure::usage, fmt::format("sample takes one profile, not {}", files.size()),
                     "for example: gonio sample lamp.ies --at 0,30");
     if (from_pipe && files[0] == "-")
-        return fail(Failure::usage, "standard input cannot be both the profile and the directions");
+        return fail(Failure::usage, "stdin cannot be both the profile and the directions");
     if (at.empty() && !from_pipe)
-        return fail(Failure::usage, "no direction is given",
-                    "use --at C,GAMMA, or '-' to read them from standard input");
+        return fail(Failure::usage, "no direction is given", "use --at C,GAMMA, or '-' to read them from stdin");
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return pass_on(options);
 
@@ -124,13 +123,14 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command sample_command;
-const Command sample_command{"sample",
-                             "candela of a profile in given directions",
-                             "FILE --at C,GAMMA | FILE -",
-                             "FILE is an IES or EULUMDAT profile. C counts from the C0 plane, GAMMA from the nadir.\n"
-                             "Prints one intensity in candela for each direction.",
-                             groups,
-                             examples,
-                             run};
+const Command sample_command{
+    "sample",
+    "print the candela of a profile in given directions",
+    "FILE --at C,GAMMA | FILE -",
+    "FILE is an IES, EULUMDAT or TM-33 profile. C counts from the C0 plane, GAMMA from the nadir.\n"
+    "Prints one intensity in candela for each direction.",
+    groups,
+    examples,
+    run};
 
 } // namespace gonio::cli

@@ -18,19 +18,20 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array unit_options{
-    Option{"--shape", "SHAPE", "what emits the light (point)", "shapes"},
-    Option{"--to", "UNIT,…", "units wanted: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY",
-           "units"},
-    Option{"--policy", "NAME", "which program's meaning of the numbers (physical); 'all' compares them", "policies"},
-    Option{"--preset", "NAME", "an everyday source instead of VALUE and --shape", "presets"},
-    Option{"--solve", "LUX", "0.1lx: the distance where the light gives that; 500lx@2m: the flux that gives that"},
-    Option{"--assume", "SHAPE", "the size of what has none, for its luminance: sphere:r=1cm", "shapes"},
+    Option{"--shape", "SHAPE", "shape of the light (point)", "shapes"},
+    Option{"--to", "UNIT,…",
+           "units of the result: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY", "units"},
+    Option{"--policy", "NAME", "read the value as this program does (physical); 'all' compares all programs",
+           "policies"},
+    Option{"--preset", "NAME", "use an everyday source instead of VALUE and --shape", "presets"},
+    Option{"--solve", "LUX", "0.1lx: find the distance with this illuminance; 500lx@2m: find the flux that gives it"},
+    Option{"--assume", "SHAPE", "assume this shape for the luminance of a light without size: sphere:r=1cm", "shapes"},
     Option{"--explain", "", "show the formulas and the steps"},
 };
 constexpr std::array report_options{
-    Option{"--json", "", "one JSON object; an array for rows on standard input"},
+    Option{"--json", "", "one JSON object; an array for rows on stdin"},
     Option{"--jsonl", "", "one JSON object a line"},
-    Option{"--csv", "", "a head and a line for each row; needs --to"},
+    Option{"--csv", "", "CSV with a header line; needs --to"},
 };
 constexpr std::array groups{OptionGroup{"conversion", unit_options}, OptionGroup{"report", report_options},
                             common_group};
@@ -110,7 +111,7 @@ Result<int> convert(const Arguments& arguments, Console& console) {
     if (const auto name = arguments.value("--preset")) {
         Result<const LightPreset*> preset = find_preset(*name);
         if (!preset) return pass_on(preset);
-        if (!values.empty()) return fail(Failure::usage, "a preset has its own value, and another one is given");
+        if (!values.empty()) return fail(Failure::usage, "a preset has its own value, but another one is given");
         values.emplace_back((*preset)->value);
         if (!arguments.has("--shape")) request->shape = (*preset)->shape;
     }
@@ -119,7 +120,7 @@ Result<int> convert(const Arguments& arguments, Console& console) {
     const Form form = form_of(arguments);
     if (form == Form::csv && (request->wanted.empty() || request->policy == nullptr))
         return fail(Failure::usage, "--csv needs the same columns in every row",
-                    "name them with --to, and one policy at a time");
+                    "name the units with --to, and one policy at a time");
 
     if (form == Form::csv) console.print(csv_head(request->wanted));
     Json reports = Json::array();
@@ -151,10 +152,10 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command units_command;
 const Command units_command{
     "units",
-    "convert lumens, candela, lux, nits and exposure values for a light's shape",
+    "convert lumens, candela, lux, nits and exposure values for the shape of a light",
     "VALUE… [--shape SHAPE] [--to UNIT,…] | -",
     "VALUE is a number with its unit: 800lm, 2.5klm, 1200cd, 300lx@2m, 20fc@6ft, 5000nt, 12ev, 60W@90lm/W;\n"
-    "VALUE,SHAPE also names its shape. '-' reads such rows from standard input.",
+    "VALUE,SHAPE also names its shape. '-' reads such rows from stdin.",
     groups,
     examples,
     run};

@@ -36,6 +36,6 @@ int run(const Arguments& arguments, Console& console) {
 
 extern const Command version_command;
 const Command version_command{
-    "version", "the version, its commit, and the instruction set that is used here", "", "", groups, {}, run};
+    "version", "print the version, its commit and the instruction set in use", "", "", groups, {}, run};
 
 } // namespace gonio::cli

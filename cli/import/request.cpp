@@ -22,7 +22,8 @@ namespace {
 
 Result<std::vector<const Target*>> parse_targets(const Arguments& arguments) {
     const auto text = arguments.value("--to");
-    if (!text) return fail(Failure::usage, "no target is given", "for example --to gltf; 'gonio list targets' has all");
+    if (!text)
+        return fail(Failure::usage, "no target is given", "for example --to gltf; 'gonio list targets' shows all");
     std::vector<const Target*> chosen;
     std::string_view rest = *text;
     while (true) {
@@ -39,7 +40,8 @@ Result<void> parse_light(const Arguments& arguments, MeasuredLightOptions& light
     if (const auto text = arguments.value("--flux")) {
         Result<double> flux = parse_amount(*text, Dimension::luminous_flux, "--flux");
         if (!flux) return pass_on(flux);
-        if (!(*flux > 0.0)) return fail(Failure::usage, fmt::format("--flux takes more than 0 lm, not '{}'", *text));
+        if (!(*flux > 0.0))
+            return fail(Failure::usage, fmt::format("--flux must be greater than 0 lm, not '{}'", *text));
         light.flux = Lumens(*flux);
     }
     if (const auto text = arguments.value("--rotate")) {
@@ -76,8 +78,8 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     const auto folder = arguments.value("--output-dir");
     if (!folder) return fail(Failure::usage, "no output folder is given", "add -O DIR");
     if (!is_folder(*folder))
-        return fail(Failure::io, file_exists(*folder) ? "this is a file, not a folder" : "there is no such folder",
-                    file_exists(*folder) ? "" : "make it first: mkdir " + *folder, *folder);
+        return fail(Failure::io, file_exists(*folder) ? "this is a file, not a folder" : "the folder does not exist",
+                    file_exists(*folder) ? "" : "create it first: mkdir " + *folder, *folder);
     request.folder = *folder;
     if (Result<void> light = parse_light(arguments, request.light); !light) return pass_on(light);
     if (const auto text = arguments.value("--unit-scale")) {
@@ -91,7 +93,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     if (!catalogue) return pass_on(catalogue);
     request.catalogue = std::move(*catalogue);
     if (arguments.value("--output"))
-        return fail(Failure::usage, "-o belongs to --merge", "the targets' folders go to -O DIR");
+        return fail(Failure::usage, "-o is only for --merge", "use -O DIR for the folders of the targets");
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     request.input = *input;

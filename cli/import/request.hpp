@@ -19,19 +19,17 @@
 namespace gonio::cli {
 
 inline constexpr std::array import_options{
-    Option{"--to", "TARGET,…", "which programs the light is for", "targets"},
-    Option{"-O,--output-dir", "DIR", "folder that exists; each target gets a folder in it"},
-    Option{"--flux", "LUMENS", "scale a profile's light to this, for example 800lm (as measured)"},
-    Option{
-        "--color", "COLOR",
-        "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (a profile's spectrum or colour temperature)"},
-    Option{"--rotate", "ANGLE", "turn a profile's light about its axis, C0 towards C90 (0deg)"},
-    Option{"--unit-scale", "UNIT", "length of a scene's unit: mm, cm, m, in, ft or 2.5cm (m, or the target's own)"},
-    Option{"--allow-outside", "", "let rigs name files outside their folder, and pipes"},
-    Option{"-u,--update", "", "only what is out of date: of other bytes or options than what is there"},
-    Option{"--overwrite", "", "replace what exists"},
-    Option{"-n,--dry-run", "", "say what would be written, write nothing"},
-    Option{"-o,--output", "FILE", "with --merge: where the manifest of the whole goes"},
+    Option{"--to", "TARGET,…", "programs to write for", "targets"},
+    Option{"-O,--output-dir", "DIR", "existing folder; each target gets a folder in it"},
+    Option{"--flux", "LUMENS", "scale a profile to this flux, for example 800lm (as measured)"},
+    Option{"--color", "COLOR", "2700K, 2700K/0.002, d65, #ffd9a0, rgb(r,g,b) or an illuminant (from the profile)"},
+    Option{"--rotate", "ANGLE", "rotate a profile about its axis, C0 towards C90 (0deg)"},
+    Option{"--unit-scale", "UNIT", "length of one scene unit: mm, cm, m, in, ft or 2.5cm (m, or that of the target)"},
+    Option{"--allow-outside", "", "let rigs name pipes and files outside their folder"},
+    Option{"-u,--update", "", "write only outdated assets: made from other bytes or with other options"},
+    Option{"--overwrite", "", "replace existing files"},
+    Option{"-n,--dry-run", "", "print what would be written, but write nothing"},
+    Option{"-o,--output", "FILE", "with --merge: write the merged manifest to this file"},
     durable_option,
 };
 

@@ -9,19 +9,19 @@
 namespace gonio::cli {
 
 inline constexpr std::array common_options{
-    Option{"-q,--quiet", "", "no warnings, notes or progress"},
-    Option{"-v,--verbose", "", "say what is done and how long it takes"},
+    Option{"-q,--quiet", "", "print no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "print the steps and how long they take"},
     Option{"--color", "WHEN", "colour diagnostics: auto, always, never"},
-    Option{"-h,--help", "", "this text"},
+    Option{"-h,--help", "", "show this help"},
 };
 
 inline constexpr OptionGroup common_group{"common options", common_options};
 
 // Of commands whose own --color is a light's colour.
 inline constexpr std::array light_common_options{
-    Option{"-q,--quiet", "", "no warnings, notes or progress"},
-    Option{"-v,--verbose", "", "say what is done and how long it takes"},
-    Option{"-h,--help", "", "this text"},
+    Option{"-q,--quiet", "", "print no warnings, notes or progress"},
+    Option{"-v,--verbose", "", "print the steps and how long they take"},
+    Option{"-h,--help", "", "show this help"},
 };
 
 inline constexpr OptionGroup light_common_group{"common options", light_common_options};
@@ -34,7 +34,7 @@ inline constexpr std::array json_options{
 inline constexpr OptionGroup json_group{"report", json_options};
 
 inline constexpr std::array threads_options{
-    Option{"-j,--jobs", "N", "threads (all processors)"},
+    Option{"-j,--jobs", "N", "number of threads (all processors)"},
 };
 
 inline constexpr OptionGroup threads_group{"speed", threads_options};

@@ -19,8 +19,9 @@ Result<void> FilesInUse::check(const std::string& output) const {
     if (input == inputs_.end()) return {};
     return fail(Failure::usage,
                 input->second == output
-                    ? fmt::format("'{}' is an input, and would be replaced", output)
-                    : fmt::format("'{}' is the input '{}', and would be replaced", output, input->second),
+                    ? fmt::format("the output '{}' is an input and would be replaced", output)
+                    : fmt::format("the output '{}' is the same file as the input '{}' and would be replaced", output,
+                                  input->second),
                 "give the output another name or folder");
 }
 
@@ -30,8 +31,7 @@ Result<void> FilesInUse::take(const std::string& output) {
     if (identity.empty()) return {};
     const auto [other, is_new] = outputs_.emplace(std::move(identity), output);
     if (is_new) return {};
-    if (output == "-")
-        return fail(Failure::usage, "two outputs would go to standard output", "write one of them to a file");
+    if (output == "-") return fail(Failure::usage, "two outputs would go to stdout", "write one of them to a file");
     return fail(Failure::usage,
                 other->second == output
                     ? fmt::format("two outputs would be written to '{}'", output)

@@ -15,16 +15,16 @@
 namespace gonio::cli {
 
 inline constexpr std::array light_options{
-    Option{"--shape", "SHAPE", "the light's shape, where no FILE is given", "shapes"},
-    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt, 300lx@2m; a profile's own when not given"},
+    Option{"--shape", "SHAPE", "shape of the light, if no FILE is given", "shapes"},
+    Option{"--intensity", "VALUE", "amount of light: 800lm, 1200cd, 5000nt, 300lx@2m (profile: as measured)"},
     Option{"--color", "COLOR",
-           "of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, always, "
-           "never for messages"},
-    Option{"--position", "X,Y,Z", "of the light's centre in metres (where the stage hangs it; of probe: 0,0,0)"},
-    Option{"--direction", "X,Y,Z", "along which it shines (as the stage has it; of probe: 0,0,-1)"},
-    Option{"--up", "X,Y,Z", "where C90 of a profile points (as the stage has it; of probe: 0,1,0)"},
-    Option{"--rotate", "ANGLE", "turns the light about its direction, C0 towards C90: 90deg"},
-    Option{"--range", "LENGTH", "distance at which the light is windowed to nothing (none)"},
+           "colour of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, "
+           "always, never for messages"},
+    Option{"--position", "X,Y,Z", "position of the light's centre in metres (from the stage; probe: 0,0,0)"},
+    Option{"--direction", "X,Y,Z", "direction of the light (from the stage; probe: 0,0,-1)"},
+    Option{"--up", "X,Y,Z", "direction of C90 of a profile (from the stage; probe: 0,1,0)"},
+    Option{"--rotate", "ANGLE", "rotate the light about its direction, C0 towards C90: 90deg"},
+    Option{"--range", "LENGTH", "distance at which the light fades to zero (none)"},
 };
 
 inline constexpr OptionGroup light_group{"light", light_options};

@@ -37,8 +37,8 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
         names.push_back(known.name);
     if (named) return unknown_name("picture format", *named, names);
     if (output == "-")
-        return fail(Failure::usage, "standard output has no name that tells the format", "add --to exr or --to png");
-    return fail(Failure::usage, fmt::format("the name '{}' does not tell a picture format", output),
+        return fail(Failure::usage, "stdout has no file name to show the format", "add --to exr or --to png");
+    return fail(Failure::usage, fmt::format("the name '{}' does not show a picture format", output),
                 "end it in .png or .exr, or add --to");
 }
 
@@ -79,8 +79,8 @@ Diagnostics names_that_differ_by_case(std::span<const std::string> outputs) {
         if (is_new || other->second == output) continue;
         Diagnostic warning;
         warning.severity = Severity::warning;
-        warning.message = fmt::format("'{}' and '{}' differ by upper and lower case only", other->second, output);
-        warning.hint = "on a file system that does not tell these apart (Windows, macOS) one replaces the other";
+        warning.message = fmt::format("'{}' and '{}' differ only in upper and lower case", other->second, output);
+        warning.hint = "on a file system that ignores case (Windows, macOS), one replaces the other";
         warnings.push_back(std::move(warning));
     }
     return warnings;
@@ -91,7 +91,7 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
 }
 
 Unexpected both_to_standard_output(std::string_view what) {
-    return fail(Failure::usage, fmt::format("standard output cannot take both the {} and the report", what),
+    return fail(Failure::usage, fmt::format("stdout cannot take both the {} and the report", what),
                 fmt::format("write the {} to a file, or leave --json out", what));
 }
 
@@ -109,7 +109,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
     if (folder && !is_folder(*folder))
         return file_exists(*folder)
                    ? fail(Failure::io, "cannot write into it: it is not a folder", "-O names a folder", *folder)
-                   : fail(Failure::io, "the folder does not exist", fmt::format("make it: mkdir -p '{}'", *folder),
+                   : fail(Failure::io, "the folder does not exist", fmt::format("create it: mkdir -p '{}'", *folder),
                           *folder);
     FilesInUse files(inputs);
     std::vector<Job> jobs;
@@ -132,7 +132,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                 job.skip = input != "-" && !is_newer(input, job.output);
             else if (exists && !arguments.has("--overwrite"))
                 return fail(Failure::usage, fmt::format("'{}' exists", job.output),
-                            "add --overwrite, or -u to write only what is out of date");
+                            "add --overwrite, or -u to write only outdated files");
         }
         jobs.push_back(std::move(job));
     }

@@ -19,20 +19,20 @@
 namespace gonio::cli {
 
 inline constexpr std::array picture_format_options{
-    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+    Option{"--to", "FORMAT", "picture format, if the file name does not show it", "images"},
 };
 
 inline constexpr OptionGroup picture_format_group{"picture", picture_format_options};
 
 inline constexpr Option durable_option{
-    "--durable", "", "flush files to the disk before they take their names: a power cut leaves the old or the new"};
+    "--durable", "", "flush files to disk before they are renamed: a power cut leaves the old or the new file"};
 
 inline constexpr std::array output_options{
-    Option{"-o,--output", "FILE", "write one output; '-' is standard output (with --to)"},
-    Option{"-O,--output-dir", "DIR", "write an output for each input into a folder that exists"},
-    Option{"-u,--update", "", "with -O: only what is out of date"},
-    Option{"--overwrite", "", "with -O: replace what exists"},
-    Option{"-n,--dry-run", "", "say what would be written, write nothing"},
+    Option{"-o,--output", "FILE", "write one output; '-' is stdout (with --to)"},
+    Option{"-O,--output-dir", "DIR", "write one output per input into an existing folder"},
+    Option{"-u,--update", "", "with -O: write only outdated files"},
+    Option{"--overwrite", "", "with -O: replace existing files"},
+    Option{"-n,--dry-run", "", "print what would be written, but write nothing"},
     durable_option,
 };
 

@@ -76,7 +76,7 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
         std::count_if(columns.at.begin() + 3, columns.at.end(), [](std::size_t f) { return f != absent; }));
     for (std::size_t c = 0; c < column_names.size(); ++c)
         if (columns.at[c] == absent && (c < 3 || normals > 0))
-            return malformed(source, line, 1, fmt::format("no column is named '{}'", column_names[c]),
+            return malformed(source, line, 1, fmt::format("the column '{}' is missing", column_names[c]),
                              "columns are x,y,z or x,y,z,nx,ny,nz");
     return columns;
 }
@@ -85,13 +85,13 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
 Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& columns, const std::string& source,
                           std::uint32_t line, const glm::dvec3& default_normal, bool known) {
     if (!columns.named && fields.size() != 3 && fields.size() != 6)
-        return malformed(source, line, 1, fmt::format("{} values where 3 or 6 are wanted", fields.size()),
+        return malformed(source, line, 1, fmt::format("{} values where 3 or 6 are expected", fields.size()),
                          "write x,y,z or x,y,z,nx,ny,nz");
     const bool with_normal = columns.have_normal(fields.size());
     std::array<double, 6> values{};
     for (std::size_t c = 0; c < (with_normal ? 6U : 3U); ++c) {
         if (columns.at[c] >= fields.size())
-            return malformed(source, line, 1, fmt::format("there is no value for '{}'", column_names[c]));
+            return malformed(source, line, 1, fmt::format("the value for '{}' is missing", column_names[c]));
         const Field& field = fields[columns.at[c]];
         const std::optional<double> number = parse_number(field.text);
         if (!number)
@@ -128,7 +128,7 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     }
     Result<PixelSize> size = parse_size(parts[3]);
     if (!size) {
-        error_hint(size.error(), "the number of points of --grid is written NxM, for example 21x21");
+        error_hint(size.error(), "write the number of points of --grid as NxM, for example 21x21");
         return pass_on(size);
     }
     if (size->width < 1 || size->height < 1 ||
@@ -182,7 +182,7 @@ Result<std::vector<Receiver>> parse_points(std::string_view text, const std::str
                              std::string(limits_hint));
         receivers.push_back(*receiver);
     }
-    if (receivers.empty()) return malformed(source, 0, 0, "there are no points in it");
+    if (receivers.empty()) return malformed(source, 0, 0, "it holds no points");
     return receivers;
 }
 
@@ -192,7 +192,8 @@ Result<Points> points_input(const Arguments& arguments) {
     const auto grid = arguments.value("--grid");
     const int ways = (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0);
     if (ways != 1)
-        return fail(Failure::usage, ways == 0 ? "no point is given" : "points are given in more than one way",
+        return fail(Failure::usage,
+                    ways == 0 ? "no point is given" : "more than one of --at, --points and --grid is given",
                     "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
 
     std::vector<glm::dvec3> normals;
@@ -200,7 +201,7 @@ Result<Points> points_input(const Arguments& arguments) {
         Result<glm::dvec3> normal = parse_vector(text, "--normal");
         if (!normal) return pass_on(normal);
         if (!unit_vector(*normal))
-            return fail(Failure::usage, "--normal is zero", "it says which way the surface looks");
+            return fail(Failure::usage, "--normal is zero", "it is the direction that the surface faces");
         normals.push_back(*normal);
     }
     if (normals.size() > 1 && normals.size() != at.size())

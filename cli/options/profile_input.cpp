@@ -37,8 +37,8 @@ Result<void> add_input(const std::string& name, std::vector<std::string>& files)
     if (!inside) return pass_on(inside);
     std::erase_if(*inside, is_other_xml);
     if (inside->empty())
-        return fail(Failure::usage, "the folder holds no profile",
-                    fmt::format("file names end in .{}, and XML is of TM-33", fmt::join(profile_extensions, ", .")),
+        return fail(Failure::usage, "the folder holds no profiles",
+                    fmt::format("profiles end in .{}; XML files must be TM-33", fmt::join(profile_extensions, ", .")),
                     name);
     files.insert(files.end(), std::make_move_iterator(inside->begin()), std::make_move_iterator(inside->end()));
     return {};
@@ -81,7 +81,7 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
         const char* const end = text->data() + text->size();
         const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
         if (error != std::errc() || stop != end || options.resolve.lamp_set < 1)
-            return fail(Failure::usage, fmt::format("--lamp-set takes a number from 1, not '{}'", *text));
+            return fail(Failure::usage, fmt::format("--lamp-set takes a number of 1 or more, not '{}'", *text));
     }
     if (const auto name = arguments.value("--azimuth")) {
         if (*name == "ies")
@@ -117,7 +117,7 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
         Result<void> added = word.starts_with('@') ? add_list(word.substr(1), files) : add_input(word, files);
         if (!added) return pass_on(added);
     }
-    if (files.empty()) return fail(Failure::usage, "no input file is given", "name one, or '-' for standard input");
+    if (files.empty()) return fail(Failure::usage, "no input file is given", "name one, or '-' for stdin");
     return files;
 }
 

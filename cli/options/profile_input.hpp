@@ -16,10 +16,11 @@ namespace gonio::cli {
 
 inline constexpr std::array profile_input_options{
     Option{"--from", "FORMAT", "read as ies, ldt or tm33 instead of recognising the format", "formats"},
-    Option{"--lamp-set", "N", "EULUMDAT: take this one of the alternative lamp sets (1)"},
-    Option{"--tilt", "DEG", "IES with TILT=INCLUDE: the lamp's mounting tilt, for example 30deg (0deg)"},
-    Option{"--azimuth", "TRADITION", "count C as ies or eulumdat does, turning files of the other by 90° (as written)"},
-    Option{"--strict", "", "refuse what departs from the standard"},
+    Option{"--lamp-set", "N", "EULUMDAT: use this one of the alternative lamp sets (1)"},
+    Option{"--tilt", "DEG", "IES with TILT factors: mounting tilt of the lamp, for example 30deg (0deg)"},
+    Option{"--azimuth", "TRADITION",
+           "azimuth convention, ies or eulumdat: rotates files of the other one by 90° (as written)"},
+    Option{"--strict", "", "refuse files that depart from the standard"},
 };
 
 inline constexpr OptionGroup profile_input_group{"input", profile_input_options};

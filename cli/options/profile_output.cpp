@@ -39,14 +39,13 @@ Result<ProfileTarget> profile_target(const Arguments& arguments, const std::stri
             return unknown_name("dialect", *dialect,
                                 std::array<std::string_view, 4>{"lm-63-1995", "lm-63-2002", "lm-63-2019", "portable"});
         if (target && *target != ProfileTarget::lm63)
-            return fail(Failure::usage,
-                        fmt::format("--dialect {} is of IES, the output is to be {}", *dialect, format));
+            return fail(Failure::usage, fmt::format("--dialect {} is for IES, but the output is {}", *dialect, format));
         return *edition;
     }
     if (!target)
         return fail(Failure::usage,
-                    output == "-" ? std::string("standard output has no name that tells the format")
-                                  : fmt::format("the name '{}' does not tell a format", output),
+                    output == "-" ? std::string("stdout has no file name to show the format")
+                                  : fmt::format("the name '{}' does not show a format", output),
                     "end it in .ies, .ldt or .xml, or add --to");
     return *target;
 }
@@ -67,7 +66,7 @@ Result<WrittenProfile> write_luminaire(const Luminaire& luminaire, const Profile
     Result<ResolvedWeb> web = again ? resolve_web(std::move(*again)) : Result<ResolvedWeb>(pass_on(again));
     if (!web) {
         const std::string reason = web.error().diagnostics.empty() ? "" : web.error().diagnostics.back().message;
-        return fail(Failure::internal, fmt::format("what was made cannot be read again: {}", reason));
+        return fail(Failure::internal, fmt::format("the new profile cannot be read back: {}", reason));
     }
     if (Result<void> written = write_output(output.file, bytes); !written) return pass_on(written);
     WrittenProfile result;

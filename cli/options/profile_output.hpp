@@ -16,9 +16,9 @@
 namespace gonio::cli {
 
 inline constexpr std::array profile_output_options{
-    Option{"-o,--output", "FILE", "the profile to write; '-' is standard output (with --to)"},
-    Option{"--to", "FORMAT", "its format, where the name does not tell", "formats"},
-    Option{"--dialect", "NAME", "of IES: lm-63-1995, lm-63-2002, lm-63-2019, portable (lm-63-2002)", "dialects"},
+    Option{"-o,--output", "FILE", "the profile to write; '-' is stdout (with --to)"},
+    Option{"--to", "FORMAT", "format of the profile, if the name does not show it", "formats"},
+    Option{"--dialect", "NAME", "IES dialect: lm-63-1995, lm-63-2002, lm-63-2019, portable (lm-63-2002)", "dialects"},
     durable_option,
 };
 

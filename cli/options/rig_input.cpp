@@ -27,7 +27,7 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     }
     if (const std::string_view option = given_light_option(arguments); !option.empty())
         return fail(Failure::usage, fmt::format("--rig and {} are both given", option),
-                    "the rig says all of its lights");
+                    "a rig describes all of its lights");
     if (!arguments.positional().empty())
         return fail(Failure::usage, "--rig and a profile are both given", "name the profile in the rig");
     input.rig_file = *rig_file;

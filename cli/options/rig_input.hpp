@@ -18,8 +18,8 @@
 namespace gonio::cli {
 
 inline constexpr std::array rig_options{
-    Option{"--rig", "RIG", "lights from a rig file (JSON), '-' for standard input"},
-    Option{"--allow-outside", "", "let the rig name files outside its folder, and pipes"},
+    Option{"--rig", "RIG", "lights from a rig file (JSON), '-' for stdin"},
+    Option{"--allow-outside", "", "let the rig name pipes and files outside its folder"},
 };
 
 // What a rig may name. `arguments` must be of a command that has --allow-outside.

@@ -75,15 +75,14 @@ Result<simd::InstructionSet> instruction_set(const Arguments& arguments) {
     if (!set) return unknown_name("instruction set", *text, simd::instruction_set_names());
     if (!simd::available(*set))
         return fail(Failure::unsupported, fmt::format("this machine cannot run '{}' code", *text),
-                    fmt::format("the best it can is {}", simd::to_text(simd::best_available())));
+                    fmt::format("the best available is {}", simd::to_text(simd::best_available())));
     return *set;
 }
 
 Result<std::optional<double>> reference_error(const Arguments& arguments, bool by_reference) {
     const auto given = arguments.value("--error");
     if (!given) return std::nullopt;
-    if (!by_reference)
-        return fail(Failure::usage, "--error is given without the method reference", "add --method reference");
+    if (!by_reference) return fail(Failure::usage, "--error needs the method reference", "add --method reference");
     const std::optional<double> error = parse_number(*given);
     if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
         return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),

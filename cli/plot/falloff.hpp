@@ -13,10 +13,10 @@
 namespace gonio::cli {
 
 inline constexpr std::array falloff_options{
-    Option{"--shape", "SHAPE", "a light of this shape, besides those of the profiles; again for more", "shapes"},
-    Option{"--intensity", "VALUE", "its amount: 800lm, 1200cd, 5000nt; one for all shapes, or one for each"},
-    Option{"--range", "LENGTH", "distance at which the lights are windowed to nothing (none)"},
-    Option{"--distance", "FROM:TO", "of the axis (0.1m:20m)"},
+    Option{"--shape", "SHAPE", "a light of this shape, in addition to the profiles; repeatable", "shapes"},
+    Option{"--intensity", "VALUE", "amount of light: 800lm, 1200cd, 5000nt; one for all shapes, or one for each"},
+    Option{"--range", "LENGTH", "distance at which the lights fade to zero (none)"},
+    Option{"--distance", "FROM:TO", "range of the distance axis (0.1m:20m)"},
 };
 
 // Only falloff takes these options. Fails (usage) naming the first that is given.

@@ -99,7 +99,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
         if (rendering->stats.not_converged > 0) {
             Diagnostic warning;
             warning.severity = Severity::warning;
-            warning.message = fmt::format("the error asked for was not reached in {} evaluations of a light",
+            warning.message = fmt::format("the requested error was not reached in {} evaluations of a light",
                                           rendering->stats.not_converged);
             diagnostics.push_back(std::move(warning));
         }
@@ -193,7 +193,7 @@ Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& o
 
 std::string error_text(const Compared& compared, const Compared& first) {
     const measure::PictureError& error = compared.error;
-    if (error.pixels == 0) return fmt::format("{}: nothing but lights is seen\n", name_of(compared));
+    if (error.pixels == 0) return fmt::format("{}: the picture shows only lights\n", name_of(compared));
     std::string text = fmt::format("{} against {}: luminance of {} pixels, mean {} cd/m2\n", name_of(compared),
                                    name_of(first), error.pixels, rounded(error.mean, 5));
     const auto line = [&](const char* what, const std::string& value) {
@@ -211,7 +211,7 @@ std::string error_text(const Compared& compared, const Compared& first) {
     line("mean difference", of_mean(error.bias));
     line("mean |difference|", of_mean(error.mean_absolute));
     line("RMS", of_mean(error.rms));
-    line("relative", fmt::format("mean {}, median {}, 95 of 100 up to {}, max {}", percent(error.mean_relative),
+    line("relative", fmt::format("mean {}, median {}, 95 % up to {}, max {}", percent(error.mean_relative),
                                  percent(error.of_pixels.relative.median), percent(error.of_pixels.relative.p95),
                                  percent(error.of_pixels.relative.max)));
     if (std::isfinite(*error.psnr_db)) line("PSNR", fmt::format("{:.1f} dB", *error.psnr_db));
@@ -266,13 +266,13 @@ Json comparison_json(const Comparison& comparison, const PreviewRequest& request
 
 Result<void> fits_comparison(const Arguments& arguments, const PreviewRequest& request) {
     if (request.look.look != Look::beauty)
-        return fail(Failure::usage, "a comparison shows the look beauty, and its differences by colour",
+        return fail(Failure::usage, "a comparison uses the display mode beauty and shows differences in colour",
                     "leave --look out");
     for (const std::string_view option : {"--columns", "--ticks", "--stats"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("a comparison has no use for {}", option), "leave it out");
+            return fail(Failure::usage, fmt::format("{} does not apply to a comparison", option), "leave it out");
     if (request.exposure.tone_map == ToneMap::ue3_inverse)
-        return fail(Failure::usage, "a comparison has no use for --tone-map ue3-inverse", "leave it out");
+        return fail(Failure::usage, "--tone-map ue3-inverse does not apply to a comparison", "leave it out");
     if (request.compared.size() > most_methods)
         return fail(Failure::usage, fmt::format("{} methods are more than {}", request.compared.size(),
                                                 to_text(limit("compared-methods"))));

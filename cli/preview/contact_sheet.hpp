@@ -21,8 +21,8 @@
 namespace gonio::cli {
 
 inline constexpr std::array contact_sheet_options{
-    Option{"--columns", "N", "tiles side by side (as many as make the sheet about 4:3)"},
-    Option{"--title", "TEXT", "a headline of the sheet"},
+    Option{"--columns", "N", "tiles per row (as many as make the sheet about 4:3)"},
+    Option{"--title", "TEXT", "title of the sheet"},
 };
 
 // Fails (usage) on an option of sheets.

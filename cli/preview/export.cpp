@@ -28,7 +28,7 @@ std::string description_of(const PreviewRequest& request, std::size_t lights, st
 
 Result<void> check_export(const std::string& file) {
     if (file == "-")
-        return fail(Failure::usage, "a scene is files that read each other, and standard output holds one",
+        return fail(Failure::usage, "a scene has several files, and stdout holds only one",
                     "give --export a file name, for example --export scene.gltf");
     Result<const StageFormat*> format = stage_format_of(file);
     if (!format) return pass_on(format);
@@ -56,7 +56,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
             {is_scene ? request.export_file : folder_of(request.export_file) + file.name, std::move(*bytes)});
     }
     if (request.render.shadows != Shadows::soft)
-        scene->instead.emplace_back("other renderers cast soft shadows, whatever --shadows says");
+        scene->instead.emplace_back("other renderers cast soft shadows regardless of --shadows");
     if (request.render.sky.value > 0.0) scene->instead.emplace_back("the sky of --sky is left out");
     for (const std::string& line : scene->instead) {
         Diagnostic warning;

@@ -17,8 +17,8 @@ namespace gonio::cli {
 
 inline constexpr std::array preview_export_options{
     Option{"--export", "FILE",
-           "the stage, camera, materials and lights themselves, for other renderers: .gltf, .glb, .usda, .pbrt, .xml "
-           "(Mitsuba), .py (Blender), with what they read beside it; no picture unless -o is there too"},
+           "write stage, camera, materials and lights for other renderers: .gltf, .glb, .usda, .pbrt, .xml (Mitsuba) "
+           "or .py (Blender), with the files that they need; renders a picture only with -o"},
 };
 
 // Fails (usage) on a name that tells no format, and on a folder or standard output.

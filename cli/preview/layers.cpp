@@ -69,10 +69,11 @@ Result<void> fits_layers(const Arguments& arguments, const PreviewRequest& reque
         if (option != "--aov" && arguments.has(option))
             return fail(Failure::usage, fmt::format("--aov and {} are both given", option), "make a picture of each");
     if (request.format->name != "exr")
-        return fail(Failure::usage, fmt::format("{} holds one picture, not layers", request.format->title),
+        return fail(Failure::usage, fmt::format("{} cannot hold layers", request.format->title),
                     "write .exr, or leave --aov out");
     if (request.look.look != Look::beauty)
-        return fail(Failure::usage, "layers are of the look beauty", "leave --look out; --aov illuminance has the lux");
+        return fail(Failure::usage, "layers need the display mode beauty",
+                    "leave --look out; --aov illuminance has the lux");
     if (request.exposure.tone_map != ToneMap::none)
         return fail(Failure::usage, "layers add up as light, before any tone map", "leave --tone-map out");
     return no_sheet_options(arguments);

@@ -12,10 +12,10 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_layer_options{
-    Option{"--aov", "LIST",
-           "layers of an .exr beside the picture: lights (each by its name), parts (emission, diffuse, specular), "
-           "illuminance (lx)",
-           "layers"},
+    Option{
+        "--aov", "LIST",
+        "add layers to the .exr: lights (one for each, by name), parts (emission, diffuse, specular), illuminance (lx)",
+        "layers"},
 };
 
 struct LayerKind {
@@ -23,9 +23,9 @@ struct LayerKind {
     std::string_view summary;
 };
 inline constexpr std::array layer_kinds{
-    LayerKind{"lights", "the share of each light by its name: they add up to the picture"},
-    LayerKind{"parts", "emission, diffuse and specular: they add up to the picture"},
-    LayerKind{"illuminance", "lx at what is seen; with lights, of each too"},
+    LayerKind{"lights", "one layer for each light, by name; they add up to the picture"},
+    LayerKind{"parts", "emission, diffuse and specular; they add up to the picture"},
+    LayerKind{"illuminance", "lx on what is seen; with lights, also from each light"},
 };
 
 // The picture itself has no layer's name (R, G, B): programs that know no layers show it. Returns the exit status.

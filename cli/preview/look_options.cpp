@@ -34,7 +34,8 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
         Result<PictureQuantity> quantity = parse_quantity(*named);
         if (!quantity) return pass_on(quantity);
         if (request.look == Look::luminance && *quantity != PictureQuantity::luminance)
-            return fail(Failure::usage, "the look luminance shows luminance", "use --look falsecolour for lux");
+            return fail(Failure::usage, "the display mode luminance shows only luminance",
+                        "use --look falsecolour for lux");
         request.quantity = *quantity;
     }
     const auto text = arguments.value("--unit");
@@ -51,7 +52,7 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
     if (!named && request.look != Look::luminance)
         request.quantity = of_lux ? PictureQuantity::illuminance : PictureQuantity::luminance;
     if (unit->dimension != dimension_of(request.quantity))
-        return fail(Failure::usage, fmt::format("{} is not counted in {}", to_text(request.quantity), *text),
+        return fail(Failure::usage, fmt::format("{} is not measured in {}", to_text(request.quantity), *text),
                     of_lux ? "use nt, cd/m2 or fL" : "use lx or fc");
     request.unit = unit;
     return {};
@@ -85,10 +86,10 @@ Result<void> read_scale(std::string_view text, LookRequest& request) {
         *end = *value;
     }
     if (!(scale.low < scale.high) || scale.low < 0.0)
-        return wrong(fmt::format("the scale '{}' does not rise from 0 or more", whole));
+        return wrong(fmt::format("the scale '{}' must rise from 0 or more", whole));
     scale.logarithmic = request.logarithmic;
     if (scale.logarithmic && !(scale.low > 0.0))
-        return wrong(fmt::format("the scale '{}' begins at 0, where a logarithmic one has no place", whole));
+        return wrong(fmt::format("the scale '{}' begins at 0, which a logarithmic scale cannot show", whole));
     request.scale = scale;
     return {};
 }
@@ -101,8 +102,8 @@ Result<void> read_levels(std::string_view text, LookRequest& request) {
         Result<double> level = parse_amount(part, dimension_of(request.quantity), "each of --levels");
         if (!level) return pass_on(level);
         if (!(*level > 0.0) || (!request.levels.empty() && *level <= request.levels.back()))
-            return fail(Failure::usage, fmt::format("the levels '{}' do not rise from above 0", text),
-                        "write them in their order, for example --levels 1lx,5lx,10lx");
+            return fail(Failure::usage, fmt::format("the levels '{}' must rise from above 0", text),
+                        "write them in ascending order, for example --levels 1lx,5lx,10lx");
         request.levels.push_back(*level);
     }
     return {};
@@ -125,7 +126,7 @@ Result<void> only_useful(const Arguments& arguments, Look look) {
         for (const LookName& known : looks())
             if (use.by_look[static_cast<std::size_t>(known.look)])
                 names += fmt::format("{}{}", names.empty() ? "" : " or ", known.name);
-        return fail(Failure::usage, fmt::format("the look {} has no use for {}", to_text(look), use.option),
+        return fail(Failure::usage, fmt::format("the display mode {} does not take {}", to_text(look), use.option),
                     fmt::format("add --look {}", names));
     }
     return {};
@@ -134,13 +135,13 @@ Result<void> only_useful(const Arguments& arguments, Look look) {
 Result<void> fits_format(const LookRequest& request, const media::ImageFormat& format) {
     if (request.look == Look::beauty || !has_pixel(format, media::Pixel::float32)) return {};
     if (request.look == Look::isolux)
-        return fail(Failure::usage, fmt::format("{} holds numbers, not lines", format.title),
-                    "write .png, or the numbers themselves with --look falsecolour");
+        return fail(Failure::usage, fmt::format("{} holds values, not lines", format.title),
+                    "write .png, or write the values with --look falsecolour");
     if (!format.channels.empty() &&
         std::find(format.channels.begin(), format.channels.end(), 1) == format.channels.end())
         return fail(Failure::usage,
-                    fmt::format("{} cannot hold the one channel of {}", format.title, to_text(request.quantity)),
-                    "write .exr for the numbers, .png for the picture");
+                    fmt::format("{} cannot hold the single channel of {}", format.title, to_text(request.quantity)),
+                    "write .exr for the values, .png for the picture");
     return {};
 }
 
@@ -184,8 +185,8 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
     } else {
         if (const Result<Amount> amount = parse_amount(text);
             amount && amount->unit->dimension == Dimension::illuminance)
-            return fail(Failure::usage, fmt::format("--exposure is anchored in lux as lux:{}", text),
-                        "a matte 18 % card under so many lux is middle grey then");
+            return fail(Failure::usage, fmt::format("write an exposure in lux as lux:{}", text),
+                        "a matte 18 % card under that illuminance is then middle grey");
         Result<double> ev = parse_amount(text, Dimension::luminance_ev, "--exposure");
         if (!ev) return pass_on(ev);
         request.mode = ExposureMode::ev;
@@ -194,7 +195,7 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
     constexpr double most = 100.0; // 1.5e30 cd/m² for white; a picture holds less
     if (!(std::abs(request.ev.value) <= most))
         return fail(Failure::usage, fmt::format("--exposure {} is out of range", text),
-                    fmt::format("it lies between -{0}ev and {0}ev", most));
+                    fmt::format("it must lie between -{0}ev and {0}ev", most));
     return {};
 }
 
@@ -207,13 +208,13 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
     request.tone_map = *map;
     const bool floats = has_pixel(format, media::Pixel::float32);
     if (*map == ToneMap::ue3_inverse && arguments.value("--look").value_or("beauty") != "beauty")
-        return fail(Failure::usage, "ue3-inverse is of the look beauty");
+        return fail(Failure::usage, "ue3-inverse needs the display mode beauty");
     if (*map == ToneMap::ue3 && floats)
-        return fail(Failure::usage, fmt::format("{} holds linear light, which ue3 takes for a display", format.title),
+        return fail(Failure::usage, fmt::format("{} holds linear light, but ue3 is for a display", format.title),
                     "write .png, or use ue3-inverse");
     if (*map == ToneMap::ue3_inverse && !floats)
-        return fail(Failure::usage,
-                    fmt::format("{} cannot hold the light up to 8 that ue3-inverse gives", format.title), "write .exr");
+        return fail(Failure::usage, fmt::format("{} cannot hold values up to 8, which ue3-inverse gives", format.title),
+                    "write .exr");
     for (const std::string_view option : {"--view", "--display", "--ocio"})
         if (*map != ToneMap::none && arguments.has(option))
             return fail(Failure::usage, fmt::format("--tone-map {} replaces {}", to_text(*map), option),

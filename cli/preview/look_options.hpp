@@ -19,20 +19,20 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_look_options{
-    Option{"--look", "LOOK", "beauty, falsecolour, isolux, luminance (beauty)", "looks"},
-    Option{"--quantity", "NAME", "falsecolour, isolux: illuminance or luminance (illuminance)"},
-    Option{"--unit", "UNIT", "of the legend: lx or fc, nt or fL (lx; of luminance nt)"},
+    Option{"--look", "LOOK", "display mode: beauty, falsecolour, isolux, luminance (beauty)", "looks"},
+    Option{"--quantity", "NAME", "falsecolour, isolux: show illuminance or luminance (illuminance)"},
+    Option{"--unit", "UNIT", "unit of the legend: lx or fc, nt or fL (lx; for luminance nt)"},
     Option{"--scale", "SCALE",
-           "falsecolour: log or linear, LOW:HIGH, or both: 0.1lx:1000lx, linear:0lx:500lx (log with round ends)"},
-    Option{"--palette", "NAME", "of falsecolour and isolux (viridis)", "palettes"},
-    Option{"--levels", "LIST", "isolux: 1lx,5lx,10lx (1, 2 and 5 times the powers of ten)"},
-    Option{"--no-legend", "", "the picture alone; a legend adds 84 pixels to its width"},
+           "falsecolour: log or linear, LOW:HIGH, or both: 0.1lx:1000lx, linear:0lx:500lx (log with round limits)"},
+    Option{"--palette", "NAME", "colours of falsecolour and isolux (viridis)", "palettes"},
+    Option{"--levels", "LIST", "isolux: levels of the lines, 1lx,5lx,10lx (1, 2 and 5 times the powers of ten)"},
+    Option{"--no-legend", "", "leave out the legend, which adds 84 pixels to the width"},
 };
 
 inline constexpr std::array preview_exposure_options{
     Option{"--exposure", "EV",
-           "auto, an exposure value: 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
-    Option{"--tone-map", "NAME", "none, ue3 or ue3-inverse, instead of the view (none)", "tone-maps"},
+           "auto, an exposure value such as 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
+    Option{"--tone-map", "NAME", "tone map instead of the view: none, ue3 or ue3-inverse (none)", "tone-maps"},
 };
 
 struct LookRequest {

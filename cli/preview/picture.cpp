@@ -202,9 +202,9 @@ void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
     if (greatest < suspicious_nt) return;
     Diagnostic warning;
     warning.severity = Severity::warning;
-    warning.message = fmt::format("pixels reach {:.3g} cd/m2: an illuminance above {} lx counts as that",
+    warning.message = fmt::format("pixels reach {:.3g} cd/m2: illuminance is limited to {} lx",
                                   static_cast<double>(greatest), shading::illuminance_ceiling);
-    warning.hint = "give less light, or place it farther away";
+    warning.hint = "use less light, or move it farther away";
     diagnostics.push_back(std::move(warning));
 }
 

@@ -27,8 +27,7 @@ Result<double> parse_error(std::string_view text) {
     const bool percent = text.ends_with('%');
     const std::optional<double> number = parse_number(percent ? text.substr(0, text.size() - 1) : text);
     const double error = number.value_or(-1.0) * (percent ? 0.01 : 1.0);
-    if (error == 0.0)
-        return fail(Failure::usage, "--error 0 would take for ever", "for example --error 1%, or --time 30s");
+    if (error == 0.0) return fail(Failure::usage, "--error 0 would never end", "for example --error 1%, or --time 30s");
     if (!(error >= 1e-12) || !(error <= 0.5))
         return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.5], not '{}'", text),
                     "it is relative: 1% is 0.01");
@@ -42,8 +41,7 @@ Result<double> parse_time_ms(std::string_view text) {
         if (!text.ends_with(unit)) continue;
         const std::optional<double> number = parse_number(text.substr(0, text.size() - std::string_view(unit).size()));
         if (!number) break;
-        if (*number == 0.0)
-            return fail(Failure::usage, "--time of nothing leaves nothing to see", "for example --time 30s");
+        if (*number == 0.0) return fail(Failure::usage, "--time must be greater than 0", "for example --time 30s");
         if (!(*number > 0.0) || !(*number * ms <= 1e9)) break;
         return *number * ms;
     }
@@ -58,13 +56,12 @@ Result<ReferenceBudget> reference_budget(const Arguments& arguments, bool by_ref
     const auto error = arguments.value("--error");
     const auto time = arguments.value("--time");
     if ((error || time) && !by_reference)
-        return fail(Failure::usage,
-                    fmt::format("{} is given without the method reference", error ? "--error" : "--time"),
+        return fail(Failure::usage, fmt::format("{} needs the method reference", error ? "--error" : "--time"),
                     "add --method reference");
     for (const std::string_view option : {"--aov", "--compare", "--sheet", "--sweep"})
         if (time && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--time is of one picture, not of {}", option),
-                        "there the method reference ends by --error");
+            return fail(Failure::usage, fmt::format("--time is for one picture, not for {}", option),
+                        "there --error ends the method reference");
     if (error) {
         Result<double> parsed = parse_error(*error);
         if (!parsed) return pass_on(parsed);
@@ -110,9 +107,9 @@ Result<RefinedPicture> refine(const PreviewRequest& request, std::span<const Lig
     refined.passes = picture->passes();
     refined.interrupted = interrupted() && !good;
     if (refined.interrupted && refined.passes == 0)
-        console.note("warning: ended by Ctrl-C before the first pass: what it did not reach is black");
+        console.note("warning: stopped by Ctrl-C during the first pass: the part that it did not reach is black");
     else if (refined.interrupted)
-        console.note(fmt::format("warning: ended by Ctrl-C after {} passes, with an error of about {:.2g} %",
+        console.note(fmt::format("warning: stopped by Ctrl-C after {} passes, with an error of about {:.2g} %",
                                  refined.passes, 100.0 * refined.error_estimate));
     else
         console.remark(

@@ -72,8 +72,8 @@ Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) 
     Result<std::vector<IrradianceMethod>> methods = method_list(*text);
     if (!methods) return pass_on(methods);
     if (methods->size() < 2)
-        return fail(Failure::usage, fmt::format("--compare {} names one method", *text),
-                    "name two or more, the one to measure by first: for example --compare exact,frostbite");
+        return fail(Failure::usage, fmt::format("--compare {} names only one method", *text),
+                    "name two or more, the one to compare with first: for example --compare exact,frostbite");
     request.compared = std::move(*methods);
     return {};
 }
@@ -96,7 +96,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
         Result<std::optional<double>> error = reference_error(arguments, by_reference);
         if (!error) return pass_on(error);
         if (*error) request.render.goal.relative_error = **error;
-        if (arguments.has("--time")) return fail(Failure::usage, "--time is of one picture alone", "use --error E");
+        if (arguments.has("--time")) return fail(Failure::usage, "--time is for a single picture", "use --error E");
     } else {
         Result<ReferenceBudget> budget = reference_budget(arguments, by_reference);
         if (!budget) return pass_on(budget);
@@ -110,7 +110,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
 Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
     for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} is of a picture, and none is asked for", option),
+            return fail(Failure::usage, fmt::format("{} is for a picture, but no picture is asked for", option),
                         "add -o FILE, for example -o lamp.png");
     Result<ExposureRequest> exposure = read_exposure(arguments, *media::find_image_format("a.png"));
     if (!exposure) return pass_on(exposure);
@@ -122,8 +122,9 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     auto output = arguments.value("--output");
     if (arguments.has("--output-dir")) {
         if (!arguments.has("--sweep"))
-            return fail(Failure::usage, "-O is of --sweep", "use -o FILE, for example -o lamp.png");
-        if (output) return fail(Failure::usage, "-o and -O are both given", "-o is a sheet, -O a file of each picture");
+            return fail(Failure::usage, "-O is only for --sweep", "use -o FILE, for example -o lamp.png");
+        if (output)
+            return fail(Failure::usage, "-o and -O are both given", "-o writes a sheet, -O a file for each picture");
         output = "picture.png"; // unless --to says otherwise
     }
     request.export_file = arguments.value("--export").value_or("");
@@ -171,7 +172,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     if (!read) return pass_on(read);
     // Lines would be read as numbers.
     if (arguments.has("--ticks") && request.look.look != Look::beauty && request.look.look != Look::isolux)
-        return fail(Failure::usage, "--ticks are drawn into what a camera would show, not into its numbers",
+        return fail(Failure::usage, "--ticks cannot be drawn into a picture of values",
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);

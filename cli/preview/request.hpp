@@ -23,36 +23,35 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_picture_options{
-    Option{"-s,--size", "WxH", "pixels across and down (512x512)"},
-    Option{"--shadows", "KIND", "off, hard (of each light's centre) or soft (of its size and shape; the default)"},
-    Option{"--sky", "AMOUNT",
-           "an even sky all around: 500lx on an open plane, or 150nt; what stands on the stage hides it"},
-    Option{"--no-shadows", "", "let the light through what stands on the stage: --shadows off"},
+    Option{"-s,--size", "WxH", "width and height in pixels (512x512)"},
+    Option{"--shadows", "KIND",
+           "off, hard (from the centre of each light) or soft (from its size and shape; the default)"},
+    Option{"--sky", "AMOUNT", "uniform sky: 500lx on an open plane, or 150nt; objects on the stage occlude it"},
+    Option{"--no-shadows", "", "let light pass through objects on the stage: the same as --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
-    Option{"--view", "NAME", "view of that display; of the built-in one: Standard, ACES, Raw"},
+    Option{"--view", "NAME", "view of that display; built in: Standard, ACES, Raw"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
-    Option{"--simd", "SET", "instruction set (the widest there is)", "simd"},
-    Option{"-j,--jobs", "N", "threads (all processors)"},
+    Option{"--simd", "SET", "instruction set (the widest available)", "simd"},
+    Option{"-j,--jobs", "N", "number of threads (all processors)"},
 };
 
 inline constexpr std::array preview_method_options{
-    Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
+    Option{"--method", "METHOD", "method for the light of each shape (exact)", "methods"},
     Option{"--compare", "M1,M2",
-           "several methods side by side, with their differences from the first in numbers and colours", "methods"},
-    Option{
-        "--error", "E",
-        "relative error that the method reference may leave: in one picture 1%, with --compare, --sweep and --aov in "
-        "each of its values 1e-6"},
-    Option{"--time", "T", "how long the method reference may take for one picture, e.g. 30s; Ctrl-C ends it at once"},
-    Option{"--stats", "", "say what was skipped because no light reaches it"},
-    Option{"--no-skip", "", "the same picture the long way: every light at every point"},
+           "show methods side by side, with their differences from the first in numbers and colours", "methods"},
+    Option{"--error", "E",
+           "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
+           "each value)"},
+    Option{"--time", "T", "time limit of the method reference for one picture, for example 30s; Ctrl-C stops it"},
+    Option{"--stats", "", "print what was skipped because no light reaches it"},
+    Option{"--no-skip", "", "evaluate every light at every point; the picture is the same"},
 };
 
 inline constexpr std::array preview_output_options{
     Option{"-o,--output", "FILE",
-           "the picture: .png and other integer formats through the display transform, .exr as "
-           "linear Rec.709 in cd/m2, or of another look as its numbers; '-' is standard output (with --to)"},
-    Option{"--to", "FORMAT", "picture format, where the file name does not tell", "images"},
+           "the picture: .png and other integer formats through the display transform, .exr as linear Rec.709 in cd/m2 "
+           "or as the values of another display mode; '-' is stdout (with --to)"},
+    Option{"--to", "FORMAT", "picture format, if the file name does not show it", "images"},
     Option{"-n,--dry-run", "", "check everything, render nothing"},
     durable_option,
 };

@@ -41,12 +41,12 @@ Result<void> only_of_sheets(const Arguments& arguments) {
     for (const std::string_view option : {"--output-dir"})
         if (arguments.has(option)) other = option;
     if (!other.empty())
-        return fail(Failure::usage, fmt::format("a sheet shows profiles as measured: it has no use for {}", other),
+        return fail(Failure::usage, fmt::format("a sheet shows profiles as measured: {} does not apply", other),
                     "leave it out, or render one light without --sheet");
     if (arguments.has("--compare"))
         return fail(Failure::usage, "--sheet and --compare are both given", "make a picture of each");
     if (arguments.value("--look").value_or("beauty") != "beauty")
-        return fail(Failure::usage, "a sheet shows the look beauty", "render one light without --sheet");
+        return fail(Failure::usage, "a sheet uses the display mode beauty", "render one light without --sheet");
     return {};
 }
 
@@ -139,7 +139,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
                 tiles[index].fault = reason_of(thumbnail.error());
                 outcome.error = std::move(thumbnail.error());
             }
-            tiles[index].name = file == "-" ? "standard input" : file.substr(file.rfind('/') + 1);
+            tiles[index].name = file == "-" ? "stdin" : file.substr(file.rfind('/') + 1);
             if (kind == ReportKind::words)
                 outcome.report = nullptr;
             else if (!outcome.error)

@@ -12,7 +12,8 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_sheet_options{
-    Option{"--sheet", "", "FILE… (folders and @LIST too) as labelled thumbnails: floor, polar diagram, lm, cd, beam"},
+    Option{"--sheet", "",
+           "show FILE… (folders and @LIST too) as labelled thumbnails: floor, polar diagram, lm, cd, beam"},
 };
 
 // Returns the exit status: the worst of all profiles. One that cannot be read has a tile that says so. -s is the size

@@ -14,14 +14,14 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_stage_options{
-    Option{"--stage", "STAGE", "what the lights are shown on (the rig's; else floor)", "stages"},
-    Option{"--material", "[SURFACE=]MATERIAL", "of a surface; without its name of what the stage shows; repeatable",
-           "materials"},
-    Option{"--camera", "X,Y,Z", "where the camera stands, in metres (frames the stage)"},
-    Option{"--target", "X,Y,Z", "where it looks (what the stage shows)"},
-    Option{"--fov", "ANGLE", "its full vertical field of view"},
+    Option{"--stage", "STAGE", "stage that the lights are shown on (that of the rig, else floor)", "stages"},
+    Option{"--material", "[SURFACE=]MATERIAL",
+           "material of a surface; without SURFACE, of what the stage shows; repeatable", "materials"},
+    Option{"--camera", "X,Y,Z", "position of the camera in metres (frames the stage)"},
+    Option{"--target", "X,Y,Z", "point that the camera looks at (what the stage shows)"},
+    Option{"--fov", "ANGLE", "full vertical field of view of the camera"},
     Option{"--figure", "", "add a 1.75 m figure for scale"},
-    Option{"--ticks", "", "a thin dark line on every whole metre of floors and walls"},
+    Option{"--ticks", "", "draw a thin dark line at every metre of floors and walls"},
 };
 
 // The full vertical angle. Fails (usage) on what is no angle between 0 and 180 degrees.

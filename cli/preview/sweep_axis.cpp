@@ -45,7 +45,7 @@ public:
     Result<SweepAxis> read() {
         const std::size_t equals = text_.find('=');
         if (equals == std::string_view::npos || equals == 0)
-            return wrong(0, fmt::format("'{}' names no values", text_),
+            return wrong(0, fmt::format("'{}' does not list values", text_),
                          "write KEY=FROM:TO:COUNT or KEY=A,B,C, for example cct=2000K:8000K:7");
         if (Result<void> key = read_key(text_.substr(0, equals)); !key) return pass_on(key);
         const std::size_t begin = equals + 1;
@@ -103,8 +103,8 @@ private:
             from = i + 1;
         }
         if (axis_.values.size() < 2)
-            return wrong(begin, fmt::format("'{}' is one value", axis_.values.front()),
-                         "write FROM:TO:COUNT, for example 1:5:9, or two values and more with commas");
+            return wrong(begin, fmt::format("'{}' is only one value", axis_.values.front()),
+                         "write FROM:TO:COUNT, for example 1:5:9, or two or more values with commas");
         if (axis_.values.size() > most_sweep_values)
             return wrong(
                 begin, fmt::format("{} values are more than {}", axis_.values.size(), to_text(limit("sweep-values"))));
@@ -132,10 +132,11 @@ private:
         }
         if (count == 4 && parts[3] != "log")
             return wrong(at[3], fmt::format("'{}' is not log", parts[3]),
-                         "even ratios are FROM:TO:COUNT:log, even steps FROM:TO:COUNT");
+                         "write equal ratios as FROM:TO:COUNT:log, equal steps as FROM:TO:COUNT");
         const std::optional<Quantity> from = quantity_of(parts[0]);
         const std::optional<Quantity> to = quantity_of(parts[1]);
-        if (!from) return wrong(at[0], fmt::format("'{}' is not a number", parts[0]), "a list has commas: A,B,C");
+        if (!from)
+            return wrong(at[0], fmt::format("'{}' is not a number", parts[0]), "separate values with commas: A,B,C");
         if (!to) return wrong(at[1], fmt::format("'{}' is not a number", parts[1]));
         Result<double> last = same_unit(*from, *to, at[1]);
         if (!last) return pass_on(last);
@@ -144,7 +145,7 @@ private:
         if (from->number == *last) return wrong(at[1], "both ends are the same");
         const bool logarithmic = count == 4;
         if (logarithmic && !(from->number > 0.0 && *last > 0.0))
-            return wrong(at[0], "even ratios need both ends above 0", "leave :log out for even steps");
+            return wrong(at[0], "equal ratios need both ends above 0", "leave :log out for equal steps");
         for (std::size_t i = 0; i < *steps; ++i) {
             const double share = static_cast<double>(i) / static_cast<double>(*steps - 1);
             const double number = logarithmic ? from->number * std::pow(*last / from->number, share)
@@ -161,14 +162,14 @@ private:
     Result<double> same_unit(const Quantity& from, const Quantity& to, std::size_t at) const {
         if (from.unit == to.unit) return to.number;
         if (from.unit.empty() || to.unit.empty())
-            return wrong(at, "one end has a unit, the other has none", "give both the same");
+            return wrong(at, "one end has a unit, the other does not", "give both the same unit");
         const Unit* const of_from = find_unit(from.unit);
         const Unit* const of_to = find_unit(to.unit);
         const auto is_level = [](const Unit& unit) {
             return unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
         };
         if (of_from == nullptr || of_to == nullptr || of_from->dimension != of_to->dimension || is_level(*of_from))
-            return wrong(at, fmt::format("{} and {} are not of one quantity", from.unit, to.unit),
+            return wrong(at, fmt::format("{} and {} are different quantities", from.unit, to.unit),
                          "give both ends the same unit");
         const Amount amount{to.number, of_to};
         return amount.in_base_units() / of_from->base_per_unit;

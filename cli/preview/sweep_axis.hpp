@@ -41,9 +41,9 @@ struct ViewParameter {
     std::string_view summary;
 };
 inline constexpr ViewParameter view_parameters[] = {
-    {"exposure", "8ev", "as --exposure takes it: then the cells do not share one"},
+    {"exposure", "8ev", "as for --exposure; each picture then has its own"},
     {"fov", "40deg", "full vertical field of view of the camera"},
-    {"method", "ltc", "how the light is computed"},
+    {"method", "ltc", "method for the light"},
 };
 
 } // namespace gonio::cli

@@ -34,14 +34,14 @@ std::string file_of(const Sweep& sweep, std::size_t cell, const std::string& fol
 
 Result<std::vector<std::string>> plan_sweep_files(const Arguments& arguments, const Sweeper& sweeper) {
     const std::string folder = arguments.value("--output-dir").value_or("");
-    if (!is_folder(folder)) return fail(Failure::io, "is not a folder", "make it first", folder);
+    if (!is_folder(folder)) return fail(Failure::io, "is not a folder", "create it first", folder);
     FilesInUse in_use(sweeper.request().lights.files);
     std::vector<std::string> files;
     for (std::size_t cell = 0; cell < sweeper.sweep().cells(); ++cell) {
         files.push_back(file_of(sweeper.sweep(), cell, folder, sweeper.request().format->extensions.front()));
         if (Result<void> free = in_use.take(files.back()); !free) return pass_on(free);
         if (!arguments.has("--overwrite") && file_exists(files.back()))
-            return fail(Failure::usage, "exists already", "add --overwrite to replace it", files.back());
+            return fail(Failure::usage, "already exists", "add --overwrite to replace it", files.back());
     }
     return files;
 }

@@ -48,7 +48,7 @@ Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<Li
     const auto first = std::find_if(lights.begin(), lights.end(), of_name);
     const bool alone = lights.size() == 1 || !axis.target.empty();
     return fail(Failure::usage,
-                alone ? fmt::format("--sweep '{}': the light is of the shape {}, which has no {}", axis.text,
+                alone ? fmt::format("--sweep '{}': the light has the shape {}, which has no {}", axis.text,
                                     kind_of(first->shape), axis.key)
                       : fmt::format("--sweep '{}': no light of the rig has {}", axis.text, axis.key),
                 fmt::format("{} has {}", alone ? "it" : fmt::format("'{}'", first->name),
@@ -70,7 +70,7 @@ Result<bool> set_materials(const SweepAxis& axis, std::size_t value, Stage& stag
     if (met == nullptr) return unknown_name("surface", axis.target, surface_names(stage), "--sweep " + axis.text);
     return fail(Failure::usage,
                 fmt::format("--sweep '{}': the material of '{}' has no {}", axis.text, met->name, axis.key),
-                fmt::format("it has {}; --material gives another one", fmt::join(parameters_of(met->material), ", ")));
+                fmt::format("it has {}; --material sets another one", fmt::join(parameters_of(met->material), ", ")));
 }
 
 Result<bool> set_view(const SweepAxis& axis, std::size_t value, PreviewRequest& request) {
@@ -109,9 +109,9 @@ Result<PreviewRequest> cell_request(const PreviewRequest& request, const Sweep& 
         else if (axis.target.empty())
             set = set_view(axis, value, of_cell);
         else
-            set =
-                fail(Failure::usage, fmt::format("--sweep '{}': {} is of no light and no surface", axis.text, axis.key),
-                     fmt::format("write {} alone", axis.key));
+            set = fail(Failure::usage,
+                       fmt::format("--sweep '{}': {} does not belong to a light or a surface", axis.text, axis.key),
+                       fmt::format("write {} alone", axis.key));
         if (!set) return pass_on(set);
     }
     return of_cell;

@@ -97,7 +97,7 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     if (!threads) return pass_on(threads);
     request.options.threads = *threads;
     if (arguments.value("--rig") == "-" && arguments.value("--points") == "-")
-        return fail(Failure::usage, "standard input cannot be both the rig and the points");
+        return fail(Failure::usage, "stdin cannot be both the rig and the points");
     Result<void> read = read_form(arguments, request);
     if (read) read = read_methods(arguments, request);
     if (read) read = read_view(arguments, request);

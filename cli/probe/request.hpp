@@ -16,18 +16,18 @@
 namespace gonio::cli {
 
 inline constexpr std::array probe_options{
-    Option{"--method", "METHOD", "how the light of each shape is computed (exact)", "methods"},
-    Option{"--compare", "M1,M2", "several methods beside each other, with their errors against the true one",
-           "methods"},
-    Option{"--error", "E", "relative error that the method reference may have (1e-6)"},
-    Option{"--view", "X,Y,Z", "direction from the points to the eye, or at:X,Y,Z its place: asks for luminance"},
-    Option{"--material", "MATERIAL", "of the surface, for that luminance", "materials"},
-    Option{"-j,--jobs", "N", "threads (all processors)"},
+    Option{"--method", "METHOD", "method for the light of each shape (exact)", "methods"},
+    Option{"--compare", "M1,M2", "show methods side by side, with their errors", "methods"},
+    Option{"--error", "E", "relative tolerance of the method reference (1e-6)"},
+    Option{"--view", "X,Y,Z",
+           "also print the luminance: direction from the points to the eye, or at:X,Y,Z for its position"},
+    Option{"--material", "MATERIAL", "material of the surface, for the luminance", "materials"},
+    Option{"-j,--jobs", "N", "number of threads (all processors)"},
 };
 inline constexpr std::array probe_report_options{
-    Option{"--json", "", "one JSON object, with the share of every light"},
+    Option{"--json", "", "one JSON object, with the share of each light"},
     Option{"--jsonl", "", "the same on one line"},
-    Option{"--csv", "", "a table of the points"},
+    Option{"--csv", "", "a table with one row per point"},
 };
 
 enum class ProbeForm { text, json, json_line, csv };

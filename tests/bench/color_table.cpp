@@ -1,4 +1,4 @@
-// Prints the tables of lib/gonio/color/README.md, measured now, in Markdown: error and time of every way to take the
+// Prints the tables of lib/gonio/color/MEASURED.md, measured now, in Markdown: error and time of every way to take the
 // colour of a temperature, and the temperature of a colour.
 //
 //   gonio-color-table

@@ -1,4 +1,4 @@
-// The share of light that each material gives back, by roughness and view: the tables of lib/gonio/shading/README.md.
+// The share of light that each material gives back, by roughness and view: the tables of lib/gonio/shading/MEASURED.md.
 //
 //   gonio-furnace-table
 //

@@ -1,5 +1,5 @@
 // How far the preview's pictures are from the truth: every stage × light × material, `exact` against the same picture
-// by `reference`. In Markdown, for the README of preview/.
+// by `reference`. In Markdown, for MEASURED.md of preview/.
 //
 //   gonio-preview-accuracy [WIDTH]
 //

@@ -1,5 +1,5 @@
 // How far pictures of lights with a size are from the truth: the formulas of shading/shade.hpp against the reference
-// integrator, over points of a floor below the light and of a wall beside it. In Markdown, for the README of shading/.
+// integrator, over points of a floor below the light and of a wall beside it. In Markdown, for MEASURED.md of shading/.
 //
 //   gonio-shade-truth-table [POINTS_ALONG_A_SIDE]
 //

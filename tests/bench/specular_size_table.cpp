@@ -1,4 +1,4 @@
-// Prints the table of ltc by the light's size against the lobe in the README of shading/: its relative error beside
+// Prints the table of ltc by the light's size against the lobe in MEASURED.md of shading/: its relative error beside
 // those of what it is made of and of one direction, in Markdown.
 //
 //   gonio-specular-size-table [CASES_PER_SHAPE [SEED]]

@@ -51,9 +51,9 @@ Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candel
         too_small = side;
         if (side == greatest_side)
             return fail(Failure::usage,
-                        fmt::format("no size up to {}x{} stays within {:.6g} cd: there it is {:.6g} cd",
+                        fmt::format("no size up to {}x{} stays within {:.6g} cd: the error there is {:.6g} cd",
                                     best->image.width, best->image.height, max_error.value, best->max_error.value),
-                        "allow more, or choose another layout");
+                        "allow a larger error, or choose another layout");
         side *= 2;
         best = bake(side);
     }

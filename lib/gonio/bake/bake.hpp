@@ -22,10 +22,10 @@ struct BakeOptions {
     Sampling sampling = Sampling::mean;
     Transfer transfer = Transfer::linear; // srgb with normalization peak only
     unsigned threads = 0;                 // 0 = as many as there are; does not change a bit of the result
-    bool skip = true; // copy what a mirror of the web gives and leave out where it is dark; the texels are the same
+    bool skip = true; // copy mirror images and skip dark regions of the web; the texels are the same
 };
 
-// The size that a layout has when none is asked for.
+// The default size of a layout.
 struct TextureSize {
     int width = 0;
     int height = 0;

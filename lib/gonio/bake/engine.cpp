@@ -68,7 +68,7 @@ std::vector<Engine> make_engines() {
         {"filament", "Filament and shaders alike: 256x1 half over gamma, texel centres",
          "u = acos(dot(-posToLight, lightDir))/pi", row(256, TexelType::half, Sampling::mean), 1, "exr", "-Z", "+X",
          "right"},
-        {"godot-omni", "Godot 4: panorama for an omni light's projector, 8 bits, sRGB, on its head",
+        {"godot-omni", "Godot 4: panorama for an omni light's projector, 8 bits, sRGB, upside down",
          "longitude and latitude about the light's -Y, which is the first row, +Z in the middle, +X right of it: the "
          "engine's omni projectors stand on their head; the orientation follows its shaders and has not been tried",
          godot_omni, 1, "png", "-Z", "+X", "right"},

@@ -1,6 +1,6 @@
 // Engines by name: the texture that each reads, with its own frame, size and sampling rule.
 //
-// Gathered from the engines' published sources and documentation; what a rule rests on stands beside it. An engine's
+// Collected from the engines' published sources and documentation; each rule names its source. An engine's
 // texture is an ordinary one (gonio/bake/bake.hpp) with options set, and its sidecar says what they are.
 #pragma once
 

@@ -27,7 +27,8 @@ constexpr std::array infos{
                "p = (x, y)/(|x|+|y|+|z|), for z > 0 folded to (1-|p.y|, 1-|p.x|) with the signs of x and y; column i "
                "covers p.x in [i, i+1]/width*2-1, row j covers p.y in 1-[j, j+1]/height*2; a texel holds the mean over "
                "its solid angle"},
-    LayoutInfo{Layout::octahedral_equal_area, "octahedral-equal-area", "the same with texels of equal solid angle",
+    LayoutInfo{Layout::octahedral_equal_area, "octahedral-equal-area",
+               "the octahedral layout with texels of equal solid angle",
                "r = sqrt(1-|z|), phi = atan2(|y|, |x|)*2/pi, p = (r - r*phi, r*phi), for z > 0 folded to (1-p.y, "
                "1-p.x), with the signs of x and y; column i covers p.x in [i, i+1]/width*2-1, row j covers p.y in "
                "1-[j, j+1]/height*2; a texel holds the mean over its solid angle"},
@@ -38,10 +39,10 @@ constexpr std::array infos{
                "faces +Y above, -X +Z +X -Z, -Y below, each as OpenGL looks it up; a texel holds the mean over its "
                "solid angle, texels of no face are 0"},
     LayoutInfo{
-        Layout::cube, "cube", "six files, a cube face each",
+        Layout::cube, "cube", "six files, one for each cube face",
         "face +X -X +Y -Y +Z or -Z as its file's name says, each as OpenGL looks it up; a texel holds the mean over "
         "its solid angle"},
-    LayoutInfo{Layout::gnomonic, "gnomonic", "a plane across the aim: a spot's cookie",
+    LayoutInfo{Layout::gnomonic, "gnomonic", "a plane across the aim: a cookie for a spot light",
                "p = (x, y)/-z/tan(cone/2); inside the border columns run from p.x = -1 to 1, rows from p.y = 1 down to "
                "-1; a texel holds the mean over its solid angle, the border is 0"},
     LayoutInfo{Layout::panorama, "panorama", "longitude and latitude about +Y, the aim in the middle",
@@ -293,7 +294,7 @@ Unexpected size_refused(Layout layout, int width, int height, const char* wanted
                         int example_height) {
     return fail(Failure::usage,
                 fmt::format("the layout {} is {}, not {}x{}", info_of(layout).name, wanted, width, height),
-                fmt::format("write for example -s {}x{}", example_width, example_height));
+                fmt::format("for example -s {}x{}", example_width, example_height));
 }
 
 Result<std::vector<PlacedChart>> cube(Layout layout, int width, int height, int across, int down,
@@ -369,7 +370,7 @@ Result<std::vector<PlacedChart>> upright_charts(Layout layout, int width, int he
         const int inside = width - 2 * options.border;
         if (options.border < 0 || inside < 1)
             return fail(Failure::usage,
-                        fmt::format("a border of {} texels leaves nothing of {}x{}", options.border, width, height));
+                        fmt::format("a border of {} texels leaves no texel of {}x{}", options.border, width, height));
         if (!(options.cone.value > 0.0 && options.cone.value < pi))
             return fail(Failure::usage,
                         fmt::format("a plane shows a cone of more than 0deg and less than 180deg, not {}deg",

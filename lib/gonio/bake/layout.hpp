@@ -1,4 +1,4 @@
-// Layouts: which direction lies where in a texture.
+// Layouts: the direction of each point of a texture.
 //
 // A layout is one or more charts, each a rectangle of texels with a smooth or piecewise smooth map of the unit square
 // to directions of the light's frame (aim −Z, C0 +X, C90 +Y). In a chart s runs along the columns, left to right, and t
@@ -30,7 +30,7 @@ enum class Layout {
     cube_strip,            // faces +X −X +Y −Y +Z −Z side by side
     cube_cross,            // the same unfolded, 4 × 3 faces
     cube,                  // the same strip, for six files
-    gnomonic,              // a plane across the aim: a spot's cookie
+    gnomonic,              // a plane across the aim: a cookie
     panorama               // longitude and latitude about +Y, the aim in the middle
 };
 
@@ -93,8 +93,8 @@ struct PlacedChart {
 };
 
 struct LayoutOptions {
-    Radians cone = degrees(90.0); // gnomonic: full angle across the chart's middle, in (0°, 180°)
-    int border = 0;               // gnomonic: dark texels around
+    Radians cone = degrees(90.0); // gnomonic: full angle from edge to edge, in (0°, 180°)
+    int border = 0;               // gnomonic: width of the dark border
     // Where the layout's own frame lies in the light's: columns are its x, y and z there. Orthogonal; may mirror.
     glm::dmat3 turned{1.0};
 };

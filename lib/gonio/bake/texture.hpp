@@ -1,4 +1,4 @@
-// Texture: a web laid out on a grid of texels, with what is needed to know what a texel means.
+// Texture: a web laid out on a grid of texels, with the meaning of a texel.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -12,7 +12,7 @@
 
 namespace gonio {
 
-// What a texel of 1 stands for.
+// The meaning of a texel of 1.
 enum class Normalization {
     none, // 1 cd
     peak, // the web's greatest intensity
@@ -27,7 +27,7 @@ Result<Normalization> parse_normalization(std::string_view text);
 
 std::span<const std::string_view> normalization_names();
 
-// What a file keeps of a texel. Integers hold [0, 1] on their whole range.
+// The stored type of a texel. Integers hold [0, 1] on their whole range.
 enum class TexelType { float32, half, uint16, uint8 };
 
 // What becomes of `value` ≥ 0 when it is stored, read back: rounded to nearest (to a half by way of a float), cut to

@@ -1,7 +1,7 @@
-// Diagnostics: what is to be said about an input, on success as well as on failure.
+// Diagnostics: messages about an input, on success as well as on failure.
 //
 // A diagnostic has a stable code ("IES0204"), a severity, a place (file, 1-based line and column; 0 = not known),
-// one sentence, and a hint that says what to do. The library collects them and never prints.
+// one sentence, and a hint on what to do. The library collects them and never prints.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Diagnostic {
     Severity severity = Severity::error;
     Location location;
     std::string message; // one sentence without a full stop
-    std::string hint;    // empty when there is nothing to advise
+    std::string hint;    // may be empty
 };
 
 using Diagnostics = std::vector<Diagnostic>;

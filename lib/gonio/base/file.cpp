@@ -80,7 +80,7 @@ Result<std::string> read_standard_input(const Limit& most) {
 
 Result<void> write_standard_output(std::string_view bytes) {
     if (const int error = detail::write_all(STDOUT_FILENO, bytes); error != 0)
-        return io_failure("write", "standard output", error);
+        return io_failure("write", "stdout", error);
     return {};
 }
 

@@ -1,8 +1,8 @@
 // FileScope: which files a description may name, and which it has named.
 //
-// A rig or a record of somebody else must not make gonio read what it likes: it may name regular files under one folder
-// (its own), symbolic links resolved, and nothing else. Nothing is opened here: a pipe that nobody writes into is
-// refused and not waited for.
+// A rig or a record from somebody else must not make gonio read any file: it may name regular files under one folder
+// (its own), with symbolic links resolved. Nothing is opened here, so a pipe that nobody writes into is
+// refused without waiting.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -18,7 +18,7 @@ public:
     // that allows more; without it the advice is to put the file under the folder.
     static FileScope under(std::string folder, std::string hint = {});
 
-    // Any file; relative names are sought in `folder` (empty: the current one).
+    // Any file; relative names are looked up in `folder` (empty: the current one).
     static FileScope anywhere(std::string folder = {});
 
     // Where a file of that name is to be read: an absolute name as it is, a relative one behind the folder. Fails (io)

@@ -1,12 +1,12 @@
 // Files that belong together, written all or none.
 //
-// Every file is first written whole to a temporary one in the target's folder; commit() then gives all of them their
+// Every file is first written in full to a temporary one in the target's folder; commit() then gives all of them their
 // names. A reader of one file sees the old one or the new one. When anything fails, every file that was there before is
 // what it was, and no temporary file is left. A target that exists and is not a regular file (a device, a pipe, a
 // terminal) is written directly, before anything is renamed, and never replaced. A symbolic link is followed. The
 // permissions of an existing file are kept.
 //
-// What cannot be had from a file system: the names change one after the other, so a process that is killed between two
+// A file system cannot do one thing: the names change one after the other, so a process that is killed between two
 // of them leaves some files new and some old.
 #pragma once
 

@@ -32,8 +32,8 @@ bool is_folder(const std::string& path) {
 Result<void> make_folder(const std::string& path) {
     std::error_code error;
     fs::create_directory(path, error);
-    if (error) return fail(Failure::io, "cannot make the folder: " + error.message(), {}, path);
-    if (!is_folder(path)) return fail(Failure::io, "a folder is wanted, and this is a file", {}, path);
+    if (error) return fail(Failure::io, "cannot create the folder: " + error.message(), {}, path);
+    if (!is_folder(path)) return fail(Failure::io, "this is a file, not a folder", {}, path);
     return {};
 }
 

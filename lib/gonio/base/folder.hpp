@@ -1,4 +1,4 @@
-// What a folder holds.
+// Folders and their files.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -13,7 +13,7 @@ namespace gonio {
 // Whether `path` is a folder (links followed).
 bool is_folder(const std::string& path);
 
-// Makes the folder where it is not there yet; the one around it must be. Fails (io) with the system's reason, and where
+// Creates the folder if it does not exist; its parent must exist. Fails (io) with the system's reason, and if
 // a file has the name.
 Result<void> make_folder(const std::string& path);
 

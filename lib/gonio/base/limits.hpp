@@ -1,8 +1,8 @@
-// Limits: the sizes, counts and depths that gonio takes, in one table. Files of others are hostile: what is larger,
-// deeper or more than this is refused before work is done, and the message names the limit.
+// Limits: the greatest sizes, counts and depths, in one table. Files from others may be hostile: anything larger,
+// deeper or more is refused before work is done, and the message names the limit.
 //
-// Code takes its numbers from here, `gonio list limits` prints the table and LIMITS.md beside this file is written from
-// it. A name that the table has not does not compile.
+// Code takes its numbers from here. `gonio list limits` prints the table, and LIMITS.md is printed from
+// it. A name that is not in the table does not compile.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace gonio {
 
 struct Limit {
     std::string_view name; // "profile-bytes"
-    std::size_t value = 0; // the greatest that is taken
+    std::size_t value = 0; // the greatest value
     std::string_view unit; // "bytes", "pixels", "levels", …
-    std::string_view says; // what it is of
+    std::string_view says; // what it limits
 };
 
 inline constexpr std::size_t kibibyte = std::size_t{1} << 10U;
@@ -31,23 +31,23 @@ inline constexpr std::array limits{
     Limit{"rig-bytes", 1024 * mebibyte, "bytes", "a rig; a million lights take about 150 MB"},
     Limit{"manifest-bytes", 128 * mebibyte, "bytes", "a manifest"},
     Limit{"record-bytes", 16 * mebibyte, "bytes", "a sidecar of bake, an asset record of import"},
-    Limit{"output-bytes", 4096 * mebibyte, "bytes", "a file that gonio has written and reads again: -u, manifests"},
+    Limit{"output-bytes", 4096 * mebibyte, "bytes", "a file that gonio wrote and reads again: -u, manifests"},
     Limit{"list-bytes", 64 * mebibyte, "bytes", "a list of file names, @LIST"},
-    Limit{"file-bytes", 256 * mebibyte, "bytes", "any other file, and standard input"},
+    Limit{"file-bytes", 256 * mebibyte, "bytes", "any other file, and stdin"},
     // JSON
-    Limit{"json-depth", 64, "levels", "arrays and objects within each other, but in a rig"},
+    Limit{"json-depth", 64, "levels", "nested arrays and objects, except in a rig"},
     Limit{"json-keys", 1024, "keys", "one JSON object"},
-    Limit{"json-values", std::size_t{1} << 23U, "values", "one JSON text, but a rig"},
-    Limit{"xml-depth", 64, "levels", "elements within each other; TM-33 has 8"},
+    Limit{"json-values", std::size_t{1} << 23U, "values", "one JSON text, except a rig"},
+    Limit{"xml-depth", 64, "levels", "nested elements; TM-33 has 8"},
     // Rigs
-    Limit{"rig-depth", 8, "levels", "arrays and objects within each other, in one light or member of a rig"},
-    Limit{"rig-values", 4096, "values", "one light or member of a rig"},
+    Limit{"rig-depth", 8, "levels", "nested arrays and objects, in one light or other member of a rig"},
+    Limit{"rig-values", 4096, "values", "one light or other member of a rig"},
     Limit{"rig-lights", std::size_t{1} << 24U, "lights", "a rig"},
     Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
-    Limit{"import-lights", 100000, "lights", "a rig that import takes for a target"},
+    Limit{"import-lights", 100000, "lights", "a rig that import writes for a target"},
     // Text
     Limit{"kind-bytes", 16 * kibibyte, "bytes", "the text of a shape, a material or another KIND:key=value,…"},
-    Limit{"kind-keys", 64, "keys", "such a text"},
+    Limit{"kind-keys", 64, "keys", "one such text"},
     // Pictures
     Limit{"picture-pixels", std::size_t{1} << 28U, "pixels", "a picture or texture, of every command that makes one"},
     Limit{"picture-side", 16384, "pixels", "the width or height of a picture"},
@@ -81,6 +81,6 @@ std::string amount_of(const Limit& limit);
 std::string to_text(const Limit& limit);
 
 // The hint that goes with it.
-inline constexpr std::string_view limits_hint = "'gonio list limits' says what each limit is of";
+inline constexpr std::string_view limits_hint = "'gonio list limits' describes each limit";
 
 } // namespace gonio

@@ -1,6 +1,6 @@
 // A loop over independent pieces of work, spread over threads.
 //
-// Which thread runs which piece is not defined, so a piece must write only what is its own: then the result is the
+// Which thread runs which piece is not defined, so a piece must write only its own data: then the result is the
 // same at any thread count.
 #pragma once
 

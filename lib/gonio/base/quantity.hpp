@@ -1,4 +1,4 @@
-// Quantities are types: each is one explicit double in the unit that its name says.
+// Quantities are types: each is one explicit double in the unit of its name.
 //
 // Photometric: Lumens [lm], Candelas [cd = lm/sr], Lux [lx = lm/m²], Nits [cd/m²]. Angles are radians inside gonio,
 // degrees only at its edges. Lengths are metres. Values are not range-checked here: a quantity may be negative or

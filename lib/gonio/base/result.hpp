@@ -1,6 +1,6 @@
 // Result<T>: failure is a value. Nothing in gonio throws across its public interface.
 //
-// An Error says of what kind the failure is, which decides the tool's exit status, and carries every diagnostic that
+// An Error states the kind of failure, which decides the tool's exit status, and carries every diagnostic that
 // was collected up to it; the last one of severity `error` is the reason.
 #pragma once
 
@@ -15,10 +15,10 @@ namespace gonio {
 
 // The values are the exit statuses of the command-line tool.
 enum class Failure {
-    usage = 2,       // the request makes no sense: a lamp of -3 m, nits of a point
+    usage = 2,       // the request is invalid: a lamp of -3 m, nits of a point
     io = 3,          // the system refused: no such file, disk full
-    malformed = 4,   // the input is not what it should be
-    unsupported = 5, // the input is fine, and gonio cannot do this with it
+    malformed = 4,   // the input is malformed
+    unsupported = 5, // the input is valid, but gonio cannot do this with it
     internal = 70    // an internal error: a bug
 };
 

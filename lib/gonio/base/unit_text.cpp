@@ -69,7 +69,7 @@ bool begins_beyond_range(std::string_view text) {
 }
 
 Unexpected beyond_range(std::string_view text) {
-    return fail(Failure::usage, fmt::format("'{}' is beyond the range of a number", text),
+    return fail(Failure::usage, fmt::format("'{}' is out of the range of a number", text),
                 "numbers go up to 1.7e308 and down to 4.9e-324");
 }
 

@@ -1,7 +1,7 @@
 // Text of numbers with units: "800lm", "2.5klm", "3cm", "25deg", "12ev".
 //
 // A unit belongs to one dimension and converts to that dimension's base unit by a factor (lm, cd, lx, cd/m², W, K,
-// rad, m; the two EV dimensions are logarithmic and are their own base). Text is read without regard to the locale.
+// rad, m; the two EV dimensions are logarithmic and are their own base). The locale does not matter.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -1,4 +1,4 @@
-// The one place where gonio's version stands; CMake reads it from here.
+// The version of gonio; CMake reads it from here.
 #pragma once
 
 #define GONIO_VERSION_STRING "0.1.0"

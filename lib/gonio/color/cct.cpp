@@ -113,7 +113,7 @@ double signed_distance(Uv at, const LocusPoint& point) {
 Unexpected no_temperature(Uv at, std::string why) {
     const Xy xy = to_xy(at);
     return fail(Failure::usage, fmt::format("xy {:.6g},{:.6g} has no colour temperature: {}", xy.x, xy.y, why),
-                "there is one from 500 K to 1e6 K, up to 0.1 from the Planckian locus in u, v");
+                "it is defined from 500 K to 1e6 K, up to 0.1 from the Planckian locus in u, v");
 }
 
 using PointOfLocus = LocusPoint (*)(double t);
@@ -127,15 +127,15 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
         return fail(Failure::usage,
                     fmt::format("{} K is outside the {} locus", rounded(T.value, 12),
                                 loci[static_cast<std::size_t>(locus)].name),
-                    fmt::format("it is given from {} K to {} K", rounded(low.value), rounded(high.value, 7)));
+                    fmt::format("the locus runs from {} K to {} K", rounded(low.value), rounded(high.value, 7)));
     if (!(std::abs(cct.duv) <= greatest_duv))
         return fail(Failure::usage, fmt::format("a Duv of {} is too far from the locus", rounded(cct.duv)),
-                    "colour temperature means something up to 0.05, and is unique up to 0.1");
+                    "colour temperature is meaningful up to 0.05 and unique up to 0.1");
     if (!planckian && cct.duv != 0.0)
         return fail(Failure::usage,
-                    fmt::format("a Duv of {} on the {} locus says two things at once", rounded(cct.duv),
+                    fmt::format("a Duv of {} cannot be combined with the {} locus", rounded(cct.duv),
                                 loci[static_cast<std::size_t>(locus)].name),
-                    "Duv is counted from the Planckian locus: leave out one of the two");
+                    "Duv is measured from the Planckian locus: leave out one of the two");
     if (locus == Locus::daylight || (locus == Locus::blend && T.value >= 5000.0)) return to_uv(daylight_xy(T));
     const Uv planck = offset(point(per_kk(T)), cct.duv);
     if (locus == Locus::blend && T.value > 4000.0) {
@@ -145,7 +145,7 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
     if (cct.duv != 0.0 && !is_real(to_xy(planck)))
         return fail(Failure::usage,
                     fmt::format("{} K with a Duv of {} is not a real colour", rounded(T.value), rounded(cct.duv)),
-                    "it lies outside the spectral locus: take a smaller Duv");
+                    "it lies outside the spectral locus: use a smaller Duv");
     return planck;
 }
 
@@ -206,8 +206,8 @@ Diagnostics remarks(Cct cct) {
     if (std::abs(cct.duv) <= meaningful_duv) return {};
     Diagnostic warning;
     warning.severity = Severity::warning;
-    warning.message = fmt::format("a Duv of {} is beyond 0.05, where CIE holds that colour temperature means little",
-                                  rounded(cct.duv, 4));
+    warning.message = fmt::format(
+        "a Duv of {} is beyond 0.05, where colour temperature means little according to the CIE", rounded(cct.duv, 4));
     return {warning};
 }
 
@@ -216,7 +216,7 @@ std::span<const TintConvention> tint_conventions() {
     static constexpr std::array conventions{
         TintConvention{"dng", 3000.0, "Adobe DNG: 3000 Duv, positive is a greener light"},
         TintConvention{"blender", 3000.0, "Blender's white balance: 3000 Duv, positive is a greener light"},
-        TintConvention{"milliduv", 1000.0, "1000 Duv, as camera metadata has it"},
+        TintConvention{"milliduv", 1000.0, "1000 Duv, as in camera metadata"},
     };
     return conventions;
 }
@@ -224,7 +224,7 @@ std::span<const TintConvention> tint_conventions() {
 Result<double> parse_tint(std::string_view text) {
     const std::size_t at = text.find('@');
     const std::optional<double> number = parse_number(text.substr(0, at));
-    if (!number) return fail(Failure::usage, fmt::format("'{}' is not a tint", text), "write for example 10@dng");
+    if (!number) return fail(Failure::usage, fmt::format("'{}' is not a tint", text), "for example 10@dng");
     if (at == std::string_view::npos)
         return fail(Failure::usage, fmt::format("the tint '{}' does not name its convention", text),
                     fmt::format("write {}@dng, or another of 'gonio list tints'", text));
@@ -242,7 +242,7 @@ Result<Cct> parse_cct(std::string_view text) {
     const std::optional<double> duv = parse_number(text.substr(slash + 1));
     if (!duv)
         return fail(Failure::usage, fmt::format("'{}' is not a Duv", text.substr(slash + 1)),
-                    "write for example 2700K/0.003");
+                    "for example 2700K/0.003");
     cct.duv = *duv;
     return cct;
 }

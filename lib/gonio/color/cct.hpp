@@ -2,7 +2,7 @@
 //
 // The CCT of a chromaticity is the temperature of the nearest black body in u, v of 1960 (CIE 015); Duv is the distance
 // to it, positive above the locus (greener), negative below (pinker), as in ANSI C78.377. The locus bends with a radius
-// of 0.100 at 5190 K, so there is one nearest point for |Duv| < 0.1 and nothing is given beyond. CIE holds the term
+// of 0.100 at 5190 K, so there is one nearest point for |Duv| < 0.1 and no answer beyond. The CIE considers the term
 // meaningful up to 0.05.
 //
 // `exact` functions work on the 1 nm sum of planckian.hpp, 500 K to 1e6 K, some 10 µs a step; `fast` ones on the double
@@ -67,7 +67,7 @@ Diagnostics remarks(Cct cct);
 // Whether the chromaticity is that of a mixture of wavelengths: inside the spectral locus and the purple line.
 bool is_real(Xy chromaticity);
 
-// How programs name the distance from the locus: tint = per_duv · Duv.
+// Tints: how programs state the distance from the locus, tint = per_duv · Duv.
 struct TintConvention {
     std::string_view name;
     double per_duv = 0.0;

@@ -2,7 +2,7 @@
 //
 // float, structures of arrays; temperatures in kelvin, 800 K to 1e6 K, |Duv| ≤ 0.1. What lies outside or is NaN gives
 // NaN in all results of that element: nothing is clamped. Largest Δu'v' against the 1 nm sum 4e-7, luminance within
-// 1e-6 of 1. Nothing fails, allocates or throws; calls may run on any thread. Cost: README.md.
+// 1e-6 of 1. Nothing fails, allocates or throws; calls may run on any thread. Cost: MEASURED.md.
 #pragma once
 
 #include <gonio/color/rgb_space.hpp>
@@ -12,7 +12,7 @@
 
 namespace gonio::color {
 
-// A space as the kernels want it. Results are linear RGB of luminance 1, negative where the gamut ends.
+// A space in the form that the kernels use. Results are linear RGB of luminance 1, negative outside the gamut.
 struct RgbConstants {
     float a[3] = {};
     float b[3] = {};

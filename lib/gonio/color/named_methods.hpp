@@ -42,7 +42,7 @@ std::span<const CctMethod> cct_methods();
 Result<std::vector<const ColorMethod*>> parse_color_methods(std::string_view list);
 Result<std::vector<const CctMethod*>> parse_cct_methods(std::string_view list);
 
-// How far a method is from the sum at one temperature.
+// The error of a method against the sum at one temperature.
 struct ColorError {
     Uv at;
     double delta_uv_prime = 0.0;

@@ -18,7 +18,7 @@ namespace gonio {
 inline constexpr double c2_meter_kelvin = 1.438776877e-2;
 inline constexpr double c2_its90_meter_kelvin = 1.4388e-2;
 
-// What the sum is defined for; beyond, nothing that shines is called by a colour temperature.
+// The range of the sum; colour temperature is not used beyond it.
 inline constexpr Kelvin coolest{500.0};
 inline constexpr Kelvin hottest{1e6};
 

@@ -95,13 +95,13 @@ const RgbSpace* find_rgb_space(std::string_view name) {
 Result<RgbSpace> rgb_space_of(std::string name, Xy red, Xy green, Xy blue, Xy white) {
     const double area = (green.x - red.x) * (blue.y - red.y) - (blue.x - red.x) * (green.y - red.y);
     if (!(std::abs(area) > 1e-6) || !(white.y > 0.0))
-        return fail(Failure::usage, "these primaries and white make no colour space",
+        return fail(Failure::usage, "these primaries and this white do not form a colour space",
                     "give xy of red, green and blue, which must span a triangle, and of white");
     RgbSpace space{std::move(name), matrix_of({red, green, blue, white}), {}};
     space.from_xyz = glm::inverse(space.to_xyz);
     for (int i = 0; i < 3; ++i)
         if (!finite(space.to_xyz[i]) || !finite(space.from_xyz[i]))
-            return fail(Failure::usage, "these primaries and white make no colour space");
+            return fail(Failure::usage, "these primaries and this white do not form a colour space");
     return space;
 }
 

@@ -84,8 +84,7 @@ Result<Band> parse_band(std::string_view text) {
         const std::optional<double> last = nanometers(text.substr(colon + 1));
         if (first && last && *first > 0.0 && *first < *last) return Band{*first, *last};
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a band of wavelengths", text),
-                "write for example 380nm:780nm");
+    return fail(Failure::usage, fmt::format("'{}' is not a band of wavelengths", text), "for example 380nm:780nm");
 }
 
 std::string to_text(Band band) {
@@ -151,8 +150,8 @@ std::optional<Spectrum> find_illuminant(std::string_view name) {
 
 Result<Spectrum> blackbody_spectrum(Kelvin temperature) {
     if (!(temperature.value >= coolest.value && temperature.value <= hottest.value))
-        return fail(Failure::usage, fmt::format("a black body of {} K is not known", rounded(temperature.value, 12)),
-                    "it is given from 500 K to 1e6 K");
+        return fail(Failure::usage, fmt::format("a black body of {} K is out of range", rounded(temperature.value, 12)),
+                    "the range is 500 K to 1e6 K");
     Spectrum spectrum;
     spectrum.name = fmt::format("blackbody {} K", rounded(temperature.value, 12));
     for (int nm = detail::observer_first_nm; nm <= detail::observer_last_nm; ++nm) {

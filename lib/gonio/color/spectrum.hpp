@@ -1,4 +1,4 @@
-// Spectra: relative or absolute spectral power over wavelength, and what the eye makes of it.
+// Spectra: relative or absolute spectral power over wavelength, and their colour and luminous efficacy.
 //
 // Sources: the CIE illuminants of data/cie_illuminants.csv by name, black bodies, CSV files, TM-33 documents. A
 // spectrum in steps of at most 5 nm is summed at its own wavelengths with the observer there, as its tables are meant

@@ -155,7 +155,7 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
                              fmt::format("'{}' is not a wavelength", words.front().text), "lines are WAVELENGTH,POWER");
         if (words.size() > 2)
             return malformed({source, line, words[2].column}, "more than two columns",
-                             "lines are WAVELENGTH,POWER: leave one spectrum in the file");
+                             "lines are WAVELENGTH,POWER: keep one spectrum in the file");
         const auto behind = static_cast<std::uint32_t>(row.size() + 1);
         if (words.size() < 2 || words[1].text.empty())
             return malformed({source, line, words.size() < 2 ? behind : words[1].column},
@@ -239,8 +239,9 @@ Result<Spectrum> read_spectrum(const std::string& text, FileScope* files) {
     Result<std::vector<Spectrum>> spectra = read_spectra(text, files);
     if (!spectra) return pass_on(spectra);
     if (spectra->size() > 1)
-        return fail(Failure::unsupported, fmt::format("'{}' has {} spectra, and one is wanted", text, spectra->size()),
-                    "'gonio cct --spectrum' shows them all; write the wanted one to a CSV file");
+        return fail(Failure::unsupported,
+                    fmt::format("'{}' has {} spectra, but only one is expected", text, spectra->size()),
+                    "'gonio cct --spectrum' shows them all; write one of them to a CSV file");
     return std::move(spectra->front());
 }
 

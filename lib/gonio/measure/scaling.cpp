@@ -233,7 +233,7 @@ constexpr std::array all_scalings{
     Scaling{"lights", "probe and pictures under more and more lights of the same density", "lights", by_lights},
     Scaling{"pixels", "pictures and textures of more and more pixels", "pixels", by_pixels},
     Scaling{"file-size", "IES files of larger and larger tables", "bytes", by_file_size},
-    Scaling{"threads", "the same work on more threads, by the clock on the wall", "threads", by_threads},
+    Scaling{"threads", "the same work on more threads, in wall-clock time", "threads", by_threads},
 };
 
 } // namespace

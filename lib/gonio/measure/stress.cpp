@@ -29,7 +29,7 @@ std::uint64_t hash(std::string_view text) {
 void StressTally::broken(double share, std::string input) {
     ++broken_;
     if (findings_.size() >= most_findings) return;
-    findings_.push_back(share > 0.0 || std::isnan(share) ? fmt::format("{:.3g} of the bar: {}", share, input)
+    findings_.push_back(share > 0.0 || std::isnan(share) ? fmt::format("{:.3g} of the error bound: {}", share, input)
                                                          : std::move(input));
 }
 

@@ -72,7 +72,7 @@ Timing summary(std::vector<double> ns, std::size_t calls) {
 // How long a sample must last: one step of the clock is then at most 0.1 % of it.
 Result<double> wanted_seconds(const TimingOptions& options, const Clock& clock) {
     const double step = resolution(clock);
-    if (!(step > 0.0)) return fail(Failure::unsupported, "the clock stands still");
+    if (!(step > 0.0)) return fail(Failure::unsupported, "the clock does not advance");
     return std::max(options.sample_seconds, 1000.0 * step);
 }
 
@@ -85,7 +85,7 @@ Result<Timing> time_work(const std::function<void()>& work, std::size_t items, c
     if (!timings) return pass_on(timings);
     if (!timings->front())
         return fail(Failure::unsupported, "the work is too short for the clock",
-                    "hand in more items per call, or allow more calls per sample");
+                    "pass more items per call, or allow more calls per sample");
     return timings->front()->timing;
 }
 

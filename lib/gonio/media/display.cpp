@@ -91,7 +91,7 @@ Result<void> apply_rows(Image& image, const std::vector<const Processor*>& proce
 Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
     if (image.channels != 3 && image.channels != 4)
         return fail(Failure::usage, fmt::format("a picture of {} channels has no display colours", image.channels),
-                    "it takes RGB or RGBA");
+                    "the picture must be RGB or RGBA");
     if (image.pixels.size() != image.index(0, image.height))
         return fail(Failure::internal, "the picture's buffer is not of the picture's size");
     Result<Config> config = Config::open(options.config);
@@ -161,7 +161,7 @@ Result<std::vector<std::string>> list_spaces(const std::string& path) {
 
 Result<void> convert_space(std::span<float> rgb, const std::string& from, const std::string& to,
                            const std::string& path) {
-    if (rgb.size() % 3 != 0) return fail(Failure::usage, "colours come in threes");
+    if (rgb.size() % 3 != 0) return fail(Failure::usage, "the number of values must be a multiple of three");
     Result<Config> config = Config::open(path);
     if (!config) return pass_on(config);
     Result<abi::ColorProcessor*> handle = space_processor(*config, from, to);

@@ -1,4 +1,4 @@
-// From scene-linear light to what a display shows, and to the colour spaces of a configuration, by OpenColorIO.
+// From scene-linear light to display values, and to the colour spaces of a configuration, by OpenColorIO.
 //
 // Pictures of gonio are linear, of Rec.709 primaries and D65 white, 1 = the white of the display. Without a
 // configuration file the built-in one is used: the display "sRGB" with the views
@@ -7,7 +7,7 @@
 //   Raw        the numbers as they are
 // With a file, gonio's pixels enter through its role aces_interchange; a configuration without that role is entered
 // through a space that is named as linear Rec.709 by convention, else through its role scene_linear, and the result
-// says so. The library never reads $OCIO; the caller passes it on as `config`.
+// carries a warning. The library never reads $OCIO; the caller passes it as `config`.
 //
 // Everything here opens the module gonio-color.so (see module.hpp) and fails (unsupported) without it; a few
 // milliseconds on the first call. Safe to call from any thread, except that one Image is one caller's.

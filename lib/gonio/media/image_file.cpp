@@ -125,12 +125,12 @@ Result<void> check_request(const Image& image, const ImageFormat& format, const 
         return fail(
             Failure::unsupported,
             fmt::format("{} holds {} channels, not {}", format.title, fmt::join(format.channels, ", "), image.channels),
-            "OpenEXR and TIFF hold any number");
+            "OpenEXR and TIFF hold any number of channels");
     if (std::find(format.pixels.begin(), format.pixels.end(), pixel) == format.pixels.end()) {
         std::vector<std::string_view> names;
         for (const Pixel p : format.pixels)
             names.push_back(to_text(p));
-        return fail(Failure::unsupported, fmt::format("{} has no {} pixels", format.title, to_text(pixel)),
+        return fail(Failure::unsupported, fmt::format("{} cannot store {} pixels", format.title, to_text(pixel)),
                     fmt::format("it has: {}", fmt::join(names, ", ")));
     }
     if (!options.channel_names.empty() && options.channel_names.size() != static_cast<std::size_t>(image.channels))
@@ -289,10 +289,10 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values) {
     const ImageFormat* const format = sniff_image_format(bytes);
     if (format == nullptr)
-        return fail(Failure::malformed, "this is not a picture of a known format",
+        return fail(Failure::malformed, "this is not a picture in a known format",
                     "there are: OpenEXR, PNG, TIFF, Radiance HDR, JPEG");
     if (format->name == "png" && !detail::is_whole_png(bytes))
-        return fail(Failure::malformed, "the PNG picture cannot be read: it is torn or damaged");
+        return fail(Failure::malformed, "the PNG picture cannot be read: it is cut off or damaged");
     Result<const abi::ImageModule*> module = detail::image_module();
     if (!module) return pass_on(module);
 

@@ -27,7 +27,7 @@ enum class Pixel { uint8, uint16, half, float32 };
 
 std::string_view to_text(Pixel pixel); // "uint8", "uint16", "half", "float"
 
-// What a format can hold. Answered without the module.
+// What a format can hold. Does not need the module.
 struct ImageFormat {
     std::string_view name;                        // "exr"
     std::string_view title;                       // "OpenEXR"

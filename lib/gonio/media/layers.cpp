@@ -48,12 +48,11 @@ std::string plain_name(const std::string& name) {
 Result<LayeredImage> LayeredImage::create(int width, int height, std::size_t channels) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (pixels == 0 || channels > max_layered_values / pixels)
-        return fail(
-            Failure::unsupported,
-            fmt::format("{} channels of {}x{} pixels are more than the {} that a layered picture may have by {}",
-                        channels, width, height, pixels == 0 ? 0 : max_layered_values / pixels,
-                        to_text(limit("layered-values"))),
-            "use a smaller size");
+        return fail(Failure::unsupported,
+                    fmt::format("{} channels of {}x{} pixels are too many: a layered picture may have {}, by {}",
+                                channels, width, height, pixels == 0 ? 0 : max_layered_values / pixels,
+                                to_text(limit("layered-values"))),
+                    "use a smaller size");
     LayeredImage layered;
     layered.image_ = Image(width, height, static_cast<int>(channels));
     return layered;

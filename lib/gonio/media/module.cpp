@@ -109,10 +109,11 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     std::memcpy(&version, table, sizeof version); // every table begins with its version
     if (version != name.version) {
         ::dlclose(handle);
-        return fail(Failure::unsupported,
-                    fmt::format("the module {} is of another gonio: its interface has version {}, not {}", name.file,
-                                version, name.version),
-                    "install the tool and its modules from one build", path);
+        return fail(
+            Failure::unsupported,
+            fmt::format("the module {} belongs to another version of gonio: its interface has version {}, not {}",
+                        name.file, version, name.version),
+            "install the tool and its modules from one build", path);
     }
     return table;
 }

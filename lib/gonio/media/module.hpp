@@ -1,6 +1,6 @@
-// The media modules: what opens picture files (OpenImageIO) and colour configurations (OpenColorIO).
+// The media modules, for picture files (OpenImageIO) and colour configurations (OpenColorIO).
 //
-// gonio itself links neither, since a program that links OpenImageIO needs a third of a second to start. Each stands in
+// gonio itself links neither, because a program that links OpenImageIO needs a third of a second to start. Each is in
 // a module of its own, gonio-image.so and gonio-color.so, which is opened when a function of this room first needs it.
 // A module is looked for in the folders set here, beside the running executable, and where gonio's installation puts
 // modules as seen from the executable (bin/ and lib/gonio/ under one prefix), in this order.

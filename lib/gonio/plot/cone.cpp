@@ -74,7 +74,7 @@ Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions
     const Web& web = *webs[0].web;
     const double c_deg = options.planes_deg.empty() ? 0.0 : options.planes_deg.front();
     const double threshold = 0.5 * peak(web).intensity.value * *scale;
-    Result<void> bright = check_top(2.0 * threshold, webs, "the profile is dark, there is no beam to draw", {});
+    Result<void> bright = check_top(2.0 * threshold, webs, "the profile is dark, so there is no beam to draw", {});
     if (!bright) return pass_on(bright);
     const std::optional<Beam> beam = beam_of(plane_curve(web, c_deg, *scale), threshold);
     if (!beam)

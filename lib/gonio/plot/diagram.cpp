@@ -10,10 +10,10 @@ namespace {
 constexpr std::array kinds{
     DiagramKind{"polar", "intensity around the nadir, a curve for each plane", polar_diagram},
     DiagramKind{"cartesian", "intensity against gamma along an axis", cartesian_diagram},
-    DiagramKind{"heat-map", "intensity by colour over C and gamma", heat_map_diagram},
+    DiagramKind{"heat-map", "intensity in colour over C and gamma", heat_map_diagram},
     DiagramKind{"isolux", "illuminance on the plane below, in lines of equal lux", isolux_diagram},
     DiagramKind{"cone", "width of the beam and illuminance at five distances", cone_diagram},
-    DiagramKind{"falloff", "lux against distance on the axis, beside the inverse square", nullptr},
+    DiagramKind{"falloff", "lux against distance on the axis, next to the inverse square", nullptr},
 };
 
 } // namespace

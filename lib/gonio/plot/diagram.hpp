@@ -1,4 +1,4 @@
-// Diagrams of webs: what a luminaire does with its light, in the forms that the field draws it.
+// Diagrams of webs: the distribution of a luminaire's light, in the usual forms of the field.
 //
 // Intensities are candela, or candela per 1000 lm of the web's own flux. Gamma counts from the nadir, C from the C0
 // plane; the curves follow the web's interpolant (they are evaluated at least every half degree and at every γ of the

@@ -79,7 +79,7 @@ struct Curves {
 
 Result<Curves> curves_of(const PlottedLight& plotted, const std::vector<double>& meters) {
     if (class_of(plotted.light.shape) == ShapeClass::sun)
-        return fail(Failure::usage, "a sun shines the same at every distance: it has no falloff to draw", {},
+        return fail(Failure::usage, "a sun gives the same illuminance at every distance: it has no falloff to draw", {},
                     plotted.label);
     Curves curves;
     curves.reach_m = own_reach_m(plotted.light.shape);
@@ -130,9 +130,9 @@ Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const Fall
     if (!(options.nearest_m >= shortest_m && options.farthest_m <= longest_m &&
           options.farthest_m >= 1.5 * options.nearest_m))
         return fail(Failure::usage,
-                    fmt::format("the distances {} m to {} m do not make an axis", rounded(options.nearest_m),
+                    fmt::format("the distances {} m to {} m are not a valid range", rounded(options.nearest_m),
                                 rounded(options.farthest_m)),
-                    "they may lie from 1 mm to 100 km, the farther one at least 1.5 times the nearer");
+                    "they must lie from 1 mm to 100 km, the farther one at least 1.5 times the nearer");
 
     const std::vector<double> meters = distances(options);
     std::vector<Curves> all;

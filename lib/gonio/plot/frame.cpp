@@ -66,7 +66,7 @@ Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& 
                                                     most_px, options.width_px, options.height_px));
     if (webs.empty()) return fail(Failure::usage, "there is nothing to draw");
     if (webs.size() > most)
-        return fail(Failure::usage, fmt::format("this diagram shows one profile, and {} are given", webs.size()),
+        return fail(Failure::usage, fmt::format("this diagram shows one profile, but {} are given", webs.size()),
                     "draw them one by one with -O DIR, or together as polar or cartesian");
     return {};
 }
@@ -98,7 +98,7 @@ Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& opt
     if (!options.per_klm) return 1.0;
     const double flux_lm = flux(*plotted.web).value;
     if (!(flux_lm > 0.0))
-        return fail(Failure::usage, "the profile has no flux that candela per 1000 lm could refer to", {},
+        return fail(Failure::usage, "the profile has no flux, so candela per 1000 lm are not defined", {},
                     plotted.label);
     return 1000.0 / flux_lm;
 }

@@ -38,7 +38,7 @@ Result<Drawing> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOpt
     double top = 0.0;
     for (const double value : field.values)
         top = std::fmax(top, value);
-    Result<void> bright = check_top(top, webs, "the profile is dark, there is nothing to draw", {});
+    Result<void> bright = check_top(top, webs, "the profile is dark, so there is nothing to draw", {});
     if (!bright) return pass_on(bright);
 
     Area area;

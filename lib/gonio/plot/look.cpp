@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array known{
     LookName{Look::beauty, "beauty", "as a camera shows it: exposed, through the display transform"},
-    LookName{Look::false_color, "falsecolour", "a colour for each number of lux or nits, with a legend"},
+    LookName{Look::false_color, "falsecolour", "lux or nits in false colour, with a legend"},
     LookName{Look::isolux, "isolux", "lines of equal lux or nits over the dimmed picture"},
     LookName{Look::luminance, "luminance", "the luminance as a grey picture, with a legend in nits"},
 };

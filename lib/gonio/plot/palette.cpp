@@ -36,7 +36,7 @@ constexpr std::array known{
     Palette{"inferno", "black, red, yellow", inferno},
     Palette{"magma", "black, violet, cream", magma},
     Palette{"plasma", "blue, red, yellow", plasma},
-    Palette{"cividis", "blue, grey, yellow: looks the same to the colour-blind", cividis},
+    Palette{"cividis", "blue, grey, yellow: safe for colour-blind viewers", cividis},
     Palette{"gray", "black to white", gray},
 };
 

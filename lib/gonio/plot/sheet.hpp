@@ -21,7 +21,7 @@ struct SheetTile {
     std::vector<std::string> facts; // a line each below the name, which has room for one
     Image picture;                  // three display-encoded channels; empty: none
     std::optional<Drawing> polar;   // of polar_thumbnail
-    std::string fault;              // in the picture's stead, in words
+    std::string fault;              // a message instead of the picture
 };
 
 struct SheetOptions {

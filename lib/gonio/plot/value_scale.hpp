@@ -1,4 +1,4 @@
-// A scale of values: from the number that is dark to the one that is bright, in even steps or even ratios.
+// A scale of values: from the darkest value to the brightest, in equal steps or equal ratios.
 #pragma once
 
 #include <gonio/base/image.hpp>

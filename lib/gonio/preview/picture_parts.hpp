@@ -1,4 +1,4 @@
-// What a picture is the sum of: the share of each light, and the parts that its surfaces send back.
+// The parts that add up to a picture: the share of each light, and the parts that its surfaces reflect.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -1,4 +1,4 @@
-// The reference picture: what the preview's closed forms and shadow ratios are checked by, in passes that refine it.
+// The path-traced reference, in passes that refine it: it checks the preview's closed forms and shadow ratios.
 //
 // A pass draws one point of each pixel and, for each light with a size, one direction towards the light and one of the
 // material's own, weighed by the balance heuristic (E. Veach and L. Guibas, SIGGRAPH 1995); whether a light is seen is
@@ -35,7 +35,7 @@ public:
     // Of the row that has the fewest.
     std::size_t passes() const;
 
-    // What is left of the picture's error, relative: half the mean difference between the pictures of the even and the
+    // The remaining error of the picture, relative: half the mean difference between the pictures of the even and the
     // odd passes, over the mean of both; of what surfaces show. 1 before each row has two, 0 of a picture without
     // light. An estimate: the pictures of few passes may agree by chance.
     double error_estimate() const;

@@ -1,7 +1,7 @@
 // The preview: lights on a stage, as a picture in scene-linear luminance.
 //
 // Noise-free: every pixel is an exact evaluation of the lights at its surface point, pixels on outlines and hard shadow
-// edges are the mean of 4×4 such points; soft shadows are integrated along lines over the light (README.md). Tiles run
+// edges are the mean of 4×4 such points. Soft shadows are integrated along lines over the light (README.md). Tiles run
 // on all threads; the picture does not depend on how many. What cannot change the picture is not computed; README.md
 // says what that is and what it saves.
 #pragma once
@@ -59,7 +59,7 @@ struct Rendering {
     RenderStats stats;
 };
 
-// A light with a size behind a mask takes the mask from its centre (scene/README.md gives the error), but by
+// A light with a size behind a mask uses the mask from its centre (scene/MEASURED.md has the error), except by
 // `reference`, which integrates it. Fails (usage) as check_picture_size() does and on a light whose
 // luminance or intensity is not finite.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,

@@ -1,4 +1,4 @@
-// What a rendering did and what it did not need to do.
+// What a rendering evaluated and what it skipped.
 #pragma once
 
 #include <cstddef>

@@ -11,9 +11,10 @@ namespace gonio {
 namespace {
 
 constexpr std::array known{
-    ToneMapName{ToneMap::none, "none", "the display transform's view alone"},
+    ToneMapName{ToneMap::none, "none", "only the view of the display transform"},
     ToneMapName{ToneMap::ue3, "ue3", "Unreal Engine 3: y = 1.0275 x/(x+0.22), display-encoded, instead of the view"},
-    ToneMapName{ToneMap::ue3_inverse, "ue3-inverse", "linear light that UE3's curve shows as the plain sRGB picture"},
+    ToneMapName{ToneMap::ue3_inverse, "ue3-inverse",
+                "linear light that the UE3 curve turns into the plain sRGB picture"},
 };
 static_assert(in_enum_order(known, &ToneMapName::map, ToneMap::ue3_inverse));
 

@@ -1,4 +1,4 @@
-// Where fields stand in the text that a Profile was read from, for what is said of it when its light is known.
+// The places of fields in the text of a Profile, for diagnostics that need its light.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace gonio {
 
-// What rules about the light may find odd.
+// Fields that rules about the light may question.
 enum class ProfileField : std::uint8_t {
     lamp_flux,         // LM-63: lumens per lamp; of the first lamp set of EULUMDAT, of the first emitter of TM-33
     input_watts,       // of the first too

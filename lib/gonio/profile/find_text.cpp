@@ -38,7 +38,7 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
         text.begin += utf8_mark.size();
     const std::string_view begins = bytes.substr(text.begin);
     if (begins.starts_with("\xFE\xFF") || begins.starts_with("\xFF\xFE"))
-        return report.fail("PRF0106", text.begin, "the mark of UTF-16 stands behind that of UTF-8", "save it as UTF-8");
+        return report.fail("PRF0106", text.begin, "a UTF-16 mark follows that of UTF-8", "save it as UTF-8");
     while (text.end > text.begin && bytes[text.end - 1] == '\0')
         --text.end;
     const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
@@ -47,15 +47,16 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
     // counts as an end where what stands before it is text.
     const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
     if (const std::size_t i = bytes.substr(0, ctrl_z).find('\0', text.begin); i != std::string_view::npos)
-        return report.fail("PRF0102", i, "not a photometric file, a text has no NUL bytes");
+        return report.fail("PRF0102", i, "not a photometric file: text has no NUL bytes");
     if (begins.starts_with("\x89PNG"))
-        return report.fail("PRF0102", text.begin, "not a photometric file, but a PNG picture");
+        return report.fail("PRF0102", text.begin, "not a photometric file but a PNG picture");
     const auto is_data = [](char c) { return !is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A'; };
     const auto* const after = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(ctrl_z), bytes.end(), is_data);
     if (text.end == text.begin || ctrl_z == text.begin)
-        return report.fail("PRF0102", text.begin, "not a photometric file, there is no text in it");
+        return report.fail("PRF0102", text.begin, "not a photometric file: it holds no text");
     if (after != bytes.end())
-        report.add("PRF0105", static_cast<std::size_t>(after - bytes.begin()), "data behind Ctrl-Z, the end of text");
+        report.add("PRF0105", static_cast<std::size_t>(after - bytes.begin()),
+                   "data after Ctrl-Z, the end of the text");
     text.end = ctrl_z;
     return text;
 }

@@ -24,15 +24,16 @@ void check_vertical(const IesFile& file, const TablePlaces& places, Report& repo
     const double lowest = c ? 0.0 : -90.0;
     const double highest = c ? 180.0 : 90.0;
     if (first < lowest || last > highest) {
-        report.add("IES0307", first < lowest ? places.vertical : places.last_vertical,
-                   fmt::format("vertical angle {}, outside {} to {}", first < lowest ? first : last, lowest, highest));
+        report.add(
+            "IES0307", first < lowest ? places.vertical : places.last_vertical,
+            fmt::format("vertical angle {} is outside {} to {}", first < lowest ? first : last, lowest, highest));
         return;
     }
     const bool begins = c ? is_one_of(first, {0.0, 90.0}) : is_one_of(first, {-90.0, 0.0});
     const bool ends = c ? is_one_of(last, {90.0, 180.0}) : last == 90.0;
     if (!begins || !ends)
         report.add("IES0305", begins ? places.last_vertical : places.vertical,
-                   fmt::format("vertical angles from {} to {}, there is no light outside them", first, last),
+                   fmt::format("vertical angles from {} to {}: there is no light outside them", first, last),
                    c ? "type C begins at 0 or 90 and ends at 90 or 180"
                      : "types A and B begin at -90 or 0 and end at 90");
 }
@@ -56,7 +57,7 @@ void check_horizontal_c(const IesFile& file, const TablePlaces& places, Report& 
     const double step = planes[planes.size() - 1] - planes[planes.size() - 2];
     if (first == 0.0 && gap > 0.0 && last > 180.0 && std::abs(gap - step) <= 1e-6 * step) {
         report.add("IES0309", places.last_horizontal,
-                   fmt::format("the last plane is at {}, the one at 360 is missing", last),
+                   fmt::format("the last plane is at {}, and the one at 360 is missing", last),
                    "repeat the plane at 0 as the plane at 360");
         return;
     }
@@ -92,7 +93,7 @@ void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     check_horizontal(file, places, report);
     if (!ies_opening_shape(file))
         report.add("IES0219", places.shape,
-                   fmt::format("width {}, length {} and height {} code no shape in {}", file.width, file.length,
+                   fmt::format("width {}, length {} and height {} encode no shape in {}", file.width, file.length,
                                file.height, to_text(file.version)),
                    "a circle of diameter d is -d -d 0 since 2002 and -d 0 0 before");
     if (places.first_negative != no_place) report.add("IES0401", places.first_negative, "a negative candela value");

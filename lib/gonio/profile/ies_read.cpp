@@ -118,7 +118,7 @@ private:
         const std::optional<IesVersion> version = version_in(line.text);
         file_.version = version.value_or(IesVersion::lm63_2002);
         if (!version)
-            report_.add("IES0102", line.offset, "the first line names no version of LM-63, read as LM-63-2002");
+            report_.add("IES0102", line.offset, "the first line does not name a version of LM-63, read as LM-63-2002");
         else if (!is_standard_spelling(line.text) || behind_blank_lines)
             report_.add("IES0101", line.offset,
                         fmt::format("unusual version line, read as {}", to_text(file_.version)));
@@ -139,7 +139,7 @@ private:
         const std::size_t close = text.find(']');
         if (text.empty() || text.front() != '[' || close == std::string_view::npos || close == 1) {
             if (file_.version != IesVersion::lm63_1986)
-                report_.add("IES0104", offset, "a line before TILT= that begins with no [KEYWORD]");
+                report_.add("IES0104", offset, "a line before TILT= that does not begin with a [KEYWORD]");
             file_.keywords.push_back({"", std::string(text)});
             return;
         }
@@ -150,7 +150,7 @@ private:
             if (equals_any_case(name, "_CRI")) report_.mark(ProfileField::color_rendering, offset);
             file_.keywords.push_back({std::string(name), std::string(value)});
         } else if (file_.keywords.empty()) {
-            report_.add("IES0105", offset, "[MORE] stands before any keyword");
+            report_.add("IES0105", offset, "[MORE] comes before any keyword");
             file_.keywords.push_back({std::string(name), std::string(value)});
         } else {
             std::string& continued = file_.keywords.back().text;
@@ -165,7 +165,7 @@ private:
         const bool none = equals_any_case(value, "NONE");
         const bool include = equals_any_case(value, "INCLUDE");
         if (sign != 5 || (!written.empty() && is_blank(written.front())))
-            report_.add("IES0109", line.offset, "blanks before, within or behind TILT=");
+            report_.add("IES0109", line.offset, "blanks before, within or after TILT=");
         if (trim_left(line.text).substr(0, 4) != "TILT" || (none && value != "NONE") || (include && value != "INCLUDE"))
             report_.add("IES0110", line.offset, "the TILT line is not in capitals");
         if (none || include) {
@@ -173,9 +173,9 @@ private:
             return {};
         }
         const std::size_t offset = line.offset + sign + (written.size() - trim_left(written).size());
-        if (value.empty()) return report_.fail("IES0108", offset, "nothing stands behind TILT=", "write TILT=NONE");
+        if (value.empty()) return report_.fail("IES0108", offset, "nothing follows TILT=", "write TILT=NONE");
         if (file_.version == IesVersion::lm63_2019)
-            report_.add("IES0112", offset, "LM-63-2019 allows no TILT factors in another file",
+            report_.add("IES0112", offset, "LM-63-2019 does not allow TILT factors in another file",
                         "write the factors into this file, as TILT=INCLUDE");
         file_.tilt_keyword = value;
         Result<IesTilt> tilt = read_tilt_beside(value, offset, read_beside_, report_);
@@ -223,7 +223,7 @@ private:
             const Line line = lines.next();
             if (line.text.size() + 2 > longest)
                 report_.add("IES0107", line.offset + longest - 2,
-                            fmt::format("a line of {} characters, {} allows {}", line.text.size() + 2,
+                            fmt::format("a line of {} characters; {} allows {}", line.text.size() + 2,
                                         to_text(file_.version), longest));
         }
     }
@@ -244,7 +244,7 @@ private:
             const bool whole_expected = i == 0 || (i >= 3 && i <= 6);
             if (whole_expected && file_.version != IesVersion::lm63_1986 &&
                 numbers_.token().find('.') != std::string_view::npos)
-                report_.add("IES0217", place[i], fmt::format("{} for a whole number", quoted(numbers_.token())),
+                report_.add("IES0217", place[i], fmt::format("{} instead of a whole number", quoted(numbers_.token())),
                             "write it without a point");
         }
         const auto whole = [&](std::size_t i, double lowest, std::string_view what) -> Result<void> {
@@ -260,7 +260,7 @@ private:
             return report_.fail("IES0209", place[6], fmt::format("unit {}, expected 1 (feet) or 2 (metres)", value[6]));
         if (value[2] <= 0.0)
             return report_.fail("IES0211", place[2], fmt::format("candela multiplier {}", value[2]),
-                                "it is a factor greater than 0, 1 where there is none");
+                                "it is a factor greater than 0, and 1 if there is none");
         file_.lamp_count = static_cast<int>(value[0]);
         file_.lumens_per_lamp = value[1];
         file_.candela_multiplier = value[2];
@@ -294,7 +294,7 @@ private:
             report_.add("IES0212", place[10], fmt::format("ballast factor {}", value[10]), "it is a factor near 1");
         if (value[12] < 0.0)
             report_.add("IES0218", place[12], fmt::format("{} input watts", value[12]),
-                        "write 0 where they are not known");
+                        "write 0 if they are not known");
         const double x = value[11];
         const bool factor = file_.version == IesVersion::lm63_1986 || file_.version == IesVersion::lm63_1991;
         const bool generation_type = file_.version == IesVersion::lm63_2019 && x >= 1.0 && x < 1.2;
@@ -358,7 +358,7 @@ private:
 
     Unexpected more_vertical() {
         return report_.fail("IES0311", places_.horizontal,
-                            fmt::format("{} vertical angles announced, and the list goes on with {}", vertical_count_,
+                            fmt::format("{} vertical angles announced, but the list continues with {}", vertical_count_,
                                         file_.horizontal_deg.front()));
     }
 

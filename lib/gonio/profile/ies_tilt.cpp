@@ -41,7 +41,7 @@ Unexpected not_a_number(const NumberScanner& numbers, Token token, Report& repor
     const std::string_view text = numbers.token();
     const std::size_t sign = text.find_first_of("+-", 1);
     const bool glued = sign != std::string_view::npos && text[sign - 1] >= '0' && text[sign - 1] <= '9';
-    return report.fail("IES0201", numbers.token_offset(), shown + " stands where a number is expected",
+    return report.fail("IES0201", numbers.token_offset(), "expected a number, found " + shown,
                        glued ? "if these are two numbers, put a blank between them" : "");
 }
 
@@ -82,7 +82,7 @@ Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, cons
     const char* const hint = "write the factors into this file, as TILT=INCLUDE";
     const std::string shown = quoted(name.substr(0, 80));
     if (!is_plain_name(name)) {
-        report.add("IES0111", offset, fmt::format("TILT factors in {}, only a file beside this one is read", shown),
+        report.add("IES0111", offset, fmt::format("TILT factors in {}: only a file in the same folder is read", shown),
                    hint);
         return IesTilt{};
     }
@@ -150,7 +150,7 @@ ReadBeside reader_beside(const std::string& path) {
                 return fail(Failure::io, "the link leads out of the folder", {}, file.string());
             return read_file(file.string(), limit("tilt-bytes"));
         }
-        return fail(Failure::io, "there is no such file beside this one", {}, (folder / name).string());
+        return fail(Failure::io, "there is no such file in the same folder", {}, (folder / name).string());
     };
 }
 

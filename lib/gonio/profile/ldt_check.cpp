@@ -13,7 +13,7 @@ void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report) {
     const bool begins = first == 0.0 || first == 90.0;
     if (!begins || (last != 90.0 && last != 180.0))
         report.add("LDT0308", begins ? places.last_vertical : places.vertical,
-                   fmt::format("gamma angles from {} to {}, there is no light outside them", first, last),
+                   fmt::format("gamma angles from {} to {}: there is no light outside them", first, last),
                    "they begin at 0 or 90 and end at 90 or 180");
     if (places.first_negative != no_place) report.add("LDT0401", places.first_negative, "a negative intensity");
     const Poles poles = look_at_poles(file.gammas_deg, file.candela_per_klm, places.peak);
@@ -31,7 +31,7 @@ void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report) {
     if (absolute && file.light_output_ratio_percent != 0.0 && file.light_output_ratio_percent != 100.0)
         report.add(
             "LDT0408", places.light_output_ratio,
-            fmt::format("absolute photometry, and the light output ratio is {}", file.light_output_ratio_percent));
+            fmt::format("absolute photometry, but the light output ratio is {}", file.light_output_ratio_percent));
     if (file.conversion_factor != 1.0)
         report.add("LDT0406", places.conversion_factor,
                    fmt::format("the conversion factor is {}", file.conversion_factor));

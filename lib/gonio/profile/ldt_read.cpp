@@ -100,7 +100,7 @@ private:
         text_offset_ = line.offset;
         if (field.size() > longest && trim(field).size() > longest)
             report_.add("LDT0106", line.offset + longest,
-                        fmt::format("the {} has {} characters, {} are allowed", what, field.size(), longest));
+                        fmt::format("the {} has {} characters, but {} are allowed", what, field.size(), longest));
         return {};
     }
 
@@ -164,7 +164,7 @@ private:
         number_offset_ = line.offset + (line.text.size() - trim_left(line.text).size());
         value = 0.0;
         if (written.empty()) {
-            report_.add("LDT0104", line.offset, fmt::format("a blank line for the {}, read as 0", what));
+            report_.add("LDT0104", line.offset, fmt::format("a blank line instead of the {}, read as 0", what));
             return {};
         }
         bool comma = false;
@@ -180,7 +180,7 @@ private:
         const bool known = file_.plane_count > 0;
         return report_.fail(
             "LDT0102", number_offset_,
-            fmt::format("{} stands where the {} is expected", known ? shown : "a text that is not a number", what));
+            fmt::format("expected the {1}, found {0}", known ? shown : "a text that is not a number", what));
     }
 
     Result<void> whole(int& value, std::string_view what, double lowest) {
@@ -198,7 +198,7 @@ private:
         if (Result<void> read = whole(file_.type_indicator, "type of luminaire", -largest_count); !read) return read;
         if (file_.type_indicator < 0 || file_.type_indicator > 3)
             report_.add("LDT0203", number_offset_, fmt::format("type of luminaire {}", file_.type_indicator),
-                        "1, 2 or 3 is expected");
+                        "expected 1, 2 or 3");
         if (Result<void> read = whole(file_.symmetry, "symmetry", -largest_count); !read) return read;
         if (file_.symmetry < 0 || file_.symmetry > 4)
             return report_.fail("LDT0202", number_offset_, fmt::format("symmetry {}, expected 0 to 4", file_.symmetry));
@@ -224,7 +224,7 @@ private:
         if (name.size() > 4 && equals_any_case(name.substr(name.size() - 4), ".LDT")) name.remove_suffix(4);
         if (name.size() > longest)
             report_.add("LDT0107", text_offset_ + longest,
-                        fmt::format("the file name has {} characters, {} are allowed", name.size(), longest));
+                        fmt::format("the file name has {} characters, but {} are allowed", name.size(), longest));
         return {};
     }
 
@@ -267,7 +267,7 @@ private:
             LdtLampSet set;
             if (Result<void> read = whole(set.lamp_count, "number of lamps", -largest_count); !read) return read;
             if (set.lamp_count == 0)
-                report_.add("LDT0210", number_offset_, "a set of no lamps",
+                report_.add("LDT0210", number_offset_, "a set without lamps",
                             "write at least 1, or a negative number for absolute photometry");
             if (Result<void> read = text(set.lamp_type, "type of lamps", 24); !read) return read;
             const auto mark = [&](ProfileField field, std::size_t offset) {
@@ -296,8 +296,7 @@ private:
     // An angle is not 0 for being blank: every value of the table would stand in another direction.
     Result<void> angle_of(const Line& line, double& value, std::string_view what) {
         if (trim(line.text).empty())
-            return report_.fail("LDT0102", line.offset,
-                                fmt::format("a blank line stands where the {} is expected", what));
+            return report_.fail("LDT0102", line.offset, fmt::format("a blank line where the {} is expected", what));
         return number_of(line, value, what);
     }
 
@@ -324,7 +323,7 @@ private:
                 report_.add("LDT0303", number_offset_, fmt::format("C-plane {} is listed twice", value));
             }
             if (value < 0.0 || value > 360.0)
-                return report_.fail("LDT0307", number_offset_, fmt::format("C-plane {}, outside 0 to 360", value));
+                return report_.fail("LDT0307", number_offset_, fmt::format("C-plane {} is outside 0 to 360", value));
             file_.planes_deg.push_back(value);
         }
         return {};
@@ -350,7 +349,8 @@ private:
             if ((before == 90.0 || before == 180.0) && (value < before || value > 180.0))
                 return missing(number_offset_);
             if (value < 0.0 || value > 180.0)
-                return report_.fail("LDT0307", number_offset_, fmt::format("gamma angle {}, outside 0 to 180", value));
+                return report_.fail("LDT0307", number_offset_,
+                                    fmt::format("gamma angle {} is outside 0 to 180", value));
             if (value < before)
                 return report_.fail("LDT0302", number_offset_, fmt::format("gamma angle {} follows {}", value, before));
             if (value == before)
@@ -400,7 +400,7 @@ private:
         if (f.plane_count > 1 && f.plane_count % symmetric != 0)
             report_.add("LDT0209", places_.header,
                         fmt::format("{} C-planes with symmetry {}", f.plane_count, f.symmetry),
-                        fmt::format("a multiple of {} is expected over the full turn", symmetric));
+                        fmt::format("expected a multiple of {} over the full turn", symmetric));
         check_step(f.planes_deg, f.plane_step_deg, true);
         check_step(f.gammas_deg, f.gamma_step_deg, false);
         return {};
@@ -434,7 +434,7 @@ private:
         }
         report_.add(
             "LDT0208", rest_offset,
-            fmt::format("symmetry {} announced, and the table holds all {} planes", file_.symmetry, file_.plane_count));
+            fmt::format("symmetry {} announced, but the table holds all {} planes", file_.symmetry, file_.plane_count));
         file_.candela_per_klm = std::move(table);
         if (!complete_planes()) file_.symmetry = 0;
     }
@@ -464,10 +464,11 @@ private:
         for (std::size_t i = 1; i < angles.size(); ++i)
             even = even && std::abs(angles[i] - angles[i - 1] - step) < 1e-3;
         if (even ? std::abs(announced - step) < 1e-3 : announced == 0.0) return;
-        const std::string message = even ? fmt::format("{} announced between the {}, the angles are {} apart",
-                                                       announced, planes ? "C-planes" : "gamma angles", step)
-                                         : fmt::format("{} announced between the {}, the angles are not equidistant",
-                                                       announced, planes ? "C-planes" : "gamma angles");
+        const std::string message = even
+                                        ? fmt::format("{} announced between the {}, but the angles are {} apart",
+                                                      announced, planes ? "C-planes" : "gamma angles", step)
+                                        : fmt::format("{} announced between the {}, but the angles are not equidistant",
+                                                      announced, planes ? "C-planes" : "gamma angles");
         if (planes)
             report_.add("LDT0305", plane_step_, message);
         else

@@ -1,4 +1,4 @@
-// The luminous opening of a luminaire: shape and size, decoded from what each format encodes it by.
+// The luminous opening of a luminaire: shape and size, decoded from the encoding of each format.
 #pragma once
 
 #include <gonio/profile/profile.hpp>
@@ -21,7 +21,7 @@ enum class OpeningShape {
 
 const char* to_text(OpeningShape shape); // "vertical-cylinder"
 
-// Sizes in metres, all ≥ 0. What is round has its diameter in both of the dimensions that it spans, an ellipse or
+// Sizes in metres, all ≥ 0. A round opening has its diameter in both of the dimensions that it spans, an ellipse or
 // elliptic cylinder its two axes.
 struct LuminousOpening {
     OpeningShape shape = OpeningShape::point;

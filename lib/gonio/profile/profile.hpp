@@ -1,7 +1,7 @@
-// Profile: a photometric file as it was written, with what is to be said about it.
+// Profile: a photometric file as it was written, with its diagnostics.
 //
 // Nothing is applied here: no multiplier, no ballast factor, no symmetry, no lm/klm scaling. Angles are in degrees and
-// in the order of the file, lengths in the file's own unit where the format leaves a choice. What a file means is
+// in the order of the file, lengths in the file's own unit where the format leaves a choice. The meaning of a file is
 // decided once, when a Web is resolved from it (gonio/web/resolve.hpp). Writing a Profile back loses nothing.
 #pragma once
 
@@ -34,7 +34,7 @@ struct IesFile {
     IesVersion version = IesVersion::lm63_2002;
     std::string version_line;          // as written; empty when the file has none
     std::vector<IesKeyword> keywords;  // in the file's order, repeats kept
-    std::string tilt_keyword = "NONE"; // what stands behind TILT=
+    std::string tilt_keyword = "NONE"; // what follows TILT=
     IesTilt tilt;                      // of TILT=INCLUDE, or of the file that TILT names when it could be read
     int lamp_count = 1;
     double lumens_per_lamp = -1.0; // −1: absolute photometry
@@ -118,10 +118,10 @@ struct Profile {
     FieldPlaces places = {}; // as read; of a profile that was made, none
 };
 
-// Of the profile's file: the field's place, and the whole file where that is not known.
+// The place of the field in the profile's file, or the whole file if that is not known.
 Location location_of(const Profile& profile, ProfileField field);
 
-// The same of a EULUMDAT lamp set, numbered from 1: its line where it is not the first.
+// The same for a EULUMDAT lamp set, numbered from 1: its line if it is not the first.
 Location location_of_lamps(const Profile& profile, ProfileField field, int lamp_set);
 
 } // namespace gonio

@@ -86,7 +86,7 @@ Result<ProfileFormat> recognise(std::string_view bytes, TextRange text, const st
     if (const std::optional<ProfileFormat> named = format_of_name(source)) return *named;
     if (ies) return ProfileFormat::ies;
     return report.fail("PRF0103", text.begin, "neither IES, EULUMDAT nor TM-33",
-                       "name the format if the file is of one of them");
+                       "name the format if the file is one of them");
 }
 
 } // namespace

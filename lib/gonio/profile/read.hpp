@@ -1,6 +1,6 @@
 // Reading photometric files: bytes → Profile.
 //
-// Tolerant by default: what can be understood without a guess is read and a diagnostic says what was odd. `strict`
+// Tolerant by default: anything that needs no guess is read, and a diagnostic reports what was unusual. `strict`
 // turns the departures from the standard into errors. A count that a file announces is never allocated before that
 // many values have been seen. Fails with `malformed`; every diagnostic has a code of gonio/profile/codes.hpp and
 // carries file, line and column (whole-file remarks: line 0). Texts keep their bytes (text_encoding.hpp shows them);
@@ -21,11 +21,11 @@ enum class ProfileFormat { ies, ldt, tm33 };
 
 const char* to_text(ProfileFormat format); // "IES", "LDT", "TM-33": as in reports
 
-// Whether a text is XML whose outermost element is TM-33's, as its first bytes tell (4096 are looked at): what tells
-// profiles from the other XML files in a folder. In any encoding that read_profile takes.
+// Whether the first 4096 bytes of a text are XML with the root element of TM-33. This distinguishes
+// profiles from other XML files in a folder. In any encoding that read_profile accepts.
 bool begins_as_tm33(std::string_view bytes);
 
-// Gives the bytes of the file `name` that stands beside a profile.
+// Returns the bytes of the file `name` in the folder of a profile.
 using ReadBeside = std::function<Result<std::string>(const std::string& name)>;
 
 struct ReadOptions {
@@ -37,8 +37,8 @@ struct ReadOptions {
     ReadBeside read_beside = {};
 };
 
-// Reads regular files and links to such in the folder that holds `path`, and nothing that a link leads out of it. A
-// name that is not there is tried in small and in capital letters: many were written where case made no difference.
+// Reads regular files and links to them in the folder of `path`, but not through a link that leads out of it. A
+// name that does not exist is tried in small and in capital letters: many come from systems that ignore case.
 ReadBeside reader_beside(const std::string& path);
 
 // `source` names the bytes in diagnostics, and its extension helps to recognise the format.

@@ -1,7 +1,7 @@
-// Text of photometric files: bytes, kept as they are, and how to show them.
+// Text of photometric files: bytes, kept unchanged, and their form for display.
 //
-// LM-63 and EULUMDAT name no encoding. Files of today are UTF-8, older ones mostly Windows-1252; a Profile keeps the
-// bytes, so that writing gives them back. Reports, which must be UTF-8, convert what they show.
+// LM-63 and EULUMDAT do not name an encoding. Recent files are UTF-8, older ones mostly Windows-1252. A Profile keeps
+// the bytes, so that writing gives them back. Reports, which must be UTF-8, convert what they show.
 #pragma once
 
 #include <string>

@@ -25,11 +25,11 @@ void check_planes(const Tm33Intensity& intensity, const Tm33Places& places, Repo
     if (intensity.symmetry && *intensity.symmetry != Tm33Symmetry::arbitrary && *intensity.symmetry != seen)
         report.add(
             "TM30301", places.symmetry,
-            fmt::format("the stated symmetry does not go with planes from {} to {}", planes.front(), planes.back()));
+            fmt::format("the stated symmetry does not match planes from {} to {}", planes.front(), planes.back()));
     const double gap = 360.0 - (planes.back() - planes.front());
     if (seen == Tm33Symmetry::none && planes.front() == 0.0 && planes.back() > 180.0 && gap > 0.0)
         report.add("TM30304", places.table,
-                   fmt::format("the last plane is at {}, the one at 360 is missing", planes.back()));
+                   fmt::format("the last plane is at {}, and the one at 360 is missing", planes.back()));
 }
 
 } // namespace

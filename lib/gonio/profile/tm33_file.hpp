@@ -1,9 +1,9 @@
 // ANSI/IES TM-33 (also ATLA S001, UNI 11733): luminaire optical data in XML.
 //
 // What gonio works with is in fields; everything else of the document (other quantities, elements and attributes of
-// others, comments) stays in `document` and is written back where it stood. A field that says something else than the
-// document wins: writing puts it in its element, which is made at the schema's place where it is missing, and taken
-// away where the field is empty. Lengths in metres, angles in degrees, wavelengths in nanometres.
+// others, comments) stays in `document` and is written back in its place. A field that differs from the
+// document wins: writing puts it in its element, which is created at the schema's place if it is missing, and removed
+// if the field is empty. Lengths in metres, angles in degrees, wavelengths in nanometres.
 #pragma once
 
 #include <optional>

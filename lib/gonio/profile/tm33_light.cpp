@@ -49,7 +49,7 @@ std::optional<Photometry> photometry_of(const Tm33File& file) {
 Result<IesFile> lm63_of(const Tm33File& file) {
     const std::optional<Photometry> photometry = photometry_of(file);
     if (!photometry)
-        return fail(Failure::unsupported, "the goniometer's geometry " + file.goniometer + " is none that LM-63 has",
+        return fail(Failure::unsupported, "LM-63 does not have the goniometer geometry " + file.goniometer,
                     "IES_A, IES_B, IES_C, CIE_B and CIE_C are known");
     IesFile light;
     light.version = IesVersion::lm63_2019;
@@ -78,8 +78,9 @@ Result<IesFile> lm63_of(const Tm33File& file) {
         }
         if (intensity.vertical_deg != light.vertical_deg || intensity.horizontal_deg != light.horizontal_deg ||
             emitter.tilt != light.tilt)
-            return fail(Failure::unsupported, "the emitters have different angles or tilt factors and are not added up",
-                        "write them on the same angles");
+            return fail(Failure::unsupported,
+                        "the emitters have different angles or tilt factors, so they cannot be added",
+                        "give them the same angles and tilt factors");
         const double factor = factor_of(emitter);
         if (shining == 2) { // from here on every table has its own factor
             for (double& candela : light.candela)

@@ -1,4 +1,4 @@
-// The luminous intensity of a TM-33 document in the form of LM-63, which everything that asks for light understands.
+// The luminous intensity of a TM-33 document in the form of LM-63, which all code that uses the light understands.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -17,8 +17,8 @@ std::optional<Photometry> photometry_of(const Tm33File& file);
 // their angles or tilt factors differ, and where photometry_of has nothing.
 Result<IesFile> lm63_of(const Tm33File& file);
 
-// Lumens of the lamps as the document declares them; nothing for absolute photometry, where there is no such number.
-// Without a word on it, photometry is relative where lumens are rated.
+// Lumens of the lamps as the document declares them; nothing for absolute photometry.
+// If the document does not say, photometry is relative when lumens are rated.
 std::optional<double> declared_flux_lm(const Tm33File& file);
 
 } // namespace gonio

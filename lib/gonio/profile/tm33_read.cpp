@@ -86,8 +86,9 @@ private:
                                 fmt::format("this is not well-formed XML: {}", parsed.description()));
         const std::string_view root = local_name(document_.document_element().name());
         if (!is_tm33_root(root))
-            return report_.fail("TM30102", place(document_.document_element()),
-                                fmt::format("the outermost element is {}, none of TM-33", quoted(root.substr(0, 40))));
+            return report_.fail(
+                "TM30102", place(document_.document_element()),
+                fmt::format("the root element is {}, which is not from TM-33", quoted(root.substr(0, 40))));
         return check_depth();
     }
 
@@ -133,10 +134,10 @@ private:
         if (file_.version != "1.0" && file_.version != "1.1")
             report_.add("TM30104", element ? place(element) : place(root),
                         file_.version.empty()
-                            ? std::string("no version is named")
+                            ? std::string("no version is given")
                             : fmt::format("version {}, known are 1.0 and 1.1", quoted(file_.version.substr(0, 40))));
         if (file_.root == "LuminaireOpticalData")
-            report_.add("TM30106", place(root), "the outermost element is that of no edition of TM-33");
+            report_.add("TM30106", place(root), "the root element is not that of an edition of TM-33");
     }
 
     std::optional<double> number_in(pugi::xml_node element) {
@@ -226,7 +227,7 @@ private:
             intensity.symmetry = symmetry_named(symmetry.child_value());
             if (!intensity.symmetry)
                 report_.add("TM30210", places.symmetry,
-                            fmt::format("{} names no symmetry", quoted(trimmed_text(symmetry).substr(0, 40))));
+                            fmt::format("{} is not a symmetry", quoted(trimmed_text(symmetry).substr(0, 40))));
         }
         intensity.photometry_type = trimmed_text(child_named(element, "PhotometryType"));
         PointTable table = read_points(element);
@@ -264,7 +265,7 @@ private:
         default:
             return report_.fail("TM30207", offset,
                                 table.text.empty() ? std::string("a point of the table is empty")
-                                                   : quoted(table.text) + " stands where a number is expected");
+                                                   : "expected a number, found " + quoted(table.text));
         }
     }
 
@@ -338,7 +339,7 @@ private:
             if (token == Token::end) return {};
             if (token != Token::number)
                 return report_.fail("TM30207", place(text.data() + numbers.token_offset(), element),
-                                    quoted(numbers.token()) + " stands where a number is expected");
+                                    "expected a number, found " + quoted(numbers.token()));
             list.push_back(value);
         }
     }

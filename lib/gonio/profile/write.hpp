@@ -1,5 +1,5 @@
 // Writing photometric files: what a Profile holds → bytes. Numbers are written as the shortest text that reads back
-// as the same double, without an exponent from 1e-30 to 1e15; lines end in CR LF as LM-63 and EULUMDAT ask. What was
+// as the same double, without an exponent from 1e-30 to 1e15. Lines end in CR LF as LM-63 and EULUMDAT ask. What was
 // read and is written reads back as the same file, field by field. Numbers must be finite, texts hold no line ends (but
 // the '\n' before the lines of [MORE]), and counts agree with the lists: nothing is checked here.
 #pragma once

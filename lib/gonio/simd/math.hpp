@@ -2,8 +2,8 @@
 //
 // Floats and packs share the polynomials below (minimax, printed by fit/minimax.cpp), so a pack differs from the float
 // only by what mul_add rounds; doubles call the C library. The bounds are in ulp of the exact result, hold on every
-// instruction set and are tested (tests/unit/simd/math_test.cpp); measured errors stand in README.md.
-// Outside the domain a function returns what its comment says. A NaN that goes in comes out unless said otherwise.
+// instruction set and are tested (tests/unit/simd/math_test.cpp); MEASURED.md has the measured errors.
+// Outside the domain a function returns what its comment says. A NaN argument gives NaN unless stated otherwise.
 #pragma once
 
 #include <gonio/simd/twin.hpp>

@@ -1,4 +1,4 @@
-// Luminaires that exist as a formula: relative intensity by direction, made into a web.
+// Luminaires defined by a formula: relative intensity by direction, converted to a web.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -38,7 +38,7 @@ struct AuthorOptions {
     Lumens flux{1000.0};              // > 0
 };
 
-// The shape's values at the angles of an even grid, with the mirrors that it has, scaled to the flux and rounded to
+// The shape's values at the angles of a uniform grid, with its mirrors, scaled to the flux and rounded to
 // seven significant digits of cd/klm, so that a file of it is short; the flux is met to 1e-7, and less than 1e-9 cd/klm
 // is 0. Fails (usage) on steps
 // that do not divide 90° into at most 1800 parts, a flux that is not greater than 0, and a formula that gives no light

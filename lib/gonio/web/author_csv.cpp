@@ -51,7 +51,7 @@ Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, bo
             if (!value)
                 return malformed(source, number, start + 1,
                                  known ? fmt::format("'{}' is not a number", field) : "not a table of candela",
-                                 "a row is C and one candela for each gamma, the first row gamma angles");
+                                 "the first row lists gamma; each other row is C and one candela for each gamma");
             if (!in_amount_range(*value))
                 return malformed(source, number, start + 1,
                                  fmt::format("{} is above {} in magnitude", *value, greatest_amount));

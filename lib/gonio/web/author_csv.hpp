@@ -1,4 +1,4 @@
-// A web from a table of numbers as spreadsheets write it.
+// A web from a table of numbers, as spreadsheets write it.
 #pragma once
 
 #include <gonio/base/result.hpp>

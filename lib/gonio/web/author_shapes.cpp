@@ -22,9 +22,9 @@ constexpr std::array kinds{
     AuthoredKind{"gaussian", "gaussian:beam=ANGLE", "2^−(γ/½beam)²: half of the peak at the beam angle (30deg)"},
     AuthoredKind{"downlight", "downlight:beam=ANGLE,spill=NUMBER",
                  "cosγ [(1 − spill) 2^−(γ/½beam)² + spill cos³γ] (30deg, 0.05)"},
-    AuthoredKind{"batwing", "batwing:reach=ANGLE,across=ANGLE,edge=NUMBER",
-                 "1/cos³γ out to an ellipse on the floor, even illuminance there, then 2^−((ρ−1)/edge)² (45deg, reach, "
-                 "0.25)"},
+    AuthoredKind{
+        "batwing", "batwing:reach=ANGLE,across=ANGLE,edge=NUMBER",
+        "1/cos³γ, uniform illuminance inside an ellipse on the floor, then 2^−((ρ−1)/edge)² (45deg, reach, 0.25)"},
     AuthoredKind{"wall-washer", "wall-washer:lean=ANGLE,height=ANGLE,width=ANGLE,spill=NUMBER",
                  "a lobe that leans towards C0, over a spill, cut off to 90deg (35deg, 18deg, 32deg, 0.03)"},
     AuthoredKind{"street", "street:throw=ANGLE,out=ANGLE,width=ANGLE",

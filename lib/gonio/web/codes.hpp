@@ -1,5 +1,5 @@
-// The diagnostic codes of the web room: what `gonio explain CODE` says, and what resolving (01), writing a web back
-// into a file (02) and the check of plausibility (03) may emit. A code is stable.
+// The diagnostic codes of the web room: the text of `gonio explain CODE`, for resolving (01), writing a web back into a
+// file (02) and the check of plausibility (03). A code is stable.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
@@ -17,140 +17,136 @@ struct WebCode {
 
 inline constexpr WebCode web_codes[] = {
     {"WEB0101", "the last C-plane is missing",
-     "A table without symmetry should list its first plane again at 360°. This one ends one step before; the gap is "
+     "A table without symmetry should list its first plane again at 360°. This one ends one step before it. The gap is "
      "closed with the first plane."},
-    {"WEB0102", "C-planes do not cover the circle",
-     "The planes end further than one step before the first one comes round again, and their range is none that means "
-     "a symmetry. Outside them the light is taken as dark."},
+    {"WEB0102", "C-planes do not cover the full turn",
+     "The planes end more than one step before the full turn, and their range does not match a symmetry. Directions "
+     "outside them get no light."},
     {"WEB0103", "a single C-plane that is not at 0°",
-     "One plane means the same light for every C, wherever it was measured."},
+     "One plane means the same light for every C, at whatever angle it was measured."},
     {"WEB0104", "a factor where the standard has none",
-     "LM-63-1986 and -1991 have a ballast-lamp factor as the twelfth number; LM-63-1995 and -2002 reserve it as 1. It "
-     "is not applied."},
+     "LM-63-1986 and LM-63-1991 have a ballast-lamp factor as the twelfth number. LM-63-1995 and LM-63-2002 reserve it "
+     "as 1. It is not applied."},
     {"WEB0105", "negative intensities",
-     "Stray light that is subtracted from a measurement can leave values below 0. They count in flux and samples as "
-     "they are; textures and pictures hold 0 for them."},
+     "Subtracting stray light from a measurement can leave values below 0. Flux and samples count them as they are; "
+     "textures and pictures hold 0 instead."},
     {"WEB0106", "no light", "Every intensity of the table is 0."},
-    {"WEB0107", "a table that encloses no directions",
-     "A table of type A or B needs at least two horizontal and two vertical angles: between them lies its light. One "
-     "angle alone is a line of directions, which carries no flux."},
+    {"WEB0107", "a table that covers no solid angle",
+     "A table of type A or B needs at least two horizontal and two vertical angles, because its light lies between "
+     "them. A single angle is a line of directions, which carries no flux."},
 
-    {"WEB0108", "an intensity beyond the range",
-     "An intensity, with the factors that the file or its lamps give it, is above 1e30 cd. The sun has 3e27 cd; no "
-     "luminaire comes near it, and textures and engines hold 32-bit floats, which end at 3.4e38. A factor or an "
-     "exponent is wrong.",
+    {"WEB0108", "an intensity out of range",
+     "An intensity, with the factors of the file or its lamps applied, is above 1e30 cd. The sun has 3e27 cd, and no "
+     "luminaire comes near it. Textures and engines hold 32-bit floats, which end at 3.4e38. A factor or an exponent "
+     "is wrong.",
      Severity::error},
 
     {"WEB0201", "keywords left out",
-     "The target has no place for these keywords: EULUMDAT keeps the company, the luminaire's name and number, the "
-     "report's number, the date and the lamp, and nothing else."},
+     "The target has no place for these keywords. EULUMDAT keeps only the company, the name and number of the "
+     "luminaire, the report number, the date and the lamp."},
     {"WEB0202", "TILT factors applied",
-     "The target cannot hold the factors for a tilted lamp. The table was multiplied by the factor of one tilt, 0 "
-     "unless another was asked for, and the others are lost."},
+     "The target cannot hold the factors for a tilted lamp. The table was multiplied by the factor of one tilt, which "
+     "is 0 unless you ask for another. The other factors are lost."},
     {"WEB0203", "other lamp sets left out",
      "EULUMDAT lists alternative sets of lamps; the target describes one. The intensities are those of the set that "
-     "was "
-     "asked for, the first by default."},
-    {"WEB0204", "spectrum left out", "The source holds a spectrum. LM-63 and EULUMDAT have no place for one."},
+     "was asked for, the first by default."},
+    {"WEB0204", "spectrum left out", "The source holds a spectrum. LM-63 and EULUMDAT cannot store one."},
     {"WEB0205", "resampled to type C",
-     "The source was measured in type A or B coordinates and the target holds type C alone. The web was rotated truly "
-     "and sampled on C-planes; between the samples it is interpolated, with the error that is stated."},
+     "The source was measured in type A or B coordinates, and the target holds only type C. The web was rotated "
+     "exactly and sampled on C-planes. Between the samples it is interpolated, with the stated error."},
     {"WEB0206", "gamma range padded with zeros",
-     "There is no light outside the angles of a table, but many readers repeat its first and last value there, and the "
+     "There is no light outside the angles of a table. But many readers repeat its first and last value there, and the "
      "formats ask for tables that begin at 0 or 90 and end at 90 or 180 degrees. Zeros were written outside, beginning "
      "0.0001 degrees beyond the last value.",
      Severity::note},
     {"WEB0207", "dark sector padded with zeros",
-     "The planes do not cover the circle, and the sector between them is dark. It was written as planes of zeros that "
-     "begin 0.0001 degrees beside the last lit plane.",
+     "The planes do not cover the full turn, and the sector between them is dark. It was written as planes of zeros "
+     "that begin 0.0001 degrees beside the last lit plane.",
      Severity::note},
     {"WEB0208", "symmetry written out",
-     "The target has no such symmetry, or its readers do not know it: the mirrored planes were written out. Nothing is "
-     "lost by it.",
+     "The target does not have this symmetry, or its readers do not know it. The mirrored planes were written out. "
+     "Nothing is lost.",
      Severity::note},
     {"WEB0209", "shape of the luminous opening changed",
-     "The target has no code for this shape; the nearest one with the same sizes was written."},
+     "The target has no code for this shape. The nearest shape with the same sizes was written."},
     {"WEB0210", "fields of EULUMDAT left out",
-     "LM-63 has no place for the housing's size, the file's name, the ratios, or the tilt during the measurement."},
+     "LM-63 cannot store the size of the housing, the file name, the ratios or the tilt during the measurement."},
     {"WEB0211", "file generation type left out",
-     "LM-63-2019 says in its twelfth number how a file came about: measured, simulated, scaled, by what laboratory. "
-     "Other formats do not."},
-    {"WEB0212", "text made ASCII",
-     "The portable dialect is written in ASCII. Letters lost their accents, and other signs became question marks."},
+     "The twelfth number of LM-63-2019 says how a file was made: measured, simulated or scaled, and by what kind of "
+     "laboratory. Other formats do not store this."},
+    {"WEB0212", "text converted to ASCII",
+     "The portable dialect is written in ASCII. Letters lost their accents, and other characters became question "
+     "marks."},
     {"WEB0213", "lumens are those of the table",
-     "The portable dialect has one lamp whose lumens are the flux of the table. Of -1, absolute photometry, some "
-     "loaders "
-     "fail and others make 1000 lumens; and some scale the light to the lumens that are declared.",
+     "The portable dialect has one lamp, and its lumens are the flux of the table. With -1, absolute photometry, some "
+     "loaders fail and others assume 1000 lumens. Some scale the light to the declared lumens.",
      Severity::note},
     {"WEB0214", "planes at 0 and 360 degrees kept apart",
-     "The source has two different planes at the same angle. EULUMDAT lists it once; the other was written 0.0001 "
-     "degrees before the full turn.",
+     "The source has two different planes at the same angle. EULUMDAT lists the angle once, so the other plane was "
+     "written 0.0001 degrees before the full turn.",
      Severity::note},
     {"WEB0215", "required keywords added",
-     "LM-63-2002 and later require [TEST], [TESTLAB], [ISSUEDATE] and [MANUFAC]. What the source does not tell was "
-     "written as \"unknown\".",
+     "LM-63-2002 and later require [TEST], [TESTLAB], [ISSUEDATE] and [MANUFAC]. Those that the source does not give "
+     "were written as \"unknown\".",
      Severity::note},
-    {"WEB0217", "TILT factors taken into the file",
+    {"WEB0217", "TILT factors written into the file",
      "The source names another file that holds its TILT factors. They are written as TILT=INCLUDE, because that file "
-     "need not lie beside the one that is written.",
+     "may not be in the folder of the output.",
      Severity::note},
     {"WEB0218", "emitters added up",
-     "TM-33 describes each emitter of a luminaire; the target has one table and one lamp. The intensities were added, "
-     "the lamp's description is that of the first emitter."},
-    {"WEB0219", "stored under its symmetry",
-     "The table's planes repeat one another, as it was asked to look for: those that the symmetry gives back are left "
-     "out. The light is the same, within the tolerance that was asked for.",
+     "TM-33 describes each emitter of a luminaire; the target has one table and one lamp. The intensities were added. "
+     "The description of the lamp is that of the first emitter."},
+    {"WEB0219", "stored by its symmetry",
+     "You asked to look for symmetry, and the planes of the table repeat one another. The planes that the symmetry "
+     "restores are left out. The light is the same, within the tolerance that you asked for.",
      Severity::note},
 
     {"WEB0301", "more light than the lamps give",
-     "The table's flux exceeds the lumens that the file declares for its lamps. Lumens of another lamp, a factor that "
-     "was applied twice, or absolute photometry with lumens written beside it. The table is believed."},
-    {"WEB0302", "hardly any of the lamps' light",
-     "The table's flux is below a tenth of the lumens that the file declares. Lumens of another lamp or a missing "
-     "factor "
-     "show like this. The table is believed."},
+     "The flux of the table exceeds the lumens that the file declares for its lamps. Usual causes are the lumens of "
+     "another lamp, a factor that was applied twice, or absolute photometry with lumens written beside it. gonio uses "
+     "the table."},
+    {"WEB0302", "hardly any of the light of the lamps",
+     "The flux of the table is below a tenth of the lumens that the file declares. Usual causes are the lumens of "
+     "another lamp or a missing factor. gonio uses the table."},
     {"WEB0303", "more lumens per watt than light can have",
-     "Light of 555 nm alone has 683 lumens per watt, and nothing has more. The input watts are wrong, or the table is.",
+     "Light of 555 nm has 683 lumens per watt, and no light has more. The input watts or the table are wrong.",
      Severity::error},
     {"WEB0304", "more lumens per watt than any luminaire has",
-     "Above 300 lumens per watt no white light source is known. The input watts are likely those of another lamp."},
-    {"WEB0305", "no input power", "The file gives no watts, so that there is no efficacy.", Severity::note},
-    {"WEB0306", "luminous opening of an odd size",
-     "A size above 50 metres, or one that is not 0 and below half a millimetre, is written in another unit than the "
-     "one "
-     "that the file names."},
+     "No known white light source has more than 300 lumens per watt. The input watts are probably those of another "
+     "lamp."},
+    {"WEB0305", "no input power", "The file gives no watts, so there is no efficacy.", Severity::note},
+    {"WEB0306", "luminous opening of an implausible size",
+     "A size is above 50 metres, or below half a millimetre but not 0. It is probably written in another unit than the "
+     "file names."},
     {"WEB0307", "brighter than the sun",
-     "The greatest intensity over the area of the luminous opening is above the luminance of the sun's disk, 1.6e9 "
-     "cd/m2. "
-     "The opening is written in another unit, or the table is."},
-    {"WEB0308", "a lone value",
-     "One value of the table stands far above all its neighbours, as no optic makes it: a digit too many, or an error "
-     "of "
-     "the measurement."},
+     "The greatest intensity divided by the area of the luminous opening is above the luminance of the sun's disk, "
+     "1.6e9 cd/m2. The opening or the table is written in another unit."},
+    {"WEB0308", "an isolated value",
+     "One value of the table is far above all its neighbours. No optic does this: the value has a digit too many, or "
+     "the measurement failed there."},
     {"WEB0309", "light at the edge of the table",
-     "The table ends where the light still has more than a tenth of its peak. What lies beyond was not measured, and "
-     "is "
-     "taken as dark; programs that continue the last value see another light."},
-    {"WEB0310", "a hemisphere that is dark",
+     "The table ends where the light still has more than a tenth of its peak. What lies beyond was not measured and is "
+     "taken as dark. Programs that continue the last value show a different light."},
+    {"WEB0310", "a dark hemisphere",
      "The table lists a whole hemisphere of zeros. It could end at 90 degrees and mean the same.", Severity::note},
     {"WEB0311", "more planes than the light needs",
-     "The light is the same in mirrored planes, which the formats allow to leave out.", Severity::note},
-    {"WEB0312", "downward flux fraction does not fit the table",
-     "Line 22 of EULUMDAT is the share of the light that goes below the horizon, in per cent. It differs from that of "
-     "the table by more than two per cent of the whole."},
-    {"WEB0313", "light output ratio does not fit the table",
+     "The light is the same in mirrored planes. The formats allow a file to leave these out.", Severity::note},
+    {"WEB0312", "downward flux fraction does not match the table",
+     "Line 22 of EULUMDAT is the share of the light that goes below the horizon, in per cent. It differs from the "
+     "share in the table by more than two percentage points."},
+    {"WEB0313", "light output ratio does not match the table",
      "Line 23 of EULUMDAT is the share of the lamps' flux that leaves the luminaire, in per cent. It differs from the "
-     "table's by more than two per cent."},
-    {"WEB0314", "direct ratios that cannot be",
-     "A direct ratio is a share of the downward flux and rises with the room's index: they lie between 0 and 1 and do "
-     "not fall."},
+     "share in the table by more than two percentage points."},
+    {"WEB0314", "impossible direct ratios",
+     "A direct ratio is a share of the downward flux and rises with the room index. It lies between 0 and 1 and never "
+     "falls."},
     {"WEB0315", "lamps without flux",
-     "EULUMDAT lists candela for each 1000 lumens of the lamps. With no lumens there is no light."},
+     "EULUMDAT lists candela per 1000 lumens of the lamps. Without lumens there is no light."},
     {"WEB0316", "luminous area larger than the luminaire",
-     "The luminous area is a part of the luminaire. Its sizes, in millimetres, are larger."},
-    {"WEB0317", "colour that cannot be",
-     "A colour temperature of light sources lies between 1000 and 25000 kelvin, and a colour rendering index does not "
-     "exceed 100."},
+     "The luminous area is a part of the luminaire, but its sizes in millimetres are larger."},
+    {"WEB0317", "impossible colour",
+     "The colour temperature of light sources lies between 1000 and 25000 kelvin, and a colour rendering index does "
+     "not exceed 100."},
 };
 
 // nullptr when there is no such code.

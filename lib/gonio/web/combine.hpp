@@ -13,9 +13,9 @@ struct WeightedWeb {
     double weight; // ≥ 0
 };
 
-// Σ weightᵢ · webᵢ, aims and C0 upon each other. Exact on the union of all grids; where a table ends in the bright, the
+// Σ weightᵢ · webᵢ, with aims and C0 aligned. Exact on the union of all grids; where a table ends in bright light, the
 // sum has a ramp 0.0001° wide. Symmetry is that of the sum. Webs of type A and B are resampled to type C first unless
-// all are of that type; `max_error` is what that costs at most in any direction [cd]. Fails (usage) without webs.
+// all are of that type; `max_error` is the greatest error of that in any direction [cd]. Fails (usage) without webs.
 struct CombinedWeb {
     Web web;
     double max_error_cd = 0.0;

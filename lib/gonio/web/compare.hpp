@@ -1,4 +1,4 @@
-// How far two webs differ.
+// The difference of two webs.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -20,7 +20,7 @@ struct WebDifference {
 };
 
 // Two webs of the same goniometer differ by a function that is bilinear in every cell of the union of their grids: its
-// greatest value is at a corner, looked for from within each cell, so that jumps where a table ends count, and the
+// greatest value is at a corner, taken from within each cell, so that jumps where a table ends count, and the
 // comparison is exact whatever the two grids. Webs of different goniometers are compared at every half degree of C and
 // γ and at both grids' own points. Cost: 8 evaluations of each web a cell of the union.
 WebDifference difference(const Web& a, const Web& b);

@@ -1,4 +1,4 @@
-// The three goniometers' angles and the directions they stand for (IES LM-75, CIE 121).
+// The angles of the three goniometers and their directions (IES LM-75, CIE 121).
 //
 // Horizontal and vertical as LM-63 lists them, in degrees. In a light's own frame the aim is −Z:
 //   C  half planes around the axis:  C horizontal, γ vertical    (sinγ cosC, sinγ sinC, −cosγ)

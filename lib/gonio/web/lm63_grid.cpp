@@ -23,7 +23,7 @@ Grid type_c_grid(const Web& web, Lm63Planes allowed, Losses& losses) {
         losses.add("WEB0208", fmt::format("symmetry {} written out as {} planes over the full turn", to_text(symmetry),
                                           grid.horizontal_deg.size()));
     if (grid.dark_sector)
-        losses.add("WEB0207", "the planes do not cover the circle: the dark sector is written as planes of zeros");
+        losses.add("WEB0207", "the planes do not cover the full turn: the dark sector is written as planes of zeros");
     return grid;
 }
 

@@ -36,7 +36,7 @@ Result<Luminaire> stretched(const Luminaire& luminaire, double factor) {
         return fail(
             Failure::usage,
             fmt::format("a luminous opening that is a {} has no length to stretch", to_text(header.opening.shape)),
-            "only linear luminaires are made longer; --dim and --lumens scale the others", header.source);
+            "only linear luminaires can be stretched; --dim and --lumens scale the others", header.source);
     header.opening.length_m *= factor;
     header.length_m *= factor;
     header.input_watts *= factor;

@@ -1,4 +1,4 @@
-// A web with what is said beside it, and changes that concern both.
+// A web with its header, and changes to both.
 #pragma once
 
 #include <gonio/base/quantity.hpp>

@@ -94,7 +94,7 @@ Result<MadeProfile> with_numbers_in_range(MadeProfile made) {
     std::visit([&](const auto& file) { numbers(file); }, made.profile.file);
     if (!numbers.found()) return made;
     return fail(Failure::malformed,
-                fmt::format("the {} would be {}, and photometric files hold numbers up to {}", numbers.found()->name,
+                fmt::format("the {} would be {}, but photometric files hold numbers up to {}", numbers.found()->name,
                             numbers.found()->value, greatest_amount),
                 {}, made.profile.source);
 }

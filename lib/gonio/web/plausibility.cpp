@@ -123,7 +123,7 @@ void check_lone_values(const Web& web, double bright_cd, Findings& says) {
             if (value <= times * around) continue;
             const bool c = web.photometry() == Photometry::c;
             says.add("WEB0308", ProfileField::intensity,
-                     fmt::format("{:.6g} cd at {} {:.6g}, {} {:.6g}, and no more than {:.4g} cd beside it", value,
+                     fmt::format("{:.6g} cd at {} {:.6g}, {} {:.6g}, but no more than {:.4g} cd beside it", value,
                                  shown(web.photometry()), web.horizontal_deg()[i], c ? "gamma" : "V",
                                  web.vertical_deg()[j], around));
             return;
@@ -171,9 +171,9 @@ void check_planes(const Web& web, Findings& says) {
     if (web.photometry() != Photometry::c) return;
     const Symmetry found = detected_symmetry(web);
     if (found != web.stored_symmetry() && found != Symmetry::none)
-        says.add(
-            "WEB0311", ProfileField::first_horizontal,
-            fmt::format("stored with symmetry {}, the light has {}", to_text(web.stored_symmetry()), to_text(found)));
+        says.add("WEB0311", ProfileField::first_horizontal,
+                 fmt::format("stored with symmetry {}, but the light has {}", to_text(web.stored_symmetry()),
+                             to_text(found)));
     const std::span<const double> gammas = web.gammas_deg();
     if (gammas.front() > 0.0 || gammas.back() < 180.0) return;
     bool dark_below = true;
@@ -221,14 +221,14 @@ void check_ldt_fields(const LdtFile& file, const ProfileHeader& header, const We
         const double downward = 100.0 * zone_flux(web, 0.0, 90.0).value / light_lm;
         if (std::abs(downward - file.downward_flux_percent) > 2.0)
             says.add("WEB0312", ProfileField::downward_flux,
-                     fmt::format("a downward flux fraction of {:.4g} %, that of the table is {:.4g} %",
+                     fmt::format("the downward flux fraction is {:.4g} %, but that of the table is {:.4g} %",
                                  file.downward_flux_percent, downward));
     }
     if (lamps.flux_lm > 0.0 && light_lm > 0.0 && file.light_output_ratio_percent != 0.0) {
         const double ratio = 100.0 * light_lm / lamps.flux_lm;
         if (std::abs(ratio - file.light_output_ratio_percent) > 2.0)
             says.add("WEB0313", ProfileField::light_output_ratio,
-                     fmt::format("a light output ratio of {:.4g} %, that of the table is {:.4g} %",
+                     fmt::format("the light output ratio is {:.4g} %, but that of the table is {:.4g} %",
                                  file.light_output_ratio_percent, ratio));
     }
     for (std::size_t i = 0; i < file.direct_ratios.size(); ++i) {

@@ -132,12 +132,12 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
                                                      : take_symmetry_of_types_a_b(table);
     if (table.photometry != Photometry::c && (table.planes_deg.size() < 2 || table.gammas_deg.size() < 2))
         warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0107",
-             fmt::format("{} horizontal and {} vertical angles of a type {} table enclose no directions: dark",
+             fmt::format("{} horizontal and {} vertical angles of a type {} table cover no solid angle: dark",
                          table.planes_deg.size(), table.gammas_deg.size(),
                          file.photometry == Photometry::a ? 'A' : 'B'));
     if (table.stored == Symmetry::axial && table.planes_deg.front() != 0.0)
         warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0103",
-             fmt::format("the only C-plane is at {}°: taken for every C", table.planes_deg.front()));
+             fmt::format("the only C-plane is at {}°: used for every C", table.planes_deg.front()));
 
     double factor = file.candela_multiplier * file.ballast_factor * tilt_factor(file.tilt, options.tilt_deg);
     const bool field_12_is_factor = file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
@@ -147,7 +147,7 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
         warn(diagnostics, location_of(profile, ProfileField::field_12), "WEB0104",
              fmt::format("the 12th field is {}, but {} reserves it as 1: not applied", file.field_12,
                          to_text(file.version)),
-             "if the luminaire comes out too bright or too dark, this is why");
+             "if the luminaire is too bright or too dark, this is why");
     }
     return std::pair{std::move(table), factor};
 }
@@ -173,7 +173,7 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<doubl
                                           const ResolveOptions& options) {
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
         return fail(Failure::usage,
-                    fmt::format("there is no lamp set {}, the file has {}", options.lamp_set, file.lamp_sets.size()),
+                    fmt::format("there is no lamp set {}: the file has {}", options.lamp_set, file.lamp_sets.size()),
                     {}, profile.source);
     const LdtLampSet& lamps = file.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
 
@@ -247,7 +247,7 @@ Unexpected beyond_range(const Profile& profile, double intensity_cd, double fact
     error.code = "WEB0108";
     error.location = location_of(profile, ProfileField::intensity);
     error.message = factor == 1.0 ? fmt::format("an intensity of {} cd is above {} cd", intensity_cd, greatest_amount)
-                                  : fmt::format("the factor {} on the table makes {} cd, above {} cd", factor,
+                                  : fmt::format("the factor {} makes {} cd of the table, above {} cd", factor,
                                                 intensity_cd, greatest_amount);
     return Unexpected(Error{Failure::malformed, {std::move(error)}});
 }

@@ -13,12 +13,12 @@
 
 namespace gonio {
 
-// From where C counts. LM-63 puts C0 along a luminaire's length and EULUMDAT across it, so that a file of the one
-// tradition is turned by 90° in the other's terms.
+// The origin of C. LM-63 puts C0 along a luminaire's length and EULUMDAT across it, so a file of one
+// convention is rotated by 90° in the other.
 enum class AzimuthConvention {
     as_written, // every file's own: C is what it lists
-    lm63,       // EULUMDAT files are turned by −90°
-    eulumdat    // IES files are turned by 90°: their C0 is C90 then
+    lm63,       // EULUMDAT files are rotated by −90°
+    eulumdat    // IES files are rotated by 90°: their C0 becomes C90
 };
 
 struct ResolveOptions {
@@ -29,7 +29,7 @@ struct ResolveOptions {
     friend bool operator==(const ResolveOptions&, const ResolveOptions&) = default;
 };
 
-// A web, and what was noticed on the way (appended to the profile's own diagnostics by the caller).
+// A web and its diagnostics (the caller appends them to those of the profile).
 struct ResolvedWeb {
     Web web;
     Diagnostics diagnostics;
@@ -39,11 +39,11 @@ struct ResolvedWeb {
 // that the file does not have.
 Result<ResolvedWeb> resolve_web(const Profile& profile, const ResolveOptions& options = {});
 
-// The same where the profile is not needed any more: the web takes its table over, so that there never are two. What
+// The same if the profile is no longer needed: the web takes over its table, so that there are never two. What
 // is left of the profile has no table.
 Result<ResolvedWeb> resolve_web(Profile&& profile, const ResolveOptions& options = {});
 
-// Lumens of the lamps as the file declares them; nothing for absolute photometry, where there is no such number.
+// Lumens of the lamps as the file declares them; nothing for absolute photometry.
 std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options = {});
 
 } // namespace gonio

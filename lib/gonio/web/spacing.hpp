@@ -1,4 +1,4 @@
-// How far apart luminaires may hang: the spacing criterion of the IES.
+// How far apart luminaires may be mounted: the spacing criterion of the IES.
 #pragma once
 
 #include <gonio/web/web.hpp>

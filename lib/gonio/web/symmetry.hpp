@@ -1,4 +1,4 @@
-// Symmetry of a Web as its numbers show it, and webs stored under another one.
+// Symmetry of a Web as its numbers show it, and webs stored with another symmetry.
 #pragma once
 
 #include <gonio/web/web.hpp>

@@ -30,7 +30,7 @@ void add_required_keywords(IesFile& file, Losses& losses) {
     }
     if (!added.empty())
         losses.add("WEB0215",
-                   fmt::format("required by {} and not told by the source: {}", to_text(file.version), added));
+                   fmt::format("required by {} but missing in the source: {}", to_text(file.version), added));
 }
 
 // Editions differ in the date's name, and since 1991 there are no lines without a keyword.
@@ -86,7 +86,7 @@ void make_portable(IesFile& file, const Web& web, Losses& losses) {
         changed = make_ascii(keyword.text) || changed;
         keyword.text = in_lines_of(keyword.text, 132 - 2 - keyword.name.size() - 3, 132 - 2 - 7);
     }
-    if (changed) losses.add("WEB0212", "letters with accents and other signs were written in ASCII");
+    if (changed) losses.add("WEB0212", "accented letters and other characters were converted to ASCII");
 }
 
 } // namespace

@@ -30,9 +30,9 @@ LdtTable all_planes(const Web& web, Losses& losses) {
         losses.add("WEB0208", fmt::format("symmetry {} written out as {} planes over the full turn",
                                           to_text(web.stored_symmetry()), grid.horizontal_deg.size() - 1));
     if (grid.dark_sector)
-        losses.add("WEB0207", "the planes do not cover the circle: the dark sector is written as planes of zeros");
+        losses.add("WEB0207", "the planes do not cover the full turn: the dark sector is written as planes of zeros");
     if (grid.jump_at_zero) {
-        losses.add("WEB0214", fmt::format("the planes at 0 and 360 degrees differ: the latter is written at {}",
+        losses.add("WEB0214", fmt::format("the planes at 0 and 360 degrees differ: that at 360 is written at {}",
                                           360.0 - dark_step_deg));
         step_before_the_turn(grid);
     }

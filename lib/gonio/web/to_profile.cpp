@@ -129,12 +129,12 @@ void web_detail::report_other_losses(const ProfileHeader& header, bool keeps_gen
     if (header.tilt_applied) losses.add("WEB0202", "the TILT table was applied for one tilt and is left out");
     if (header.other_lamp_sets > 0)
         losses.add("WEB0203", fmt::format("{} other lamp sets left out", header.other_lamp_sets),
-                   "--lamp-set takes another");
+                   "--lamp-set selects another");
     if (header.spectra > 0)
         losses.add("WEB0204",
                    fmt::format("{} {} left out", header.spectra, header.spectra == 1 ? "spectrum" : "spectra"));
     if (header.emitters > 1)
-        losses.add("WEB0218", fmt::format("{} emitters added up, the first one's description kept", header.emitters));
+        losses.add("WEB0218", fmt::format("{} emitters added up, with the description of the first", header.emitters));
     if (header.file_generation_type != 1.0 && !keeps_generation_type)
         losses.add("WEB0211", fmt::format("file generation type {} left out", header.file_generation_type));
 }

@@ -36,10 +36,10 @@ enum class ProfileTarget {
 
 const char* to_text(ProfileTarget target); // "ies", "lm-63-2002", "portable", "ldt", "tm33"
 
-// Nothing for a name that is none of these.
+// Nothing for any other name.
 std::optional<ProfileTarget> find_profile_target(std::string_view name);
 
-// A file made of a web, or of another file, and what was lost on the way.
+// A file made from a web, or from another file, and what was lost in the process.
 struct MadeProfile {
     Profile profile; // its own diagnostics are empty
     Diagnostics diagnostics;
@@ -65,7 +65,7 @@ Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget targ
 // The target that a file already is of: its format, and its edition where there is a dialect of that name.
 std::optional<ProfileTarget> target_of(const Profile& profile);
 
-// How far a made web is from the one it was made of, at all angles of both tables: that is where the difference of two
+// The error of a written web against its source, at all angles of both tables: that is where the difference of two
 // interpolants is greatest. The 0.0001° beside a dark range are not looked into. Webs of different goniometers are
 // compared by gonio/web/compare.hpp.
 struct ConversionError {

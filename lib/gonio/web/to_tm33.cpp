@@ -117,7 +117,7 @@ void take_keywords(Tm33File& file, Tm33Emitter& emitter, const ProfileHeader& he
     }
     keywords.rest(file.header);
     if (!added.empty())
-        losses.add("WEB0215", fmt::format("required by {} and not told by the source: {}", edition(file), added));
+        losses.add("WEB0215", fmt::format("required by {} but missing in the source: {}", edition(file), added));
 }
 
 } // namespace

@@ -447,7 +447,7 @@ Result<Web> cropped(const Web& web, double gamma_low_deg, double gamma_high_deg)
         return fail(Failure::usage,
                     fmt::format("cannot keep gamma from {}° to {}° of 0° to 180°", gamma_low_deg, gamma_high_deg));
     if (web.photometry() != Photometry::c)
-        return fail(Failure::unsupported, "a web of type A or B has no gamma to crop at",
+        return fail(Failure::unsupported, "a web of type A or B cannot be cropped by gamma",
                     "resample it to type C first (gonio edit --resample 5deg,2.5deg)");
     const double low = std::max(gamma_low_deg, web.gammas_deg().front());
     const double high = std::min(gamma_high_deg, web.gammas_deg().back());

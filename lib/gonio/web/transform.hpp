@@ -1,6 +1,6 @@
-// The same luminaire turned, mirrored, cut, evened out or brighter.
+// A luminaire rotated, mirrored, cropped, symmetrised or scaled.
 //
-// Exact unless said: the interpolant of the result is the transformed interpolant of the web, at all angles. What has
+// Exact unless stated: the interpolant of the result is the transformed interpolant of the web, at all angles. What has
 // to be resampled comes back as a ResampledWeb (gonio/web/resample.hpp) and states its error. Symmetry is kept where
 // the transformed light has it. Dark sectors, where planes end before the range of their symmetry does, stay dark: what
 // jumps there and cannot be the end of a table becomes a ramp 0.0001° wide about it, which keeps the flux to 1e-8 of
@@ -14,17 +14,17 @@
 
 namespace gonio {
 
-// Turned about the axis: what shone towards C shines towards C + angle. Exact at any angle for type C, and at multiples
+// Rotated about the axis: the light towards C goes to C + angle. Exact at any angle for type C, and at multiples
 // of 90° for types A and B, a quarter turn of one being a web of the other; else they are resampled to type C, to
 // `resampling_tolerance` of the peak. A mirrored web with dark sectors is written out for any but quarter turns.
 ResampledWeb rotated(const Web& web, double angle_deg);
 
 enum class MirrorPlane { c0_180, c90_270 };
 
-// Mirrored in a plane through the axis: what shone towards C shines towards −C, or 180° − C.
+// Mirrored in a plane through the axis: the light towards C goes to −C, or 180° − C.
 Web mirrored(const Web& web, MirrorPlane plane);
 
-// The axis leaned by `angle_deg` towards C = `towards_c_deg`: what shone along the nadir shines along γ = angle there.
+// The axis tilted by `angle_deg` towards C = `towards_c_deg`: the light along the nadir goes to γ = angle there.
 // Resampled as resampled_to_c() does, to `tolerance` of the peak. An angle of 0 changes nothing.
 ResampledWeb tilted(const Web& web, double angle_deg, double towards_c_deg, double tolerance = resampling_tolerance);
 

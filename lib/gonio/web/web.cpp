@@ -150,7 +150,7 @@ Result<Web> Web::create(Symmetry stored, std::vector<double> planes_deg, std::ve
     const AngleRange range = listed_range(stored);
     if (planes_deg.front() < range.low || planes_deg.back() > range.high ||
         planes_deg.back() - planes_deg.front() > 360.0 + 1e-9)
-        return fail(Failure::malformed, fmt::format("C-planes from {}° to {}° do not fit a web of symmetry {}",
+        return fail(Failure::malformed, fmt::format("C-planes from {}° to {}° do not match a web of symmetry {}",
                                                     planes_deg.front(), planes_deg.back(), to_text(stored)));
     if (stored == Symmetry::axial && planes_deg.size() != 1)
         return fail(Failure::malformed, "an axial web has one plane");

@@ -1,12 +1,12 @@
-// Web: the photometric web, candela by direction; the one form of a measured light that everything downstream takes.
+// Web: the photometric web, candela by direction; the one form of a measured light that all further code uses.
 //
 // The grid is the file's own and of its own goniometer, A, B or C (gonio/web/goniometer.hpp), angles strictly ascending
 // and in degrees, so that a table angle is hit exactly; symmetry is kept and not expanded; every factor is already
 // applied, candela are absolute. Between the grid's angles the intensity is linear in both of them; outside them,
 // after symmetry, it is 0. Frame: γ = 0 is −Z, C0 is +X, C90 is +Y (gonio/base/frame.hpp).
-// Every web is asked by direction or by (C, γ). Who reads the grid itself must look at photometry() first: a web of
-// type A or B has no C-planes and no γ (gonio/web/resample.hpp makes a web that has).
-// Evaluation costs two searches (none on even grids) and no allocation; a Web does not change once made and may be read
+// Webs are evaluated by direction or by (C, γ). Code that reads the grid must check photometry() first: a web of
+// type A or B does not have C-planes and γ (gonio/web/resample.hpp makes a web that does).
+// Evaluation costs two searches (none on uniform grids) and no allocation; a Web does not change and may be read
 // by any number of threads.
 #pragma once
 
@@ -30,12 +30,12 @@ enum class Symmetry {
     quadrant,         // mirrored in both; C: planes 0°–90°, A and B: H ≥ 0 and V ≥ 0
     bilateral_0_180,  // mirrored in the C0–C180 plane; C: planes 0°–180°, A and B: V ≥ 0
     bilateral_90_270, // mirrored in the C90–C270 plane; C: planes 90°–270°, A and B: H ≥ 0
-    none              // as it stands
+    none              // as stored
 };
 
 const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 
-// How many images of the stored grid make the light: 4, 2 or 1.
+// How many images of the stored grid make up the light: 4, 2 or 1.
 double image_count(Symmetry stored);
 
 class Web {
@@ -93,7 +93,7 @@ private:
     // Strictly ascending angles with the cell of an angle found at once where they are evenly spaced.
     struct Axis {
         std::vector<double> angles_deg;
-        double cells_per_deg = 0.0; // 0 when uneven
+        double cells_per_deg = 0.0; // 0 when not uniform
 
         explicit Axis(std::vector<double> angles);
         // The cell [i, i+1] that holds the angle and the weight of its upper end; false outside the angles.

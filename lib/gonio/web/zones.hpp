@@ -1,4 +1,4 @@
-// Where a web's flux goes: zones of γ, CIE flux codes, the zones of the IES luminaire classification.
+// The distribution of a web's flux: zones of γ, CIE flux codes, the zones of the IES luminaire classification.
 //
 // Everything is the exact integral of the interpolant for type C and by quadrature to 1e-6 for types A and B
 // (gonio/web/rings.hpp), γ counted from the nadir and C as in the web.

@@ -43,7 +43,7 @@ TEST(JsonText, DepthIsLimitedWithItsPlace) {
     EXPECT_TRUE(detail::parse_json(repeated("[", most) + repeated("]", most)));
     EXPECT_EQ(refusal("\n" + repeated("[", most + 1) + repeated("]", most + 1)),
               "x.json:2:65: error: nested deeper than 64 levels, the limit 'json-depth'\n"
-              "hint: 'gonio list limits' says what each limit is of");
+              "hint: 'gonio list limits' describes each limit");
     EXPECT_EQ(refusal(repeated("{\"a\":", 100000)).substr(0, 33), "x.json:1:321: error: nested deepe");
     EXPECT_EQ(refusal(repeated("[", 1000000)).substr(0, 19), "x.json:1:65: error:");
 }

@@ -73,7 +73,7 @@ TEST(MeasureSpecular, CasesAreTheSameForTheSameSeedAndSeen) {
     }
 }
 
-// Linearly transformed cosines are several times nearer to the truth than any single direction (README of shading/).
+// Linearly transformed cosines are several times nearer to the truth than any single direction (shading/MEASURED.md).
 TEST(MeasureSpecular, LtcIsTheMostAccurateMethodOfEveryShape) {
     for (const Kind kind : {Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
         const auto cases = measure::specular_cases(kind, 60, 3);

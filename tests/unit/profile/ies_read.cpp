@@ -79,7 +79,7 @@ TEST(IesRead, AnyLineEndGivesTheSameFileAndTheSamePlaces) {
         EXPECT_EQ(std::get<IesFile>(profile->file).candela.size(), 6U);
         EXPECT_EQ(std::get<IesFile>(profile->file).keywords[0].text, "1");
         expect_error(read(joined(with(lamp, 11, "100 8x 0"), end)),
-                     "lamp:11:5: error[IES0201]: '8x' stands where a number is expected");
+                     "lamp:11:5: error[IES0201]: expected a number, found '8x'");
     }
     // All three in one file, and the last line without an end.
     std::string mixed = lamp[0] + "\r" + lamp[1] + "\r\n" + lamp[2] + "\n" + lamp[3] + "\r" + lamp[4] + "\n";
@@ -163,20 +163,20 @@ TEST(IesRead, OddLinesBeforeTilt) {
     TextLines lines = lamp;
     lines.insert(lines.begin() + 3, {"  a label", "[TEST no end"});
     expect_says(read(lines),
-                "lamp:4:3: warning[IES0104]: a line before TILT= that begins with no [KEYWORD] (and 1 more)");
+                "lamp:4:3: warning[IES0104]: a line before TILT= that does not begin with a [KEYWORD] (and 1 more)");
     lines = lamp;
     lines.insert(lines.begin() + 1, " [MORE] of nothing");
-    expect_says(read(lines), "lamp:2:2: warning[IES0105]: [MORE] stands before any keyword");
+    expect_says(read(lines), "lamp:2:2: warning[IES0105]: [MORE] comes before any keyword");
     expect_says(read(without(without(lamp, 5), 3)),
                 "lamp:1:1: warning[IES0106]: required by LM-63-2002: [TESTLAB], [MANUFAC]");
 }
 
 TEST(IesRead, TiltLine) {
-    expect_says(read(with(lamp, 6, "TILT= NONE")), "lamp:6:1: warning[IES0109]: blanks before, within or behind TILT=");
-    expect_says(read(with(lamp, 6, " TILT=NONE")), "lamp:6:1: warning[IES0109]: blanks before, within or behind TILT=");
+    expect_says(read(with(lamp, 6, "TILT= NONE")), "lamp:6:1: warning[IES0109]: blanks before, within or after TILT=");
+    expect_says(read(with(lamp, 6, " TILT=NONE")), "lamp:6:1: warning[IES0109]: blanks before, within or after TILT=");
     expect_says(read(with(lamp, 6, "tilt=none")), "lamp:6:1: warning[IES0110]: the TILT line is not in capitals");
     expect_error(read(with(lamp, 6, "tilt=none"), true), "lamp:6:1: error[IES0110]: the TILT line is not in capitals");
-    expect_error(read(with(lamp, 6, "TILT=")), "lamp:6:6: error[IES0108]: nothing stands behind TILT=");
+    expect_error(read(with(lamp, 6, "TILT=")), "lamp:6:6: error[IES0108]: nothing follows TILT=");
     expect_error(read(without(lamp, 6)),
                  "lamp:12:1: error[IES0108]: the text ends without a line TILT=NONE or TILT=INCLUDE");
 }
@@ -200,7 +200,7 @@ TEST(IesRead, Numbers) {
               (std::vector<double>{150, 0, std::numeric_limits<double>::denorm_min(), 100, 70, 0}));
     for (const std::string bad : {"8;", "0x10", "--1", "+-1", "1.2.3", "1e", ".", "-", "1d5", "#"})
         expect_error(read(with(lamp, 11, "100 " + bad + " 0")),
-                     "lamp:11:5: error[IES0201]: '" + bad + "' stands where a number is expected");
+                     "lamp:11:5: error[IES0201]: expected a number, found '" + bad + "'");
     EXPECT_EQ(file_of(with(lamp, 11, "1e30 -1e30 0")).candela, (std::vector<double>{1e30, -1e30, 0, 100, 70, 0}));
     for (const std::string bad :
          {"inf", "-NaN", "1e999", "-1E+400", "1.0000001e30", "-1e31", "1000000000000000000000000000000.5e1"})
@@ -208,10 +208,9 @@ TEST(IesRead, Numbers) {
                      "lamp:11:5: error[IES0202]: '" + bad + "' is not a finite number up to 1e30");
     // Fortran glues columns that are too wide; it also writes 1.5-300 for 1.5e-300: no guess is made.
     const Result<Profile> glued = read(with(lamp, 11, "100 1.5-3 0"));
-    expect_error(glued, "lamp:11:5: error[IES0201]: '1.5-3' stands where a number is expected");
+    expect_error(glued, "lamp:11:5: error[IES0201]: expected a number, found '1.5-3'");
     EXPECT_EQ(glued.error().diagnostics.back().hint, "if these are two numbers, put a blank between them");
-    expect_error(read(with(lamp, 11, "100 8\x01 0")),
-                 "lamp:11:5: error[IES0201]: '8\\x01' stands where a number is expected");
+    expect_error(read(with(lamp, 11, "100 8\x01 0")), "lamp:11:5: error[IES0201]: expected a number, found '8\\x01'");
 }
 
 // Writing drops blank lines before it and moves it, so the place of a stray byte must not decide.
@@ -237,7 +236,7 @@ TEST(IesRead, StrictSaysWhatTheTolerantReadingTakesSilently) {
     expect_says(read(with(lamp, 11, "1.0E+02 80 0"), true), "lamp:11:1: warning[IES0216]: a number with an exponent");
     expect_silent(read(with(lamp, 7, "1 1000 1 3.0 2 1 2 0.1 0.2 0")));
     expect_says(read(with(lamp, 7, "1 1000 1 3.0 2 1 2 0.1 0.2 0"), true),
-                "lamp:7:10: warning[IES0217]: '3.0' for a whole number");
+                "lamp:7:10: warning[IES0217]: '3.0' instead of a whole number");
     // The edition of 1986 allows decimal points in counts.
     const Result<Profile> old_count = read(without(with(lamp, 7, "1 1000 1 3.0 2 1 2 0.1 0.2 0"), 1), true);
     ASSERT_TRUE(old_count) << said(old_count);
@@ -249,9 +248,9 @@ TEST(IesRead, StrictSaysWhatTheTolerantReadingTakesSilently) {
     const std::string wide = "[TEST] " + std::string(248, 'x');
     expect_silent(read(with(lamp, 2, wide)));
     expect_says(read(with(lamp, 2, wide), true),
-                "lamp:2:255: warning[IES0107]: a line of 257 characters, LM-63-2002 allows 256");
+                "lamp:2:255: warning[IES0107]: a line of 257 characters; LM-63-2002 allows 256");
     const TextLines old = with(with(lamp, 1, "IESNA:LM-63-1995"), 2, "[TEST] " + std::string(124, 'x'));
-    expect_says(read(old, true), "lamp:2:131: warning[IES0107]: a line of 133 characters, LM-63-1995 allows 132");
+    expect_says(read(old, true), "lamp:2:131: warning[IES0107]: a line of 133 characters; LM-63-1995 allows 132");
     expect_silent(read(with(with(lamp, 1, "IES:LM-63-2019"), 2, wide), true));
 }
 
@@ -304,10 +303,10 @@ TEST(IesRead, ThirtySevenAnnouncedThirtySixFound) {
 
 TEST(IesRead, TooManyAngles) {
     expect_error(read(with(lamp, 7, "1 1000 1 2 2 1 2 0.1 0.2 0")),
-                 "lamp:9:6: error[IES0311]: 2 vertical angles announced, and the list goes on with 90");
+                 "lamp:9:6: error[IES0311]: 2 vertical angles announced, but the list continues with 90");
     TextLines single = without(with(lamp, 10, "0"), 12);
     single[6] = "1 1000 1 2 1 1 2 0.1 0.2 0"; // would read 90 as the plane and 0, 100 as its candela
-    expect_error(read(single), "lamp:9:6: error[IES0311]: 2 vertical angles announced, and the list goes on with 90");
+    expect_error(read(single), "lamp:9:6: error[IES0311]: 2 vertical angles announced, but the list continues with 90");
 }
 
 TEST(IesRead, DiagnosticsStandInTheOrderOfTheFile) {
@@ -348,10 +347,10 @@ TEST(IesRead, Angles) {
     expect_says(read(with(lamp, 9, "0 90 90")), "lamp:9:6: warning[IES0303]: angle 90 is listed twice");
     expect_says(read(with(lamp, 10, "0 0")), "lamp:10:3: warning[IES0304]: angle 0 is listed twice");
     expect_says(read(with(lamp, 9, "0 45 80")),
-                "lamp:9:6: warning[IES0305]: vertical angles from 0 to 80, there is no light outside them");
+                "lamp:9:6: warning[IES0305]: vertical angles from 0 to 80: there is no light outside them");
     expect_says(read(with(lamp, 9, "10 45 90")),
-                "lamp:9:1: warning[IES0305]: vertical angles from 10 to 90, there is no light outside them");
-    expect_error(read(with(lamp, 9, "0 90 181")), "lamp:9:6: error[IES0307]: vertical angle 181, outside 0 to 180");
+                "lamp:9:1: warning[IES0305]: vertical angles from 10 to 90: there is no light outside them");
+    expect_error(read(with(lamp, 9, "0 90 181")), "lamp:9:6: error[IES0307]: vertical angle 181 is outside 0 to 180");
     expect_says(read(with(lamp, 10, "0 100")), "lamp:10:3: warning[IES0306]: planes from 0 to 100");
     expect_error(read(with(lamp, 10, "0 400")), "lamp:10:3: error[IES0307]: horizontal angles from 0 to 400");
     expect_says(read(with(lamp, 10, "90 270")),
@@ -368,7 +367,7 @@ TEST(IesRead, PlanesAroundTheTurn) {
     TextLines open = with(lamp, 7, "1 1000 1 3 4 1 2 0.1 0.2 0");
     open[9] = "0 90 180 270";
     open.insert(open.end(), {"100 60 0", "100 50 0"});
-    expect_says(read(open), "lamp:10:10: warning[IES0309]: the last plane is at 270, the one at 360 is missing");
+    expect_says(read(open), "lamp:10:10: warning[IES0309]: the last plane is at 270, and the one at 360 is missing");
     open[9] = "0 90 180 360";
     expect_says(read(open), "lamp:11:1: warning[IES0404]: the planes at 0 and 360 degrees differ by up to 30.5 cd of a "
                             "peak of 100");
@@ -384,7 +383,7 @@ TEST(IesRead, TypesAAndB) {
     EXPECT_EQ(file_of(lines).photometry, Photometry::b);
     lines[6] = "1 1000 1 3 2 3 2 0.1 0.2 0";
     EXPECT_EQ(file_of(lines).photometry, Photometry::a);
-    expect_error(read(with(lines, 9, "-91 0 90")), "lamp:9:1: error[IES0307]: vertical angle -91, outside -90 to 90");
+    expect_error(read(with(lines, 9, "-91 0 90")), "lamp:9:1: error[IES0307]: vertical angle -91 is outside -90 to 90");
     expect_says(read(with(lines, 10, "-45 90")), "lamp:10:1: warning[IES0306]: horizontal angles from -45 to 90");
 }
 
@@ -409,9 +408,9 @@ TEST(IesRead, UnknownShapeCodes) {
     expect_silent(read(with(circle, 1, "IESNA91")));
     expect_silent(read(with(circle, 1, "IESNA:LM-63-1995")));
     expect_says(read(circle),
-                "lamp:7:18: warning[IES0219]: width -0.1, length 0 and height 0 code no shape in LM-63-2002");
+                "lamp:7:18: warning[IES0219]: width -0.1, length 0 and height 0 encode no shape in LM-63-2002");
     expect_error(read(circle, true),
-                 "lamp:7:18: error[IES0219]: width -0.1, length 0 and height 0 code no shape in LM-63-2002");
+                 "lamp:7:18: error[IES0219]: width -0.1, length 0 and height 0 encode no shape in LM-63-2002");
     const TextLines disk = with(lamp, 7, "1 1000 1 3 2 1 2 -0.1 -0.1 0"); // a circle since 2002
     expect_silent(read(disk));
     expect_silent(read(with(disk, 1, "IES:LM-63-2019")));

@@ -74,7 +74,7 @@ TEST(IesTilt, FileBeside) {
 TEST(IesTilt, FilesOf2019MayNameNone) {
     const TextLines lines = with(lamp("lamp.tlt"), 1, "IES:LM-63-2019");
     expect_says(read(lines, table),
-                "folder/lamp:2:6: warning[IES0112]: LM-63-2019 allows no TILT factors in another file");
+                "folder/lamp:2:6: warning[IES0112]: LM-63-2019 does not allow TILT factors in another file");
     expect_factors(read(lines, table));
     EXPECT_FALSE(read(lines, table, true));
 }
@@ -95,7 +95,7 @@ TEST(IesTilt, NamesThatAreNoPlainNamesAreNeverAskedFor) {
          {"/etc/lamp.tlt", "../lamp.tlt", "..", ".", "a/b", "C:\\LAMPS\\MH.TLT", "C:MH.TLT", "..\\mh.tlt"}) {
         const Result<Profile> profile = read(lamp(name), table); // asserts that no such name arrives
         expect_says(profile, "folder/lamp:2:6: warning[IES0111]: TILT factors in '" + name +
-                                 "', only a file beside this one is read");
+                                 "': only a file in the same folder is read");
         EXPECT_FALSE(read(lamp(name), table, true)) << name;
     }
     const Result<Profile> long_name = read(lamp(std::string(300, 'x')), table);
@@ -107,14 +107,14 @@ TEST(IesTilt, WhatIsWrongInTheFileIsSaidOfTheFile) {
     expect_error(read(lamp("lamp.tlt"), "2\n3\n0 90 45\n1 1 1\n"),
                  "folder/lamp.tlt:3:6: error[IES0114]: tilt angle 45 follows 90");
     expect_error(read(lamp("lamp.tlt"), "2\r3\r0 45 x\r"),
-                 "folder/lamp.tlt:3:6: error[IES0201]: 'x' stands where a number is expected");
+                 "folder/lamp.tlt:3:6: error[IES0201]: expected a number, found 'x'");
     expect_error(read(lamp("lamp.tlt"), "hunter2 1\n"),
                  "folder/lamp.tlt:1:1: error[IES0201]: not a file of TILT factors");
     expect_error(read(lamp("lamp.tlt"), "1\nhunter2\n"),
                  "folder/lamp.tlt:2:1: error[IES0201]: not a file of TILT factors");
     expect_error(read(lamp("lamp.tlt"), ""), "folder/lamp.tlt:1:1: error[PRF0101]: the file is empty");
     expect_error(read(lamp("lamp.tlt"), std::string("2\n\0", 3) + "x"),
-                 "folder/lamp.tlt:2:1: error[PRF0102]: not a photometric file, a text has no NUL bytes");
+                 "folder/lamp.tlt:2:1: error[PRF0102]: not a photometric file: text has no NUL bytes");
     expect_says(read(lamp("lamp.tlt"), table + "4"),
                 "folder/lamp.tlt:5:1: warning[IES0214]: '4' follows the 3 factors announced");
     expect_factors(read(lamp("lamp.tlt"), table + "4"));

@@ -117,8 +117,8 @@ TEST(LdtRead, LampSetsStandOneAfterTheOther) {
     EXPECT_EQ(file.lamp_sets[1].input_watts, 40.0);
     expect_silent(read(lines));
     expect_says(read(with(lines, 23, "87.5")),
-                "lamp:23:1: warning[LDT0408]: absolute photometry, and the light output ratio is 87.5");
-    expect_says(read(with(lamp(), 27, "0")), "lamp:27:1: warning[LDT0210]: a set of no lamps");
+                "lamp:23:1: warning[LDT0408]: absolute photometry, but the light output ratio is 87.5");
+    expect_says(read(with(lamp(), 27, "0")), "lamp:27:1: warning[LDT0210]: a set without lamps");
     expect_error(read(with(lamp(), 26, "0")), "lamp:26:1: error[LDT0201]: 0 is not a number of lamp sets");
     expect_error(read(with(lamp(), 26, "2147483647")),
                  "lamp:33:1: error[LDT0201]: 0.1 is not a number of lamps"); // no memory for what is only announced
@@ -132,27 +132,27 @@ TEST(LdtRead, Numbers) {
     EXPECT_EQ(file_of(with(lamp(), 4, "4.0")).plane_count, 4);
     for (const std::string bad : {"70 80", "1,000.5", "7O", "70 cd", "1,2,3"})
         expect_error(read(with(lamp(), 51, bad)),
-                     "lamp:51:1: error[LDT0102]: '" + bad + "' stands where the intensity is expected");
+                     "lamp:51:1: error[LDT0102]: expected the intensity, found '" + bad + "'");
     for (const std::string bad : {"nan", "1e31"})
         expect_error(read(with(lamp(), 51, bad)),
                      "lamp:51:1: error[LDT0103]: '" + bad + "' is not a finite number up to 1e30");
     // Of a text that is not EULUMDAT nothing is quoted.
     for (const std::size_t line : {2U, 3U, 4U})
         EXPECT_EQ(said(read(with(lamp(), line, "hunter2"))).find("hunter2"), std::string::npos) << line;
-    expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: a text that is not a number stands where "
-                                                   "the type of luminaire is expected");
+    expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: expected the type of luminaire, "
+                                                   "found a text that is not a number");
     expect_error(read(with(lamp(), 4, "4.5")), "lamp:4:1: error[LDT0201]: 4.5 is not a number of C-planes");
     expect_error(read(with(lamp(), 6, "0")), "lamp:6:1: error[LDT0201]: 0 is not a number of gamma angles");
 }
 
 TEST(LdtRead, ABlankNumberIsZeroUnlessTheFileEnds) {
     const Result<Profile> blank = read(with(lamp(), 35, ""));
-    expect_says(blank, "lamp:35:1: warning[LDT0104]: a blank line for the direct ratio, read as 0");
+    expect_says(blank, "lamp:35:1: warning[LDT0104]: a blank line instead of the direct ratio, read as 0");
     EXPECT_EQ(std::get<LdtFile>(blank->file).direct_ratios[2], 0.0);
     expect_error(read(with(lamp(), 35, "  "), true),
-                 "lamp:35:1: error[LDT0104]: a blank line for the direct ratio, read as 0");
+                 "lamp:35:1: error[LDT0104]: a blank line instead of the direct ratio, read as 0");
     expect_error(read(with(lamp(), 48, "")),
-                 "lamp:48:1: error[LDT0102]: a blank line stands where the gamma angle is expected");
+                 "lamp:48:1: error[LDT0102]: a blank line where the gamma angle is expected");
     expect_error(read(with(lamp(), 52, "")),
                  "lamp:53:1: error[LDT0206]: 3 intensities announced (3 gamma angles in 1 stored planes), 2 found");
 }
@@ -163,21 +163,21 @@ TEST(LdtRead, Codes) {
     expect_says(read(with(lamp(), 2, "7")), "lamp:2:1: warning[LDT0203]: type of luminaire 7");
     expect_error(read(with(lamp(), 3, "5")), "lamp:3:1: error[LDT0202]: symmetry 5, expected 0 to 4");
     expect_says(read(with(lamp(), 9, std::string(79, 'x'))),
-                "lamp:9:79: warning[LDT0106]: the luminaire's name has 79 characters, 78 are allowed");
+                "lamp:9:79: warning[LDT0106]: the luminaire's name has 79 characters, but 78 are allowed");
     expect_silent(read(with(lamp(), 9, std::string(78, 'x') + "   ")));
     expect_says(read(with(lamp(), 28, std::string(25, 'x'))),
-                "lamp:28:25: warning[LDT0106]: the type of lamps has 25 characters, 24 are allowed");
+                "lamp:28:25: warning[LDT0106]: the type of lamps has 25 characters, but 24 are allowed");
     expect_says(read(with(lamp(), 30, std::string(17, 'x'))),
-                "lamp:30:17: warning[LDT0106]: the colour temperature has 17 characters, 16 are allowed");
+                "lamp:30:17: warning[LDT0106]: the colour temperature has 17 characters, but 16 are allowed");
     expect_says(read(with(lamp(), 31, "1A/>90+")),
-                "lamp:31:7: warning[LDT0106]: the colour rendering has 7 characters, 6 are allowed");
+                "lamp:31:7: warning[LDT0106]: the colour rendering has 7 characters, but 6 are allowed");
 }
 
 TEST(LdtRead, FileNamesMayBeLongerThanDosAllowed) {
     expect_silent(read(with(lamp(), 11, "a-long-file-name.ldt")));
     expect_silent(read(with(lamp(), 11, "eight_ch.ldt"), true));
     expect_says(read(with(lamp(), 11, "nine_char.LDT"), true),
-                "lamp:11:9: warning[LDT0107]: the file name has 9 characters, 8 are allowed");
+                "lamp:11:9: warning[LDT0107]: the file name has 9 characters, but 8 are allowed");
     EXPECT_EQ(file_of(with(lamp(), 11, " a-long-file-name.ldt ")).file_name, " a-long-file-name.ldt ");
 }
 
@@ -200,17 +200,18 @@ TEST(LdtRead, Truncated) {
 
 TEST(LdtRead, Angles) {
     expect_error(read(with(lamp(), 45, "80")), "lamp:45:1: error[LDT0301]: C-plane 80 follows 90");
-    expect_error(read(with(lamp(), 46, "361")), "lamp:46:1: error[LDT0307]: C-plane 361, outside 0 to 360");
+    expect_error(read(with(lamp(), 46, "361")), "lamp:46:1: error[LDT0307]: C-plane 361 is outside 0 to 360");
     expect_error(read(with(with(lamp(), 48, "50"), 49, "45")), "lamp:49:1: error[LDT0302]: gamma angle 45 follows 50");
-    expect_error(read(with(lamp(), 48, "200")), "lamp:48:1: error[LDT0307]: gamma angle 200, outside 0 to 180");
+    expect_error(read(with(lamp(), 48, "200")), "lamp:48:1: error[LDT0307]: gamma angle 200 is outside 0 to 180");
     expect_says(read(with(lamp(), 46, "180")), "lamp:46:1: warning[LDT0303]: C-plane 180 is listed twice");
     expect_says(read(with(lamp(), 48, "90")), "lamp:49:1: warning[LDT0304]: gamma angle 90 is listed twice");
     expect_says(read(with(lamp(), 49, "80")),
-                "lamp:49:1: warning[LDT0308]: gamma angles from 0 to 80, there is no light outside them");
+                "lamp:49:1: warning[LDT0308]: gamma angles from 0 to 80: there is no light outside them");
     expect_says(read(with(lamp(), 5, "15")),
-                "lamp:5:1: warning[LDT0305]: 15 announced between the C-planes, the angles are 90 apart");
-    expect_says(read(with(lamp(), 48, "40")),
-                "lamp:7:1: warning[LDT0306]: 45 announced between the gamma angles, the angles are not equidistant");
+                "lamp:5:1: warning[LDT0305]: 15 announced between the C-planes, but the angles are 90 apart");
+    expect_says(
+        read(with(lamp(), 48, "40")),
+        "lamp:7:1: warning[LDT0306]: 45 announced between the gamma angles, but the angles are not equidistant");
     expect_silent(read(with(with(lamp(), 48, "40"), 7, "0")));
 }
 
@@ -226,7 +227,7 @@ TEST(LdtRead, AllPlanesWrittenOutAreReadAsTheyStand) {
     TextLines lines = lamp(0);
     lines[2] = "2";
     const Result<Profile> full = read(lines);
-    expect_says(full, "lamp:59:1: warning[LDT0208]: symmetry 2 announced, and the table holds all 4 planes");
+    expect_says(full, "lamp:59:1: warning[LDT0208]: symmetry 2 announced, but the table holds all 4 planes");
     EXPECT_EQ(std::get<LdtFile>(full->file).symmetry, 0);
     EXPECT_EQ(std::get<LdtFile>(full->file).candela_per_klm, file_of(lamp(0)).candela_per_klm);
     EXPECT_FALSE(read(lines, true));

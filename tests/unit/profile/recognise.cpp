@@ -19,15 +19,15 @@ TEST(Recognise, WhatIsNoText) {
     expect_error(read_profile("", "lamp.ies"), "lamp.ies:1:1: error[PRF0101]: the file is empty");
     expect_error(read_profile(" \r\n\t\n", "lamp.ldt"), "lamp.ldt:1:1: error[PRF0101]: the file is empty");
     expect_error(read_profile("\xEF\xBB\xBF", "lamp.ldt"),
-                 "lamp.ldt:1:4: error[PRF0102]: not a photometric file, there is no text in it");
+                 "lamp.ldt:1:4: error[PRF0102]: not a photometric file: it holds no text");
     expect_error(read_profile(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "lamp.ies"),
-                 "lamp.ies:1:1: error[PRF0102]: not a photometric file, but a PNG picture");
+                 "lamp.ies:1:1: error[PRF0102]: not a photometric file but a PNG picture");
     expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
-                 "lamp.ies:1:4: error[PRF0102]: not a photometric file, but a PNG picture");
+                 "lamp.ies:1:4: error[PRF0102]: not a photometric file but a PNG picture");
     expect_error(read_profile(std::string("abc\n\0def", 8), "lamp.ies"),
-                 "lamp.ies:2:1: error[PRF0102]: not a photometric file, a text has no NUL bytes");
+                 "lamp.ies:2:1: error[PRF0102]: not a photometric file: text has no NUL bytes");
     expect_error(read_profile(std::string(5, '\0'), "lamp.ldt"),
-                 "lamp.ldt:1:1: error[PRF0102]: not a photometric file, there is no text in it");
+                 "lamp.ldt:1:1: error[PRF0102]: not a photometric file: it holds no text");
     expect_error(read_profile("hello\nworld\n", "lamp"), "lamp:1:1: error[PRF0103]: neither IES, EULUMDAT nor TM-33");
 }
 
@@ -51,7 +51,7 @@ TEST(Recognise, MarksAndEnds) {
     expect_silent(read_profile(ies + "\x1A", "lamp"));
     expect_silent(read_profile(ies + '\x1A' + std::string(10, '\0'), "lamp"));
     expect_says(read_profile(ies + "\x1A more", "lamp"),
-                "lamp:8:3: warning[PRF0105]: data behind Ctrl-Z, the end of text");
+                "lamp:8:3: warning[PRF0105]: data after Ctrl-Z, the end of the text");
 }
 
 std::string utf16(const std::string& text, bool big_endian) {
@@ -73,10 +73,10 @@ TEST(Recognise, Utf16IsConverted) {
             EXPECT_FALSE(read_profile(bytes, "lamp", {{}, true}));
         }
     expect_error(read_profile("\xEF\xBB\xBF\xFF\xFE" + ies, "lamp"),
-                 "lamp:1:4: error[PRF0106]: the mark of UTF-16 stands behind that of UTF-8");
+                 "lamp:1:4: error[PRF0106]: a UTF-16 mark follows that of UTF-8");
     // The place is that of the converted text.
     expect_error(read_profile("\xFF\xFE" + utf16("IESNA91\nTILT=NONE\n1 x", false), "lamp"),
-                 "lamp:3:3: error[IES0201]: 'x' stands where a number is expected");
+                 "lamp:3:3: error[IES0201]: expected a number, found 'x'");
 }
 
 TEST(Recognise, AFileThatIsNotThereIsAnIoFailure) {

@@ -144,13 +144,13 @@ TEST(Tm33Read, RootsOfAllEditions) {
         EXPECT_EQ(file_of(read(prefixed)).emitters, file_of(lines).emitters) << prefixed;
     }
     expect_error(read_profile("<svg><IESTM33/></svg>", "lamp"),
-                 "lamp:1:1: error[TM30102]: the outermost element is 'svg', none of TM-33");
+                 "lamp:1:1: error[TM30102]: the root element is 'svg', which is not from TM-33");
     expect_error(read_profile("<svg/>", "lamp.xml"),
-                 "lamp.xml:1:1: error[TM30102]: the outermost element is 'svg', none of TM-33");
+                 "lamp.xml:1:1: error[TM30102]: the root element is 'svg', which is not from TM-33");
     expect_error(read_profile("<svg/>", "lamp"), "lamp:1:1: error[PRF0103]: neither IES, EULUMDAT nor TM-33");
     expect_says(read(with(lamp, 3, "<Version>2.0</Version>")),
                 "lamp:3:1: warning[TM30104]: version '2.0', known are 1.0 and 1.1");
-    expect_says(read(without(lamp, 3)), "lamp:2:1: warning[TM30104]: no version is named");
+    expect_says(read(without(lamp, 3)), "lamp:2:1: warning[TM30104]: no version is given");
 }
 
 TEST(Tm33Read, TheDialectOfPrograms) {
@@ -163,7 +163,7 @@ TEST(Tm33Read, TheDialectOfPrograms) {
         "vert=\"90\">70</IntensityData>"
         "</IntensityDistribution></Emitter></LuminaireOpticalData>";
     const Result<Profile> profile = read(text);
-    expect_says(profile, "lamp:1:1: warning[TM30106]: the outermost element is that of no edition of TM-33");
+    expect_says(profile, "lamp:1:1: warning[TM30106]: the root element is not that of an edition of TM-33");
     EXPECT_EQ(profile->diagnostics.size(), 1U) << said(profile);
     const Tm33File file = file_of(profile);
     EXPECT_EQ(file.version, "1.0");
@@ -231,9 +231,9 @@ TEST(Tm33Read, NumbersThatAreNone) {
         file_of(with(lamp, 19, "<AbsolutePhotometry> True </AbsolutePhotometry>")).emitters[0].intensity->absolute,
         true);
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\">8O</IntData>")),
-                 "lamp:26:23: error[TM30207]: '8O' stands where a number is expected");
+                 "lamp:26:23: error[TM30207]: expected a number, found '8O'");
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"4x\">80</IntData>")),
-                 "lamp:26:19: error[TM30207]: '4x' stands where a number is expected");
+                 "lamp:26:19: error[TM30207]: expected a number, found '4x'");
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\"/>")),
                  "lamp:26:1: error[TM30207]: a point of the table is empty");
     expect_error(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\">1e999</IntData>")),
@@ -244,7 +244,7 @@ TEST(Tm33Read, NumbersThatAreNone) {
     expect_says(read(with(lamp, 13, "<Quantity>4294967295</Quantity>")),
                 "lamp:13:1: warning[TM30209]: a quantity of 4294967295");
     expect_says(read(with(lamp, 20, "<Symm>Symm_Half</Symm>")),
-                "lamp:20:1: warning[TM30210]: 'Symm_Half' names no symmetry");
+                "lamp:20:1: warning[TM30210]: 'Symm_Half' is not a symmetry");
     EXPECT_EQ(file_of(with(lamp, 20, "<Symm>Symm _ Bi _90</Symm>")).emitters[0].intensity->symmetry,
               Tm33Symmetry::bilateral_90);
 }
@@ -266,7 +266,7 @@ TEST(Tm33Read, Tables) {
     expect_says(read(empty), "lamp:18:1: warning[TM30405]: the luminous intensity has no points");
     expect_says(read(empty), "lamp:2:1: warning[TM30404]: no emitter has a luminous intensity");
     expect_says(read(with(lamp, 20, "<Symm>Symm_None</Symm>")),
-                "lamp:20:1: warning[TM30301]: the stated symmetry does not go with planes from 0 to 90");
+                "lamp:20:1: warning[TM30301]: the stated symmetry does not match planes from 0 to 90");
     expect_silent(read(with(lamp, 20, "<Symm>Symm_Arbitrary</Symm>")));
     TextLines out =
         with(with(lamp, 27, "<IntData h=\"0\" v=\"190\">0</IntData>"), 30, "<IntData h=\"90\" v=\"190\">0</IntData>");
@@ -288,7 +288,7 @@ TEST(Tm33Read, Spectra) {
     expect_error(read(spectrum("<Wavelengths>400 500</Wavelengths><Values>1</Values>")),
                  "lamp:16:87: error[TM30213]: 2 wavelengths, 1 values");
     expect_error(read(spectrum("<Wavelengths>400 5OO</Wavelengths><Values>1</Values>")),
-                 "lamp:16:70: error[TM30207]: '5OO' stands where a number is expected");
+                 "lamp:16:70: error[TM30207]: expected a number, found '5OO'");
     expect_says(read(spectrum("<Wavelengths>500 400</Wavelengths><Values>1 2</Values>")),
                 "lamp:16:31: warning[TM30303]: the wavelengths do not ascend");
     expect_error(read(spectrum("<SpectralData w=\"x\">1</SpectralData>")),

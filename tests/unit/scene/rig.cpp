@@ -247,7 +247,7 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
     many.pop_back();
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
               "rig.json: error: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
-              "hint: 'gonio list limits' says what each limit is of");
+              "hint: 'gonio list limits' describes each limit");
     std::string more;
     for (int i = 0; i < 1e6; ++i)
         more += "0,";
@@ -370,7 +370,7 @@ TEST(Rig, NestingAndSizeAreBounded) {
     EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 39), "rig.json: error: a rig is a JSON object");
     EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
               "rig.json:1:50: error: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
-              "hint: 'gonio list limits' says what each limit is of");
+              "hint: 'gonio list limits' describes each limit");
     std::string deep;
     for (int i = 0; i < 100000; ++i)
         deep += "{\"a\":";

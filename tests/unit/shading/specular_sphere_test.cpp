@@ -78,7 +78,7 @@ TEST(SpecularOfASphere, RepresentativePoint) {
     RecordProperty("rough", std::to_string(rough.size()) + ": median " + std::to_string(rough_median) + " p95 " +
                                 std::to_string(rough[rough.size() * 95 / 100]) + " max " +
                                 std::to_string(rough.back()));
-    // Measured 0.36 and 0.59; a change of either, to the better too, is to be noticed and written into README.md.
+    // Measured 0.36 and 0.59. A change of either, even an improvement, should be noticed.
     EXPECT_NEAR(rough_median, 0.36, 0.02);
     EXPECT_NEAR(smooth_median, 0.59, 0.02);
 }

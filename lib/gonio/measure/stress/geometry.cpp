@@ -266,7 +266,7 @@ void towards_lights(Random& random, std::uint64_t evaluations, StressTally& tall
 std::span<const StressSubject> geometry_stress() {
     static constexpr std::array subjects{
         StressSubject{"directions to angles and back, frames", "4e-15", 0.1, angles},
-        StressSubject{"rays against bodies", "1e-12 of the way; normals unit", 0.1, rays},
+        StressSubject{"rays against solids", "1e-12 of the way; normals unit", 0.1, rays},
         StressSubject{"caps that overlap",
                       "within both; two sectors less a kite to 1e-12 of the smaller and 1e-18 of both sizes", 0.1,
                       caps},
