@@ -8,14 +8,15 @@ install(TARGETS gonio EXPORT gonio-targets
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(TARGETS gonio-image gonio-color LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
 
-# Public headers only: not those under detail/, of a module, of a fitting program or of gonio-measure. A new one has to be
-# listed in public-headers.txt too, which the test consumer.install compares.
-install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/gonio" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
-        FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "detail" EXCLUDE
-        PATTERN "fit" EXCLUDE
-        PATTERN "data" EXCLUDE
-        REGEX "/gonio/(measure|media/image|media/color)$" EXCLUDE)
+# The public headers, which are a list: what is not on it may change at any time. The test consumer.install compares the
+# list with what was installed and compiles each header against nothing but these.
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/public-headers.txt" gonio_public_headers)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/public-headers.txt")
+foreach(header IN LISTS gonio_public_headers)
+    get_filename_component(folder "${header}" DIRECTORY)
+    install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}"
+            COMPONENT library)
+endforeach()
 
 # The CIE's numbers are compiled in; their licence wants to go with them.
 install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"

@@ -1,20 +1,20 @@
-// Calls what needs nothing, what needs the libraries behind the archive (libmd, threads, dl), and both modules.
-#include <gonio/base/parallel.hpp>
-#include <gonio/base/unit_text.hpp>
-#include <gonio/media/display.hpp>
-#include <gonio/media/image_file.hpp>
-#include <gonio/media/module.hpp>
+// Calls what needs nothing, what needs the libraries behind the archive (threads, dl), and both modules; asks for the
+// version while compiling.
+#include <gonio/gonio.hpp>
 
-#include <atomic>
 #include <cstdio>
+
+static_assert(GONIO_VERSION >= GONIO_VERSION_NUMBER(0, 1, 0));
 
 int main() {
     const auto flux = gonio::parse_amount("2.5klm");
     if (!flux || flux->in_base_units() != 2500.0) return 1;
 
-    std::atomic<int> calls{0};
-    gonio::parallel_for(100, 4, [&](std::size_t) { ++calls; });
-    if (calls != 100) return 2;
+    const auto stage = gonio::make_stage("floor");
+    gonio::RenderOptions options;
+    options.width = options.height = 64;
+    options.threads = 4;
+    if (!stage || !gonio::render(*stage, {}, stage->camera, options)) return 2;
 
     gonio::media::set_module_folders({MODULE_DIR});
     gonio::Image image(4, 4, 3);
