@@ -2,7 +2,7 @@
 
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/version.hpp>

@@ -3,7 +3,8 @@
 #
 #   include_order.sh ROOT        prints "file:line: what is wrong" for each, and fails when there is one
 #
-# A room includes itself and the rooms before it in `order`; shading is built on base and simd alone. Public headers
+# A room includes itself and the rooms before it in `order`, and no other room's detail/; shading is built on base and
+# simd alone. Public headers
 # name no library but GLM and tl::expected; OpenImageIO and OpenColorIO belong to one module each; dlopen to one file;
 # nobody includes <iostream>, whose static constructors every start of the tool would pay for.
 set -euo pipefail
@@ -19,10 +20,16 @@ mapfile -d '' files < <(find "${folders[@]}" -type f \
     LC_ALL=C sort -z)
 ((${#files[@]})) || { echo "$root has no source file" >&2; exit 2; }
 
-awk -v order='base simd profile web color shading light scene bake preview plot asset measure media' '
+# The public headers; of a tree without a list, all outside detail/.
+public_headers=
+[[ -f lib/cmake/public-headers.txt ]] && public_headers=$(tr '\n' ' ' < lib/cmake/public-headers.txt)
+
+awk -v public_headers="$public_headers" -v order='base simd profile web color shading light scene bake preview plot asset measure media' '
     BEGIN {
         count = split(order, names, " ")
         for (i = 1; i <= count; ++i) rank[names[i]] = i
+        listed = split(public_headers, headers, " ")
+        for (i = 1; i <= listed; ++i) is_listed["lib/" headers[i]] = 1
     }
     function complain(what) {
         printf "%s:%d: %s\n", FILENAME, FNR, what
@@ -32,10 +39,10 @@ awk -v order='base simd profile web color shading light scene bake preview plot 
         part_count = split(FILENAME, part, "/")
         in_lib = part[1] == "lib"
         room = in_lib && part[2] == "gonio" && part_count > 3 ? part[3] : ""
-        public = in_lib && FILENAME ~ /\.hpp$/ && FILENAME !~ /\/(detail|fit)\// &&
+        public = listed ? FILENAME in is_listed : in_lib && FILENAME ~ /\.hpp$/ && FILENAME !~ /\/(detail|fit)\// &&
                  FILENAME !~ /^lib\/gonio\/media\/(image|color)\//
         ++files
-        if (in_lib && !(room in rank)) complain("lies in no known room")
+        if (in_lib && !(room in rank) && FILENAME != "lib/gonio/gonio.hpp") complain("lies in no known room")
     }
     /^[ \t]*#[ \t]*include[ \t]*[<"]/ {
         ++includes
@@ -51,6 +58,7 @@ awk -v order='base simd profile web color shading light scene bake preview plot 
             complain("includes " target ": OpenColorIO belongs to lib/gonio/media/color")
         if (target == "dlfcn.h" && FILENAME != "lib/gonio/media/module.cpp")
             complain("includes dlfcn.h: dlopen stands in lib/gonio/media/module.cpp")
+        if (!in_lib && target ~ /^gonio\/[a-z]+\/detail\//) complain("includes " target ": it belongs to its room alone")
         if (!in_lib) next
         if (target ~ /^(gonio\/)?cli\//) complain("includes " target ": the library knows nothing of the tool")
         if (target ~ /^CLI\//) complain("includes " target ": CLI11 belongs to the tool")
@@ -60,7 +68,9 @@ awk -v order='base simd profile web color shading light scene bake preview plot 
             split(target, to, "/")
             if (!(to[2] in rank))
                 complain("includes " target ": there is no room " to[2])
-            else if (rank[to[2]] > rank[room])
+            else if (to[3] == "detail" && to[2] != room)
+                complain("includes " target ": what is in detail/ belongs to the room " to[2] " alone")
+            else if (room != "" && rank[to[2]] > rank[room])
                 complain("includes " target ": the room " room " stands before " to[2])
             else if (room == "shading" && to[2] !~ /^(base|simd|shading)$/)
                 complain("includes " target ": shading is built on base and simd alone")

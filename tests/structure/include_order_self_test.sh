@@ -38,6 +38,8 @@ fault lib/gonio/web/a.cpp '#include <gonio/light/light.hpp>' 'includes gonio/lig
 fault lib/gonio/base/a.hpp '  #  include <gonio/web/web.hpp>' 'includes gonio/web/web.hpp: the room base stands before web'
 fault lib/gonio/measure/a.cpp '#include <gonio/media/module.hpp>' 'includes gonio/media/module.hpp: the room measure stands before media'
 fault lib/gonio/shading/a.hpp '#include <gonio/web/web.hpp>' 'includes gonio/web/web.hpp: shading is built on base'
+fault lib/gonio/web/a.cpp '#include <gonio/base/detail/x.hpp>' 'includes gonio/base/detail/x.hpp: what is in detail/ belongs'
+fault cli/a.cpp '#include <gonio/base/detail/x.hpp>' 'includes gonio/base/detail/x.hpp: it belongs to its room'
 fault lib/gonio/web/a.cpp '#include <gonio/cellar/x.hpp>' 'includes gonio/cellar/x.hpp: there is no room cellar'
 fault lib/gonio/web/a.cpp '#include <cli/options.hpp>' 'includes cli/options.hpp: the library knows'
 fault lib/gonio/web/a.cpp '#include "../../../cli/options.hpp"' 'includes ../../../cli/options.hpp: no path'

@@ -1,6 +1,6 @@
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/detail/file_record_json.hpp>
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>

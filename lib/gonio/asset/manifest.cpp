@@ -1,5 +1,5 @@
 #include <gonio/asset/manifest.hpp>
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>

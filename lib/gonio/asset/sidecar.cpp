@@ -1,6 +1,6 @@
 #include <gonio/asset/detail/file_record_json.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
 
 #include <nlohmann/json.hpp>

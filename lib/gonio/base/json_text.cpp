@@ -1,4 +1,4 @@
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/limits.hpp>
 
 #include <fmt/format.h>

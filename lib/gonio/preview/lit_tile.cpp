@@ -1,5 +1,5 @@
 #include <gonio/preview/detail/lit_tile.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/occlusion.hpp>
 
 #include <glm/geometric.hpp>

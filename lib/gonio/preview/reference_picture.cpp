@@ -3,9 +3,9 @@
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/detail/unit_hash.hpp>
 #include <gonio/preview/reference_picture.hpp>
-#include <gonio/scene/detail/core_vector.hpp>
-#include <gonio/scene/detail/light_sampler.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/light_sampler.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
 

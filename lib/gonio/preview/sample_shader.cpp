@@ -1,6 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/detail/sample_shader.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/probe_light.hpp>
 
 #include <glm/geometric.hpp>
 

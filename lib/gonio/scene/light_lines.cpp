@@ -1,5 +1,5 @@
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/scene/detail/light_lines.hpp>
+#include <gonio/scene/light_lines.hpp>
 
 #include <algorithm>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/scene/detail/core_vector.hpp>
-#include <gonio/scene/detail/light_sampler.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/light_sampler.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>

@@ -1,6 +1,6 @@
 #include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/shading/lights.hpp>
 

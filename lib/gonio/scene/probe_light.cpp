@@ -1,7 +1,7 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/scene/detail/core_vector.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
 #include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/irradiance_area.hpp>

@@ -1,8 +1,8 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_material.hpp>
-#include <gonio/scene/detail/core_vector.hpp>
-#include <gonio/scene/detail/probe_light.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_ltc.hpp>

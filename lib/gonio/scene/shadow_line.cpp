@@ -1,4 +1,4 @@
-#include <gonio/scene/detail/shadow_line.hpp>
+#include <gonio/scene/shadow_line.hpp>
 #include <gonio/scene/detail/touching.hpp>
 
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/unit_text.hpp>
-#include <gonio/scene/detail/core_vector.hpp>
+#include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <gonio/preview/detail/lit_scene.hpp>
-#include <gonio/scene/detail/light_lines.hpp>
+#include <gonio/scene/light_lines.hpp>
 
 #include <glm/vec3.hpp>
 

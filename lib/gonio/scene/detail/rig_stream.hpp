@@ -1,7 +1,7 @@
 // The JSON of a rig as a stream of values: each light when it is complete, and each other member of the rig.
 #pragma once
 
-#include <gonio/base/detail/json_text.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/result.hpp>
 
 #include <cstddef>
