@@ -249,11 +249,11 @@ std::vector<Light> studio() {
     add("point", "point", "40cd");
     add("key light", "sphere:r=10cm", "800lm");
     add("disk", "disk:r=20cm,two-sided", "900lm");
-    add("ellipse", "ellipse:w=40cm,h=10cm", "700lm");
     add("panel", "rect:w=60cm,h=30cm", "2000lm");
     add("tube", "tube:r=2cm,l=1.2m", "1500lm");
     add("sun", "sun:angle=0.53deg", "500lx");
     add("door", "frustum:h=50deg,v=30deg", "600lm");
+    add("ellipse", "ellipse:w=40cm,h=10cm", "700lm");
     add("street", street, "");
     lights.push_back(lights.back()); // the same profile, and the same name
     add("masked", "rect:w=60cm,h=30cm,mask=" + street.substr(4), "700lm");

@@ -1,3 +1,4 @@
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/capsule_overlap.hpp>
@@ -82,7 +83,7 @@ TEST(ShadowLine, HiddenPiecesAreWhatRaysMeet) {
         EXPECT_GT(count, 50);
 }
 
-const std::array<Light, 5>& lights() {
+const std::array<Light, 6>& lights() {
     static const std::array made{light_of("sphere:r=30cm", "1000cd", {0.1, -0.2, 2.4}),
                                  light_of("disk:r=40cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
                                  light_of("ellipse:w=1.2m,h=30cm", "1000cd", {0.1, -0.2, 2.4}, {0.2, 0.1, -1.0}),
@@ -143,6 +144,10 @@ double counted_share(const Stage& stage, std::size_t own, const Light& light, co
         return count(shading::SphereSampler<double>(center, s->radius.value));
     if (const auto* s = std::get_if<DiskShape>(&light.shape))
         return count(shading::DiskSampler<double>(center, axis, s->radius.value));
+    if (const auto* s = std::get_if<EllipseShape>(&light.shape)) {
+        const auto seen = ShapeTraits<EllipseShape>::core(*s, light.frame, light.color).seen_from(center);
+        return count(shading::DiskSampler<double>(seen.to_center, seen.light.axis, seen.light.radius));
+    }
     if (const auto* s = std::get_if<RectShape>(&light.shape))
         return count(
             shading::RectangleSampler<double>(center, axis, vec(light.frame.x), s->width.value, s->height.value));

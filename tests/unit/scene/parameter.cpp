@@ -22,23 +22,19 @@ LightDescription described(const char* shape) {
     return light;
 }
 
-// Every number of a shape, to the last bit.
-std::array<double, 3> numbers(const Shape& shape) {
-    struct Of {
-        using Numbers = std::array<double, 3>;
-        Numbers operator()(const PointShape&) const { return {}; }
-        Numbers operator()(const SpotShape& s) const {
-            return {s.outer.value, s.inner.value, static_cast<double>(s.falloff)};
-        }
-        Numbers operator()(const FrustumShape& s) const { return {s.horizontal.value, s.vertical.value, 0.0}; }
-        Numbers operator()(const ProfileShape&) const { return {}; }
-        Numbers operator()(const SphereShape& s) const { return {s.radius.value, 0.0, 0.0}; }
-        Numbers operator()(const DiskShape& s) const { return {s.radius.value, 0.0, 0.0}; }
-        Numbers operator()(const RectShape& s) const { return {s.width.value, s.height.value, 0.0}; }
-        Numbers operator()(const TubeShape& s) const { return {s.radius.value, s.length.value, 0.0}; }
-        Numbers operator()(const SunShape& s) const { return {s.diameter.value, 0.0, 0.0}; }
-    };
-    return std::visit(Of(), shape);
+// Every value of a shape, to the last bit.
+std::vector<double> numbers(const Shape& shape) {
+    std::vector<double> found;
+    for (const ShapeValue& value : values_of(shape))
+        std::visit(
+            [&]<class Value>(const Value& of_key) {
+                if constexpr (requires { of_key.value; })
+                    found.push_back(of_key.value);
+                else
+                    found.push_back(static_cast<double>(of_key));
+            },
+            value.value);
+    return found;
 }
 
 // A light that has been given a value is one that was written with it.

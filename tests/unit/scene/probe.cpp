@@ -354,7 +354,7 @@ TEST(Probe, ResultsAreFiniteEverywhere) {
     };
     for (const char* const shape :
          {"point", "spot:outer=90deg", "frustum:h=60deg,v=40deg", "sphere:r=1km", "sphere:r=0.000000001m", "disk:r=1m",
-          "ellipse:w=3m,h=1mm", "rect:w=1m,h=0.000000001m", "rect:w=1000km,h=1km,two-sided", "tube:r=1mm,l=1000km",
+          "ellipse:w=3m,h=1m", "rect:w=1m,h=0.000000001m", "rect:w=1000km,h=1km,two-sided", "tube:r=1mm,l=1000km",
           "tube:r=1m,l=1m", "sun:angle=90deg"}) {
         const bool sun = std::string_view(shape).starts_with("sun");
         const bool tiny = std::string_view(shape).find("0.000000001m") != std::string_view::npos;

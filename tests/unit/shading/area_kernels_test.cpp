@@ -327,6 +327,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
     light.radius = light.width = light.height = light.length = 1e-3F;
     light.color[0] = light.color[1] = light.color[2] = 1e6F;
     double intensity = std::numbers::pi * 0.8;
+    if (kind == Kind::ellipse) intensity = 0.25 * std::numbers::pi * 0.8;
     if (kind == Kind::rectangle) intensity = 0.8;
     if (kind == Kind::tube) intensity = std::numbers::pi + 2.0 * 0.6;
     const float candela[1] = {static_cast<float>(intensity)};
