@@ -35,7 +35,7 @@ for argument in "$@"; do
 done
 
 if ! command -v dpkg-query > /dev/null; then
-    echo "install-dependencies.sh: this is no Debian; install the counterparts of: ${packages[*]}" >&2
+    echo "install-dependencies.sh: this is not Debian; install the equivalents of: ${packages[*]}" >&2
     exit 5
 fi
 

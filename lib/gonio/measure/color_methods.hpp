@@ -1,4 +1,4 @@
-// Ways to take the colour of a temperature and the temperature of a colour: error against the 1 nm sum, and time.
+// Methods for the colour of a temperature and the temperature of a colour: error against the 1 nm sum, and time.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -16,7 +16,7 @@
 
 namespace gonio::measure {
 
-// One way to take the colour of a temperature, in one code.
+// One method for the colour of a temperature, in one code.
 struct ColorSubject {
     std::string name; // "sum-1nm", "fit", "krystek"
     std::string code; // "double", or the instruction set of a batch kernel
@@ -29,7 +29,7 @@ struct ColorSubject {
 // The sum first, then the kernels of every instruction set and every color_methods().
 std::vector<ColorSubject> color_subjects();
 
-// One way to take the temperature of a colour, in double.
+// One method for the temperature of a colour, in double.
 struct CctSubject {
     std::string name; // "newton-on-sum", "mccamy"
     double (*cct_k)(Uv at);

@@ -1,4 +1,4 @@
-// A contest: several methods on the same cases, each with its error against the truth and its time in the same rounds.
+// A comparison of several methods on the same cases: errors against the truth, and times taken in the same rounds.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -23,8 +23,8 @@ struct ContestTitle {
     std::string subset; // "straddling"; "all"
     std::string error;  // "relative to E/L"
     std::string item;   // what a time is of: "receiver"
-    std::string truth;  // whence the truth is
-    // The method that is used where none is asked for; empty where there is no such thing.
+    std::string truth;  // the source of the truth
+    // The default method; empty if there is none.
     std::string standard{};
 };
 
@@ -63,7 +63,7 @@ Result<Standings> hold(const Contest& contest, const TimingOptions& options, con
 // Leaves out the contestants whose method is not among `methods`, but the baseline.
 void keep_only(Contest& contest, const std::vector<std::string>& methods);
 
-// The contest of `methods` on `cases`, whose errors are relative to `truth` where that is above `relative_floor`.
+// The comparison of `methods` on `cases`, with errors relative to `truth` where that is above `relative_floor`.
 template<class Cases>
 Contest contest_of(ContestTitle title, const std::vector<Method<Cases>>& methods, std::size_t baseline, Cases cases,
                    std::vector<double> truth, double relative_floor) {

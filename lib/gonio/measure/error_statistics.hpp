@@ -1,4 +1,4 @@
-// How far values are from the truth.
+// The errors of values against the truth.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The share of light that a surface gives back: a white furnace, by quadrature over half vectors.
+// The share of light that a surface reflects: a white furnace, by quadrature over half vectors.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>
@@ -12,7 +12,7 @@ namespace gonio::measure {
 
 // ∫ f n·l dω of the three channels for a view at n·v = mu, in (0, 1]. `narrowest` is the α of the material's narrowest
 // lobe; 1 for none. It shares nothing with the samplers: the logarithm of the half vector's slope and its azimuth are
-// taken evenly, as a lattice, which meets lobes of any width where they are. Errors are below 3e-5 (README.md).
+// sampled uniformly, as a lattice, which covers lobes of any width. Errors are below 3e-5.
 template<class Material>
 shading::vec3<double> directional_albedo(const Material& material, double mu, double narrowest, int slopes = 500,
                                          int azimuths = 200) {

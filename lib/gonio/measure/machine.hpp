@@ -1,4 +1,4 @@
-// On what machine and by what build something was measured.
+// The machine and the build of a measurement.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A way to take a number of each of a set of cases, in one code: the subject of every measurement.
+// A method that computes a number for each of a set of cases, in one code: the subject of every measurement.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How far a picture is from another one, in numbers.
+// The difference of two pictures, in numbers.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -11,7 +11,7 @@
 
 namespace gonio::measure {
 
-// Pixels of the truth below this share of its greatest value have no relative error: what is all but dark has no say.
+// Pixels of the truth below this share of its greatest value count as dark: they do not have a relative error.
 inline constexpr double relative_floor_share = 1e-4;
 
 struct PictureError {

@@ -1,4 +1,4 @@
-// How time grows with the size of what is asked: lights, pixels, bytes of a file, threads.
+// How time grows with the size of a task: lights, pixels, bytes of a file, threads.
 #pragma once
 
 #include <gonio/base/result.hpp>

@@ -1,4 +1,4 @@
-// Error against time of every way in which gonio can take the specular luminance of an area light.
+// Error against time of every method for the specular luminance of an area light.
 #pragma once
 
 #include <gonio/measure/method.hpp>

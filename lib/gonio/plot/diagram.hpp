@@ -2,9 +2,9 @@
 //
 // Intensities are candela, or candela per 1000 lm of the web's own flux. Gamma counts from the nadir, C from the C0
 // plane; the curves follow the web's interpolant (they are evaluated at least every half degree and at every γ of the
-// grid), so nothing is smoothed. Webs are drawn over each other where that can be read (polar, cartesian) and one by
-// one else. Equal input gives equal drawings. Fails (usage) on a picture too small to hold the diagram, on more webs
-// than the diagram takes, and on a web that is dark wherever the diagram looks.
+// grid), so nothing is smoothed. Webs are drawn over each other if that is readable (polar, cartesian) and one by
+// one otherwise. Equal input gives equal drawings. Fails (usage) on a picture too small for the diagram, on more webs
+// than the diagram takes, and on a web that is dark everywhere in the diagram.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -59,7 +59,7 @@ Result<Drawing> heat_map_diagram(std::span<const PlottedWeb> webs, const PlotOpt
 // a point at the height h, aimed straight down.
 Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
-// How wide the beam (half the peak intensity) is at five distances, and the illuminance on the axis and at its edge.
+// The width of the beam (half the peak intensity) at five distances, and the illuminance on the axis and at its edge.
 Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 } // namespace gonio

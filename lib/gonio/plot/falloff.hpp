@@ -26,7 +26,7 @@ struct FalloffOptions {
 // Lux against metres, both logarithmic: a receiver that faces the light, along its direction from its centre, by the
 // light's exact form and with the window of its range. Dashed, the inverse square of the intensity that the light has
 // there from far away; dotted, what the window took away. Distances inside a light, or on it, are left out.
-// Fails (usage) on a page or distances out of range, on no light, on a sun (whose light knows no distance) and on a
+// Fails (usage) on a page or distances out of range, without lights, on a sun (it has no distance) and on a
 // light that is dark along its direction.
 Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const FalloffOptions& options);
 

@@ -52,7 +52,7 @@ public:
         double constant = 0.0;
     };
 
-    // One cell of one sector, for who evaluates many points in it.
+    // One cell of one sector, for callers that evaluate many points in it.
     struct Patch {
         double azimuth_begin = 0.0;
         double azimuth_width = 0.0;

@@ -1,7 +1,7 @@
-// What no reader refuses and no luminaire is: the check of a file against its own light.
+// The check of plausibility: a file that readers accept, against its own light.
 //
-// The rules are the codes WEB03… of gonio/web/codes.hpp. What is wrong with the text of a file is said by its reader,
-// what is odd about its angles by resolve_web; neither is repeated here.
+// The rules are the codes WEB03… of gonio/web/codes.hpp. The reader of a file reports errors of its text, and
+// resolve_web reports unusual angles; neither is repeated here.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
@@ -11,8 +11,8 @@
 
 namespace gonio {
 
-// `web` is the profile's own, resolved with `options`. The diagnostics name the field that is odd, by
-// profile.places. Costs a few integrations of the web; of types A and B the hemispheres are not looked at.
+// `web` is the profile's own, resolved with `options`. The diagnostics name the questionable field, by
+// profile.places. Costs a few integrations of the web; for types A and B the hemispheres are not checked.
 Diagnostics check_plausibility(const Profile& profile, const Web& web, const ResolveOptions& options = {});
 
 } // namespace gonio

@@ -1,11 +1,11 @@
-// ProfileHeader: what a photometric file says beside its table, in no format's own terms.
+// ProfileHeader: the data of a photometric file beside its table, independent of the format.
 //
 // The texts are LM-63 keywords, which every format's fields map to: EULUMDAT's company is MANUFAC, the luminaire's name
 // LUMINAIRE, its number LUMCAT, the report's number TEST, date and user ISSUEDATE (DATE before 2002), the lamps' type
 // LAMP, and TM-33's elements likewise, what has none being a Comment "[KEYWORD] text"; colour temperature and colour
 // rendering, for which LM-63 has no keyword, are the users' keywords _CCT and _CRI. EULUMDAT and LM-63 both list a
 // length and a width of the luminous opening and differ in which of them lies along C0: sizes keep their names, as
-// azimuths are not turned unless asked.
+// azimuths are rotated only on request.
 #pragma once
 
 #include <gonio/profile/luminous_opening.hpp>
@@ -27,7 +27,7 @@ struct ProfileHeader {
     double input_watts = 0.0;
     LuminousOpening opening;
 
-    double length_m = 0.0; // of the housing, which LM-63 has not; 0, 0, 0: as the luminous opening
+    double length_m = 0.0; // of the housing, which LM-63 does not store; 0, 0, 0: as the luminous opening
     double width_m = 0.0;
     double height_m = 0.0;
 
@@ -37,7 +37,7 @@ struct ProfileHeader {
     std::string file_name;
     bool has_ratios = false; // direct ratios other than 0, which only EULUMDAT keeps
 
-    // What the web already contains or cannot: said when a file is made of it.
+    // What the web already contains or cannot contain: reported when a file is made from it.
     bool tilt_applied = false;         // a TILT table was multiplied in
     double file_generation_type = 1.0; // LM-63-2019
     std::size_t other_lamp_sets = 0;   // alternatives to the one the web was resolved with
@@ -49,10 +49,10 @@ struct ProfileHeader {
 // first.
 ProfileHeader header_of(const Profile& profile, const ResolveOptions& options = {});
 
-// Whether two names of keywords are the same: the case of letters does not matter.
+// Whether two keyword names are the same; case does not matter.
 bool same_keyword(std::string_view a, std::string_view b);
 
-// The text of the first keyword of that name, in any case of letters; empty when there is none.
+// The text of the first keyword of that name, in any case; empty if there is none.
 std::string_view keyword_text(const ProfileHeader& header, std::string_view name);
 
 // Adds the keyword, or replaces the text of the first one of that name.

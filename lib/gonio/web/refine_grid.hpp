@@ -1,4 +1,4 @@
-// A grid of C-planes and γ that follows a light: fine where it bends, coarse where it does not. Internal to the web
+// A grid of C-planes and γ adapted to a light: fine where it bends, coarse elsewhere. Internal to the web
 // room.
 #pragma once
 
@@ -15,10 +15,10 @@ struct AngleGrid {
     std::vector<double> gammas_deg;
 };
 
-// How many points a refined grid has at most: a file of a megabyte.
+// The greatest number of points of a refined grid: a file of a megabyte.
 inline constexpr std::size_t most_refined_points = 65536;
 
-// Steps that wide or less are left as they are: single precision still tells 360° from 359.999°.
+// Steps of this width or less are not halved: single precision still separates 360° from 359.999°.
 inline constexpr double finest_step_deg = 0.001;
 
 // Halves the steps of `grid`, those first in whose middle the light is furthest from what lies beside it, until none is

@@ -1,4 +1,4 @@
-// Webs on another grid, with the error that this makes.
+// Webs on another grid, with the resulting error.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -22,7 +22,7 @@ struct ResampledWeb {
     Candelas jump_error{0.0};
 };
 
-// How far a resampled web may be off by default, of the peak.
+// The default tolerance of resampling, as a fraction of the peak.
 inline constexpr double resampling_tolerance = 0.002;
 
 // The web's intensities at every (C, γ) of the lists, as a type C web of symmetry `stored`, which the caller answers
@@ -37,7 +37,7 @@ Result<ResampledWeb> resampled_to_c(const Web& web, std::vector<double> planes_d
 // max_error tells. A web of type C is returned as it is. Fails (malformed) never for a web that exists.
 Result<ResampledWeb> resampled_to_c(const Web& web, double tolerance = resampling_tolerance);
 
-// `count` + 1 angles from `first` to `last` in even steps, both ends exact.
+// `count` + 1 angles from `first` to `last` in equal steps, both ends exact.
 std::vector<double> even_angles(double first, double last, std::size_t count);
 
 } // namespace gonio

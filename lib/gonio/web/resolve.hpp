@@ -1,4 +1,4 @@
-// Profile → Web: what the file means, decided once.
+// Profile → Web: the meaning of a file, decided once.
 //
 // Applied: candela multiplier, ballast factor, the 12th field where its edition makes it a factor (1986, 1991), TILT at
 // the asked mounting tilt, EULUMDAT's cd/klm × flux of the lamp set × conversion factor. Symmetry is read from the
