@@ -66,9 +66,8 @@ void make(const BrdfParameters& from, shading::Ue4<S>& to) {
     to = shading::ue4_material(detail::color<S>(from, 0), S(from.p[3]), S(from.p[4]), S(from.p[5]), S(from.p[6]));
 }
 template<class S>
-void make(const BrdfParameters& from, shading::RememberMe<S>& to) {
-    to =
-        shading::remember_me_material(detail::color<S>(from, 0), detail::color<S>(from, 3), S(from.p[6]), S(from.p[7]));
+void make(const BrdfParameters& from, shading::Blinn<S>& to) {
+    to = shading::blinn_material(detail::color<S>(from, 0), detail::color<S>(from, 3), S(from.p[6]), S(from.p[7]));
 }
 
 // The same as a material of a scene; `kind` counts in the order of Material's alternatives.

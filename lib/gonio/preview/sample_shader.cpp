@@ -44,7 +44,7 @@ std::optional<glm::vec3> lambert_albedo(const shading::MaterialConstants& materi
     const glm::vec3 albedo(material.albedo[0], material.albedo[1], material.albedo[2]);
     switch (material.kind) {
     case MaterialKind::lambert:
-    case MaterialKind::remember_me:
+    case MaterialKind::blinn:
         return albedo;
     case MaterialKind::ue4:
         return albedo * material.cavity;

@@ -68,9 +68,9 @@ MaterialConstants constants_of(const shading::Ue4<double>& material) {
     return constants;
 }
 
-MaterialConstants constants_of(const shading::RememberMe<double>& material) {
+MaterialConstants constants_of(const shading::Blinn<double>& material) {
     MaterialConstants constants;
-    constants.kind = Kind::remember_me;
+    constants.kind = Kind::blinn;
     copy(material.albedo, constants.albedo);
     copy(material.f0, constants.f0);
     constants.power = static_cast<float>(material.power);

@@ -31,9 +31,8 @@ shading::Ue4<double> core_material(const Ue4Material& material) {
                                  material.cavity);
 }
 
-shading::RememberMe<double> core_material(const BlinnMaterial& material) {
-    return shading::remember_me_material(vec(material.albedo), vec(material.specular), material.smoothness,
-                                         material.wet);
+shading::Blinn<double> core_material(const BlinnMaterial& material) {
+    return shading::blinn_material(vec(material.albedo), vec(material.specular), material.smoothness, material.wet);
 }
 
 shading::Eon<double> core_material(const EonMaterial& material) {

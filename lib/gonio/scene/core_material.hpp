@@ -13,12 +13,12 @@ shading::Ggx<double> core_material(const GgxMaterial& material);
 shading::KullaConty<double> core_material(const KullaContyMaterial& material);
 shading::Frostbite<double> core_material(const FrostbiteMaterial& material);
 shading::Ue4<double> core_material(const Ue4Material& material);
-shading::RememberMe<double> core_material(const BlinnMaterial& material);
+shading::Blinn<double> core_material(const BlinnMaterial& material);
 shading::Eon<double> core_material(const EonMaterial& material);
 
 using CoreMaterial =
     std::variant<shading::Lambert<double>, shading::Ggx<double>, shading::KullaConty<double>,
-                 shading::Frostbite<double>, shading::Ue4<double>, shading::RememberMe<double>, shading::Eon<double>>;
+                 shading::Frostbite<double>, shading::Ue4<double>, shading::Blinn<double>, shading::Eon<double>>;
 
 CoreMaterial core_material(const Material& material);
 

@@ -98,7 +98,7 @@ GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const KullaConty<S>& material) {
     return {{lobe_alpha(material)}, material.f0, S(1), S(1)};
 }
 template<class S>
-GONIO_FORCE_INLINE Gloss<S, CosinePowerLobe<S>> gloss(const RememberMe<S>& material) {
+GONIO_FORCE_INLINE Gloss<S, CosinePowerLobe<S>> gloss(const Blinn<S>& material) {
     return {{lobe_alpha(material), material.power}, material.f0, S(1), S(1)};
 }
 

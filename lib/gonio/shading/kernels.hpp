@@ -47,7 +47,7 @@ struct LightConstants {
 };
 
 struct MaterialConstants {
-    enum class Kind : std::uint8_t { lambert, frostbite, ggx, ue4, remember_me, eon, kulla_conty };
+    enum class Kind : std::uint8_t { lambert, frostbite, ggx, ue4, blinn, eon, kulla_conty };
 
     Kind kind = Kind::lambert;
     // Made from what artists set by frostbite_material(), ue4_material() … of the brdf_*.hpp, whose names these are;
@@ -59,7 +59,7 @@ struct MaterialConstants {
     float alpha = 0.25F;                    // what enters D and V; taken as at least minimum_alpha
     float roughness = 0.5F;                 // eon
     float cavity = 1.0F;                    // ue4
-    float power = 64.0F;                    // remember_me
+    float power = 64.0F;                    // blinn
     float multiple[3] = {0.0F, 0.0F, 0.0F}; // kulla_conty
     float loss[16] = {};                    // kulla_conty
 };

@@ -186,7 +186,7 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
         irradiance_any<S>(part, light, &under.lx[0]);
-        if constexpr (__is_same(Material, RememberMe<S>))
+        if constexpr (__is_same(Material, Blinn<S>))
             specular.specular_power(part, light, material_constants.power, light.specular_method, &under.scale[0],
                                     &under.grazing[0]);
         else if constexpr (Glossy<Material>)
@@ -219,8 +219,8 @@ void shade_any(const Surfaces& surfaces, const LightConstants& light, const Mate
         return shade_material<S, Ggx<S>, specular>(surfaces, light, material, rgb);
     case MaterialConstants::Kind::ue4:
         return shade_material<S, Ue4<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::remember_me:
-        return shade_material<S, RememberMe<S>, specular>(surfaces, light, material, rgb);
+    case MaterialConstants::Kind::blinn:
+        return shade_material<S, Blinn<S>, specular>(surfaces, light, material, rgb);
     case MaterialConstants::Kind::eon:
         return shade_material<S, Eon<S>, specular>(surfaces, light, material, rgb);
     case MaterialConstants::Kind::kulla_conty:

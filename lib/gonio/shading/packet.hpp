@@ -85,7 +85,7 @@ GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Ue4<S>& to) {
     to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.cavity), S(from.alpha)};
 }
 template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, RememberMe<S>& to) {
+GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Blinn<S>& to) {
     to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.power)};
 }
 template<class S>

@@ -48,8 +48,8 @@ void each(const Visit& visit) {
         for (const double wet : {0.0, 1.0}) {
             if (wet > 0.0 && smoothness >= 0.5) continue; // no pores to fill
             visit(fmt::format("blinn {} wet {}", smoothness, wet), [=]<class S>(S) {
-                return g::remember_me_material<S>({S(red.x), S(red.y), S(red.z)}, {S(0.04), S(0.3), S(1)},
-                                                  S(smoothness), S(wet));
+                return g::blinn_material<S>({S(red.x), S(red.y), S(red.z)}, {S(0.04), S(0.3), S(1)}, S(smoothness),
+                                            S(wet));
             });
         }
     }

@@ -166,10 +166,10 @@ TEST(Furnace, Ue4) {
     EXPECT_NEAR(whole.least, 1.0123, 5e-4);
 }
 
-TEST(Furnace, RememberMe) {
+TEST(Furnace, Blinn) {
     const auto made = [](Vec albedo, Vec f0) {
         return [=](double roughness) {
-            const auto material = remember_me_material<double>(albedo, f0, 1.0 - roughness, 0.0);
+            const auto material = blinn_material<double>(albedo, f0, 1.0 - roughness, 0.0);
             return std::pair(material, std::sqrt(2.0 / (material.power + 2.0)));
         };
     };

@@ -178,23 +178,23 @@ TEST(Brdf, PackFollowsFloat) {
     });
 }
 
-TEST(RememberMe, WaterDarkensPoresAndSmoothsAll) {
+TEST(Blinn, WaterDarkensPoresAndSmoothsAll) {
     const Vec albedo{0.5, 0.4, 0.3};
     const Vec stone{0.04, 0.04, 0.04};
-    const auto power = [](const RememberMe<double>& m) { return (std::log2(m.power) - 1.0) / 10.0; };
-    const auto dry = remember_me_material<double>(albedo, stone, 0.0, 0.0);
+    const auto power = [](const Blinn<double>& m) { return (std::log2(m.power) - 1.0) / 10.0; };
+    const auto dry = blinn_material<double>(albedo, stone, 0.0, 0.0);
     EXPECT_DOUBLE_EQ(dry.albedo.x, 0.5);
     EXPECT_DOUBLE_EQ(dry.power, 2.0);
-    const auto wet = remember_me_material<double>(albedo, stone, 0.0, 1.0); // the pores are full: a fifth of the albedo
+    const auto wet = blinn_material<double>(albedo, stone, 0.0, 1.0); // the pores are full: a fifth of the albedo
     EXPECT_DOUBLE_EQ(wet.albedo.x, 0.1);
-    EXPECT_NEAR(power(wet), 0.4, 1e-12);                                     // 1 + (0 − 1)·(1 − 0.5·0.8)
-    const auto half = remember_me_material<double>(albedo, stone, 0.3, 0.5); // porosity ½, factor 0.6
+    EXPECT_NEAR(power(wet), 0.4, 1e-12);                               // 1 + (0 − 1)·(1 − 0.5·0.8)
+    const auto half = blinn_material<double>(albedo, stone, 0.3, 0.5); // porosity ½, factor 0.6
     EXPECT_NEAR(half.albedo.y, 0.4 * 0.8, 1e-12);
     EXPECT_NEAR(power(half), 1.0 - 0.7 * 0.9, 1e-12);
-    const auto smooth = remember_me_material<double>(albedo, stone, 0.5, 1.0); // no pores from smoothness ½ on
+    const auto smooth = blinn_material<double>(albedo, stone, 0.5, 1.0); // no pores from smoothness ½ on
     EXPECT_DOUBLE_EQ(smooth.albedo.x, 0.5);
     EXPECT_NEAR(power(smooth), 0.5, 1e-12);
-    const auto metal = remember_me_material<double>(albedo, {0.9, 0.9, 0.9}, 0.0, 1.0);
+    const auto metal = blinn_material<double>(albedo, {0.9, 0.9, 0.9}, 0.0, 1.0);
     EXPECT_DOUBLE_EQ(metal.albedo.x, 0.5);
 }
 
@@ -220,7 +220,7 @@ TEST(Brdf, AlongTheNormal) {
     const Vec n{0, 0, 1};
     const double inv_pi = 1.0 / std::acos(-1.0);
     EXPECT_NEAR(brdf(Ggx<double>{{0.5, 1, 0}, 0.5}, n, n, n).x, 0.5 * inv_pi / 0.25 / 4.0, 1e-14); // f0 D/4
-    const auto shiny = remember_me_material<double>({0, 0, 0}, {1, 1, 1}, 0.5, 0.0);               // p = 64
+    const auto shiny = blinn_material<double>({0, 0, 0}, {1, 1, 1}, 0.5, 0.0);                     // p = 64
     EXPECT_NEAR(brdf(shiny, n, n, n).y, 66.0 * inv_pi / 8.0, 1e-12);
     EXPECT_NEAR(brdf(Eon<double>{{0.5, 0.5, 0.5}, 0.0}, n, n, n).x, 0.5 * inv_pi, 1e-15);
     // r = 1: A = 1/(1 + 1/2 − 2/3π); what is lost along the normal scatters again with half of the light at each

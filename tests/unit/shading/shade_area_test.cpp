@@ -90,8 +90,8 @@ Reflected<double> parts(const SurfacePoint<double>& point, const LightConstants&
             return by(Ggx<double>{});
         case MaterialKind::ue4:
             return by(Ue4<double>{});
-        case MaterialKind::remember_me:
-            return by(RememberMe<double>{});
+        case MaterialKind::blinn:
+            return by(Blinn<double>{});
         case MaterialKind::eon:
             return by(Eon<double>{});
         case MaterialKind::kulla_conty:

@@ -247,7 +247,7 @@ std::span<const StressSubject> brdf_stress() {
         StressSubject{"eon", bar, 0.3, material<shading::Eon>},
         StressSubject{"frostbite", bar, 0.3, material<shading::Frostbite>},
         StressSubject{"ue4", bar, 0.3, material<shading::Ue4>},
-        StressSubject{"blinn", bar, 0.3, material<shading::RememberMe>},
+        StressSubject{"blinn", bar, 0.3, material<shading::Blinn>},
         StressSubject{"ggx", bar, 0.3, material<shading::Ggx>},
         StressSubject{"kulla-conty", "the same and 1e-3 of the value", 0.3, material<shading::KullaConty>},
         StressSubject{"materials by the kernels", "finite and not negative", 1.0, by_kernels},

@@ -111,9 +111,9 @@ constexpr std::array subjects{
             [](double r, double mu) { return albedo(shading::frostbite_material(white, 1.0 - r, 0.0, 0.5), mu); }},
     Subject{"ue4", 4, one_by_one<shading::Ue4, double>, one_by_one<shading::Ue4, float>,
             [](double r, double mu) { return albedo(shading::ue4_material(white, 0.0, r, 0.5, 1.0), mu); }},
-    Subject{"blinn", 5, one_by_one<shading::RememberMe, double>, one_by_one<shading::RememberMe, float>,
+    Subject{"blinn", 5, one_by_one<shading::Blinn, double>, one_by_one<shading::Blinn, float>,
             [](double r, double mu) {
-                return albedo(shading::remember_me_material(white, vec3<double>{0.04, 0.04, 0.04}, 1.0 - r, 0.0), mu);
+                return albedo(shading::blinn_material(white, vec3<double>{0.04, 0.04, 0.04}, 1.0 - r, 0.0), mu);
             }},
     Subject{"ggx", 2, one_by_one<shading::Ggx, double>, one_by_one<shading::Ggx, float>,
             [](double r, double mu) {
