@@ -60,8 +60,9 @@ struct EonMaterial {
     double roughness = 0.4;
 };
 
-using Material = std::variant<LambertMaterial, FrostbiteMaterial, GgxMaterial, KullaContyMaterial, Ue4Material,
-                              BlinnMaterial, EonMaterial>;
+// In the order in which they are listed. What is known of each stands in material_description.hpp.
+using Material = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, Ue4Material, BlinnMaterial, GgxMaterial,
+                              KullaContyMaterial>;
 
 struct MaterialKind {
     std::string_view kind;

@@ -9,6 +9,7 @@
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -18,6 +19,9 @@ namespace gonio::shading {
 
 template<class S>
 struct Blinn {
+    static constexpr Scattering scattering = Scattering::uniform;
+    static constexpr LobeKind lobe = LobeKind::cosine_power;
+
     vec3<S> albedo; // of the diffuse part
     vec3<S> f0;     // reflectance at normal incidence; 1 at grazing
     S power;        // p, ≥ 2
@@ -68,6 +72,26 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, 
     return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
 }
 
+// A power of n·h; `alpha` is that of the GGX lobe of the same peak.
+template<class S>
+struct CosinePowerLobe {
+    S alpha, power;
+
+    GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
+        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
+    }
+    // As it has no shadowing: by that towards the mirrored eye.
+    GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
+        const S mu = simd::max(n_dot_v, S(least_cosine));
+        return S(0.25) / visibility_ggx(mu, mu, alpha);
+    }
+
+    GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
+        const S less = simd::max(S(2) / (widened * widened) - S(2), S(0));
+        return specular_cosine_power(n, l, v, power, simd::select(widened > alpha, less, power));
+    }
+};
+
 // Of the GGX lobe whose distribution has the same peak: α² = 2/(p + 2).
 template<class S>
 GONIO_FORCE_INLINE S lobe_alpha(const Blinn<S>& material) {
@@ -82,6 +106,15 @@ GONIO_FORCE_INLINE vec3<S> specular_part(const Blinn<S>& material, vec3<S> n, ve
     const S alpha = widened_alpha(lobe_alpha(material), widening);
     const S widened = simd::select(widening > S(0), simd::max(S(2) / (alpha * alpha) - S(2), S(0)), material.power);
     return reflected_part(material.f0, S(1), specular_cosine_power(n, l, v, material.power, widened));
+}
+
+template<class S>
+GONIO_FORCE_INLINE Gloss<S, CosinePowerLobe<S>> gloss(const Blinn<S>& material) {
+    return {{lobe_alpha(material), material.power}, material.f0, S(1), S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const Blinn<S>& material) {
+    return {material.albedo};
 }
 
 // The normals of a GGX surface whose distribution has the same peak, α² = 2/(p + 2): its tails cover a cosine power's,

@@ -251,6 +251,32 @@ TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
         }
 }
 
+// By a method with an irradiance of its own a material is what it is by the exact method and the change of its diffuse
+// part, which for these is Lambert's of the same albedo.
+TEST(ThreadsPreview, OwnIrradianceReachesTheDiffusePartAlone) {
+    Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 8;
+    options.height = 6;
+    options.method = IrradianceMethod::frostbite;
+    const Light light = light_of("disk:r=80cm", "1000cd", {0.3, -0.2, 2.0});
+    const auto diffuse_of = [&](const char* material) {
+        stage.surfaces[0].material = parse_material(material).value();
+        options.specular = false;
+        return picture_of(stage, light, options);
+    };
+    const Image lambert = diffuse_of("lambert:albedo=0.3");
+    const Image cavity = diffuse_of("ue4:base=0.6,cavity=0.5");
+    ASSERT_EQ(lambert.pixels, cavity.pixels);
+    options.specular = true;
+    stage.surfaces[0].material = parse_material("ue4:base=0.6,cavity=0.5").value();
+    const Image whole = picture_of(stage, light, options);
+    stage.surfaces[0].material = parse_material("ue4:base=0,cavity=0.5").value();
+    const Image black = picture_of(stage, light, options);
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+        EXPECT_NEAR(whole.pixels[i] - black.pixels[i], lambert.pixels[i], 2e-6F * whole.pixels[i]) << i;
+}
+
 // The luminance of glossy, coloured materials: reference against a probe's, channel by channel through Y; ltc within
 // what its fit allows.
 TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
