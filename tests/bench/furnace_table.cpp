@@ -54,6 +54,7 @@ int main() {
         return material;
     });
     table("UE4", "roughness", [](double r) { return shading::ue4_material(white, 0.0, r, 0.5, 1.0); });
+    table("glTF", "roughness", [](double r) { return shading::gltf_material(white, 0.0, r); });
     table("Blinn", "1 − smoothness", [](double r) {
         return shading::blinn_material(white, Vec{0.04, 0.04, 0.04}, 1.0 - r, 0.0);
     });

@@ -169,6 +169,28 @@ struct MaterialDescription<Ue4Material> {
 };
 
 template<>
+struct MaterialDescription<GltfMaterial> {
+    static constexpr std::string_view kind = "gltf";
+    // glTF's own defaults, 1 each, are a rough white metal; these can be laid beside ue4.
+    static constexpr std::string_view summary =
+        "metallic-roughness of glTF 2.0 (appendix B); defaults as ue4's, where glTF has 1";
+    static constexpr std::tuple keys{ColorKey<GltfMaterial>{"base", &GltfMaterial::base},
+                                     NumberKey<GltfMaterial>{"metallic", &GltfMaterial::metallic},
+                                     NumberKey<GltfMaterial>{"roughness", &GltfMaterial::roughness}};
+
+    template<class S>
+    static shading::Gltf<S> core(shading::vec3<S> base, S metallic, S roughness) {
+        return shading::gltf_material(base, metallic, roughness);
+    }
+    static ChartColors chart_colors(const GltfMaterial& m) {
+        return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
+    }
+    static std::optional<MetallicRoughness> metallic_roughness(const GltfMaterial& m) {
+        return MetallicRoughness{m.base, m.metallic, m.roughness};
+    }
+};
+
+template<>
 struct MaterialDescription<BlinnMaterial> {
     static constexpr std::string_view kind = "blinn";
     static constexpr std::string_view summary =

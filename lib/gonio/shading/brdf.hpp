@@ -8,6 +8,7 @@
 #include <gonio/shading/brdf_eon.hpp>
 #include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_gltf.hpp>
 #include <gonio/shading/brdf_kulla_conty.hpp>
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_ue4.hpp>
@@ -21,7 +22,7 @@ namespace gonio::shading {
 template<template<class> class... Material>
 struct MaterialList {};
 
-using Materials = MaterialList<Lambert, Eon, Frostbite, Ue4, Blinn, Ggx, KullaConty>;
+using Materials = MaterialList<Lambert, Eon, Frostbite, Ue4, Gltf, Blinn, Ggx, KullaConty>;
 
 template<template<class> class Material>
 concept Glossy = Material<double>::lobe != LobeKind::none;

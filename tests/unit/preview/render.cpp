@@ -285,7 +285,8 @@ TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
     options.width = 4;
     options.height = 3;
     const CameraRays rays(stage.camera, options.width, options.height);
-    for (const char* material : {"frostbite:base=rgb(0.5,0.2,0.1),smoothness=0.6", "ue4:base=rgb(0.2,0.5,0.9)", "eon"})
+    for (const char* material : {"frostbite:base=rgb(0.5,0.2,0.1),smoothness=0.6", "ue4:base=rgb(0.2,0.5,0.9)",
+                                 "gltf:base=rgb(0.9,0.5,0.2)", "eon"})
         for (const char* shape : {"point", "sphere:r=50cm", "rect:w=2m,h=30cm", "sun:angle=3deg"}) {
             const bool is_sun = std::string_view(shape).starts_with("sun");
             Light light = light_of(shape, is_sun ? "1000lx" : "1000cd", {0.3, -0.2, 6.0});

@@ -124,6 +124,8 @@ TEST(Parameter, OfAMaterialIsThatOfItsGrammar) {
                           Case{"eon:albedo=0.2", "roughness", "0.9", "eon:albedo=0.2,roughness=0.9"},
                           Case{"ue4:base=0.2", "metallic", "1", "ue4:base=0.2,metallic=1"},
                           Case{"ue4:base=0.2", "cavity", "0.3", "ue4:base=0.2,cavity=0.3"},
+                          Case{"gltf:base=0.2", "metallic", "1", "gltf:base=0.2,metallic=1"},
+                          Case{"gltf:base=0.2", "roughness", "0.25", "gltf:base=0.2,roughness=0.25"},
                           Case{"frostbite:base=0.2", "metallic", "1", "frostbite:base=0.2,metal=1"},
                           Case{"frostbite:base=0.2", "roughness", "0.25", "frostbite:base=0.2,smoothness=0.75"},
                           Case{"blinn:albedo=0.2", "wet", "1", "blinn:albedo=0.2,wet=1"},

@@ -215,6 +215,50 @@ TEST(Ue4, MapsItsParameters) {
     EXPECT_DOUBLE_EQ(brdf(hollow, n, {0.6, 0, 0.8}, n).x, 0.25 * brdf(open, n, {0.6, 0, 0.8}, n).x);
 }
 
+// The code of the specification's appendix B, word by word, beside ours.
+TEST(Gltf, IsTheMixOfItsSpecification) {
+    Random random(57);
+    const Vec n{0, 0, 1};
+    const auto mix = [](double a, double b, double share) { return a * (1.0 - share) + b * share; };
+    for (int i = 0; i < 5'000; ++i) {
+        const Vec l = poses::tilted(n, random.uniform(0.01, 1.0), random);
+        const Vec v = poses::tilted(n, random.uniform(0.01, 1.0), random);
+        const double base = random.uniform();
+        const double metallic = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : random.uniform();
+        const double roughness = random.uniform(0.3, 1.0); // the appendix' D cancels for less
+        const Vec h = poses::unit(l + v);
+        const double a2 = std::pow(roughness, 4.0);
+        const double n_dot_l = dot(n, l);
+        const double n_dot_v = dot(n, v);
+        const double d = a2 / (std::acos(-1.0) * std::pow(dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0, 2.0));
+        const double visible = 0.5 / (n_dot_v * std::sqrt(a2 + (1.0 - a2) * n_dot_l * n_dot_l) +
+                                      n_dot_l * std::sqrt(a2 + (1.0 - a2) * n_dot_v * n_dot_v));
+        const double fresnel_w = std::pow(1.0 - std::fabs(dot(v, h)), 5.0);
+        const double diffuse_brdf = base / std::acos(-1.0);
+        const double specular_brdf = visible * d;
+        const double dielectric_brdf = mix(diffuse_brdf, specular_brdf, 0.04 + (1.0 - 0.04) * fresnel_w);
+        const double metal_brdf = (base + (1.0 - base) * fresnel_w) * specular_brdf;
+        const double expected = mix(dielectric_brdf, metal_brdf, metallic);
+        const auto material = gltf_material<double>({base, 1.0, 0.0}, metallic, roughness);
+        EXPECT_NEAR(brdf(material, n, l, v).x, expected, 1e-12 * expected) << i;
+    }
+}
+
+TEST(Gltf, MapsItsParameters) {
+    const auto plastic = gltf_material<double>({0.5, 0.25, 0.125}, 0.0, 0.4);
+    EXPECT_DOUBLE_EQ(plastic.f0.y, 0.04);
+    EXPECT_DOUBLE_EQ(plastic.albedo.y, 0.25);
+    EXPECT_DOUBLE_EQ(plastic.alpha, 0.16);
+    const auto gold = gltf_material<double>({1.0, 0.77, 0.34}, 1.0, 0.0);
+    EXPECT_DOUBLE_EQ(gold.f0.y, 0.77);
+    EXPECT_EQ(gold.albedo.x, 0.0);
+    EXPECT_EQ(gold.alpha, minimum_alpha);
+    // Without its lobe, what enters stays as it is.
+    const Vec n{0, 0, 1};
+    const Vec v{0.6, 0, 0.8};
+    EXPECT_EQ(brdf(diffuse_alone(plastic), n, v, n).x, diffuse_part(plastic, n, v, n).x);
+}
+
 // Hand-worked values: along the normal, where every angle is 0.
 TEST(Brdf, AlongTheNormal) {
     const Vec n{0, 0, 1};

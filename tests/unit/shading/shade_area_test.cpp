@@ -57,6 +57,7 @@ std::vector<std::pair<std::string, MaterialConstants>> materials_of(float alpha)
             {"eon", constants_of(Eon<float>{albedo, root})},
             {"frostbite", constants_of(Frostbite<float>{albedo, f0, 1.0F, root, alpha})},
             {"ue4", constants_of(Ue4<float>{albedo, f0, 1.0F, alpha})},
+            {"gltf", constants_of(Gltf<float>{albedo, f0, 1.0F, alpha})},
             {"blinn", constants_of(Blinn<float>{albedo, f0, 2.0F / (alpha * alpha) + 1.0F})},
             {"ggx", constants_of(Ggx<float>{f0, alpha})},
             {"kulla-conty", constants_of(kulla_conty_material(f0, alpha))}};
@@ -93,6 +94,11 @@ Reflected<double> parts_by(const SurfacePoint<double>& point, const LightConstan
     return {};
 }
 
+template<template<class> class... Material>
+constexpr std::size_t count_of(MaterialList<Material...> /*list*/) {
+    return sizeof...(Material);
+}
+
 SurfacePoint<double> point_of(const Surfaces& surfaces, std::size_t i) {
     const auto at = [i](const float* const(&v)[3]) {
         return vec3<double>{static_cast<double>(v[0][i]), static_cast<double>(v[1][i]), static_cast<double>(v[2][i])};
@@ -123,6 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
 // disk multiplies the rounding of a direction by the width of the lobe.
 TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
     const Cases cases(kind, 2048);
+    ASSERT_EQ(materials_of(0.5F).size(), count_of(Materials()));
     for (const SpecularMethod method : methods)
         for (std::size_t m = 0; m < materials_of(0.5F).size(); ++m) {
             std::size_t off = 0;
