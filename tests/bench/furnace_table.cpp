@@ -54,11 +54,12 @@ int main() {
         return material;
     });
     table("UE4", "roughness", [](double r) { return shading::ue4_material(white, 0.0, r, 0.5, 1.0); });
-    table("Remember Me", "1 − smoothness", [](double r) {
-        return shading::remember_me_material(white, Vec{0.04, 0.04, 0.04}, 1.0 - r, 0.0);
+    table("glTF", "roughness", [](double r) { return shading::gltf_material(white, 0.0, r); });
+    table("Blinn", "1 − smoothness", [](double r) {
+        return shading::blinn_material(white, Vec{0.04, 0.04, 0.04}, 1.0 - r, 0.0);
     });
-    table("Remember Me, black with f0 = 1", "1 − smoothness", [](double r) {
-        return shading::remember_me_material(Vec{0.0, 0.0, 0.0}, white, 1.0 - r, 0.0);
+    table("Blinn, black with f0 = 1", "1 − smoothness", [](double r) {
+        return shading::blinn_material(Vec{0.0, 0.0, 0.0}, white, 1.0 - r, 0.0);
     });
     table("GGX, f0 = 1, scattered once", "√α", [](double r) { return shading::Ggx<double>{white, r * r}; });
     table("Kulla and Conty, f0 = 1", "√α", [](double r) { return shading::kulla_conty_material(white, r * r); });

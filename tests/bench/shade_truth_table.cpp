@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
     const int side = argc > 1 ? std::atoi(argv[1]) : 12;
     constexpr std::array shapes{"sphere:r=10cm",      "sphere:r=40cm",       "disk:r=30cm",        "rect:w=60cm,h=30cm",
                                 "rect:w=1.2m,h=1.2m", "tube:r=1.3cm,l=1.2m", "tube:r=10cm,l=60cm", "sun:angle=0.53deg"};
-    constexpr std::array materials{"frostbite", "frostbite:smoothness=0.9", "frostbite:smoothness=0.2", "eon",
-                                   "kulla-conty:f0=0.8,alpha=0.4"};
+    constexpr std::array materials{"frostbite", "frostbite:smoothness=0.9",    "frostbite:smoothness=0.2", "gltf",
+                                   "eon",       "kulla-conty:f0=0.8,alpha=0.4"};
     (void)std::printf("| surface | light | material | diffuse | specular, ltc | representative point |\n"
                       "|---|---|---|---|---|---|\n");
     Errors all;

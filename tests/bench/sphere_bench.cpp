@@ -5,6 +5,7 @@
 // `items_per_second` counts surface points.
 #include <gonio/measure/sphere_cases.hpp>
 #include <gonio/measure/sphere_methods.hpp>
+#include <gonio/shading/brdf.hpp>
 #include <gonio/shading/kernels.hpp>
 
 #include <benchmark/benchmark.h>
@@ -34,16 +35,18 @@ void irradiance(benchmark::State& state, const shading::Kernels& kernels, const 
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
 }
 
+const MaterialConstants matte = shading::constants_of(shading::Lambert<float>{{0.5F, 0.5F, 0.5F}});
+const MaterialConstants glossy =
+    shading::constants_of(shading::Frostbite<float>{{0.5F, 0.5F, 0.5F}, {0.04F, 0.04F, 0.04F}, 1.0F, 0.5F, 0.25F});
+
 void shade(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases,
-           LightConstants::Kind light_kind, MaterialConstants::Kind material_kind) {
+           LightConstants::Kind light_kind, const MaterialConstants& material) {
     std::vector<float> rgb(3 * cases.size());
     std::vector<float> candela(cases.size(), 100.0F);
     float* const out[3] = {rgb.data(), rgb.data() + cases.size(), rgb.data() + 2 * cases.size()};
     LightConstants light = SphereCases::light();
     light.kind = light_kind;
     light.intensity_cd = candela.data();
-    MaterialConstants material;
-    material.kind = material_kind;
     shading::Surfaces surfaces = cases.surfaces();
     std::copy(std::begin(surfaces.normal), std::end(surfaces.normal), std::begin(surfaces.view));
     for (auto _ : state) {
@@ -82,15 +85,12 @@ int main(int argc, char** argv) {
         add("irradiance/above", [&](benchmark::State& s) { irradiance(s, kernels, above); });
         add("irradiance/straddling", [&](benchmark::State& s) { irradiance(s, kernels, straddling); });
         add("irradiance/mixed", [&](benchmark::State& s) { irradiance(s, kernels, mixed); });
-        add("shade/point-lambert", [&](benchmark::State& s) {
-            shade(s, kernels, above, LightConstants::Kind::punctual, MaterialConstants::Kind::lambert);
-        });
-        add("shade/point-frostbite", [&](benchmark::State& s) {
-            shade(s, kernels, above, LightConstants::Kind::punctual, MaterialConstants::Kind::frostbite);
-        });
-        add("shade/sphere-frostbite", [&](benchmark::State& s) {
-            shade(s, kernels, mixed, LightConstants::Kind::sphere, MaterialConstants::Kind::frostbite);
-        });
+        add("shade/point-lambert",
+            [&](benchmark::State& s) { shade(s, kernels, above, LightConstants::Kind::punctual, matte); });
+        add("shade/point-frostbite",
+            [&](benchmark::State& s) { shade(s, kernels, above, LightConstants::Kind::punctual, glossy); });
+        add("shade/sphere-frostbite",
+            [&](benchmark::State& s) { shade(s, kernels, mixed, LightConstants::Kind::sphere, glossy); });
     }
     static const std::vector<measure::SphereMethod> methods = measure::sphere_methods();
     for (const measure::SphereMethod& method : methods)

@@ -12,6 +12,7 @@
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/scene/parameter.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/web/author.hpp>
@@ -84,21 +85,11 @@ void shape(std::string_view text) {
     require(text.starts_with(kind_of(*read)));
 }
 
-struct SoundMaterial {
-    void operator()(const LambertMaterial& m) const { require(share(m.albedo)); }
-    void operator()(const GgxMaterial& m) const { require(share(m.f0) && share(m.alpha)); }
-    void operator()(const KullaContyMaterial& m) const { require(share(m.f0) && share(m.alpha)); }
-    void operator()(const FrostbiteMaterial& m) const {
-        require(share(m.base) && share(m.smoothness) && share(m.metal) && share(m.reflectance));
-    }
-    void operator()(const Ue4Material& m) const {
-        require(share(m.base) && share(m.roughness) && share(m.metallic) && share(m.specular) && share(m.cavity));
-    }
-    void operator()(const BlinnMaterial& m) const {
-        require(share(m.albedo) && share(m.specular) && share(m.smoothness) && share(m.wet));
-    }
-    void operator()(const EonMaterial& m) const { require(share(m.albedo) && share(m.roughness)); }
-};
+// Whatever its keys, each holds a number or a colour in [0, 1].
+void require_sound(const Material& read) {
+    std::visit([]<class M>(const M& m) { for_each_key<M>([&](const auto& key) { require(share(m.*key.member)); }); },
+               read);
+}
 
 // "KIND:key=value" and, behind a blank, a parameter to set: "roughness=0.3".
 void material(std::string_view text) {
@@ -106,14 +97,14 @@ void material(std::string_view text) {
     const auto same = [](const Material& a, const Material& b) { return a.index() == b.index(); };
     Result<Material> read = read_twice([&] { return parse_material(text.substr(0, blank)); }, same);
     if (!read) return;
-    std::visit(SoundMaterial{}, *read);
+    require_sound(*read);
     if (blank == std::string_view::npos) return;
     const std::string_view setting = text.substr(blank + 1);
     const std::size_t equals = setting.find('=');
     if (equals == std::string_view::npos) return;
     const Result<bool> set = set_parameter(*read, setting.substr(0, equals), setting.substr(equals + 1));
     if (!set) require_reason(set.error());
-    std::visit(SoundMaterial{}, *read);
+    require_sound(*read);
 }
 
 void color(std::string_view text) {

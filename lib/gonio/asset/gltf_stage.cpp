@@ -2,7 +2,7 @@
 //
 // A material with a Lambertian part is a dielectric, whose reflectance f0 KHR_materials_specular gives as a factor on
 // 0.04 (0: none at all, at grazing neither); one without is a metal. Roughness is the root of α. Readers take the
-// reflected share from the diffuse part, which ours keeps.
+// reflected share from the diffuse part, which ours keeps. A material that is glTF's own is written as it is.
 #include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_light.hpp>
 
@@ -122,6 +122,12 @@ Json color_json(const glm::dvec3& v) {
 }
 
 Json material_json(const SceneMaterial& material, bool& uses_specular) {
+    if (const auto& own = material.metallic_roughness)
+        return {{"name", material.name},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", color_json(own->base)},
+                  {"metallicFactor", own->metallic},
+                  {"roughnessFactor", own->roughness}}}};
     Json surface{{"baseColorFactor", color_json(material.has_diffuse() ? material.diffuse : material.f0)},
                  {"metallicFactor", material.has_diffuse() || !material.has_lobe() ? 0.0 : 1.0},
                  {"roughnessFactor", std::sqrt(material.alpha)}};

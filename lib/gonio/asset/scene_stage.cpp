@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <variant>
 
 namespace gonio::asset_detail {
 
@@ -51,64 +53,52 @@ void take_lobe(const Core& core, SceneMaterial& made, std::vector<std::string>& 
         losses.emplace_back("its reflection at grazing angles, which is dimmed, is written as a whole one");
 }
 
-struct Reduction {
-    std::vector<std::string>& losses;
+// Whether its diffuse part depends on the directions.
+template<class Core>
+bool is_rough(const Core& core) {
+    const Vec n{0.0, 0.0, 1.0};
+    const Vec low{0.8, 0.0, 0.6};
+    const Vec opposite{-0.8, 0.0, 0.6};
+    const glm::dvec3 along = color(diffuse_part(core, n, n, n));
+    return color(diffuse_part(core, n, low, low)) != along || color(diffuse_part(core, n, low, opposite)) != along;
+}
 
-    SceneMaterial operator()(const LambertMaterial& material) const {
-        SceneMaterial made;
-        made.diffuse = material.albedo;
-        return made;
-    }
-    SceneMaterial operator()(const EonMaterial& material) const {
-        SceneMaterial made;
-        made.diffuse = mean_albedo(core_material(material));
-        if (material.roughness > 0.0) say_diffuse();
-        return made;
-    }
-    SceneMaterial operator()(const FrostbiteMaterial& material) const {
-        SceneMaterial made;
-        const auto core = core_material(material);
+template<class M>
+SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
+    SceneMaterial made;
+    made.metallic_roughness = MaterialDescription<M>::metallic_roughness(material);
+    const auto core = core_material(material);
+    const auto matte = shading::diffuse_alone(core);
+    if constexpr (std::is_same_v<decltype(matte), const shading::Lambert<double>>) {
+        made.diffuse = color(matte.albedo);
+    } else {
         made.diffuse = mean_albedo(core);
-        if (made.has_diffuse()) say_diffuse();
-        take_lobe(core, made, losses);
-        return made;
+        if (is_rough(core))
+            losses.emplace_back(
+                made.metallic_roughness
+                    ? "its diffuse part, which its lobe dims, is written as Lambert's of the same albedo"
+                    : "its rough diffuse part is written as Lambert's of the same albedo");
     }
-    SceneMaterial operator()(const Ue4Material& material) const {
-        SceneMaterial made;
-        const auto core = core_material(material);
-        made.diffuse = color(core.albedo);
-        take_lobe(core, made, losses);
-        return made;
-    }
-    SceneMaterial operator()(const GgxMaterial& material) const {
-        SceneMaterial made;
-        take_lobe(core_material(material), made, losses);
-        return made;
-    }
-    SceneMaterial operator()(const KullaContyMaterial& material) const {
-        SceneMaterial made;
-        take_lobe(core_material(material), made, losses);
+    constexpr shading::LobeKind lobe = decltype(core)::lobe;
+    if constexpr (lobe != shading::LobeKind::none) take_lobe(core, made, losses);
+    switch (lobe) {
+    case shading::LobeKind::none:
+    case shading::LobeKind::ggx:
+        break;
+    case shading::LobeKind::ggx_and_more:
         losses.emplace_back("what its facets scatter more than once is left out");
-        return made;
-    }
-    SceneMaterial operator()(const BlinnMaterial& material) const {
-        SceneMaterial made;
-        const auto core = core_material(material);
-        made.diffuse = color(core.albedo);
-        take_lobe(core, made, losses);
+        break;
+    case shading::LobeKind::cosine_power:
         if (made.has_lobe()) losses.emplace_back("its cosine lobe is written as a GGX lobe as wide");
-        return made;
+        break;
     }
-
-    void say_diffuse() const {
-        losses.emplace_back("its rough diffuse part is written as Lambert's of the same albedo");
-    }
-};
+    return made;
+}
 
 } // namespace
 
 SceneMaterial scene_material(const Material& material, std::vector<std::string>& losses) {
-    return std::visit(Reduction{losses}, material);
+    return std::visit([&](const auto& kind) { return reduced(kind, losses); }, material);
 }
 
 MixedMaterial mixed(const SceneMaterial& material) {

@@ -49,8 +49,10 @@ SceneCamera scene_camera(const Camera& camera, int width, int height) {
 
 class StageBuilder {
 public:
-    StageBuilder(const glm::dvec3& eye, asset_detail::TakenNames& names, std::vector<std::string>& instead)
-        : eye_(eye), names_(names), instead_(instead) {}
+    // `has_metallic_roughness`: the target's own material is glTF's.
+    StageBuilder(const glm::dvec3& eye, bool has_metallic_roughness, asset_detail::TakenNames& names,
+                 std::vector<std::string>& instead)
+        : eye_(eye), has_metallic_roughness_(has_metallic_roughness), names_(names), instead_(instead) {}
 
     void add(const Surface& surface) {
         const SceneShape shape = scene_shape(surface.geometry, eye_);
@@ -66,6 +68,7 @@ private:
     std::size_t material_of(const Surface& surface) {
         std::vector<std::string> losses;
         SceneMaterial material = scene_material(surface.material, losses);
+        if (has_metallic_roughness_ && material.metallic_roughness) losses.clear();
         for (const std::string& loss : losses) {
             std::string line = fmt::format("surface '{}': {}", surface.name, loss);
             if (std::find(instead_.begin(), instead_.end(), line) == instead_.end())
@@ -74,7 +77,7 @@ private:
         for (std::size_t i = 0; i < stage_.materials.size(); ++i) {
             const SceneMaterial& other = stage_.materials[i];
             if (sources_[i] == surface.name && other.diffuse == material.diffuse && other.f0 == material.f0 &&
-                other.alpha == material.alpha)
+                other.alpha == material.alpha && other.metallic_roughness == material.metallic_roughness)
                 return i;
         }
         material.name = unique_name(surface.name + "_material", names_);
@@ -84,6 +87,7 @@ private:
     }
 
     glm::dvec3 eye_;
+    bool has_metallic_roughness_;
     asset_detail::TakenNames& names_;
     std::vector<std::string>& instead_;
     SceneStage stage_;
@@ -114,7 +118,7 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     asset_detail::TakenNames names;
     for (const SceneLight& light : built->content.lights)
         names.names.insert(light.name);
-    StageBuilder builder(camera.position, names, built->instead);
+    StageBuilder builder(camera.position, format.target == "gltf", names, built->instead);
     for (const Surface& surface : stage.surfaces)
         builder.add(surface);
     SceneStage& made = builder.stage();

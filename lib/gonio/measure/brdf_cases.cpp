@@ -82,24 +82,22 @@ BrdfParameters::BrdfParameters(Random& random, bool hostile) {
 }
 
 Material scene_material(std::size_t kind, const BrdfParameters& parameters) {
-    const std::array<double, 8>& p = parameters.p;
-    const glm::dvec3 first(p[0], p[1], p[2]);
-    switch (kind) {
-    case 0:
-        return LambertMaterial{first};
-    case 1:
-        return FrostbiteMaterial{first, p[3], p[4], p[5]};
-    case 2:
-        return GgxMaterial{first, p[3]};
-    case 3:
-        return KullaContyMaterial{first, p[3]};
-    case 4:
-        return Ue4Material{first, p[4], p[3], p[5], p[6]};
-    case 5:
-        return BlinnMaterial{first, {p[3], p[4], p[5]}, p[6], p[7]};
-    default:
-        return EonMaterial{first, p[3]};
-    }
+    Material made;
+    std::size_t place = 0;
+    for_each_material([&]<class M>() {
+        if (place++ != kind) return;
+        M material;
+        std::size_t next = 0;
+        for_each_key<M>([&](const auto& key) {
+            const auto number = [&] { return parameters.p[next++]; };
+            if constexpr (detail::is_color<std::decay_t<decltype(key)>>)
+                material.*key.member = glm::dvec3{number(), number(), number()};
+            else
+                material.*key.member = number();
+        });
+        made = material;
+    });
+    return made;
 }
 
 } // namespace gonio::measure

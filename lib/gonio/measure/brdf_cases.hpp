@@ -2,12 +2,14 @@
 #pragma once
 
 #include <gonio/measure/random.hpp>
-#include <gonio/scene/material.hpp>
-#include <gonio/shading/brdf.hpp>
+#include <gonio/scene/core_material.hpp>
+#include <gonio/scene/material_description.hpp>
+#include <gonio/shading/vec3.hpp>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 namespace gonio::measure {
 
@@ -33,45 +35,49 @@ struct BrdfParameters {
 
 namespace detail {
 
-template<class S>
-shading::vec3<S> color(const BrdfParameters& from, std::size_t first) {
-    return {S(from.p[first]), S(from.p[first + 1]), S(from.p[first + 2])};
-}
+template<class Key>
+inline constexpr bool is_color = false;
+template<class M>
+inline constexpr bool is_color<ColorKey<M>> = true;
 
 } // namespace detail
 
-// The material of those parameters, as the shading core takes it.
-template<class S>
-void make(const BrdfParameters& from, shading::Lambert<S>& to) {
-    to = {detail::color<S>(from, 0)};
-}
-template<class S>
-void make(const BrdfParameters& from, shading::Eon<S>& to) {
-    to = {detail::color<S>(from, 0), S(from.p[3])};
-}
-template<class S>
-void make(const BrdfParameters& from, shading::Ggx<S>& to) {
-    to = {detail::color<S>(from, 0), S(from.p[3])};
-}
-template<class S>
-void make(const BrdfParameters& from, shading::KullaConty<S>& to) {
-    to = shading::kulla_conty_material(detail::color<S>(from, 0), S(from.p[3]));
-}
-template<class S>
-void make(const BrdfParameters& from, shading::Frostbite<S>& to) {
-    to = shading::frostbite_material(detail::color<S>(from, 0), S(from.p[3]), S(from.p[4]), S(from.p[5]));
-}
-template<class S>
-void make(const BrdfParameters& from, shading::Ue4<S>& to) {
-    to = shading::ue4_material(detail::color<S>(from, 0), S(from.p[3]), S(from.p[4]), S(from.p[5]), S(from.p[6]));
-}
-template<class S>
-void make(const BrdfParameters& from, shading::RememberMe<S>& to) {
-    to =
-        shading::remember_me_material(detail::color<S>(from, 0), detail::color<S>(from, 3), S(from.p[6]), S(from.p[7]));
+// The material of those parameters, which its keys take in their order, as the shading core takes it.
+template<class M, class S>
+auto make(const BrdfParameters& from) {
+    std::size_t next = 0;
+    const auto value = [&](const auto& key) {
+        const auto number = [&] { return S(from.p[next++]); };
+        if constexpr (detail::is_color<std::decay_t<decltype(key)>>)
+            return shading::vec3<S>{number(), number(), number()};
+        else
+            return number();
+    };
+    return std::apply(
+        [&](const auto&... key) {
+            // In braces they are taken from left to right.
+            return std::apply([](auto... values) { return MaterialDescription<M>::core(values...); },
+                              std::tuple{value(key)...});
+        },
+        MaterialDescription<M>::keys);
 }
 
 // The same as a material of a scene; `kind` counts in the order of Material's alternatives.
 Material scene_material(std::size_t kind, const BrdfParameters& parameters);
+
+// What should give back all light: a white surface, or a mirror of f0 = 1, of that roughness and otherwise as it comes.
+template<class M>
+M white(double roughness) {
+    M material;
+    material.*std::get<0>(MaterialDescription<M>::keys).member = glm::dvec3(1.0);
+    for_each_key<M>([&](const auto& key) {
+        if constexpr (!detail::is_color<std::decay_t<decltype(key)>>) {
+            if (key.form == KeyForm::alpha) material.*key.member = roughness * roughness;
+            if (key.form == KeyForm::smoothness) material.*key.member = 1.0 - roughness;
+            if (key.name == "roughness") material.*key.member = roughness;
+        }
+    });
+    return material;
+}
 
 } // namespace gonio::measure

@@ -78,6 +78,10 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     return spheres;
 }
 
+shading::MaterialConstants constants(const CoreMaterial& material) {
+    return std::visit([](const auto& core) { return shading::constants_of(core); }, material);
+}
+
 } // namespace
 
 LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables)
@@ -109,8 +113,12 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces) {
-        materials.push_back(material_constants(surface.material));
-        core_materials.push_back(core_material(surface.material));
+        const CoreMaterial whole = core_material(surface.material);
+        const CoreMaterial matte =
+            std::visit([](const auto& core) { return CoreMaterial(shading::diffuse_alone(core)); }, whole);
+        core_materials.push_back(options.specular ? whole : matte);
+        materials.push_back(constants(core_materials.back()));
+        diffuse_materials.push_back(constants(matte));
         if (options.sky.value > 0.0) sky_albedos.emplace_back(core_materials.back());
     }
 }

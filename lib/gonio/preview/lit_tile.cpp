@@ -52,7 +52,7 @@ void LitTile::show_emitters() {
 void LitTile::count_samples() {
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         stats_.samples += samples.size();
-        if (scene_.materials[samples.surface].kind == shading::MaterialConstants::Kind::lambert)
+        if (scene_.materials[samples.surface].kind == shading::kind_of<shading::Lambert>)
             stats_.samples_without_specular += samples.size();
         stats_.pairs += scene_.lights.size();
         stats_.evaluations += scene_.lights.size() * samples.size();

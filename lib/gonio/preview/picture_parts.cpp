@@ -1,10 +1,8 @@
 #include <gonio/preview/picture_parts.hpp>
-#include <gonio/scene/core_material.hpp>
 
 #include <algorithm>
 #include <functional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace gonio {
@@ -27,24 +25,6 @@ std::vector<Light> all_dark(std::span<const Light> lights) {
         dark.push_back(darkened(light));
     return dark;
 }
-
-LambertMaterial lambert(const shading::vec3<double>& albedo) {
-    return {{albedo.x, albedo.y, albedo.z}};
-}
-
-// The diffuse part of a material as a material.
-struct DiffusePart {
-    Material operator()(const LambertMaterial& material) const { return material; }
-    Material operator()(const EonMaterial& material) const { return material; }
-    Material operator()(const GgxMaterial&) const { return LambertMaterial{glm::dvec3(0.0)}; }
-    Material operator()(const KullaContyMaterial&) const { return LambertMaterial{glm::dvec3(0.0)}; }
-    Material operator()(const FrostbiteMaterial& material) const {
-        // Without reflectance f0 and f90 are 0, and Disney's diffuse remains.
-        return FrostbiteMaterial{material.base * (1.0 - material.metal), material.smoothness, 0.0, 0.0};
-    }
-    Material operator()(const Ue4Material& material) const { return lambert(core_material(material).albedo); }
-    Material operator()(const BlinnMaterial& material) const { return lambert(core_material(material).albedo); }
-};
 
 Image minus(Image from, const Image& what) {
     std::transform(from.pixels.begin(), from.pixels.end(), what.pixels.begin(), from.pixels.begin(), std::minus<>());
@@ -78,8 +58,7 @@ Result<PictureParts> picture_parts(const Image& picture, Stage stage, std::span<
                                    const Camera& camera, const RenderOptions& options) {
     RenderOptions luminance_only = options;
     luminance_only.illuminance = false;
-    for (Surface& surface : stage.surfaces)
-        surface.material = std::visit(DiffusePart(), surface.material);
+    luminance_only.specular = false;
     Result<Rendering> diffuse = render(stage, lights, camera, luminance_only);
     if (!diffuse) return pass_on(diffuse);
     for (Surface& surface : stage.surfaces)

@@ -41,6 +41,7 @@ struct RenderOptions {
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
     Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not seen itself
+    bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
     bool illuminance = false; // asks for Rendering::illuminance_lx
     bool skip = true;         // false: every light at every point, whether it can reach it or not
     unsigned threads = 0;     // 0 = as many as there are

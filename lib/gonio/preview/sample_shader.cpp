@@ -1,5 +1,7 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/detail/sample_shader.hpp>
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/scene/probe_light.hpp>
 
 #include <glm/geometric.hpp>
@@ -7,13 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <type_traits>
+#include <variant>
 
 namespace gonio::detail {
 
 namespace {
-
-using MaterialKind = shading::MaterialConstants::Kind;
 
 std::array<float*, 3> pointers(std::array<std::vector<float>, 3>& channels, std::size_t count) {
     std::array<float*, 3> to{};
@@ -39,26 +40,18 @@ void guard(IrradianceMethod method, const shading::Surfaces& surfaces, const sha
     }
 }
 
-// The albedo of a material whose diffuse part is Lambert's.
-std::optional<glm::vec3> lambert_albedo(const shading::MaterialConstants& material) {
-    const glm::vec3 albedo(material.albedo[0], material.albedo[1], material.albedo[2]);
-    switch (material.kind) {
-    case MaterialKind::lambert:
-    case MaterialKind::remember_me:
-        return albedo;
-    case MaterialKind::ue4:
-        return albedo * material.cavity;
-    default:
-        return std::nullopt;
-    }
-}
-
-bool is_grey(const float (&rgb)[3]) {
-    return rgb[0] == rgb[1] && rgb[1] == rgb[2];
-}
-
-bool is_grey(const shading::MaterialConstants& material) {
-    return is_grey(material.albedo) && is_grey(material.f0) && is_grey(material.multiple);
+bool is_grey(const Material& material) {
+    bool grey = true;
+    std::visit(
+        [&]<class M>(const M& m) {
+            for_each_key<M>([&](const auto& key) {
+                const auto& value = m.*key.member;
+                if constexpr (std::is_same_v<std::decay_t<decltype(value)>, glm::dvec3>)
+                    grey = grey && value.x == value.y && value.y == value.z;
+            });
+        },
+        material);
+    return grey;
 }
 
 } // namespace
@@ -124,20 +117,19 @@ void SampleShader::approximate(const LitLight& light, const shading::Surfaces& s
         for (std::size_t i = 0; i < count; ++i)
             approximate_lx_[i] += side_lx_[i];
     }
-    const shading::MaterialConstants& material = scene_.materials[surface];
-    if (const std::optional<glm::vec3> albedo = lambert_albedo(material)) {
-        for (int channel = 0; channel < 3; ++channel) {
-            const float of_lux = (*albedo)[channel] * std::numbers::inv_pi_v<float> * constants.color[channel];
-            std::vector<float>& nt = rgb_[static_cast<std::size_t>(channel)];
+    const shading::MaterialConstants& diffuse = scene_.diffuse_materials[surface];
+    if (diffuse.kind == shading::kind_of<shading::Lambert>) {
+        const auto albedo = shading::material_of<shading::Lambert, float>(diffuse).albedo;
+        const float channels[3] = {albedo.x, albedo.y, albedo.z};
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const float of_lux = channels[channel] * std::numbers::inv_pi_v<float> * constants.color[channel];
+            std::vector<float>& nt = rgb_[channel];
             for (std::size_t i = 0; i < count; ++i)
                 nt[i] = std::max(nt[i] + of_lux * (approximate_lx_[i] - lx_[i]), 0.0F);
         }
-    } else if (material.kind == MaterialKind::frostbite || material.kind == MaterialKind::eon) {
+    } else {
         // A diffuse part that is proportional to the irradiance: with the ratio of the two.
-        shading::MaterialConstants diffuse_only = material;
-        std::fill(std::begin(diffuse_only.f0), std::end(diffuse_only.f0), 0.0F);
-        diffuse_only.f90 = 0.0F;
-        scene_.kernels.shade(surfaces, constants, diffuse_only, pointers(diffuse_, count).data());
+        scene_.kernels.shade(surfaces, constants, diffuse, pointers(diffuse_, count).data());
         for (std::size_t i = 0; i < count; ++i) {
             if (!(lx_[i] > 0.0F)) continue;
             const float change = approximate_lx_[i] / lx_[i] - 1.0F;
@@ -152,9 +144,12 @@ void SampleShader::approximate(const LitLight& light, const shading::Surfaces& s
 void SampleShader::integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first,
                              const float* weight) {
     const std::size_t count = rgb_[0].size();
-    const Material& material = scene_.stage.surfaces[samples.surface].material;
+    // Of a diffuse part that is Lambert's the closed form is enough.
+    const auto* const matte = std::get_if<shading::Lambert<double>>(&scene_.core_materials[samples.surface]);
+    const Material material = matte != nullptr ? Material(LambertMaterial{vec(matte->albedo)})
+                                               : scene_.stage.surfaces[samples.surface].material;
     const ProbeWay way{IrradianceMethod::reference, scene_.options.goal};
-    const bool grey = is_grey(scene_.materials[samples.surface]);
+    const bool grey = is_grey(material);
     Light colored = light.light;
     for (std::size_t i = 0; i < count; ++i) {
         if (scene_.options.illuminance) lx_[i] = 0.0F;
@@ -171,7 +166,7 @@ void SampleShader::integrate(const LitLight& light, const SurfaceSamples& sample
             colored.color = color;
             const ProbeShine shine = luminance_of(colored, position, normal, {material, view}, share, way);
             converged = converged && shine.converged;
-            return shine.luminance.total().value;
+            return scene_.options.specular ? shine.luminance.total().value : shine.luminance.diffuse.value;
         };
         const double y = grey ? y_of(glm::dvec3(1.0)) : 0.0;
         for (int channel = 0; channel < 3; ++channel) {

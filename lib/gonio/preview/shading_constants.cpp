@@ -2,9 +2,7 @@
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <variant>
 
 namespace gonio {
 
@@ -13,77 +11,6 @@ namespace {
 void copy(const glm::dvec3& from, float (&to)[3]) {
     for (int i = 0; i < 3; ++i)
         to[i] = static_cast<float>(from[i]);
-}
-
-void copy(const shading::vec3<double>& from, float (&to)[3]) {
-    copy(glm::dvec3(from.x, from.y, from.z), to);
-}
-
-using shading::MaterialConstants;
-using Kind = shading::MaterialConstants::Kind;
-
-MaterialConstants constants_of(const shading::Lambert<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::lambert;
-    copy(material.albedo, constants.albedo);
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::Frostbite<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::frostbite;
-    copy(material.albedo, constants.albedo);
-    copy(material.f0, constants.f0);
-    constants.f90 = static_cast<float>(material.f90);
-    constants.linear_roughness = static_cast<float>(material.linear_roughness);
-    constants.alpha = static_cast<float>(material.alpha);
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::Ggx<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::ggx;
-    copy(material.f0, constants.f0);
-    constants.alpha = static_cast<float>(material.alpha);
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::KullaConty<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::kulla_conty;
-    copy(material.f0, constants.f0);
-    copy(material.multiple, constants.multiple);
-    constants.alpha = static_cast<float>(material.loss.alpha);
-    std::transform(std::begin(material.loss.c), std::end(material.loss.c), std::begin(constants.loss),
-                   [](double c) { return static_cast<float>(c); });
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::Ue4<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::ue4;
-    copy(material.albedo, constants.albedo);
-    copy(material.f0, constants.f0);
-    constants.cavity = static_cast<float>(material.cavity);
-    constants.alpha = static_cast<float>(material.alpha);
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::RememberMe<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::remember_me;
-    copy(material.albedo, constants.albedo);
-    copy(material.f0, constants.f0);
-    constants.power = static_cast<float>(material.power);
-    return constants;
-}
-
-MaterialConstants constants_of(const shading::Eon<double>& material) {
-    MaterialConstants constants;
-    constants.kind = Kind::eon;
-    copy(material.albedo, constants.albedo);
-    constants.roughness = static_cast<float>(material.roughness);
-    return constants;
 }
 
 // What each light of the core leaves in the constants, besides its centre and colour.
@@ -140,7 +67,7 @@ shading::LightConstants light_constants(const Light& light) {
 }
 
 shading::MaterialConstants material_constants(const Material& material) {
-    return std::visit([](const auto& kind) { return constants_of(core_material(kind)); }, material);
+    return std::visit([](const auto& core) { return shading::constants_of(core); }, core_material(material));
 }
 
 } // namespace gonio

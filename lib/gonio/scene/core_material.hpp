@@ -2,23 +2,26 @@
 #pragma once
 
 #include <gonio/scene/material.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/shading/brdf.hpp>
 
+#include <utility>
 #include <variant>
 
 namespace gonio {
 
-shading::Lambert<double> core_material(const LambertMaterial& material);
-shading::Ggx<double> core_material(const GgxMaterial& material);
-shading::KullaConty<double> core_material(const KullaContyMaterial& material);
-shading::Frostbite<double> core_material(const FrostbiteMaterial& material);
-shading::Ue4<double> core_material(const Ue4Material& material);
-shading::RememberMe<double> core_material(const BlinnMaterial& material);
-shading::Eon<double> core_material(const EonMaterial& material);
+namespace detail {
 
-using CoreMaterial =
-    std::variant<shading::Lambert<double>, shading::Ggx<double>, shading::KullaConty<double>,
-                 shading::Frostbite<double>, shading::Ue4<double>, shading::RememberMe<double>, shading::Eon<double>>;
+template<class Materials>
+struct CoresOf;
+template<class... M>
+struct CoresOf<std::variant<M...>> {
+    using type = std::variant<decltype(core_material(std::declval<const M&>()))...>;
+};
+
+} // namespace detail
+
+using CoreMaterial = detail::CoresOf<Material>::type;
 
 CoreMaterial core_material(const Material& material);
 

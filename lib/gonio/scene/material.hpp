@@ -46,6 +46,13 @@ struct Ue4Material {
     double cavity = 1.0;   // multiplies both parts
 };
 
+// The metallic-roughness material of glTF 2.0 (Khronos, appendix B of its specification).
+struct GltfMaterial {
+    glm::dvec3 base{0.5};
+    double metallic = 0.0;
+    double roughness = 0.4;
+};
+
 // The Art of Remember Me (Lagarde and Harduin 2013): Lambert and Blinn's cosine power, dry to wet.
 struct BlinnMaterial {
     glm::dvec3 albedo{0.5};
@@ -60,8 +67,9 @@ struct EonMaterial {
     double roughness = 0.4;
 };
 
-using Material = std::variant<LambertMaterial, FrostbiteMaterial, GgxMaterial, KullaContyMaterial, Ue4Material,
-                              BlinnMaterial, EonMaterial>;
+// In the order in which they are listed. What is known of each stands in material_description.hpp.
+using Material = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, Ue4Material, GltfMaterial, BlinnMaterial,
+                              GgxMaterial, KullaContyMaterial>;
 
 struct MaterialKind {
     std::string_view kind;

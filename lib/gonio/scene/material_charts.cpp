@@ -1,14 +1,16 @@
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/light/light_color.hpp>
-#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/material_charts.hpp>
+#include <gonio/scene/material_description.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace gonio {
 
@@ -35,17 +37,17 @@ public:
             say(fmt::format("{} of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}", key, kind, value,
                             dielectric_albedo.low, dielectric_albedo.high));
     }
-    void specular(std::string_view kind, const glm::dvec3& f0) {
+    void specular(std::string_view kind, std::string_view key, const glm::dvec3& f0) {
         const double value = srgb(f0);
         if (!dielectric_specular.has(value) && !metal_specular.has(value))
-            say(fmt::format("f0 of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}, metals within {} to {}",
-                            kind, value, dielectric_specular.low, dielectric_specular.high, metal_specular.low,
+            say(fmt::format("{} of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}, metals within {} to {}",
+                            key, kind, value, dielectric_specular.low, dielectric_specular.high, metal_specular.low,
                             metal_specular.high));
     }
-    void metal(std::string_view kind, const glm::dvec3& base) {
+    void metal(std::string_view kind, std::string_view key, const glm::dvec3& base) {
         const double value = srgb(base);
         if (!metal_specular.has(value))
-            say(fmt::format("base of '{}' is {:.0f} in sRGB, and metals lie within {} to {}", kind, value,
+            say(fmt::format("{} of '{}' is {:.0f} in sRGB, and metals lie within {} to {}", key, kind, value,
                             metal_specular.low, metal_specular.high));
     }
     Diagnostics take() { return std::move(found_); }
@@ -61,42 +63,34 @@ private:
     Diagnostics found_;
 };
 
-void judge(const LambertMaterial& m, Charts& charts) {
-    charts.albedo("lambert", "albedo", m.albedo);
-}
-void judge(const EonMaterial& m, Charts& charts) {
-    charts.albedo("eon", "albedo", m.albedo);
-}
-void judge(const GgxMaterial& m, Charts& charts) {
-    charts.specular("ggx", m.f0);
-}
-void judge(const KullaContyMaterial& m, Charts& charts) {
-    charts.specular("kulla-conty", m.f0);
-}
-void judge(const FrostbiteMaterial& m, Charts& charts) {
-    if (m.metal == 1.0) charts.metal("frostbite", m.base);
-    if (m.metal != 0.0) return;
-    const auto f0 = core_material(m).f0;
-    charts.albedo("frostbite", "base", m.base);
-    charts.specular("frostbite", {f0.x, f0.y, f0.z});
-}
-void judge(const Ue4Material& m, Charts& charts) {
-    if (m.metallic == 1.0) charts.metal("ue4", m.base);
-    if (m.metallic != 0.0) return;
-    const auto f0 = core_material(m).f0;
-    charts.albedo("ue4", "base", m.base);
-    charts.specular("ue4", {f0.x, f0.y, f0.z});
-}
-void judge(const BlinnMaterial& m, Charts& charts) {
-    charts.specular("blinn", m.specular);
-    if (srgb(m.specular) < metal_specular.low) charts.albedo("blinn", "albedo", m.albedo); // a metal's is black
+// A metal has no diffuse part: what its albedo is is not asked.
+bool has_metal(const ChartColors& colors) {
+    return std::any_of(colors.begin(), colors.end(), [](const ChartColor& color) {
+        return color.as == ChartColor::As::specular && srgb(color.value) >= metal_specular.low;
+    });
 }
 
 } // namespace
 
 Diagnostics check_charts(const Material& material) {
     Charts charts;
-    std::visit([&](const auto& kind) { judge(kind, charts); }, material);
+    std::visit(
+        [&]<class M>(const M& kind) {
+            const ChartColors colors = MaterialDescription<M>::chart_colors(kind);
+            for (const ChartColor& color : colors)
+                switch (color.as) {
+                case ChartColor::As::albedo:
+                    if (!has_metal(colors)) charts.albedo(MaterialDescription<M>::kind, color.key, color.value);
+                    break;
+                case ChartColor::As::specular:
+                    charts.specular(MaterialDescription<M>::kind, color.key, color.value);
+                    break;
+                case ChartColor::As::metal:
+                    charts.metal(MaterialDescription<M>::kind, color.key, color.value);
+                    break;
+                }
+        },
+        material);
     return charts.take();
 }
 

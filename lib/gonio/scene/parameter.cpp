@@ -9,7 +9,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <type_traits>
 
 namespace gonio {
 
@@ -48,20 +47,6 @@ std::vector<ParameterName> parameters_of_lights() {
         {"range", "12m", "distance at which it is windowed to nothing"},
     };
 }
-
-constexpr std::array of_materials{
-    ParameterName{"albedo", "0.5", "lambert, eon, blinn"},
-    ParameterName{"base", "0.5", "frostbite, ue4: base colour"},
-    ParameterName{"f0", "0.9", "ggx, kulla-conty"},
-    ParameterName{"roughness", "0.4", "ue4, eon, ggx, kulla-conty; frostbite and blinn: 1 - smoothness"},
-    ParameterName{"smoothness", "0.6", "frostbite, blinn"},
-    ParameterName{"alpha", "0.3", "ggx, kulla-conty: the square of roughness"},
-    ParameterName{"metallic", "1", "ue4; frostbite: metal"},
-    ParameterName{"reflectance", "0.5", "frostbite"},
-    ParameterName{"specular", "0.5", "ue4, blinn"},
-    ParameterName{"cavity", "0.5", "ue4"},
-    ParameterName{"wet", "0.5", "blinn"},
-};
 
 Result<bool> set_color(LightDescription& light, std::string_view name, std::string_view value,
                        Diagnostics& diagnostics) {
@@ -106,89 +91,11 @@ Result<bool> set_length(LightDescription& light, std::string_view name, std::str
     return true;
 }
 
-// How the grammar calls a parameter of a material; empty where it has none of that name. Frostbite and Blinn count
-// smoothness, the complement.
-struct MaterialText {
-    std::string_view kind;
-    std::string_view key;
-    bool complement = false;
-};
-
-struct MaterialParameter {
-    std::string_view name;
-
-    MaterialText operator()(const LambertMaterial&) const { return {"lambert", one_of({"albedo"})}; }
-    MaterialText operator()(const EonMaterial&) const { return {"eon", one_of({"albedo", "roughness"})}; }
-    MaterialText operator()(const GgxMaterial&) const { return {"ggx", one_of({"f0", "alpha", "roughness"})}; }
-    MaterialText operator()(const KullaContyMaterial&) const {
-        return {"kulla-conty", one_of({"f0", "alpha", "roughness"})};
-    }
-    MaterialText operator()(const FrostbiteMaterial&) const {
-        if (name == "roughness") return {"frostbite", "smoothness", true};
-        return {"frostbite", name == "metallic" ? "metal" : one_of({"base", "smoothness", "reflectance"})};
-    }
-    MaterialText operator()(const Ue4Material&) const {
-        return {"ue4", one_of({"base", "roughness", "metallic", "specular", "cavity"})};
-    }
-    MaterialText operator()(const BlinnMaterial&) const {
-        if (name == "roughness") return {"blinn", "smoothness", true};
-        return {"blinn", one_of({"albedo", "specular", "smoothness", "wet"})};
-    }
-
-private:
-    std::string_view one_of(std::initializer_list<std::string_view> keys) const {
-        for (const std::string_view key : keys)
-            if (key == name) return key;
-        return {};
-    }
-};
-
-// Takes over what the key stands for.
-void take_key(LambertMaterial& to, const LambertMaterial& from, std::string_view /*albedo*/) {
-    to.albedo = from.albedo;
-}
-void take_key(EonMaterial& to, const EonMaterial& from, std::string_view key) {
-    key == "albedo" ? void(to.albedo = from.albedo) : void(to.roughness = from.roughness);
-}
-template<class Facets>
-void take_facets(Facets& to, const Facets& from, std::string_view key) {
-    key == "f0" ? void(to.f0 = from.f0) : void(to.alpha = from.alpha);
-}
-void take_key(GgxMaterial& to, const GgxMaterial& from, std::string_view key) {
-    take_facets(to, from, key);
-}
-void take_key(KullaContyMaterial& to, const KullaContyMaterial& from, std::string_view key) {
-    take_facets(to, from, key);
-}
-void take_key(FrostbiteMaterial& to, const FrostbiteMaterial& from, std::string_view key) {
-    if (key == "base") to.base = from.base;
-    if (key == "smoothness") to.smoothness = from.smoothness;
-    if (key == "metal") to.metal = from.metal;
-    if (key == "reflectance") to.reflectance = from.reflectance;
-}
-void take_key(Ue4Material& to, const Ue4Material& from, std::string_view key) {
-    if (key == "base") to.base = from.base;
-    if (key == "roughness") to.roughness = from.roughness;
-    if (key == "metallic") to.metallic = from.metallic;
-    if (key == "specular") to.specular = from.specular;
-    if (key == "cavity") to.cavity = from.cavity;
-}
-void take_key(BlinnMaterial& to, const BlinnMaterial& from, std::string_view key) {
-    if (key == "albedo") to.albedo = from.albedo;
-    if (key == "specular") to.specular = from.specular;
-    if (key == "smoothness") to.smoothness = from.smoothness;
-    if (key == "wet") to.wet = from.wet;
-}
-
 } // namespace
 
 std::span<const ParameterName> light_parameters() {
     static const std::vector<ParameterName> of_lights = parameters_of_lights();
     return of_lights;
-}
-
-std::span<const ParameterName> material_parameters() {
-    return of_materials;
 }
 
 Result<bool> set_parameter(LightDescription& light, std::string_view name, std::string_view value,
@@ -205,22 +112,6 @@ Result<bool> set_parameter(LightDescription& light, std::string_view name, std::
     return set_shape_parameter(light.shape, name, std::string(value));
 }
 
-Result<bool> set_parameter(Material& material, std::string_view name, std::string_view value) {
-    const MaterialText text = std::visit(MaterialParameter{name}, material);
-    if (text.key.empty()) return false;
-    std::string of_key(value);
-    if (text.complement) {
-        const std::optional<double> number = parse_number(value);
-        if (!number || *number < 0.0 || *number > 1.0)
-            return fail(Failure::usage, fmt::format("{} must be a number in [0, 1], not '{}'", name, value));
-        of_key = shortest(1.0 - *number);
-    }
-    Result<Material> read = parse_material(fmt::format("{}:{}={}", text.kind, text.key, of_key));
-    if (!read) return pass_on(read);
-    std::visit([&](auto& to) { take_key(to, std::get<std::decay_t<decltype(to)>>(*read), text.key); }, material);
-    return true;
-}
-
 std::vector<std::string_view> parameters_of(const LightDescription& light) {
     std::vector<std::string_view> names;
     for (const ParameterName& parameter : light_parameters()) {
@@ -230,13 +121,6 @@ std::vector<std::string_view> parameters_of(const LightDescription& light) {
         const Result<bool> set = set_parameter(scratch, parameter.name, parameter.example, unheard);
         if (!set || *set) names.push_back(parameter.name);
     }
-    return names;
-}
-
-std::vector<std::string_view> parameters_of(const Material& material) {
-    std::vector<std::string_view> names;
-    for (const ParameterName& parameter : of_materials)
-        if (!std::visit(MaterialParameter{parameter.name}, material).key.empty()) names.push_back(parameter.name);
     return names;
 }
 

@@ -12,41 +12,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <type_traits>
+#include <variant>
 
 namespace gonio::detail {
 
 namespace {
 
 using Vec = shading::vec3<double>;
-
-// A lobe of GGX: (f0 + (f90 − f0)·grazing)·factor of what a reflectance of 1 gives.
-struct Lobe {
-    Vec f0{0.0, 0.0, 0.0};
-    double f90 = 0.0;
-    double alpha = 1.0;
-    double factor = 0.0; // 0: there is none
-};
-
-std::optional<Lobe> lobe_of(const shading::Frostbite<double>& m) {
-    return Lobe{m.f0, m.f90, m.alpha, 1.0};
-}
-std::optional<Lobe> lobe_of(const shading::Ggx<double>& m) {
-    return Lobe{m.f0, 1.0, m.alpha, 1.0};
-}
-std::optional<Lobe> lobe_of(const shading::Ue4<double>& m) {
-    return Lobe{m.f0, 1.0, m.alpha, m.cavity};
-}
-std::optional<Lobe> lobe_of(const shading::Eon<double>& /*none*/) {
-    return Lobe{};
-}
-std::optional<Lobe> lobe_of(const shading::Lambert<double>& /*none*/) {
-    return Lobe{};
-}
-template<class Other>
-std::optional<Lobe> lobe_of(const Other& /*another lobe*/) {
-    return std::nullopt;
-}
 
 template<class CoreLight>
 shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal, Vec view, double alpha,
@@ -87,15 +60,16 @@ struct ByMethod {
                 const auto core = core_material(m);
                 NamedLuminance nt;
                 nt.diffuse_nt = diffuse(core_light, core);
-                const Lobe lobe = lobe_of(core).value_or(Lobe{});
-                if (!(lobe.factor > 0.0)) return nt;
-                const auto share =
-                    specular(core_light, core_light.center, point.normal, point.view, lobe.alpha, method);
-                const auto channel = [&](double f0) {
-                    return lobe.factor * share.scale * (f0 + (lobe.f90 - f0) * share.grazing);
-                };
-                nt.specular_nt =
-                    y_of(core_light.luminance * Vec{channel(lobe.f0.x), channel(lobe.f0.y), channel(lobe.f0.z)});
+                if constexpr (decltype(core)::lobe == shading::LobeKind::ggx) {
+                    const auto gloss = shading::gloss(core);
+                    const auto share =
+                        specular(core_light, core_light.center, point.normal, point.view, gloss.lobe.alpha, method);
+                    const auto channel = [&](double f0) {
+                        return gloss.factor * share.scale * (f0 + (gloss.f90 - f0) * share.grazing);
+                    };
+                    nt.specular_nt =
+                        y_of(core_light.luminance * Vec{channel(gloss.f0.x), channel(gloss.f0.y), channel(gloss.f0.z)});
+                }
                 return nt;
             },
             material);
@@ -106,7 +80,7 @@ private:
 
     template<class CoreLight, class Core>
     double diffuse(const CoreLight& core_light, const Core& core) const {
-        if constexpr (requires { core.linear_roughness; })
+        if constexpr (std::is_same_v<Core, shading::Frostbite<double>>)
             if (method == IrradianceMethod::ltc)
                 return y_of(core_light.luminance * core.albedo) * shading::diffuse_ltc(core_light, core_light.center,
                                                                                        point.normal, point.view,
@@ -132,7 +106,12 @@ bool is_specular_method(IrradianceMethod method) {
 }
 
 bool has_named_lobe(const Material& material) {
-    return std::visit([](const auto& m) { return lobe_of(core_material(m)).has_value(); }, material);
+    return std::visit(
+        [](const auto& core) {
+            constexpr shading::LobeKind lobe = std::decay_t<decltype(core)>::lobe;
+            return lobe == shading::LobeKind::none || lobe == shading::LobeKind::ggx;
+        },
+        core_material(material));
 }
 
 NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,

@@ -17,6 +17,9 @@ namespace gonio::shading {
 
 template<class S>
 struct Eon {
+    static constexpr Scattering scattering = Scattering::colored;
+    static constexpr LobeKind lobe = LobeKind::none;
+
     vec3<S> albedo; // [0, 1] of a single scattering; the colour saturates with roughness as light scatters again
     S roughness;    // [0, 1]; 0 is Lambert
 };
@@ -73,6 +76,10 @@ GONIO_FORCE_INLINE vec3<S> specular_part(const Eon<S>& /*none*/, vec3<S> /*n*/, 
 template<class S>
 GONIO_FORCE_INLINE S lobe_alpha(const Eon<S>& /*none*/) {
     return S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE Eon<S> diffuse_alone(const Eon<S>& material) {
+    return material;
 }
 
 namespace detail {

@@ -4,9 +4,10 @@
 // It is reciprocal and not energy conserving: README.md gives the measured albedos, up to 1.117 at grazing.
 #pragma once
 
-#include <gonio/shading/brdf_ggx.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/ggx.hpp>
+#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -16,6 +17,9 @@ namespace gonio::shading {
 
 template<class S>
 struct Frostbite {
+    static constexpr Scattering scattering = Scattering::one_color;
+    static constexpr LobeKind lobe = LobeKind::ggx;
+
     vec3<S> albedo;     // of the diffuse part
     vec3<S> f0;         // reflectance at normal incidence
     S f90;              // and at grazing
@@ -65,6 +69,28 @@ template<class S>
 GONIO_FORCE_INLINE vec3<S> specular_part(const Frostbite<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
     const S alpha = lobe_alpha(material);
     return reflected_part(material.f0, material.f90, specular_ggx(n, l, v, alpha, widened_alpha(alpha, widening)));
+}
+
+template<class S>
+GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const Frostbite<S>& material) {
+    return {{lobe_alpha(material)}, material.f0, material.f90, S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE Frostbite<S> diffuse_alone(const Frostbite<S>& material) {
+    Frostbite<S> matte = material;
+    matte.f0 = {S(0), S(0), S(0)};
+    matte.f90 = S(0);
+    return matte;
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> scattered_color(const Frostbite<S>& material) {
+    return material.albedo;
+}
+template<class S>
+GONIO_FORCE_INLINE Frostbite<S> white(const Frostbite<S>& material) {
+    Frostbite<S> changed = material;
+    changed.albedo = {S(1), S(1), S(1)};
+    return changed;
 }
 
 template<class S>

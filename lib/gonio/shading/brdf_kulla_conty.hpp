@@ -11,9 +11,11 @@
 
 #include <gonio/base/gauss_legendre.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
 #include <gonio/shading/ggx_loss_coefficients.hpp>
+#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -114,6 +116,9 @@ GONIO_FORCE_INLINE GgxLoss<S> ggx_loss(S alpha) {
 
 template<class S>
 struct KullaConty {
+    static constexpr Scattering scattering = Scattering::one_color;
+    static constexpr LobeKind lobe = LobeKind::ggx_and_more;
+
     vec3<S> f0;       // reflectance at normal incidence; 1 at grazing
     vec3<S> multiple; // F_ms/(π L̄)
     GgxLoss<S> loss;  // holds α too
@@ -156,6 +161,26 @@ template<class S>
 GONIO_FORCE_INLINE vec3<S> specular_part(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
     return specular_part(Ggx<S>{material.f0, material.loss.alpha}, n, l, v, widening) +
            multiple_scattering(material, n, l, v);
+}
+
+// Of what is scattered once.
+template<class S>
+GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const KullaConty<S>& material) {
+    return {{lobe_alpha(material)}, material.f0, S(1), S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const KullaConty<S>& /*none*/) {
+    return {{S(0), S(0), S(0)}};
+}
+template<class S>
+GONIO_FORCE_INLINE vec3<S> scattered_color(const KullaConty<S>& material) {
+    return material.multiple;
+}
+template<class S>
+GONIO_FORCE_INLINE KullaConty<S> white(const KullaConty<S>& material) {
+    KullaConty<S> changed = material;
+    changed.multiple = {S(1), S(1), S(1)};
+    return changed;
 }
 
 template<class S>

@@ -10,6 +10,9 @@ namespace gonio::shading {
 
 template<class S>
 struct Lambert {
+    static constexpr Scattering scattering = Scattering::uniform;
+    static constexpr LobeKind lobe = LobeKind::none;
+
     vec3<S> albedo; // [0, 1]
 };
 
@@ -26,6 +29,10 @@ GONIO_FORCE_INLINE vec3<S> specular_part(const Lambert<S>& /*none*/, vec3<S> /*n
 template<class S>
 GONIO_FORCE_INLINE S lobe_alpha(const Lambert<S>& /*none*/) {
     return S(1);
+}
+template<class S>
+GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const Lambert<S>& material) {
+    return material;
 }
 
 template<class S>

@@ -4,8 +4,8 @@
 // pdf_brdf: visible normals for the lobe, the cosine for the rest.
 #pragma once
 
-#include <gonio/shading/brdf_ggx.hpp>
 #include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/ggx.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 

@@ -11,10 +11,17 @@
 //       for area lights by adding `widening` to α; its peak is then lowered.
 //   S lobe_alpha(const M<S>&)
 //       α of that lobe, 1 where there is none.
+//   Gloss<S, L> gloss(const M<S>&)
+//       The lobe L by itself and its reflectance (gloss.hpp), where there is one.
+//   D<S> diffuse_alone(const M<S>&)
+//       The material of the diffuse part alone: its own kind with a black lobe, or Lambert.
 //   BrdfSample<S> sample_brdf(const M<S>&, n, v, u)
 //       A direction towards the light, for three numbers u in [0, 1).
 //   S pdf_brdf(const M<S>&, n, v, l)
 //       The density of sample_brdf [1/sr], summed over all lobes; 0 where n·v is not above_surface().
+//
+// M<S> consists of numbers S and nothing else, which the kernels' constants rely on, and says M<S>::scattering and
+// M<S>::lobe. A part that is missing does not compile (brdf.hpp).
 //
 // A sampled l may lie below the surface, where the value is 0: the density integrates to 1 over the whole sphere, and
 // over the hemisphere to 1 less what a lobe loses there. So E[brdf · n·l / pdf] is the directional albedo.
@@ -39,6 +46,27 @@ template<template<class> class Material, class S>
 GONIO_FORCE_INLINE vec3<S> brdf(const Material<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     return diffuse_part(material, n, l, v) + specular_part(material, n, l, v, S(0));
 }
+
+// How what is no glossy lobe depends on the directions.
+enum class Scattering : unsigned char {
+    uniform,   // not at all
+    one_color, // all channels alike: scattered_color(m) times what white(m) scatters
+    colored    // each channel in its own way
+};
+
+// What a material has of glossy lobes.
+enum class LobeKind : unsigned char {
+    none,
+    ggx,
+    ggx_and_more, // and multiple_scattering(m, n, l, v), which the lobe leaves over; there is no diffuse part
+    cosine_power
+};
+
+// Luminance of the three channels, of the two parts of a material.
+template<class S>
+struct Reflected {
+    vec3<S> diffuse, specular;
+};
 
 template<class S>
 struct BrdfSample {

@@ -10,6 +10,7 @@
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -17,6 +18,9 @@ namespace gonio::shading {
 
 template<class S>
 struct Ue4 {
+    static constexpr Scattering scattering = Scattering::uniform;
+    static constexpr LobeKind lobe = LobeKind::ggx;
+
     vec3<S> albedo; // of the diffuse part, cavity included
     vec3<S> f0;     // reflectance at normal incidence; 1 at grazing
     S cavity;       // factor of the specular part
@@ -45,6 +49,15 @@ GONIO_FORCE_INLINE vec3<S> diffuse_part(const Ue4<S>& material, vec3<S> n, vec3<
 template<class S>
 GONIO_FORCE_INLINE vec3<S> specular_part(const Ue4<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
     return specular_part(Ggx<S>{material.f0, material.alpha}, n, l, v, widening) * material.cavity;
+}
+
+template<class S>
+GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const Ue4<S>& material) {
+    return {{lobe_alpha(material)}, material.f0, S(1), material.cavity};
+}
+template<class S>
+GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const Ue4<S>& material) {
+    return {material.albedo};
 }
 
 template<class S>

@@ -1,7 +1,8 @@
-// The glossy lobe of a material, as what a light with a size makes of it is asked for.
+// The glossy lobe of a material, as what a light with a size makes of it is asked for. A lobe other than GGX's stands
+// beside its material.
 #pragma once
 
-#include <gonio/shading/brdf.hpp>
+#include <gonio/shading/ggx.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -42,29 +43,9 @@ struct GgxLobe {
     // Of its directional albedo, that of the GGX lobe of the same α.
     GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }
 
-    // `widened` is α, or more: brdf_ggx.hpp.
+    // `widened` is α, or more: ggx.hpp.
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
         return specular_ggx(n, l, v, alpha, widened);
-    }
-};
-
-// A power of n·h; `alpha` is that of the GGX lobe of the same peak.
-template<class S>
-struct CosinePowerLobe {
-    S alpha, power;
-
-    GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
-        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
-    }
-    // As it has no shadowing: by that towards the mirrored eye.
-    GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
-        const S mu = simd::max(n_dot_v, S(least_cosine));
-        return S(0.25) / visibility_ggx(mu, mu, alpha);
-    }
-
-    GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
-        const S less = simd::max(S(2) / (widened * widened) - S(2), S(0));
-        return specular_cosine_power(n, l, v, power, simd::select(widened > alpha, less, power));
     }
 };
 
@@ -78,33 +59,6 @@ struct Gloss {
     GONIO_FORCE_INLINE vec3<S> operator()(SpecularTerms<S> terms) const {
         return reflected_part(f0, f90, terms) * factor;
     }
-};
-
-template<class S>
-GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const Frostbite<S>& material) {
-    return {{lobe_alpha(material)}, material.f0, material.f90, S(1)};
-}
-template<class S>
-GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const Ggx<S>& material) {
-    return {{lobe_alpha(material)}, material.f0, S(1), S(1)};
-}
-template<class S>
-GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const Ue4<S>& material) {
-    return {{lobe_alpha(material)}, material.f0, S(1), material.cavity};
-}
-// Of what is scattered once.
-template<class S>
-GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const KullaConty<S>& material) {
-    return {{lobe_alpha(material)}, material.f0, S(1), S(1)};
-}
-template<class S>
-GONIO_FORCE_INLINE Gloss<S, CosinePowerLobe<S>> gloss(const RememberMe<S>& material) {
-    return {{lobe_alpha(material), material.power}, material.f0, S(1), S(1)};
-}
-
-template<class Material>
-concept Glossy = requires(const Material& material) {
-    gloss(material);
 };
 
 } // namespace gonio::shading

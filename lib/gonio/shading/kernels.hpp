@@ -46,22 +46,14 @@ struct LightConstants {
     bool two_sided = false;                        // flat lights: emit to both sides, the luminance on each
 };
 
+// A material of brdf.hpp, as constants_of() there makes it.
 struct MaterialConstants {
-    enum class Kind : std::uint8_t { lambert, frostbite, ggx, ue4, remember_me, eon, kulla_conty };
+    static constexpr std::size_t most_numbers = 24;
 
-    Kind kind = Kind::lambert;
-    // Made from what artists set by frostbite_material(), ue4_material() … of the brdf_*.hpp, whose names these are;
-    // each material reads its own.
-    float albedo[3] = {0.5F, 0.5F, 0.5F}; // of the diffuse part
-    float f0[3] = {0.04F, 0.04F, 0.04F};
-    float f90 = 1.0F;
-    float linear_roughness = 0.5F;          // frostbite: 1 − smoothness
-    float alpha = 0.25F;                    // what enters D and V; taken as at least minimum_alpha
-    float roughness = 0.5F;                 // eon
-    float cavity = 1.0F;                    // ue4
-    float power = 64.0F;                    // remember_me
-    float multiple[3] = {0.0F, 0.0F, 0.0F}; // kulla_conty
-    float loss[16] = {};                    // kulla_conty
+    enum class Kind : std::uint8_t {}; // kind_of<Lambert> … of brdf.hpp
+
+    Kind kind{};
+    float numbers[most_numbers] = {}; // those of its struct, in their order
 };
 
 // Ways in which renderers take the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,

@@ -82,13 +82,12 @@ void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float
     });
 }
 
-template<class S, class Material>
+template<class S, template<class> class Material>
 void shade_punctual(const Surfaces& surfaces, const LightConstants& light_constants,
                     const MaterialConstants& material_constants, float* const rgb[3]) {
     PunctualLight<S> light;
-    Material material;
     constants(light_constants, light);
-    constants(material_constants, material);
+    const auto material = material_of<Material, S>(material_constants);
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
                                     load_view(packet, surfaces, material)};
@@ -119,8 +118,8 @@ void reflect_part(const Surfaces& surfaces, const LightConstants& light, const L
     });
 }
 
-template<class S, class Light, class Material>
-void reflect_part(const Surfaces& surfaces, const Light& light, const Material& material,
+template<class S, class Light, template<class> class Material>
+void reflect_part(const Surfaces& surfaces, const Light& light, const Material<S>& material,
                   const PartUnderLight<S>& under, float* const rgb[3]) {
     simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
         const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
@@ -136,12 +135,23 @@ void reflect_part(const Surfaces& surfaces, const Light& light, const Material& 
     });
 }
 
+// The lobe of one α, or of one power, at the points of a part.
+template<class S, const SpecularKernels& specular>
+void glossy_under(const Surfaces& part, const LightConstants& light, const GgxLobe<float>& lobe,
+                  PartUnderLight<S>& under) {
+    specular.specular(part, light, lobe.alpha, light.specular_method, &under.scale[0], &under.grazing[0]);
+}
+template<class S, const SpecularKernels& specular>
+void glossy_under(const Surfaces& part, const LightConstants& light, const CosinePowerLobe<float>& lobe,
+                  PartUnderLight<S>& under) {
+    specular.specular_power(part, light, lobe.power, light.specular_method, &under.scale[0], &under.grazing[0]);
+}
+
 // The exact irradiance and the glossy luminance have kernels of their own; here they are put together, part by part.
-template<class S, class Material, const SpecularKernels& specular>
+template<class S, template<class> class Material, const SpecularKernels& specular>
 void shade_area(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material_constants,
                 float* const rgb[3]) {
-    Material material;
-    constants(material_constants, material);
+    const auto material = material_of<Material, S>(material_constants);
     constexpr std::size_t most = PartUnderLight<S>::most;
     PartUnderLight<S> under;
     for (std::size_t first = 0; first < surfaces.count; first += most) {
@@ -149,46 +159,24 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
         irradiance_any<S>(part, light, &under.lx[0]);
-        if constexpr (__is_same(Material, RememberMe<S>))
-            specular.specular_power(part, light, material_constants.power, light.specular_method, &under.scale[0],
-                                    &under.grazing[0]);
-        else if constexpr (Glossy<Material>)
-            specular.specular(part, light, material_constants.alpha, light.specular_method, &under.scale[0],
-                              &under.grazing[0]);
-        if constexpr (__is_same(Material, Lambert<S>))
+        if constexpr (Glossy<Material>)
+            glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe, under);
+        if constexpr (__is_same(Material<S>, Lambert<S>))
             reflect_part<S>(part, light, material, under, to);
         else
             with_light<S>(light, [&](const auto& spread) { reflect_part<S>(part, spread, material, under, to); });
     }
 }
 
-template<class S, class Material, const SpecularKernels& specular>
-void shade_material(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
-                    float* const rgb[3]) {
-    if (light.kind == LightConstants::Kind::punctual)
-        return shade_punctual<S, Material>(surfaces, light, material, rgb);
-    shade_area<S, Material, specular>(surfaces, light, material, rgb);
-}
-
 template<class S, const SpecularKernels& specular>
 void shade_any(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
                float* const rgb[3]) {
-    switch (material.kind) {
-    case MaterialConstants::Kind::lambert:
-        return shade_material<S, Lambert<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::frostbite:
-        return shade_material<S, Frostbite<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::ggx:
-        return shade_material<S, Ggx<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::ue4:
-        return shade_material<S, Ue4<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::remember_me:
-        return shade_material<S, RememberMe<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::eon:
-        return shade_material<S, Eon<S>, specular>(surfaces, light, material, rgb);
-    case MaterialConstants::Kind::kulla_conty:
-        return shade_material<S, KullaConty<S>, specular>(surfaces, light, material, rgb);
-    }
+    with_material(material.kind, [&]<template<class> class Material>() {
+        if (light.kind == LightConstants::Kind::punctual)
+            shade_punctual<S, Material>(surfaces, light, material, rgb);
+        else
+            shade_area<S, Material, specular>(surfaces, light, material, rgb);
+    });
 }
 
 // All of them take it as one direction.

@@ -23,7 +23,7 @@ struct SpecularKernels {
     void (*specular)(const Surfaces&, const LightConstants& light, float alpha, SpecularMethod, float* scale,
                      float* grazing);
 
-    // The same of a power of n·h, ≥ 2 (brdf_remember_me.hpp).
+    // The same of a power of n·h, ≥ 2 (brdf_blinn.hpp).
     void (*specular_power)(const Surfaces&, const LightConstants& light, float power, SpecularMethod, float* scale,
                            float* grazing);
 };

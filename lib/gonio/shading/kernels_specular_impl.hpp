@@ -88,7 +88,7 @@ void specular_any(const Surfaces& surfaces, const LightConstants& light, float a
 template<class S>
 void specular_power_any(const Surfaces& surfaces, const LightConstants& light, float power, SpecularMethod method,
                         float* scale, float* grazing) {
-    RememberMe<S> material{};
+    Blinn<S> material{};
     material.power = S(power);
     specular_lobe<S>(surfaces, light, gloss(material).lobe, method, scale, grazing);
 }

@@ -75,40 +75,6 @@ GONIO_FORCE_INLINE void constants(const LightConstants& from, SunLight<S>& to) {
     to = {broadcast<S>(from.axis) * S(-1), broadcast<S>(from.color), S(simd::sin(radius)),
           S(simd::max(simd::cos(radius), 0.0F))};
 }
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Lambert<S>& to) {
-    to = {broadcast<S>(from.albedo)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Frostbite<S>& to) {
-    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.f90), S(from.linear_roughness), S(from.alpha)};
-}
-
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Ggx<S>& to) {
-    to = {broadcast<S>(from.f0), S(from.alpha)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Ue4<S>& to) {
-    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.cavity), S(from.alpha)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, RememberMe<S>& to) {
-    to = {broadcast<S>(from.albedo), broadcast<S>(from.f0), S(from.power)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, Eon<S>& to) {
-    to = {broadcast<S>(from.albedo), S(from.roughness)};
-}
-template<class S>
-GONIO_FORCE_INLINE void constants(const MaterialConstants& from, KullaConty<S>& to) {
-    to.f0 = broadcast<S>(from.f0);
-    to.multiple = broadcast<S>(from.multiple);
-    to.loss.alpha = S(from.alpha);
-    static_assert(sizeof(from.loss) / sizeof(float) == ggx_loss_of_cosine);
-    for (std::size_t i = 0; i < ggx_loss_of_cosine; ++i)
-        to.loss.c[i] = S(from.loss[i]);
-}
 
 template<template<class> class Light>
 struct OfKind {};

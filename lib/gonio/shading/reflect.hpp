@@ -21,12 +21,6 @@ struct Incidence {
     vec3<S> toward; // unit
 };
 
-// Luminance of the three channels, of the two parts of a material.
-template<class S>
-struct Reflected {
-    vec3<S> diffuse, specular;
-};
-
 namespace detail {
 
 // The diffuse part of a light that is partly above the horizon is asked for just above it, if its centre is below.
@@ -36,25 +30,15 @@ GONIO_FORCE_INLINE vec3<S> above_horizon(vec3<S> n, vec3<S> l) {
     return normalized(l + n * simd::max(S(least) - dot(n, l), S(0)));
 }
 
-// Whether it scatters the same in all directions.
-template<class Material>
-inline constexpr bool is_even = true;
-template<class S>
-inline constexpr bool is_even<Frostbite<S>> = false;
-template<class S>
-inline constexpr bool is_even<Eon<S>> = false;
-template<class S>
-inline constexpr bool is_even<KullaConty<S>> = false;
-
-// What a material scatters [1/sr] in all directions of light from `l`: of its two parts what is no glossy lobe.
+// What a material scatters [1/sr] in all directions of light from `l`: of its two parts what is no glossy lobe. Light
+// that is scattered more than once counts as specular.
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const Material<S>& material, vec3<S> l) {
-    return {diffuse_part(material, point.normal, l, point.view), {S(0), S(0), S(0)}};
-}
-// Light that is scattered more than once counts as specular.
-template<class S>
-GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const KullaConty<S>& material, vec3<S> l) {
-    return {{S(0), S(0), S(0)}, multiple_scattering(material, point.normal, l, point.view)};
+    const vec3<S> none{S(0), S(0), S(0)};
+    if constexpr (Material<S>::lobe == LobeKind::ggx_and_more)
+        return {none, multiple_scattering(material, point.normal, l, point.view)};
+    else
+        return {diffuse_part(material, point.normal, l, point.view), none};
 }
 
 template<class S, template<class> class Material>

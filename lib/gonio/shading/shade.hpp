@@ -45,11 +45,12 @@ GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const Pu
 
 // What `scattered` is over a light, by the irradiance of its points above the horizon; towards the centre, raised to
 // the horizon, where none is.
-template<class S, class Light, class Even>
-GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, const Light& light, const Even& material) {
+template<class S, class Light, template<class> class Material>
+GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, const Light& light,
+                                               const Material<S>& material) {
     const vec3<S> to_center = way_to(light, point.position);
     const vec3<S> n = point.normal;
-    if constexpr (is_even<Even>) {
+    if constexpr (Material<S>::scattering == Scattering::uniform) {
         return scattered(point, material, n);
     } else {
         Reflected<S> sum{{S(0), S(0), S(0)}, {S(0), S(0), S(0)}};
@@ -79,27 +80,21 @@ GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, con
         return mean;
     }
 }
-// These are of one colour in all directions.
-template<class S, class Light>
-GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
-                                                const Frostbite<S>& material) {
-    Frostbite<S> white = material;
-    white.albedo = {S(1), S(1), S(1)};
-    const Reflected<S> mean = mean_scattered(point, light, white);
-    return {material.albedo * mean.diffuse.x, {S(0), S(0), S(0)}};
-}
-template<class S, class Light>
-GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
-                                                const KullaConty<S>& material) {
-    KullaConty<S> white = material;
-    white.multiple = {S(1), S(1), S(1)};
-    const Reflected<S> mean = mean_scattered(point, light, white);
-    return {{S(0), S(0), S(0)}, material.multiple * mean.specular.x};
-}
+// The same, of one channel where all are alike.
 template<class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
                                                 const Material<S>& material) {
-    return mean_scattered(point, light, material);
+    if constexpr (Material<S>::scattering != Scattering::one_color) {
+        return mean_scattered(point, light, material);
+    } else {
+        const Reflected<S> mean = mean_scattered(point, light, white(material));
+        const vec3<S> color = scattered_color(material);
+        const vec3<S> none{S(0), S(0), S(0)};
+        if constexpr (Material<S>::lobe == LobeKind::ggx_and_more)
+            return {none, color * mean.specular.x};
+        else
+            return {color * mean.diffuse.x, none};
+    }
 }
 
 // The glossy part per luminance of the light, its window included.
@@ -126,7 +121,7 @@ GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const 
         const S lx = illuminance(point, light);
         parts.diffuse = parts.diffuse * lx;
         parts.specular = parts.specular * lx;
-        if constexpr (Glossy<Material<S>>)
+        if constexpr (Glossy<Material>)
             parts.specular = parts.specular + detail::glossy_part<method>(point, light, material);
         return {detail::finite(color * parts.diffuse), detail::finite(color * parts.specular)};
     }

@@ -28,6 +28,7 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
                                "eon:albedo=rgb(0.8,0.5,0.2),roughness=0.8",
                                "frostbite:base=rgb(0.8,0.5,0.2),smoothness=0.4",
                                "ue4:base=rgb(0.8,0.5,0.2),roughness=0.6,metallic=0.3,cavity=0.8",
+                               "gltf:base=rgb(0.8,0.5,0.2),roughness=0.6,metallic=0.3",
                                "blinn:albedo=rgb(0.8,0.5,0.2),smoothness=0.3,wet=0.5",
                                "ggx:f0=rgb(0.9,0.5,0.1),alpha=0.3",
                                "kulla-conty:f0=rgb(0.9,0.5,0.1),alpha=0.5"};
@@ -163,9 +164,9 @@ TEST_P(MaterialKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
             value = static_cast<float>(poses::hostile(random));
         points.add(values, static_cast<float>(std::fabs(poses::hostile(random))));
     }
-    for (const char* text :
-         {"lambert", "eon:roughness=1", "frostbite:smoothness=1", "ue4:roughness=0", "blinn:smoothness=1",
-          "blinn:smoothness=0,wet=1", "ggx:alpha=0", "kulla-conty:alpha=0", "kulla-conty:alpha=1"})
+    for (const char* text : {"lambert", "eon:roughness=1", "frostbite:smoothness=1", "ue4:roughness=0",
+                             "gltf:roughness=0", "blinn:smoothness=1", "blinn:smoothness=0,wet=1", "ggx:alpha=0",
+                             "kulla-conty:alpha=0", "kulla-conty:alpha=1"})
         for (const LightKind kind : kinds) {
             LightConstants light = light_of(kind, points);
             light.specular_method = shading::standard_specular_method;

@@ -253,6 +253,32 @@ TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
         }
 }
 
+// By a method with an irradiance of its own a material is what it is by the exact method and the change of its diffuse
+// part, which for these is Lambert's of the same albedo.
+TEST(ThreadsPreview, OwnIrradianceReachesTheDiffusePartAlone) {
+    Stage stage = matte_floor(0.4);
+    RenderOptions options;
+    options.width = 8;
+    options.height = 6;
+    options.method = IrradianceMethod::frostbite;
+    const Light light = light_of("disk:r=80cm", "1000cd", {0.3, -0.2, 2.0});
+    const auto diffuse_of = [&](const char* material) {
+        stage.surfaces[0].material = parse_material(material).value();
+        options.specular = false;
+        return picture_of(stage, light, options);
+    };
+    const Image lambert = diffuse_of("lambert:albedo=0.3");
+    const Image cavity = diffuse_of("ue4:base=0.6,cavity=0.5");
+    ASSERT_EQ(lambert.pixels, cavity.pixels);
+    options.specular = true;
+    stage.surfaces[0].material = parse_material("ue4:base=0.6,cavity=0.5").value();
+    const Image whole = picture_of(stage, light, options);
+    stage.surfaces[0].material = parse_material("ue4:base=0,cavity=0.5").value();
+    const Image black = picture_of(stage, light, options);
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+        EXPECT_NEAR(whole.pixels[i] - black.pixels[i], lambert.pixels[i], 2e-6F * whole.pixels[i]) << i;
+}
+
 // The luminance of glossy, coloured materials: reference against a probe's, channel by channel through Y; ltc within
 // what its fit allows.
 TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
@@ -261,7 +287,8 @@ TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
     options.width = 4;
     options.height = 3;
     const CameraRays rays(stage.camera, options.width, options.height);
-    for (const char* material : {"frostbite:base=rgb(0.5,0.2,0.1),smoothness=0.6", "ue4:base=rgb(0.2,0.5,0.9)", "eon"})
+    for (const char* material : {"frostbite:base=rgb(0.5,0.2,0.1),smoothness=0.6", "ue4:base=rgb(0.2,0.5,0.9)",
+                                 "gltf:base=rgb(0.9,0.5,0.2)", "eon"})
         for (const char* shape : {"point", "sphere:r=50cm", "rect:w=2m,h=30cm", "sun:angle=3deg"}) {
             const bool is_sun = std::string_view(shape).starts_with("sun");
             Light light = light_of(shape, is_sun ? "1000lx" : "1000cd", {0.3, -0.2, 6.0});

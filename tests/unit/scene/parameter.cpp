@@ -1,6 +1,7 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/lobe.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/scene/parameter.hpp>
 
 #include <gtest/gtest.h>
@@ -122,6 +123,8 @@ TEST(Parameter, OfAMaterialIsThatOfItsGrammar) {
                           Case{"eon:albedo=0.2", "roughness", "0.9", "eon:albedo=0.2,roughness=0.9"},
                           Case{"ue4:base=0.2", "metallic", "1", "ue4:base=0.2,metallic=1"},
                           Case{"ue4:base=0.2", "cavity", "0.3", "ue4:base=0.2,cavity=0.3"},
+                          Case{"gltf:base=0.2", "metallic", "1", "gltf:base=0.2,metallic=1"},
+                          Case{"gltf:base=0.2", "roughness", "0.25", "gltf:base=0.2,roughness=0.25"},
                           Case{"frostbite:base=0.2", "metallic", "1", "frostbite:base=0.2,metal=1"},
                           Case{"frostbite:base=0.2", "roughness", "0.25", "frostbite:base=0.2,smoothness=0.75"},
                           Case{"blinn:albedo=0.2", "wet", "1", "blinn:albedo=0.2,wet=1"},
@@ -131,39 +134,11 @@ TEST(Parameter, OfAMaterialIsThatOfItsGrammar) {
         EXPECT_TRUE(set_parameter(material, c.name, c.value).value()) << c.after;
         const Material expected = parse_material(c.after).value();
         std::visit(
-            [&](const auto& found) {
-                using Kind = std::decay_t<decltype(found)>;
-                const auto& wanted = std::get<Kind>(expected);
-                if constexpr (requires { found.albedo; }) {
-                    EXPECT_EQ(found.albedo, wanted.albedo) << c.after;
-                }
-                if constexpr (requires { found.base; }) {
-                    EXPECT_EQ(found.base, wanted.base) << c.after;
-                }
-                if constexpr (requires { found.f0; }) {
-                    EXPECT_EQ(found.f0, wanted.f0) << c.after;
-                }
-                if constexpr (requires { found.alpha; }) {
-                    EXPECT_EQ(found.alpha, wanted.alpha) << c.after;
-                }
-                if constexpr (requires { found.roughness; }) {
-                    EXPECT_EQ(found.roughness, wanted.roughness) << c.after;
-                }
-                if constexpr (requires { found.smoothness; }) {
-                    EXPECT_EQ(found.smoothness, wanted.smoothness) << c.after;
-                }
-                if constexpr (requires { found.metal; }) {
-                    EXPECT_EQ(found.metal, wanted.metal) << c.after;
-                }
-                if constexpr (requires { found.metallic; }) {
-                    EXPECT_EQ(found.metallic, wanted.metallic) << c.after;
-                }
-                if constexpr (requires { found.cavity; }) {
-                    EXPECT_EQ(found.cavity, wanted.cavity) << c.after;
-                }
-                if constexpr (requires { found.wet; }) {
-                    EXPECT_EQ(found.wet, wanted.wet) << c.after;
-                }
+            [&]<class M>(const M& found) {
+                const auto& wanted = std::get<M>(expected);
+                for_each_key<M>([&](const auto& key) {
+                    EXPECT_EQ(found.*key.member, wanted.*key.member) << c.after << ' ' << key.name;
+                });
             },
             material);
     }
@@ -198,6 +173,39 @@ TEST(Parameter, IsLackedOrRefused) {
     EXPECT_FALSE(set_parameter(material, "cavity", "0.3").value());
     for (const char* value : {"1.1", "-0.1", "nan", "", "1m"})
         EXPECT_FALSE(set_parameter(material, "roughness", value).has_value()) << value;
+}
+
+// Each material has its keys by a name that is listed, and what is listed says who has it.
+TEST(Parameter, OfEveryKeyIsListed) {
+    for_each_material([]<class M>() {
+        const std::vector<std::string_view> names = parameters_of(Material(M()));
+        for_each_key<M>([&](const auto& key) {
+            EXPECT_NE(std::find(names.begin(), names.end(), key.parameter), names.end()) << key.name;
+        });
+        for (const std::string_view name : names)
+            for (const ParameterName& parameter : material_parameters())
+                if (parameter.name == name) {
+                    EXPECT_NE(parameter.summary.find(MaterialDescription<M>::kind), std::string_view::npos) << name;
+                    Material material = M();
+                    EXPECT_TRUE(set_parameter(material, name, parameter.example).value()) << name;
+                }
+    });
+    for (const ParameterName& parameter : material_parameters()) {
+        if (parameter.name == "metallic") {
+            EXPECT_NE(parameter.summary.find("frostbite: metal"), std::string_view::npos) << parameter.summary;
+        }
+        if (parameter.name == "roughness") {
+            EXPECT_NE(parameter.summary.find("; frostbite and blinn: 1 - smoothness"), std::string_view::npos)
+                << parameter.summary;
+        }
+    }
+}
+
+// A value of a parameter is one value: no second key goes in with it.
+TEST(Parameter, IsOneValue) {
+    Material material = parse_material("ue4:roughness=0.2").value();
+    EXPECT_FALSE(set_parameter(material, "roughness", "0.3,base=1").has_value());
+    EXPECT_EQ(std::get<Ue4Material>(material).roughness, 0.2);
 }
 
 // Nothing is listed that no light or material has, and each light's list is what can be set.

@@ -106,6 +106,8 @@ TEST(Material, GrammarAndItsErrors) {
     EXPECT_EQ(parsed<LambertMaterial>("lambert").albedo, glm::dvec3(0.5));
     EXPECT_EQ(parsed<Ue4Material>("ue4:roughness=0.25,cavity=0.5").cavity, 0.5);
     EXPECT_EQ(parsed<Ue4Material>("ue4:roughness=0.25,cavity=0.5").specular, 0.5);
+    EXPECT_EQ(parsed<GltfMaterial>("gltf:base=rgb(1,0.77,0.34),metallic=1").base, glm::dvec3(1.0, 0.77, 0.34));
+    EXPECT_EQ(parsed<GltfMaterial>("gltf:roughness=0").roughness, 0.0);
     EXPECT_EQ(parsed<BlinnMaterial>("blinn:specular=rgb(1,0.77,0.34),wet=1").specular, glm::dvec3(1.0, 0.77, 0.34));
     EXPECT_EQ(parsed<BlinnMaterial>("blinn").specular, glm::dvec3(0.04));
     EXPECT_EQ(parsed<EonMaterial>("eon:roughness=1").roughness, 1.0);
@@ -115,7 +117,8 @@ TEST(Material, GrammarAndItsErrors) {
     for (const char* text :
          {"", "lambert:albedo=2", "lambert:base=1", "lambert:albedo", "lambert:albedo=x", "frostbite:metal=-0.1",
           "frostbite:smoothness=1.01", "frostbyte", "ggx:alpha=1.5", "ggx:alpha=nan", "ggx:alpha=0.1,roughness=0.1",
-          "ue4:metal=1", "blinn:wet=-1", "eon:albedo=rgb(1,2,0)", "kulla-conty:albedo=1", "ggx:f0=0.5,f0=0.5"})
+          "ue4:metal=1", "gltf:metal=1", "gltf:specular=0.5", "blinn:wet=-1", "eon:albedo=rgb(1,2,0)",
+          "kulla-conty:albedo=1", "ggx:f0=0.5,f0=0.5"})
         EXPECT_FALSE(parse_material(text)) << text;
     EXPECT_EQ(parse_material("ggx:alpha=1.5").error().diagnostics.front().message,
               "alpha of 'ggx' must lie in [0, 1], not 1.5");
@@ -154,6 +157,9 @@ TEST(Material, ChartsJudgeWhatIsNoRealSurface) {
     EXPECT_EQ(warnings("frostbite:base=0.2,metal=1"), 1U);
     EXPECT_EQ(warnings("frostbite:base=0,metal=0.5"), 0U);
     EXPECT_EQ(warnings("ue4:specular=1"), 1U);
+    EXPECT_EQ(warnings("gltf:base=0.2,metallic=1"), 1U);
+    EXPECT_EQ(warnings("gltf:base=0.2,metallic=0.5"), 0U);
+    EXPECT_EQ(warnings("gltf:base=1"), 1U);
     EXPECT_EQ(warnings("blinn:albedo=0,specular=0.9"), 0U); // a metal has no diffuse part
     EXPECT_EQ(warnings("blinn:albedo=0,specular=0.04"), 1U);
     EXPECT_EQ(warnings("blinn:specular=0.2"), 1U); // neither

@@ -35,6 +35,9 @@ constexpr std::size_t scaled(std::size_t count) {
     return count;
 }
 
+// 0.5 of everything and a dielectric's reflectance.
+const Frostbite<float> painted{{0.5F, 0.5F, 0.5F}, {0.04F, 0.04F, 0.04F}, 1.0F, 0.5F, 0.25F};
+
 std::string name_of(Kind kind) {
     return kind == Kind::disk        ? "disk"
            : kind == Kind::ellipse   ? "ellipse"
@@ -231,9 +234,9 @@ TEST_P(AreaKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
             *size = static_cast<float>(std::fabs(poses::hostile(random)));
         for (int k = 0; k < 3; ++k)
             light.position[k] = round % 5 == 0 ? surfaces.position[k][17] : static_cast<float>(poses::hostile(random));
-        MaterialConstants material;
-        material.kind = MaterialConstants::Kind::frostbite;
-        material.alpha = static_cast<float>(round) / 63.0F;
+        Frostbite<float> glossy = painted;
+        glossy.alpha = static_cast<float>(round) / 63.0F;
+        const MaterialConstants material = constants_of(glossy);
         kernels.irradiance(surfaces, light, lx.data());
         kernels.shade(surfaces, light, material, rgb);
         for (std::size_t i = 0; i < count; ++i) {
@@ -257,13 +260,8 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
         view[1].push_back(static_cast<float>(v.y));
         view[2].push_back(static_cast<float>(v.z));
     }
-    MaterialConstants material;
-    material.kind = MaterialConstants::Kind::frostbite;
-    const Frostbite<double> frostbite{{0.5, 0.5, 0.5},
-                                      {material.f0[0], material.f0[1], material.f0[2]},
-                                      material.f90,
-                                      material.linear_roughness,
-                                      material.alpha};
+    const MaterialConstants material = constants_of(painted);
+    const auto frostbite = material_of<Frostbite, double>(material);
     std::size_t off = 0;
     for (std::size_t g = 0; g < cases.lights.size(); ++g) {
         const LightConstants& light = cases.lights[g];
@@ -335,8 +333,7 @@ TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
     punctual.position[0] = -3.0F;
     punctual.position[2] = 4.0F;
     punctual.intensity_cd = &candela[0];
-    MaterialConstants material;
-    material.kind = MaterialConstants::Kind::frostbite;
+    const MaterialConstants material = constants_of(painted);
     float a[3];
     float b[3];
     float* const to_a[3] = {&a[0], &a[1], &a[2]};

@@ -45,11 +45,14 @@ void each(const Visit& visit) {
         visit(fmt::format("ue4 {}", smoothness), [=]<class S>(S) {
             return g::ue4_material<S>({S(red.x), S(red.y), S(red.z)}, S(0.25), S(roughness), S(0.5), S(0.9));
         });
+        visit(fmt::format("gltf {}", smoothness), [=]<class S>(S) {
+            return g::gltf_material<S>({S(red.x), S(red.y), S(red.z)}, S(0.25), S(roughness));
+        });
         for (const double wet : {0.0, 1.0}) {
             if (wet > 0.0 && smoothness >= 0.5) continue; // no pores to fill
             visit(fmt::format("blinn {} wet {}", smoothness, wet), [=]<class S>(S) {
-                return g::remember_me_material<S>({S(red.x), S(red.y), S(red.z)}, {S(0.04), S(0.3), S(1)},
-                                                  S(smoothness), S(wet));
+                return g::blinn_material<S>({S(red.x), S(red.y), S(red.z)}, {S(0.04), S(0.3), S(1)}, S(smoothness),
+                                            S(wet));
             });
         }
     }

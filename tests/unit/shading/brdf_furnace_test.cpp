@@ -141,7 +141,7 @@ Bounds bounds(const Make& make) {
     return found;
 }
 
-// Three materials do not conserve energy, and these are the bounds within which they do not: base colour 1, f0 = 0.04.
+// Four materials do not conserve energy, and these are the bounds within which they do not: base colour 1, f0 = 0.04.
 TEST(Furnace, Frostbite) {
     const Bounds whole = bounds([](double roughness) {
         return std::pair(frostbite_material<double>(white, 1.0 - roughness, 0.0, 0.5), roughness * roughness);
@@ -166,10 +166,24 @@ TEST(Furnace, Ue4) {
     EXPECT_NEAR(whole.least, 1.0123, 5e-4);
 }
 
-TEST(Furnace, RememberMe) {
+TEST(Furnace, Gltf) {
+    const auto made = [](double metallic) {
+        return [metallic](double roughness) {
+            return std::pair(gltf_material<double>(white, metallic, roughness), roughness * roughness);
+        };
+    };
+    const Bounds dielectric = bounds(made(0.0));
+    EXPECT_NEAR(dielectric.most, 1.922, 0.01);
+    EXPECT_NEAR(dielectric.least, 0.9722, 5e-4);
+    const Bounds metal = bounds(made(1.0));
+    EXPECT_LE(metal.most, 1.0 + quadrature);
+    EXPECT_NEAR(metal.least, 1.0 - std::log(2.0), quadrature); // GGX with f0 = 1
+}
+
+TEST(Furnace, Blinn) {
     const auto made = [](Vec albedo, Vec f0) {
         return [=](double roughness) {
-            const auto material = remember_me_material<double>(albedo, f0, 1.0 - roughness, 0.0);
+            const auto material = blinn_material<double>(albedo, f0, 1.0 - roughness, 0.0);
             return std::pair(material, std::sqrt(2.0 / (material.power + 2.0)));
         };
     };

@@ -178,23 +178,23 @@ TEST(Brdf, PackFollowsFloat) {
     });
 }
 
-TEST(RememberMe, WaterDarkensPoresAndSmoothsAll) {
+TEST(Blinn, WaterDarkensPoresAndSmoothsAll) {
     const Vec albedo{0.5, 0.4, 0.3};
     const Vec stone{0.04, 0.04, 0.04};
-    const auto power = [](const RememberMe<double>& m) { return (std::log2(m.power) - 1.0) / 10.0; };
-    const auto dry = remember_me_material<double>(albedo, stone, 0.0, 0.0);
+    const auto power = [](const Blinn<double>& m) { return (std::log2(m.power) - 1.0) / 10.0; };
+    const auto dry = blinn_material<double>(albedo, stone, 0.0, 0.0);
     EXPECT_DOUBLE_EQ(dry.albedo.x, 0.5);
     EXPECT_DOUBLE_EQ(dry.power, 2.0);
-    const auto wet = remember_me_material<double>(albedo, stone, 0.0, 1.0); // the pores are full: a fifth of the albedo
+    const auto wet = blinn_material<double>(albedo, stone, 0.0, 1.0); // the pores are full: a fifth of the albedo
     EXPECT_DOUBLE_EQ(wet.albedo.x, 0.1);
-    EXPECT_NEAR(power(wet), 0.4, 1e-12);                                     // 1 + (0 − 1)·(1 − 0.5·0.8)
-    const auto half = remember_me_material<double>(albedo, stone, 0.3, 0.5); // porosity ½, factor 0.6
+    EXPECT_NEAR(power(wet), 0.4, 1e-12);                               // 1 + (0 − 1)·(1 − 0.5·0.8)
+    const auto half = blinn_material<double>(albedo, stone, 0.3, 0.5); // porosity ½, factor 0.6
     EXPECT_NEAR(half.albedo.y, 0.4 * 0.8, 1e-12);
     EXPECT_NEAR(power(half), 1.0 - 0.7 * 0.9, 1e-12);
-    const auto smooth = remember_me_material<double>(albedo, stone, 0.5, 1.0); // no pores from smoothness ½ on
+    const auto smooth = blinn_material<double>(albedo, stone, 0.5, 1.0); // no pores from smoothness ½ on
     EXPECT_DOUBLE_EQ(smooth.albedo.x, 0.5);
     EXPECT_NEAR(power(smooth), 0.5, 1e-12);
-    const auto metal = remember_me_material<double>(albedo, {0.9, 0.9, 0.9}, 0.0, 1.0);
+    const auto metal = blinn_material<double>(albedo, {0.9, 0.9, 0.9}, 0.0, 1.0);
     EXPECT_DOUBLE_EQ(metal.albedo.x, 0.5);
 }
 
@@ -215,12 +215,56 @@ TEST(Ue4, MapsItsParameters) {
     EXPECT_DOUBLE_EQ(brdf(hollow, n, {0.6, 0, 0.8}, n).x, 0.25 * brdf(open, n, {0.6, 0, 0.8}, n).x);
 }
 
+// The code of the specification's appendix B, word by word, beside ours.
+TEST(Gltf, IsTheMixOfItsSpecification) {
+    Random random(57);
+    const Vec n{0, 0, 1};
+    const auto mix = [](double a, double b, double share) { return a * (1.0 - share) + b * share; };
+    for (int i = 0; i < 5'000; ++i) {
+        const Vec l = poses::tilted(n, random.uniform(0.01, 1.0), random);
+        const Vec v = poses::tilted(n, random.uniform(0.01, 1.0), random);
+        const double base = random.uniform();
+        const double metallic = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : random.uniform();
+        const double roughness = random.uniform(0.3, 1.0); // the appendix' D cancels for less
+        const Vec h = poses::unit(l + v);
+        const double a2 = std::pow(roughness, 4.0);
+        const double n_dot_l = dot(n, l);
+        const double n_dot_v = dot(n, v);
+        const double d = a2 / (std::acos(-1.0) * std::pow(dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0, 2.0));
+        const double visible = 0.5 / (n_dot_v * std::sqrt(a2 + (1.0 - a2) * n_dot_l * n_dot_l) +
+                                      n_dot_l * std::sqrt(a2 + (1.0 - a2) * n_dot_v * n_dot_v));
+        const double fresnel_w = std::pow(1.0 - std::fabs(dot(v, h)), 5.0);
+        const double diffuse_brdf = base / std::acos(-1.0);
+        const double specular_brdf = visible * d;
+        const double dielectric_brdf = mix(diffuse_brdf, specular_brdf, 0.04 + (1.0 - 0.04) * fresnel_w);
+        const double metal_brdf = (base + (1.0 - base) * fresnel_w) * specular_brdf;
+        const double expected = mix(dielectric_brdf, metal_brdf, metallic);
+        const auto material = gltf_material<double>({base, 1.0, 0.0}, metallic, roughness);
+        EXPECT_NEAR(brdf(material, n, l, v).x, expected, 1e-12 * expected) << i;
+    }
+}
+
+TEST(Gltf, MapsItsParameters) {
+    const auto plastic = gltf_material<double>({0.5, 0.25, 0.125}, 0.0, 0.4);
+    EXPECT_DOUBLE_EQ(plastic.f0.y, 0.04);
+    EXPECT_DOUBLE_EQ(plastic.albedo.y, 0.25);
+    EXPECT_DOUBLE_EQ(plastic.alpha, 0.16);
+    const auto gold = gltf_material<double>({1.0, 0.77, 0.34}, 1.0, 0.0);
+    EXPECT_DOUBLE_EQ(gold.f0.y, 0.77);
+    EXPECT_EQ(gold.albedo.x, 0.0);
+    EXPECT_EQ(gold.alpha, minimum_alpha);
+    // Without its lobe, what enters stays as it is.
+    const Vec n{0, 0, 1};
+    const Vec v{0.6, 0, 0.8};
+    EXPECT_EQ(brdf(diffuse_alone(plastic), n, v, n).x, diffuse_part(plastic, n, v, n).x);
+}
+
 // Hand-worked values: along the normal, where every angle is 0.
 TEST(Brdf, AlongTheNormal) {
     const Vec n{0, 0, 1};
     const double inv_pi = 1.0 / std::acos(-1.0);
     EXPECT_NEAR(brdf(Ggx<double>{{0.5, 1, 0}, 0.5}, n, n, n).x, 0.5 * inv_pi / 0.25 / 4.0, 1e-14); // f0 D/4
-    const auto shiny = remember_me_material<double>({0, 0, 0}, {1, 1, 1}, 0.5, 0.0);               // p = 64
+    const auto shiny = blinn_material<double>({0, 0, 0}, {1, 1, 1}, 0.5, 0.0);                     // p = 64
     EXPECT_NEAR(brdf(shiny, n, n, n).y, 66.0 * inv_pi / 8.0, 1e-12);
     EXPECT_NEAR(brdf(Eon<double>{{0.5, 0.5, 0.5}, 0.0}, n, n, n).x, 0.5 * inv_pi, 1e-15);
     // r = 1: A = 1/(1 + 1/2 − 2/3π); what is lost along the normal scatters again with half of the light at each

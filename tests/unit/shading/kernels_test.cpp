@@ -23,7 +23,8 @@ using namespace gonio::shading;
 using gonio::measure::Random;
 using poses::Vec;
 using Light = LightConstants::Kind;
-using Material = MaterialConstants::Kind;
+
+enum class Material : std::uint8_t { lambert, frostbite };
 
 struct Points {
     std::array<std::vector<float>, 3> position, normal, view;
@@ -76,16 +77,16 @@ vec3<double> reference(const Points& points, std::size_t i, const LightConstants
         return vec3<double>{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
     };
     const SurfacePoint<double> point = points.point<double>(i);
-    const Lambert<double> lambert{three(material.albedo)};
-    const Frostbite<double> frostbite{three(material.albedo), three(material.f0), material.f90,
-                                      material.linear_roughness, material.alpha};
     const PunctualLight<double> punctual{three(light.position), three(light.color), points.intensity_cd[i],
                                          light.inverse_range};
     const SphereLight<double> sphere{three(light.position), three(light.color), light.radius, light.inverse_range};
-    if (light.kind == Light::punctual)
-        return material.kind == Material::lambert ? shade(point, punctual, lambert) : shade(point, punctual, frostbite);
-    return material.kind == Material::lambert ? shade(point, sphere, lambert)
-                                              : shade<SpecularMethod::representative_point>(point, sphere, frostbite);
+    vec3<double> result{};
+    with_material(material.kind, [&]<template<class> class Kind>() {
+        const auto made = gonio::shading::material_of<Kind, double>(material);
+        result = light.kind == Light::punctual ? shade(point, punctual, made)
+                                               : shade<SpecularMethod::representative_point>(point, sphere, made);
+    });
+    return result;
 }
 
 LightConstants light_at(Light kind, const Points& points) {
@@ -105,21 +106,17 @@ LightConstants light_at(Light kind, const Points& points) {
     return light;
 }
 
+Frostbite<float> frostbite_of(float smoothness) {
+    return frostbite_material<float>({0.8F, 0.5F, 0.2F}, smoothness, 0.25F, 0.5F);
+}
+
+double alpha_of(float smoothness) {
+    return static_cast<double>(lobe_alpha(frostbite_of(smoothness)));
+}
+
 MaterialConstants material_of(Material kind, float smoothness) {
-    MaterialConstants material;
-    material.kind = kind;
-    const Frostbite<float> f = frostbite_material<float>({0.8F, 0.5F, 0.2F}, smoothness, 0.25F, 0.5F);
-    const vec3<float> albedo = f.albedo;
-    material.albedo[0] = albedo.x;
-    material.albedo[1] = albedo.y;
-    material.albedo[2] = albedo.z;
-    material.f0[0] = f.f0.x;
-    material.f0[1] = f.f0.y;
-    material.f0[2] = f.f0.z;
-    material.f90 = f.f90;
-    material.linear_roughness = f.linear_roughness;
-    material.alpha = f.alpha;
-    return material;
+    const Frostbite<float> frostbite = frostbite_of(smoothness);
+    return kind == Material::lambert ? constants_of(Lambert<float>{frostbite.albedo}) : constants_of(frostbite);
 }
 
 Points ordinary_points(std::size_t count, std::uint64_t seed) {
@@ -168,10 +165,10 @@ TEST_P(Kernel, ShadesAsTheDoubleReference) {
                                             : 3.2 * 0.09 / dot(to, to);
                     // A smooth lobe magnifies the rounding of the half vector by 1/α, a grazing view that of n·v by
                     // 1/n·v.
-                    const double relative = material_kind == Material::lambert
-                                                ? 1e-5
-                                                : 1e-5 + 1e-6 / static_cast<double>(material.alpha) +
-                                                      5e-7 / std::fabs(dot(p.normal, p.view));
+                    const double relative =
+                        material_kind == Material::lambert
+                            ? 1e-5
+                            : 1e-5 + 1e-6 / alpha_of(smoothness) + 5e-7 / std::fabs(dot(p.normal, p.view));
                     for (std::size_t k = 0; k < 3; ++k) {
                         const double error = std::fabs(static_cast<double>(rgb[k][i]) - channels[k]);
                         worst = std::max(worst, error / (relative * channels[k] + 1e-6 * full));
@@ -186,8 +183,7 @@ TEST_P(Kernel, ShadesAsTheDoubleReference) {
 
 TEST_P(Kernel, IrradianceIsWhatALambertSurfaceReflects) {
     const Points points = ordinary_points(1000, 32);
-    MaterialConstants white = material_of(Material::lambert, 0.0F);
-    std::fill(std::begin(white.albedo), std::end(white.albedo), 1.0F);
+    const MaterialConstants white = constants_of(Lambert<float>{{1.0F, 1.0F, 1.0F}});
     for (const Light kind : {Light::punctual, Light::sphere}) {
         const LightConstants light = light_at(kind, points);
         std::vector<float> lx(points.size());
@@ -259,7 +255,7 @@ TEST_P(Kernel, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     for (int round = 0; round < 32; ++round) {
         LightConstants light;
         light.kind = round % 2 == 0 ? Light::punctual : Light::sphere;
-        MaterialConstants material =
+        const MaterialConstants material =
             material_of(round % 4 < 2 ? Material::lambert : Material::frostbite, static_cast<float>(round) / 31.0F);
         light.intensity_cd = points.intensity_cd.data();
         light.inverse_range = static_cast<float>(std::fabs(round % 3 == 0 ? poses::hostile(random) : 0.0));

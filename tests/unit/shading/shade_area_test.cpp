@@ -15,6 +15,7 @@
 #include <numbers>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -23,7 +24,6 @@ using namespace gonio::shading;
 using gonio::measure::Random;
 using gonio::measure::SpecularCases;
 using Kind = LightConstants::Kind;
-using MaterialKind = MaterialConstants::Kind;
 
 constexpr SpecularMethod methods[] = {SpecularMethod::ltc,        SpecularMethod::representative_point,
                                       SpecularMethod::specular_d, SpecularMethod::dominant_direction,
@@ -48,28 +48,19 @@ struct Cases {
     }
 };
 
-MaterialConstants material_of(MaterialKind kind, float alpha) {
-    MaterialConstants material;
-    material.kind = kind;
+// Each material with a lobe of that α.
+std::vector<std::pair<std::string, MaterialConstants>> materials_of(float alpha) {
+    const vec3<float> albedo{0.8F, 0.5F, 0.2F};
     const vec3<float> f0{0.04F, 0.3F, 0.9F};
-    const float albedo[3] = {0.8F, 0.5F, 0.2F};
-    std::copy(std::begin(albedo), std::end(albedo), std::begin(material.albedo));
-    material.f0[0] = f0.x;
-    material.f0[1] = f0.y;
-    material.f0[2] = f0.z;
-    material.alpha = alpha;
-    material.linear_roughness = std::sqrt(alpha);
-    material.roughness = material.linear_roughness;
-    material.power = 2.0F / (alpha * alpha) + 1.0F;
-    if (kind == MaterialKind::kulla_conty) {
-        const KullaConty<float> made = kulla_conty_material(f0, alpha);
-        const vec3<float> multiple = made.multiple;
-        material.multiple[0] = multiple.x;
-        material.multiple[1] = multiple.y;
-        material.multiple[2] = multiple.z;
-        std::copy(std::begin(made.loss.c), std::end(made.loss.c), std::begin(material.loss));
-    }
-    return material;
+    const float root = std::sqrt(alpha);
+    return {{"lambert", constants_of(Lambert<float>{albedo})},
+            {"eon", constants_of(Eon<float>{albedo, root})},
+            {"frostbite", constants_of(Frostbite<float>{albedo, f0, 1.0F, root, alpha})},
+            {"ue4", constants_of(Ue4<float>{albedo, f0, 1.0F, alpha})},
+            {"gltf", constants_of(Gltf<float>{albedo, f0, 1.0F, alpha})},
+            {"blinn", constants_of(Blinn<float>{albedo, f0, 2.0F / (alpha * alpha) + 1.0F})},
+            {"ggx", constants_of(Ggx<float>{f0, alpha})},
+            {"kulla-conty", constants_of(kulla_conty_material(f0, alpha))}};
 }
 
 template<SpecularMethod method>
@@ -77,26 +68,9 @@ Reflected<double> parts(const SurfacePoint<double>& point, const LightConstants&
                         const MaterialConstants& material) {
     Reflected<double> result{};
     detail::with_light<double>(light, [&](const auto& typed) {
-        const auto by = [&]<class Material>(Material made) {
-            detail::constants(material, made);
-            result = shade_parts<method>(point, typed, made);
-        };
-        switch (material.kind) {
-        case MaterialKind::lambert:
-            return by(Lambert<double>{});
-        case MaterialKind::frostbite:
-            return by(Frostbite<double>{});
-        case MaterialKind::ggx:
-            return by(Ggx<double>{});
-        case MaterialKind::ue4:
-            return by(Ue4<double>{});
-        case MaterialKind::remember_me:
-            return by(RememberMe<double>{});
-        case MaterialKind::eon:
-            return by(Eon<double>{});
-        case MaterialKind::kulla_conty:
-            return by(KullaConty<double>{});
-        }
+        with_material(material.kind, [&]<template<class> class Material>() {
+            result = shade_parts<method>(point, typed, material_of<Material, double>(material));
+        });
     });
     return result;
 }
@@ -118,6 +92,11 @@ Reflected<double> parts_by(const SurfacePoint<double>& point, const LightConstan
         return parts<SpecularMethod::sun_disk>(point, light, material);
     }
     return {};
+}
+
+template<template<class> class... Material>
+constexpr std::size_t count_of(MaterialList<Material...> /*list*/) {
+    return sizeof...(Material);
 }
 
 SurfacePoint<double> point_of(const Surfaces& surfaces, std::size_t i) {
@@ -150,14 +129,14 @@ INSTANTIATE_TEST_SUITE_P(
 // disk multiplies the rounding of a direction by the width of the lobe.
 TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
     const Cases cases(kind, 2048);
+    ASSERT_EQ(materials_of(0.5F).size(), count_of(Materials()));
     for (const SpecularMethod method : methods)
-        for (int m = 0; m <= static_cast<int>(MaterialKind::kulla_conty); ++m) {
+        for (std::size_t m = 0; m < materials_of(0.5F).size(); ++m) {
             std::size_t off = 0;
             for (std::size_t g = 0; g < cases.lights.size(); ++g) {
                 LightConstants light = cases.lights[g];
                 light.specular_method = method;
-                const MaterialConstants material =
-                    material_of(static_cast<MaterialKind>(m), std::max(cases.all.alpha[g], 0.03F));
+                const MaterialConstants material = materials_of(std::max(cases.all.alpha[g], 0.03F))[m].second;
                 const Surfaces surfaces = cases.all.surfaces(g);
                 std::vector<float> rgb(3 * surfaces.count);
                 float* const out[3] = {rgb.data(), rgb.data() + surfaces.count, rgb.data() + 2 * surfaces.count};
@@ -173,7 +152,8 @@ TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
                     off += near ? 0U : 1U;
                 }
             }
-            EXPECT_LE(off, cases.all.size() / 50) << "method " << static_cast<int>(method) << " material " << m;
+            EXPECT_LE(off, cases.all.size() / 50)
+                << "method " << static_cast<int>(method) << ' ' << materials_of(0.5F)[m].first;
         }
 }
 

@@ -4,6 +4,7 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/base/quantity.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include <glm/vec3.hpp>
@@ -26,6 +27,7 @@ struct SceneMaterial {
     glm::dvec3 diffuse{0.0}; // albedo: the part of even light from all sides that our diffuse part gives back
     glm::dvec3 f0{0.0};      // 0: no lobe
     double alpha = 1.0;      // what enters D and V; the targets' own roughness is its root
+    std::optional<MetallicRoughness> metallic_roughness; // what a target with glTF's own material takes instead
 
     bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
     bool has_lobe() const { return f0 != glm::dvec3(0.0); }

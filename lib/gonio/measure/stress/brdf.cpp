@@ -73,16 +73,14 @@ std::string text(const BrdfParameters& parameters, const BrdfPose& pose) {
 }
 
 // Each pose as one float and as a lane of a pack.
-template<template<class> class Material>
+template<class M>
 void reflectance(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t of_one_material = 16;
     constexpr std::size_t width = lanes<Pack>;
     for (std::uint64_t done = 0; done < evaluations; done += 2 * of_one_material) {
         const BrdfParameters parameters(random, true);
-        Material<float> one;
-        Material<Pack> many;
-        make(parameters, one);
-        make(parameters, many);
+        const auto one = make<M, float>(parameters);
+        const auto many = make<M, Pack>(parameters);
         for (std::size_t first = 0; first < of_one_material; first += width) {
             std::array<BrdfPose, width> poses;
             float columns[12][width];
@@ -164,14 +162,13 @@ void by_kernels(Random& random, std::uint64_t evaluations, StressTally& tally) {
 using Asked = std::array<double, 17>;
 using Answer = std::array<double, 4>;
 
-template<template<class> class Material, class S>
+template<class M, class S>
 Answer answer(const Asked& asked, BrdfParameters parameters) {
     const auto vec = [&](std::size_t first) {
         return vec3<S>{S(asked[first]), S(asked[first + 1]), S(asked[first + 2])};
     };
     std::copy(asked.begin() + 9, asked.end(), parameters.p.begin());
-    Material<S> material;
-    make(parameters, material);
+    const auto material = make<M, S>(parameters);
     const vec3<S> f = brdf(material, vec(0), vec(3), vec(6));
     return {double(f.x), double(f.y), double(f.z), double(pdf_brdf(material, vec(0), vec(6), vec(3)))};
 }
@@ -179,12 +176,12 @@ Answer answer(const Asked& asked, BrdfParameters parameters) {
 // Within eight times what the answer in double changes by when each number moves by half a unit in the last place (of
 // 1 for directions), and eight such units of its greatest channel. Where a cosine is below 1e-6 floats cannot tell the
 // surface's sides, and only what `good` asks is held.
-template<template<class> class Material>
+template<class M>
 void against_double(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr double half_ulp = 0x1p-24;
     // What a lobe loses is taken from a table that is off by 6e-5: where its polynomial crosses 0 its last digits are a
     // rounding's choice.
-    constexpr bool of_table = std::is_same_v<Material<float>, shading::KullaConty<float>>;
+    constexpr bool of_table = std::is_same_v<M, KullaContyMaterial>;
     constexpr double off = of_table ? 1e-3 : 0.0;
     for (std::uint64_t done = 0; done < evaluations; ++done) {
         BrdfParameters parameters(random, true);
@@ -204,17 +201,17 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
             tally.looked_at(1);
             continue;
         }
-        const Answer truth = answer<Material, double>(asked, parameters);
+        const Answer truth = answer<M, double>(asked, parameters);
         Answer moved{};
         for (std::size_t i = 0; i < asked.size(); ++i) {
             Asked beside = asked;
             beside[i] += i < 9 ? half_ulp : half_ulp * asked[i];
             if (i >= 9 && beside[i] > 1.0) beside[i] = asked[i] * (1.0 - half_ulp);
-            const Answer there = answer<Material, double>(beside, parameters);
+            const Answer there = answer<M, double>(beside, parameters);
             for (std::size_t k = 0; k < moved.size(); ++k)
                 moved[k] += std::fabs(there[k] - truth[k]);
         }
-        const Answer found = answer<Material, float>(asked, parameters);
+        const Answer found = answer<M, float>(asked, parameters);
         const double greatest = *std::max_element(truth.begin(), truth.begin() + 3);
         double worst = 0.0;
         for (std::size_t k = 0; k < truth.size(); ++k) {
@@ -230,10 +227,10 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
 }
 
 // A material as it comes, and against double.
-template<template<class> class Material>
+template<class M>
 void material(Random& random, std::uint64_t evaluations, StressTally& tally) {
-    reflectance<Material>(random, evaluations - evaluations / 8, tally);
-    against_double<Material>(random, evaluations / 8, tally);
+    reflectance<M>(random, evaluations - evaluations / 8, tally);
+    against_double<M>(random, evaluations / 8, tally);
 }
 
 constexpr const char* bar =
@@ -242,16 +239,16 @@ constexpr const char* bar =
 } // namespace
 
 std::span<const StressSubject> brdf_stress() {
-    static constexpr std::array subjects{
-        StressSubject{"lambert", bar, 0.3, material<shading::Lambert>},
-        StressSubject{"eon", bar, 0.3, material<shading::Eon>},
-        StressSubject{"frostbite", bar, 0.3, material<shading::Frostbite>},
-        StressSubject{"ue4", bar, 0.3, material<shading::Ue4>},
-        StressSubject{"blinn", bar, 0.3, material<shading::RememberMe>},
-        StressSubject{"ggx", bar, 0.3, material<shading::Ggx>},
-        StressSubject{"kulla-conty", "the same and 1e-3 of the value", 0.3, material<shading::KullaConty>},
-        StressSubject{"materials by the kernels", "finite and not negative", 1.0, by_kernels},
-    };
+    static const std::vector<StressSubject> subjects = [] {
+        std::vector<StressSubject> made;
+        for_each_material([&]<class M>() {
+            constexpr bool of_table = std::is_same_v<M, KullaContyMaterial>;
+            made.push_back(
+                {MaterialDescription<M>::kind, of_table ? "the same and 1e-3 of the value" : bar, 0.3, material<M>});
+        });
+        made.push_back({"materials by the kernels", "finite and not negative", 1.0, by_kernels});
+        return made;
+    }();
     return subjects;
 }
 

@@ -2,6 +2,7 @@
 // at the ends of the floats, where only a finite number is promised.
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
+#include <gonio/shading/brdf.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/occlusion.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -132,20 +133,18 @@ shading::LightConstants any_light(Random& random) {
 }
 
 shading::MaterialConstants any_material(Random& random) {
-    shading::MaterialConstants material;
-    material.kind = random.bits() % 2 == 0 ? shading::MaterialConstants::Kind::lambert
-                                           : shading::MaterialConstants::Kind::frostbite;
+    const bool matte = random.bits() % 2 == 0;
     const auto share = [&] {
         return random.bits() % 3 == 0 ? static_cast<float>(random.bits() % 2) : static_cast<float>(random.uniform());
     };
-    for (std::size_t k = 0; k < 3; ++k) {
-        material.albedo[k] = share();
-        material.f0[k] = share();
-    }
+    shading::Frostbite<float> material{};
+    for (float* channel :
+         {&material.albedo.x, &material.f0.x, &material.albedo.y, &material.f0.y, &material.albedo.z, &material.f0.z})
+        *channel = share();
     material.f90 = share();
     material.linear_roughness = share();
     material.alpha = material.linear_roughness * material.linear_roughness;
-    return material;
+    return matte ? constants_of(shading::Lambert<float>{material.albedo}) : constants_of(material);
 }
 
 // Any finite floats: coordinates, sizes and colours up to the greatest, zeros and denormals. Finite and not negative.

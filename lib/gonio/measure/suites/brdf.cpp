@@ -47,11 +47,11 @@ Cases make_cases(std::size_t count, std::uint64_t seed) {
 }
 
 // Luminance of the green channel under 1 cd at the distance |l|, about 1.
-template<template<class> class Material, class S>
+template<class M, class S>
 void one_by_one(const Cases& cases, std::span<S> luminance) {
-    Material<S> material{};
+    auto material = make<M, S>(cases.parameters.front());
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (i % Cases::group_size == 0) make(cases.parameters[i / Cases::group_size], material);
+        if (i % Cases::group_size == 0) material = make<M, S>(cases.parameters[i / Cases::group_size]);
         const vec3<S> to_light = cases.at<S>(0, i) * S(-1);
         const vec3<S> n = cases.at<S>(3, i);
         const S d2 = dot(to_light, to_light);
@@ -61,7 +61,7 @@ void one_by_one(const Cases& cases, std::span<S> luminance) {
     }
 }
 
-Method<Cases> kernel_method(const char* name, std::size_t kind, const shading::Kernels& kernels) {
+Method<Cases> kernel_method(const std::string& name, std::size_t kind, const shading::Kernels& kernels) {
     const auto work = [&kernels, kind](const Cases& cases, std::span<float> luminance) {
         std::array<float, Cases::group_size> red{};
         std::array<float, Cases::group_size> blue{};
@@ -85,7 +85,7 @@ Method<Cases> kernel_method(const char* name, std::size_t kind, const shading::K
 
 // A material by its name, its place among the alternatives of a scene's Material, and its scalar codes.
 struct Subject {
-    const char* name;
+    std::string name;
     std::size_t kind;
     void (*in_double)(const Cases&, std::span<double>);
     void (*in_float)(const Cases&, std::span<float>);
@@ -93,35 +93,23 @@ struct Subject {
 };
 
 // Of white surfaces and of mirrors, f0 = 1: what a material says of them that lose nothing.
-template<class Material>
-double albedo(const Material& material, double mu) {
-    return directional_albedo(material, mu, lobe_alpha(material), 300, 120).y;
+template<class M>
+double white_albedo(double roughness, double mu) {
+    const auto core = core_material(white<M>(roughness));
+    return directional_albedo(core, mu, lobe_alpha(core), 300, 120).y;
 }
 
-constexpr vec3<double> white{1.0, 1.0, 1.0};
-
-constexpr std::array subjects{
-    Subject{"lambert", 0, one_by_one<shading::Lambert, double>, one_by_one<shading::Lambert, float>,
-            [](double, double mu) { return albedo(shading::Lambert<double>{white}, mu); }},
-    Subject{"eon", 6, one_by_one<shading::Eon, double>, one_by_one<shading::Eon, float>,
-            [](double r, double mu) {
-                return albedo(shading::Eon<double>{white, r}, mu);
-            }},
-    Subject{"frostbite", 1, one_by_one<shading::Frostbite, double>, one_by_one<shading::Frostbite, float>,
-            [](double r, double mu) { return albedo(shading::frostbite_material(white, 1.0 - r, 0.0, 0.5), mu); }},
-    Subject{"ue4", 4, one_by_one<shading::Ue4, double>, one_by_one<shading::Ue4, float>,
-            [](double r, double mu) { return albedo(shading::ue4_material(white, 0.0, r, 0.5, 1.0), mu); }},
-    Subject{"blinn", 5, one_by_one<shading::RememberMe, double>, one_by_one<shading::RememberMe, float>,
-            [](double r, double mu) {
-                return albedo(shading::remember_me_material(white, vec3<double>{0.04, 0.04, 0.04}, 1.0 - r, 0.0), mu);
-            }},
-    Subject{"ggx", 2, one_by_one<shading::Ggx, double>, one_by_one<shading::Ggx, float>,
-            [](double r, double mu) {
-                return albedo(shading::Ggx<double>{white, r * r}, mu);
-            }},
-    Subject{"kulla-conty", 3, one_by_one<shading::KullaConty, double>, one_by_one<shading::KullaConty, float>,
-            [](double r, double mu) { return albedo(shading::kulla_conty_material(white, r * r), mu); }},
-};
+const std::vector<Subject>& subjects() {
+    static const std::vector<Subject> all = [] {
+        std::vector<Subject> made;
+        for_each_material([&]<class M>() {
+            made.push_back({std::string(MaterialDescription<M>::kind), made.size(), one_by_one<M, double>,
+                            one_by_one<M, float>, white_albedo<M>});
+        });
+        return made;
+    }();
+    return all;
+}
 
 std::vector<Method<Cases>> codes_of(const Subject& subject) {
     std::vector<Method<Cases>> methods{{subject.name, "double", {}, subject.in_double},
@@ -149,7 +137,7 @@ Result<Contest> of_white(const SuiteOptions& options) {
                     0,
                     {}};
     const Cases cases = make_cases(1024, options.seed);
-    for (const Subject& subject : subjects) {
+    for (const Subject& subject : subjects()) {
         const auto values = std::make_shared<std::vector<float>>(cases.size());
         const auto errors = [&subject] {
             std::vector<double> off;
@@ -170,14 +158,14 @@ Result<Contest> of_white(const SuiteOptions& options) {
 
 std::vector<std::string> brdf_methods() {
     std::vector<std::string> names;
-    for (const Subject& subject : subjects)
+    for (const Subject& subject : subjects())
         names.emplace_back(subject.name);
     return names;
 }
 
 std::vector<ContestMaker> brdf_contests(const SuiteOptions& options) {
     std::vector<ContestMaker> makers;
-    for (const Subject& subject : subjects)
+    for (const Subject& subject : subjects())
         makers.push_back({subject.name, "all", [&subject, options] { return of_material(subject, options); }});
     makers.push_back({"white furnace", "all", [options] { return of_white(options); }});
     return makers;

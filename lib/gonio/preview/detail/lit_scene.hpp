@@ -45,12 +45,13 @@ struct LitScene {
     const RenderOptions& options;
     const shading::Kernels& kernels;
     const preview::IntensityKernels& intensity;
-    std::vector<LitLight> lights;                      // one for each of all_lights
-    std::vector<shading::MaterialConstants> materials; // one for each surface
-    std::vector<CoreMaterial> core_materials;          // the same in double
-    std::vector<SkyAlbedo> sky_albedos;                // what they show under a sky; none without one
-    LightTree reaches;                                 // by range, of the lights that are not dark
-    LightTree bodies;                                  // of the lights with a surface
+    std::vector<LitLight> lights;                              // one for each of all_lights
+    std::vector<shading::MaterialConstants> materials;         // one for each surface
+    std::vector<shading::MaterialConstants> diffuse_materials; // the same without their lobes
+    std::vector<CoreMaterial> core_materials;                  // those of `materials` in double
+    std::vector<SkyAlbedo> sky_albedos;                        // what they show under a sky; none without one
+    LightTree reaches;                                         // by range, of the lights that are not dark
+    LightTree bodies;                                          // of the lights with a surface
 };
 
 } // namespace gonio::detail

@@ -9,6 +9,7 @@
 #include <gonio/shading/brdf_lambert.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
+#include <gonio/shading/gloss.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -17,7 +18,10 @@
 namespace gonio::shading {
 
 template<class S>
-struct RememberMe {
+struct Blinn {
+    static constexpr Scattering scattering = Scattering::uniform;
+    static constexpr LobeKind lobe = LobeKind::cosine_power;
+
     vec3<S> albedo; // of the diffuse part
     vec3<S> f0;     // reflectance at normal incidence; 1 at grazing
     S power;        // p, ≥ 2
@@ -32,7 +36,7 @@ GONIO_FORCE_INLINE S specular_power(S smoothness) {
 // Albedo, linear f0, smoothness and wetness, each in [0, 1]. Water darkens what is rough and no metal, for it fills its
 // pores, and smooths all.
 template<class S>
-GONIO_FORCE_INLINE RememberMe<S> remember_me_material(vec3<S> albedo, vec3<S> f0, S smoothness, S wetness) {
+GONIO_FORCE_INLINE Blinn<S> blinn_material(vec3<S> albedo, vec3<S> f0, S smoothness, S wetness) {
     const auto saturate = [](S x) { return simd::min(simd::max(x, S(0)), S(1)); };
     const S metalness = saturate(S(1000) * mean(f0) - S(500));
     const S porosity = saturate((S(0.5) - smoothness) * S(1.0 / 0.4));
@@ -68,26 +72,55 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, 
     return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
 }
 
+// A power of n·h; `alpha` is that of the GGX lobe of the same peak.
+template<class S>
+struct CosinePowerLobe {
+    S alpha, power;
+
+    GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
+        return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
+    }
+    // As it has no shadowing: by that towards the mirrored eye.
+    GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
+        const S mu = simd::max(n_dot_v, S(least_cosine));
+        return S(0.25) / visibility_ggx(mu, mu, alpha);
+    }
+
+    GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
+        const S less = simd::max(S(2) / (widened * widened) - S(2), S(0));
+        return specular_cosine_power(n, l, v, power, simd::select(widened > alpha, less, power));
+    }
+};
+
 // Of the GGX lobe whose distribution has the same peak: α² = 2/(p + 2).
 template<class S>
-GONIO_FORCE_INLINE S lobe_alpha(const RememberMe<S>& material) {
+GONIO_FORCE_INLINE S lobe_alpha(const Blinn<S>& material) {
     return simd::sqrt(S(2) / (material.power + S(2)));
 }
 template<class S>
-GONIO_FORCE_INLINE vec3<S> diffuse_part(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
+GONIO_FORCE_INLINE vec3<S> diffuse_part(const Blinn<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     return diffuse_part(Lambert<S>{material.albedo}, n, l, v);
 }
 template<class S>
-GONIO_FORCE_INLINE vec3<S> specular_part(const RememberMe<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+GONIO_FORCE_INLINE vec3<S> specular_part(const Blinn<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
     const S alpha = widened_alpha(lobe_alpha(material), widening);
     const S widened = simd::select(widening > S(0), simd::max(S(2) / (alpha * alpha) - S(2), S(0)), material.power);
     return reflected_part(material.f0, S(1), specular_cosine_power(n, l, v, material.power, widened));
 }
 
+template<class S>
+GONIO_FORCE_INLINE Gloss<S, CosinePowerLobe<S>> gloss(const Blinn<S>& material) {
+    return {{lobe_alpha(material), material.power}, material.f0, S(1), S(1)};
+}
+template<class S>
+GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const Blinn<S>& material) {
+    return {material.albedo};
+}
+
 // The normals of a GGX surface whose distribution has the same peak, α² = 2/(p + 2): its tails cover a cosine power's,
 // and unlike the power's own half vectors all that are drawn face the eye.
 template<class S>
-GONIO_FORCE_INLINE Lobes<S> lobes(const RememberMe<S>& material, S n_dot_v) {
+GONIO_FORCE_INLINE Lobes<S> lobes(const Blinn<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);
     return lobes_by_weight(lobe_alpha(material), simd::mul_add(S(1) - f0, schlick_weight(n_dot_v), f0),
                            mean(material.albedo));

@@ -1,0 +1,267 @@
+// Each material of a scene, described once: its keys and the members that they set, its parameters, its BRDF, what
+// charts and exports take of it.
+//
+// MaterialDescription<M> of an alternative M of Material has
+//
+//   kind, summary
+//       How the grammar calls it, and what `gonio list materials` says of it.
+//   keys
+//       A tuple of MaterialKey, in the order in which the grammar writes them; the first is a colour. Defaults are
+//       those of M's members.
+//   core(values of the keys in their order)
+//       Its BRDF of shading/brdf_*.hpp, for numbers S and colours vec3<S>.
+//   chart_colors(const M&)
+//       What the artists' charts judge.
+//   metallic_roughness(const M&)
+//       Its factors where it is glTF's own material.
+//
+// Nothing of that has a default: where one is missing, what reads it does not compile. HOW_TO_ADD_A_MATERIAL.md leads
+// through it.
+#pragma once
+
+#include <gonio/scene/material.hpp>
+#include <gonio/shading/brdf.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace gonio {
+
+enum class KeyForm : std::uint8_t {
+    plain,
+    alpha,     // α: the grammar takes `roughness`, its root, in its stead
+    smoothness // 1 − roughness: a sweep sets it by that too
+};
+
+// A number in [0, 1] where Value is double, a colour where it is glm::dvec3.
+template<class M, class Value>
+struct MaterialKey {
+    std::string_view name;
+    Value M::*member;
+    KeyForm form = KeyForm::plain;
+    std::string_view parameter = name; // what a sweep calls it
+};
+
+template<class M>
+using ColorKey = MaterialKey<M, glm::dvec3>;
+template<class M>
+using NumberKey = MaterialKey<M, double>;
+
+// A colour of a material that stands for what the charts know: scene/material_charts.hpp.
+struct ChartColor {
+    enum class As : std::uint8_t { albedo, specular, metal };
+
+    As as;
+    std::string_view key;
+    glm::dvec3 value;
+};
+using ChartColors = std::vector<ChartColor>;
+
+// What is part metal, part not, is not judged.
+inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic, const shading::vec3<double>& f0) {
+    if (metallic == 1.0) return {{ChartColor::As::metal, "base", base}};
+    if (metallic != 0.0) return {};
+    return {{ChartColor::As::albedo, "base", base}, {ChartColor::As::specular, "f0", {f0.x, f0.y, f0.z}}};
+}
+
+// The factors of glTF's metallic-roughness material.
+struct MetallicRoughness {
+    glm::dvec3 base;
+    double metallic;
+    double roughness;
+
+    friend bool operator==(const MetallicRoughness&, const MetallicRoughness&) = default;
+};
+
+template<class M>
+struct MaterialDescription;
+
+// core(…) of a material.
+template<class M>
+auto core_material(const M& material) {
+    const auto value = [&](const auto& key) {
+        const auto& member = material.*key.member;
+        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>)
+            return member;
+        else
+            return shading::vec3<double>{member.x, member.y, member.z};
+    };
+    return std::apply([&](const auto&... key) { return MaterialDescription<M>::core(value(key)...); },
+                      MaterialDescription<M>::keys);
+}
+
+template<>
+struct MaterialDescription<LambertMaterial> {
+    static constexpr std::string_view kind = "lambert";
+    static constexpr std::string_view summary = "matte: the same luminance in every direction";
+    static constexpr std::tuple keys{ColorKey<LambertMaterial>{"albedo", &LambertMaterial::albedo}};
+
+    template<class S>
+    static shading::Lambert<S> core(shading::vec3<S> albedo) {
+        return {albedo};
+    }
+    static ChartColors chart_colors(const LambertMaterial& m) { return {{ChartColor::As::albedo, "albedo", m.albedo}}; }
+    static std::optional<MetallicRoughness> metallic_roughness(const LambertMaterial& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<EonMaterial> {
+    static constexpr std::string_view kind = "eon";
+    static constexpr std::string_view summary =
+        "rough and matte, energy-preserving Oren-Nayar (Portsmouth, Kutz and Hill 2025)";
+    static constexpr std::tuple keys{ColorKey<EonMaterial>{"albedo", &EonMaterial::albedo},
+                                     NumberKey<EonMaterial>{"roughness", &EonMaterial::roughness}};
+
+    template<class S>
+    static shading::Eon<S> core(shading::vec3<S> albedo, S roughness) {
+        return {albedo, roughness};
+    }
+    static ChartColors chart_colors(const EonMaterial& m) { return {{ChartColor::As::albedo, "albedo", m.albedo}}; }
+    static std::optional<MetallicRoughness> metallic_roughness(const EonMaterial& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<FrostbiteMaterial> {
+    static constexpr std::string_view kind = "frostbite";
+    static constexpr std::string_view summary = "renormalised Disney diffuse and GGX (Lagarde and de Rousiers 2014)";
+    static constexpr std::tuple keys{
+        ColorKey<FrostbiteMaterial>{"base", &FrostbiteMaterial::base},
+        NumberKey<FrostbiteMaterial>{"smoothness", &FrostbiteMaterial::smoothness, KeyForm::smoothness},
+        NumberKey<FrostbiteMaterial>{"metal", &FrostbiteMaterial::metal, KeyForm::plain, "metallic"},
+        NumberKey<FrostbiteMaterial>{"reflectance", &FrostbiteMaterial::reflectance}};
+
+    template<class S>
+    static shading::Frostbite<S> core(shading::vec3<S> base, S smoothness, S metal, S reflectance) {
+        return shading::frostbite_material(base, smoothness, metal, reflectance);
+    }
+    static ChartColors chart_colors(const FrostbiteMaterial& m) {
+        return metallic_chart_colors(m.base, m.metal, core_material(m).f0);
+    }
+    static std::optional<MetallicRoughness> metallic_roughness(const FrostbiteMaterial& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<Ue4Material> {
+    static constexpr std::string_view kind = "ue4";
+    static constexpr std::string_view summary = "Lambert and GGX (Karis 2013)";
+    static constexpr std::tuple keys{ColorKey<Ue4Material>{"base", &Ue4Material::base},
+                                     NumberKey<Ue4Material>{"roughness", &Ue4Material::roughness},
+                                     NumberKey<Ue4Material>{"metallic", &Ue4Material::metallic},
+                                     NumberKey<Ue4Material>{"specular", &Ue4Material::specular},
+                                     NumberKey<Ue4Material>{"cavity", &Ue4Material::cavity}};
+
+    template<class S>
+    static shading::Ue4<S> core(shading::vec3<S> base, S roughness, S metallic, S specular, S cavity) {
+        return shading::ue4_material(base, metallic, roughness, specular, cavity);
+    }
+    static ChartColors chart_colors(const Ue4Material& m) {
+        return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
+    }
+    static std::optional<MetallicRoughness> metallic_roughness(const Ue4Material& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<GltfMaterial> {
+    static constexpr std::string_view kind = "gltf";
+    // glTF's own defaults, 1 each, are a rough white metal; these can be laid beside ue4.
+    static constexpr std::string_view summary =
+        "metallic-roughness of glTF 2.0 (appendix B); defaults as ue4's, where glTF has 1";
+    static constexpr std::tuple keys{ColorKey<GltfMaterial>{"base", &GltfMaterial::base},
+                                     NumberKey<GltfMaterial>{"metallic", &GltfMaterial::metallic},
+                                     NumberKey<GltfMaterial>{"roughness", &GltfMaterial::roughness}};
+
+    template<class S>
+    static shading::Gltf<S> core(shading::vec3<S> base, S metallic, S roughness) {
+        return shading::gltf_material(base, metallic, roughness);
+    }
+    static ChartColors chart_colors(const GltfMaterial& m) {
+        return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
+    }
+    static std::optional<MetallicRoughness> metallic_roughness(const GltfMaterial& m) {
+        return MetallicRoughness{m.base, m.metallic, m.roughness};
+    }
+};
+
+template<>
+struct MaterialDescription<BlinnMaterial> {
+    static constexpr std::string_view kind = "blinn";
+    static constexpr std::string_view summary =
+        "Lambert and a cosine power, dry to wet, of Remember Me (Lagarde and Harduin 2013)";
+    static constexpr std::tuple keys{
+        ColorKey<BlinnMaterial>{"albedo", &BlinnMaterial::albedo},
+        ColorKey<BlinnMaterial>{"specular", &BlinnMaterial::specular},
+        NumberKey<BlinnMaterial>{"smoothness", &BlinnMaterial::smoothness, KeyForm::smoothness},
+        NumberKey<BlinnMaterial>{"wet", &BlinnMaterial::wet}};
+
+    template<class S>
+    static shading::Blinn<S> core(shading::vec3<S> albedo, shading::vec3<S> specular, S smoothness, S wet) {
+        return shading::blinn_material(albedo, specular, smoothness, wet);
+    }
+    static ChartColors chart_colors(const BlinnMaterial& m) {
+        return {{ChartColor::As::specular, "f0", m.specular}, {ChartColor::As::albedo, "albedo", m.albedo}};
+    }
+    static std::optional<MetallicRoughness> metallic_roughness(const BlinnMaterial& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<GgxMaterial> {
+    static constexpr std::string_view kind = "ggx";
+    static constexpr std::string_view summary = "GGX alone, scattered once; or roughness, alpha's root";
+    static constexpr std::tuple keys{ColorKey<GgxMaterial>{"f0", &GgxMaterial::f0},
+                                     NumberKey<GgxMaterial>{"alpha", &GgxMaterial::alpha, KeyForm::alpha}};
+
+    template<class S>
+    static shading::Ggx<S> core(shading::vec3<S> f0, S alpha) {
+        return {f0, alpha};
+    }
+    static ChartColors chart_colors(const GgxMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
+    static std::optional<MetallicRoughness> metallic_roughness(const GgxMaterial& /*m*/) { return std::nullopt; }
+};
+
+template<>
+struct MaterialDescription<KullaContyMaterial> {
+    static constexpr std::string_view kind = "kulla-conty";
+    static constexpr std::string_view summary =
+        "GGX that loses no light between its facets (Kulla and Conty 2017); or roughness";
+    static constexpr std::tuple keys{
+        ColorKey<KullaContyMaterial>{"f0", &KullaContyMaterial::f0},
+        NumberKey<KullaContyMaterial>{"alpha", &KullaContyMaterial::alpha, KeyForm::alpha}};
+
+    template<class S>
+    static shading::KullaConty<S> core(shading::vec3<S> f0, S alpha) {
+        return shading::kulla_conty_material(f0, alpha);
+    }
+    static ChartColors chart_colors(const KullaContyMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
+    static std::optional<MetallicRoughness> metallic_roughness(const KullaContyMaterial& /*m*/) { return std::nullopt; }
+};
+
+namespace detail {
+
+template<class Visit, class... M>
+void visit_types(const Visit& visit, std::type_identity<std::variant<M...>> /*of*/) {
+    (visit.template operator()<M>(), ...);
+}
+
+} // namespace detail
+
+// visit.template operator()<M>() for each alternative of Material.
+template<class Visit>
+void for_each_material(const Visit& visit) {
+    detail::visit_types(visit, std::type_identity<Material>());
+}
+
+// visit(key) for each key of M.
+template<class M, class Visit>
+void for_each_key(const Visit& visit) {
+    std::apply([&](const auto&... key) { (visit(key), ...); }, MaterialDescription<M>::keys);
+}
+
+} // namespace gonio
