@@ -67,7 +67,7 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
     const std::size_t rows = 1 + answers.front().versus.size();
     for (const CctAnswer& answer : answers)
         if (1 + answer.versus.size() != rows || (rows > 1 && !answer.versus.front().of_color))
-            return fail(Failure::usage, "--versus in a picture compares colours of temperatures only");
+            return fail("USE0107", "--versus in a picture compares colours of temperatures only");
     if (Result<void> fits = check_picture_size(size.width, size.height + strip_scale_px(size)); !fits)
         return pass_on(fits);
     const auto width = static_cast<std::size_t>(size.width);

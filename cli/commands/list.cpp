@@ -45,7 +45,7 @@ std::string markdown(const NamedList& list, const std::vector<ListEntry>& entrie
 int run(const Arguments& arguments, Console& console) {
     const bool json = arguments.has("--json") || arguments.has("--jsonl");
     if (arguments.has("--markdown") && (json || arguments.positional().empty()))
-        return console.fail(fail(Failure::usage, "--markdown is a page of one list, and takes no other form",
+        return console.fail(fail("USE0107", "--markdown is a page of one list, and takes no other form",
                                  "for example: gonio list limits --markdown")
                                 .value());
     if (arguments.positional().empty()) {

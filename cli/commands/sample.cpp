@@ -37,11 +37,9 @@ Result<Direction> parse_direction(std::string_view text) {
         const auto c = parse_number(trimmed(text.substr(0, comma)));
         const auto gamma = parse_number(trimmed(text.substr(comma + 1)));
         if (c && gamma && *gamma >= 0.0 && *gamma <= 180.0) return Direction{*c, *gamma};
-        if (c && gamma)
-            return fail(Failure::usage, fmt::format("gamma lies between 0 and 180 degrees, not at {}", *gamma));
+        if (c && gamma) return fail("USE0106", fmt::format("gamma lies between 0 and 180 degrees, not at {}", *gamma));
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a direction", text),
-                "write C,GAMMA in degrees, for example 90,30");
+    return fail("USE0105", fmt::format("'{}' is not a direction", text), "write C,GAMMA in degrees, for example 90,30");
 }
 
 // One direction a line; empty lines are skipped.
@@ -73,13 +71,12 @@ Result<int> sample(const Arguments& arguments, Console& console) {
     const bool from_pipe = files.size() == 2 && files[1] == "-" && at.empty();
     if (from_pipe) files.pop_back();
     if (files.size() != 1)
-        return fail(Failure::usage, fmt::format("one profile is wanted, {} are given", files.size()),
+        return fail("USE0107", fmt::format("one profile is wanted, {} are given", files.size()),
                     "for example: gonio sample lamp.ies --at 0,30");
     if (from_pipe && files[0] == "-")
-        return fail(Failure::usage, "standard input cannot be both the profile and the directions");
+        return fail("USE0108", "standard input cannot be both the profile and the directions");
     if (at.empty() && !from_pipe)
-        return fail(Failure::usage, "no direction is given",
-                    "use --at C,GAMMA, or '-' to read them from standard input");
+        return fail("USE0104", "no direction is given", "use --at C,GAMMA, or '-' to read them from standard input");
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return pass_on(options);
 

@@ -97,7 +97,7 @@ Result<bool> set_beam(SpotShape& spot, const std::string& value) {
     const double inner_share = spot.outer.value > 0.0 ? spot.inner / spot.outer : 0.0;
     const double most = 2.0 * half_beam(with_outer(spot, widest, inner_share)).value;
     if (!(*beam > 0.0) || *beam > most)
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("beam of this 'spot' must be greater than 0deg and at most {}deg, not {}",
                                 rounded(to_degrees(Radians(most))), value),
                     "it is the full angle at half of the peak");
@@ -166,7 +166,7 @@ private:
     Result<bool> scale(std::initializer_list<Meters*> lengths) const {
         const std::optional<double> factor = parse_number(value);
         if (!factor || !(*factor > 0.0))
-            return fail(Failure::usage, fmt::format("size is a factor greater than 0, not '{}'", value));
+            return fail("USE0106", fmt::format("size is a factor greater than 0, not '{}'", value));
         for (Meters* const length : lengths)
             length->value *= *factor;
         return true;
@@ -174,7 +174,7 @@ private:
 
     Result<bool> set_angles(SpotShape& spot, Radians inner, Radians outer) const {
         if (inner.value > outer.value)
-            return fail(Failure::usage,
+            return fail("USE0106",
                         fmt::format("inner of 'spot', {}deg, is more than outer, {}deg", rounded(to_degrees(inner)),
                                     rounded(to_degrees(outer))),
                         "both are half angles from the axis");
@@ -219,7 +219,7 @@ Result<bool> set_length(LightDescription& light, std::string_view name, std::str
     Result<double> meters = parse_amount(value, Dimension::length, name);
     if (!meters) return pass_on(meters);
     if (name == "range") {
-        if (!(*meters > 0.0)) return fail(Failure::usage, fmt::format("range must be greater than 0, not {}", value));
+        if (!(*meters > 0.0)) return fail("USE0106", fmt::format("range must be greater than 0, not {}", value));
         light.range = Meters(*meters);
     } else {
         light.position[name == "x" ? 0 : name == "y" ? 1 : 2] = *meters;
@@ -332,7 +332,7 @@ Result<bool> set_parameter(Material& material, std::string_view name, std::strin
     if (text.complement) {
         const std::optional<double> number = parse_number(value);
         if (!number || *number < 0.0 || *number > 1.0)
-            return fail(Failure::usage, fmt::format("{} must be a number in [0, 1], not '{}'", name, value));
+            return fail("USE0106", fmt::format("{} must be a number in [0, 1], not '{}'", name, value));
         of_key = shortest(1.0 - *number);
     }
     Result<Material> read = parse_material(fmt::format("{}:{}={}", text.kind, text.key, of_key));

@@ -1,7 +1,7 @@
 // What no reader refuses and no luminaire is: the check of a file against its own light.
 //
-// The rules are the codes WEB03… of gonio/web/codes.hpp. What is wrong with the text of a file is said by its reader,
-// what is odd about its angles by resolve_web; neither is repeated here.
+// The rules are the codes WEB03… of gonio/base/codes/web.hpp. What is wrong with the text of a file is said by its
+// reader, what is odd about its angles by resolve_web; neither is repeated here.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
