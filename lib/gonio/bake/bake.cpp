@@ -123,23 +123,7 @@ Unexpected does_not_fit(const Texture& texture) {
 } // namespace
 
 TextureSize usual_size(Layout layout) {
-    switch (layout) {
-    case Layout::latlong:
-    case Layout::panorama:
-        return {512, 256};
-    case Layout::v180:
-        return {256, 1};
-    case Layout::octahedral:
-    case Layout::octahedral_equal_area:
-    case Layout::gnomonic:
-        return {256, 256};
-    case Layout::cube:
-    case Layout::cube_strip:
-        return {768, 128};
-    case Layout::cube_cross:
-        return {512, 384};
-    }
-    return {512, 256};
+    return size_of_side(info_of(layout), info_of(layout).usual_side);
 }
 
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
