@@ -30,14 +30,14 @@ Unexpected refused(const Command& command, const CLI::ParseError& error, const C
                 known.push_back(name);
         const std::string bare = word.substr(0, word.find('='));
         const std::string_view guess = bare.size() > 2 ? nearest(bare, known) : std::string_view();
-        return fail(Failure::usage, fmt::format("unknown option '{}'", bare),
+        return fail("USE0102", fmt::format("unknown option '{}'", bare),
                     guess.empty() ? see : fmt::format("did you mean '{}'?", guess));
     }
     // CLI11 says "--shape: 1 required TEXT missing".
     const std::string_view said = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-        return fail(Failure::usage, fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
-    return fail(Failure::usage, std::string(said), see);
+        return fail("USE0104", fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
+    return fail("USE0105", std::string(said), see);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ Result<Shard> parse_shard(const std::string& text) {
         slash == std::string::npos ? std::nullopt : parse_number(text.substr(slash + 1));
     const bool whole = index && count && *index == std::floor(*index) && *count == std::floor(*count);
     if (!whole || *index < 1.0 || *index > *count || *count > 1e6)
-        return fail(Failure::usage, fmt::format("--shard takes K/N with K from 1 to N, not '{}'", text),
+        return fail("USE0105", fmt::format("--shard takes K/N with K from 1 to N, not '{}'", text),
                     "for example --shard 1/4");
     return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
 }
@@ -82,7 +82,7 @@ int run_catalogue(const Batch& batch, const Catalogue& catalogue, const std::str
 
 Result<int> merge_manifests(const Arguments& arguments, Console& console) {
     const std::optional<std::string> output = arguments.value("--output");
-    if (!output) return fail(Failure::usage, "no output is given", "use -o FILE");
+    if (!output) return fail("USE0104", "no output is given", "use -o FILE");
     Result<std::vector<std::string>> names = input_files(arguments);
     if (!names) return pass_on(names);
     std::vector<Manifest> manifests;

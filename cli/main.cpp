@@ -1,6 +1,7 @@
 // gonio: the command-line tool. Finds the command, parses only its options, runs it, writes what it said.
 #include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/nearest.hpp>
 
 #include "arguments.hpp"
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace {
 
@@ -26,12 +26,9 @@ using namespace gonio;
 using namespace gonio::cli;
 
 int unknown_command(std::string_view name, Console& console) {
-    std::vector<std::string_view> names;
-    for (const Command* command : commands())
-        names.push_back(command->name);
-    const std::string_view guess = nearest(name, names);
+    const std::string_view guess = nearest(name, names_of(commands()));
     return console.fail(
-        fail(Failure::usage, fmt::format("unknown command '{}'", name),
+        fail("USE0103", fmt::format("unknown command '{}'", name),
              guess.empty() ? "'gonio help' lists the commands" : fmt::format("did you mean '{}'?", guess))
             .value());
 }
@@ -62,7 +59,7 @@ int run(std::span<char* const> words, Console& console) {
     const Command* command = find_command(name == "--version" || name == "-V" ? "version" : name);
     if (command == nullptr) {
         if (name.starts_with("-"))
-            return console.fail(fail(Failure::usage, fmt::format("unknown option '{}'", name),
+            return console.fail(fail("USE0102", fmt::format("unknown option '{}'", name),
                                      "put the command first; 'gonio help' lists the commands")
                                     .value());
         return unknown_command(name, console);

@@ -12,7 +12,7 @@ namespace gonio::cli {
 namespace {
 
 Error out_of_memory(std::string input) {
-    return fail(Failure::unsupported, "out of memory",
+    return fail("UNS0103", "out of memory",
                 "give it more memory (ulimit -v shows the limit), fewer threads (-j 1), or less to do at once",
                 std::move(input))
         .value();

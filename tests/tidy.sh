@@ -7,7 +7,7 @@
 #
 # The last landed state is $GONIO_TIDY_SINCE; else origin/main, where the checkout is ahead of it; else the newest commit
 # that is three hours older than HEAD. A changed header is read through its own source, or else through the first file that
-# includes it. Where there is no history, every file is read.
+# includes it, and a template of kernels as it was written for AVX2 or NEON. Where there is no history, every file is read.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -33,26 +33,40 @@ landed() {
     base=$(git rev-list -1 --before=$(($(git show -s --format=%ct HEAD) - 3 * 3600)) HEAD)
     echo "$base"
 }
+# What CMake wrote from a template of kernels, for the set that every machine of its kind has a compiler for.
+written() { # TEMPLATE
+    local stem=$build/${1%.cpp.in} set
+    for set in avx2 neon; do
+        if [[ -f ${stem}_$set.cpp ]]; then echo "${stem}_$set.cpp"; return; fi
+    done
+}
 # The source that reads a header: its own, or the first that includes it.
 reader() { # HEADER
-    local own=${1%.hpp}.cpp
+    local own=${1%.hpp}.cpp template
     if [[ -f $own ]]; then echo "$own"; return; fi
+    template=$(git grep -lF "${1#lib/}" -- 'lib/*.cpp.in' | head -n 1 || true)
+    if [[ -n $template ]]; then written "$template"; return; fi
     git grep -lF "${1#lib/}" -- 'lib/*.cpp' 'cli/*.cpp' | head -n 1 || true
+}
+every_file() {
+    find lib cli -name '*.cpp'
+    find "$build/lib" -name 'kernels*.cpp'
 }
 
 if [[ ${1:-} == --all ]]; then
     checks=''
-    mapfile -t files < <(find lib cli -name '*.cpp')
+    mapfile -t files < <(every_file)
 elif (($#)); then
     files=("$@")
 elif ! git rev-parse --verify --quiet HEAD > /dev/null || ! since=$(landed) || [[ -z $since ]]; then
     echo 'no history to compare with: every file is read'
-    mapfile -t files < <(find lib cli -name '*.cpp')
+    mapfile -t files < <(every_file)
 else
     echo "changed since $(git show -s --format='%h %s' "$since"):"
     while IFS= read -r file; do
         case $file in
         *.cpp) files+=("$file") ;;
+        *.cpp.in) mapfile -t -O "${#files[@]}" files < <(written "$file") ;;
         *.hpp) mapfile -t -O "${#files[@]}" files < <(reader "$file") ;;
         esac
     done < <(git diff --name-only --diff-filter=d "$since" -- lib cli; git ls-files --others --exclude-standard -- lib cli)

@@ -1,6 +1,6 @@
 #include "request.hpp"
 
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "../options/values.hpp"
@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace gonio::cli {
 
@@ -19,7 +18,7 @@ namespace {
 Result<int> parse_texels(const std::string& text, const char* option) {
     const std::optional<double> number = parse_number(text);
     if (!number || *number != std::floor(*number) || *number < 0.0 || *number > max_texture_size)
-        return fail(Failure::usage, fmt::format("{} takes a number of texels, not '{}'", option, text));
+        return fail("USE0105", fmt::format("{} takes a number of texels, not '{}'", option, text));
     return static_cast<int>(*number);
 }
 
@@ -27,8 +26,7 @@ Result<int> parse_texels(const std::string& text, const char* option) {
 Result<void> parse_plane(const Arguments& arguments, BakeOptions& bake) {
     for (const char* option : {"--cone", "--border"})
         if (arguments.value(option) && bake.layout != Layout::gnomonic)
-            return fail(Failure::usage, fmt::format("{} is only for the layout gnomonic", option),
-                        "add --layout gnomonic");
+            return fail("USE0107", fmt::format("{} is only for the layout gnomonic", option), "add --layout gnomonic");
     if (const auto text = arguments.value("--cone")) {
         Result<double> cone = parse_amount(*text, Dimension::angle, "--cone");
         if (!cone) return pass_on(cone);
@@ -50,7 +48,7 @@ Result<ErrorLimit> parse_limit(const std::string& text) {
                candela && *candela > 0.0) {
         return ErrorLimit{*candela, false};
     }
-    return fail(Failure::usage, fmt::format("--max-error takes an intensity or a share of the peak, not '{}'", text),
+    return fail("USE0105", fmt::format("--max-error takes an intensity or a share of the peak, not '{}'", text),
                 "for example 5cd or 1%");
 }
 
@@ -60,11 +58,11 @@ Result<void> parse_extent(const Arguments& arguments, BakeRequest& request) {
     const std::optional<std::string> limit = arguments.value("--max-error");
     const bool automatic = text && *text == "auto";
     if (automatic != limit.has_value())
-        return automatic ? fail(Failure::usage, "-s auto needs an error limit", "add --max-error 1% or --max-error 5cd")
-                         : fail(Failure::usage, "--max-error is only for -s auto", "add -s auto");
+        return automatic ? fail("USE0104", "-s auto needs an error limit", "add --max-error 1% or --max-error 5cd")
+                         : fail("USE0107", "--max-error is only for -s auto", "add -s auto");
     if (automatic) {
         if (bake.sampling != Sampling::mean)
-            return fail(Failure::usage, "-s auto is only for textures of means, but this engine reads samples");
+            return fail("USE0107", "-s auto is only for textures of means, but this engine reads samples");
         Result<ErrorLimit> parsed = parse_limit(*limit);
         if (!parsed) return pass_on(parsed);
         request.max_error = *parsed;
@@ -75,7 +73,7 @@ Result<void> parse_extent(const Arguments& arguments, BakeRequest& request) {
         bake.height = size->height;
         if (bake.layout == Layout::cube) {
             if (size->width != size->height)
-                return fail(Failure::usage, fmt::format("a face of a cube is square, not {}", *text),
+                return fail("USE0105", fmt::format("a face of a cube is square, not {}", *text),
                             "for example -s 128x128");
             bake.width = size->width <= max_texture_size ? 6 * size->width : size->width;
         }
@@ -90,20 +88,19 @@ Result<void> parse_storage(const Arguments& arguments, BakeRequest& request) {
         request.bake.normalization = *normalization;
     }
     if (const auto text = arguments.value("--pixel")) {
-        std::vector<std::string_view> names;
-        for (const media::Pixel known :
-             {media::Pixel::float32, media::Pixel::half, media::Pixel::uint16, media::Pixel::uint8}) {
-            names.push_back(media::to_text(known));
-            if (names.back() == *text) request.pixel = known;
-        }
-        if (!request.pixel) return unknown_name("pixel", *text, names);
+        const auto named = [](media::Pixel pixel) { return Named<media::Pixel>{media::to_text(pixel), pixel}; };
+        const std::array pixels{named(media::Pixel::float32), named(media::Pixel::half), named(media::Pixel::uint16),
+                                named(media::Pixel::uint8)};
+        Result<media::Pixel> pixel = find_value("pixel", *text, pixels);
+        if (!pixel) return pass_on(pixel);
+        request.pixel = *pixel;
     } else if (request.engine != nullptr) {
         constexpr std::array pixels{media::Pixel::float32, media::Pixel::half, media::Pixel::uint16,
                                     media::Pixel::uint8};
         request.pixel = pixels[static_cast<std::size_t>(request.bake.texel_type)];
     }
     if (request.bake.transfer == Transfer::srgb && request.bake.normalization != Normalization::peak)
-        return fail(Failure::usage, "this engine's texture holds values from 0 to 1 only", "leave --normalize out");
+        return fail("USE0107", "this engine's texture holds values from 0 to 1 only", "leave --normalize out");
     return {};
 }
 
@@ -113,7 +110,7 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     BakeRequest request;
     if (const auto name = arguments.value("--engine")) {
         if (arguments.value("--layout"))
-            return fail(Failure::usage, "--layout and --engine are both given",
+            return fail("USE0107", "--layout and --engine are both given",
                         "an engine sets the layout; leave one of them out");
         Result<const Engine*> engine = find_engine(*name);
         if (!engine) return pass_on(engine);

@@ -2,9 +2,9 @@
 
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
-#include <gonio/base/json_text.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
+#include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/web/metrics.hpp>
 
@@ -51,13 +51,13 @@ Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeReques
     const bool holds_floats = has_pixel(format, media::Pixel::float32);
     const media::Pixel pixel = request.pixel.value_or(holds_floats ? media::Pixel::float32 : format.pixels.front());
     if (!has_pixel(format, pixel))
-        return fail(Failure::usage, fmt::format("{} cannot store {} pixels", format.title, media::to_text(pixel)),
+        return fail("USE0107", fmt::format("{} cannot store {} pixels", format.title, media::to_text(pixel)),
                     "write .exr for float and half, .png or .tif for uint16 and uint8");
     const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
     // An integer texture of candela would be white all over.
     if (integers && request.bake.normalization != Normalization::peak)
         return fail(
-            Failure::usage,
+            "USE0107",
             fmt::format("{} stores values from 0 to 1 only", holds_floats ? media::to_text(pixel) : format.title),
             "add --normalize peak, or write .exr");
     const int channels = channels_of(request);
@@ -125,7 +125,7 @@ Result<void> refuse_existing(const Arguments& arguments, const TextureJob& job) 
     if (!arguments.has("--output-dir") || arguments.has("--overwrite") || arguments.has("--update")) return {};
     for (const std::string& file : job.pictures)
         if (file_exists(file))
-            return fail(Failure::usage, fmt::format("'{}' exists", file),
+            return fail("USE0108", fmt::format("'{}' exists", file),
                         "add --overwrite, or -u to write only outdated files");
     return {};
 }
@@ -156,7 +156,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
         TextureJob job{std::move(files), *format, *pixel, {}, {}, recipe_of(request, **format, *pixel)};
         const bool to_stdout = job.files.output == "-";
         if (request.bake.layout == Layout::cube && to_stdout)
-            return fail(Failure::usage, "six files cannot go to stdout", "use -o FILE, or --layout cube-strip");
+            return fail("USE0108", "six files cannot go to stdout", "use -o FILE, or --layout cube-strip");
         job.pictures = request.bake.layout == Layout::cube ? face_files(job.files.output)
                                                            : std::vector<std::string>{job.files.output};
         if (request.sidecar || (!to_stdout && !request.no_sidecar))

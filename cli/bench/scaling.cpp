@@ -143,7 +143,7 @@ Result<int> bench_scaling(const Arguments& arguments, Console& console) {
     if (!fine) return pass_on(fine);
     for (const std::string& file : files) {
         if (!file.ends_with(".svg") && !file.ends_with(".csv") && !file.ends_with(".json"))
-            return fail(Failure::usage, fmt::format("the name '{}' does not end in .svg, .csv or .json", file));
+            return fail("USE0104", fmt::format("the name '{}' does not end in .svg, .csv or .json", file));
         Result<void> writable = check_writable(file);
         if (!writable) return pass_on(writable);
     }

@@ -50,7 +50,7 @@ Result<void> refuse_beside(std::string_view mode, std::span<const std::string_vi
                            const Arguments& arguments) {
     for (const std::string_view option : options)
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} cannot be combined with {}", mode, option),
+            return fail("USE0107", fmt::format("{} cannot be combined with {}", mode, option),
                         "'gonio bench --help' shows which options go together");
     return {};
 }
@@ -66,7 +66,7 @@ Result<int> bench_stress(const Arguments& arguments, Console& console) {
         Result<std::uint64_t> count = whole_number(*text, "--count");
         if (!count) return pass_on(count);
         if (*count == 0 || *count > 1'000'000'000'000U)
-            return fail(Failure::usage, fmt::format("--count takes 1 to 1e12 evaluations, not {}", *text));
+            return fail("USE0106", fmt::format("--count takes 1 to 1e12 evaluations, not {}", *text));
         options.count = *count;
     }
     if (const auto text = arguments.value("--seed")) {

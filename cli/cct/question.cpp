@@ -1,8 +1,8 @@
 #include "question.hpp"
 
 #include <gonio/base/file.hpp>
-#include <gonio/base/kind_text.hpp>
 #include <gonio/base/limits.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/media/color_space.hpp>
@@ -35,7 +35,7 @@ Result<std::vector<double>> numbers(std::string_view text, std::size_t count, st
         }
         rest.remove_prefix(comma + 1);
     }
-    return fail(Failure::usage, fmt::format("{} takes {} numbers, not '{}'", what, count, text),
+    return fail("USE0105", fmt::format("{} takes {} numbers, not '{}'", what, count, text),
                 fmt::format("for example {}", example));
 }
 
@@ -46,7 +46,7 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
     const std::string name = arguments.value("--space").value_or("rec709");
     // A configuration that was named is asked for every space, so that none is ignored.
     if (arguments.has("--ocio") && !arguments.has("--space"))
-        return fail(Failure::usage, "--ocio needs a --space of that configuration", "for example --space scene_linear");
+        return fail("USE0107", "--ocio needs a --space of that configuration", "for example --space scene_linear");
     const RgbSpace* const known = find_rgb_space(name);
     if (known != nullptr && !arguments.has("--ocio")) return *known;
     if (name.starts_with(primaries_prefix)) {
@@ -64,10 +64,7 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
     if (!space) {
         // A mistyped name of a built-in space is more likely than a configuration that nobody has named.
         if (config.empty() && space.error().failure == Failure::usage) {
-            std::vector<std::string_view> names;
-            for (const RgbSpaceName& built_in : rgb_spaces())
-                names.push_back(built_in.name);
-            const std::string_view guess = nearest(name, names);
+            const std::string_view guess = nearest(name, names_of(rgb_spaces()));
             error_hint(space.error(), guess.empty() ? std::string("'gonio list spaces' names those built in; others "
                                                                   "come from a configuration, --ocio FILE")
                                                     : fmt::format("did you mean '{}'?", guess));
@@ -77,22 +74,12 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
     return rgb_space_of_aces(space->name, space->from_aces2065_1);
 }
 
-template<class T>
-struct Choice {
-    std::string_view name;
-    T value;
-};
 template<class T, std::size_t n>
 Result<T> choose(const Arguments& arguments, std::string_view option, std::string_view what,
-                 const std::array<Choice<T>, n>& choices) {
+                 const std::array<Named<T>, n>& choices) {
     const auto text = arguments.value(option);
     if (!text) return choices.front().value;
-    std::array<std::string_view, n> names;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (choices[i].name == *text) return choices[i].value;
-        names[i] = choices[i].name;
-    }
-    return unknown_name(what, *text, names);
+    return find_value(what, *text, choices);
 }
 
 // A colour that has been found; what the space makes of it is filled in.
@@ -109,7 +96,7 @@ CctAnswer in_space(std::string input, CctKind kind, Uv at, const CctRequest& req
 Result<void> compare_colors(const CctRequest& request, CctAnswer& answer) {
     if (!request.versus) return {};
     if (answer.cct->duv != 0.0 || request.locus != Locus::planckian)
-        return fail(Failure::usage, "--versus compares black bodies, and this colour is not one",
+        return fail("USE0107", "--versus compares black bodies, and this colour is not one",
                     "leave out --duv, --tint and --locus");
     Result<std::vector<const ColorMethod*>> methods = parse_color_methods(*request.versus);
     if (!methods) return pass_on(methods);
@@ -135,8 +122,7 @@ Result<void> compare_temperatures(const CctRequest& request, CctAnswer& answer) 
 
 // The answer to a chromaticity, whose temperature is asked for.
 Result<std::vector<CctAnswer>> nearest_black_body(std::string input, CctKind kind, Uv at, const CctRequest& request) {
-    if (request.duv)
-        return fail(Failure::usage, fmt::format("'{}' already has a Duv", input), "leave --duv and --tint out");
+    if (request.duv) return fail("USE0107", fmt::format("'{}' already has a Duv", input), "leave --duv and --tint out");
     Result<Cct> cct = exact_cct(at);
     if (!cct) return pass_on(cct);
     CctAnswer answer = in_space(std::move(input), kind, at, request);
@@ -159,6 +145,7 @@ Result<CctAnswer> answer_of(const Spectrum& spectrum, std::string input, const C
     } else {
         Diagnostic& reason = cct.error().diagnostics.back();
         reason.severity = Severity::warning;
+        reason.code.clear(); // is of errors
         answer.diagnostics.push_back(std::move(reason));
     }
     if (Result<void> compared = compare_temperatures(request, answer); !compared) return pass_on(compared);
@@ -178,24 +165,23 @@ Result<CctRequest> cct_request(const Arguments& arguments) {
     if (const auto text = arguments.value("--duv")) {
         const std::optional<double> duv = parse_number(*text);
         if (!duv)
-            return fail(Failure::usage, fmt::format("--duv takes a number, not '{}'", *text),
-                        "for example --duv 0.003");
+            return fail("USE0105", fmt::format("--duv takes a number, not '{}'", *text), "for example --duv 0.003");
         request.duv = *duv;
     }
     if (const auto text = arguments.value("--tint")) {
         if (request.duv)
-            return fail(Failure::usage, "--duv and --tint are both given", "both set the distance from the locus");
+            return fail("USE0107", "--duv and --tint are both given", "both set the distance from the locus");
         Result<double> duv = parse_tint(*text);
         if (!duv) return pass_on(duv);
         request.duv = *duv;
     }
     Result<Gamut> gamut = choose(arguments, "--gamut", "gamut",
-                                 std::array{Choice<Gamut>{"keep", Gamut::keep}, Choice<Gamut>{"clip", Gamut::clip}});
+                                 std::array{Named<Gamut>{"keep", Gamut::keep}, Named<Gamut>{"clip", Gamut::clip}});
     if (!gamut) return pass_on(gamut);
     request.gamut = *gamut;
     Result<Normalize> normalize = choose(
         arguments, "--normalize", "normalisation",
-        std::array{Choice<Normalize>{"luminance", Normalize::luminance}, Choice<Normalize>{"max", Normalize::max}});
+        std::array{Named<Normalize>{"luminance", Normalize::luminance}, Named<Normalize>{"max", Normalize::max}});
     if (!normalize) return pass_on(normalize);
     request.normalize = *normalize;
     if (const auto text = arguments.value("--band")) {
@@ -219,7 +205,7 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
         return parse_amount(text, Dimension::temperature, "a bound of a range");
     };
     if (second == std::string::npos)
-        return fail(Failure::usage, fmt::format("'{}' is neither a value nor a range", word),
+        return fail("USE0105", fmt::format("'{}' is neither a value nor a range", word),
                     "a range is FROM:TO:STEP, for example 2000K:10000K:100K");
     Result<double> from = parse_amount(word.substr(0, first), Dimension::temperature, "the start of a range");
     if (!from) return pass_on(from);
@@ -230,10 +216,10 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
     if (!step) return pass_on(step);
     const double count = std::floor((*to - *from) / *step + 1e-9);
     if (!(*step > 0.0) || !(count >= 0.0))
-        return fail(Failure::usage, fmt::format("the range '{}' does not ascend", word),
+        return fail("USE0106", fmt::format("the range '{}' does not ascend", word),
                     "a range is FROM:TO:STEP, for example 2000K:10000K:100K");
     if (count > static_cast<double>(most_steps))
-        return fail(Failure::usage, fmt::format("the range '{}' has more than {}", word, to_text(limit("cct-steps"))));
+        return fail("USE0106", fmt::format("the range '{}' has more than {}", word, to_text(limit("cct-steps"))));
     std::vector<std::string> values;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i)
         values.push_back(fmt::format("{}K", rounded(*from + static_cast<double>(i) * *step, 15)));
@@ -243,7 +229,7 @@ Result<std::vector<std::string>> expanded(const std::string& word) {
 Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctRequest& request) {
     if (const std::optional<Spectrum> illuminant = find_illuminant(value)) {
         if (request.duv)
-            return fail(Failure::usage, fmt::format("'{}' already has a Duv", value), "leave --duv and --tint out");
+            return fail("USE0107", fmt::format("'{}' already has a Duv", value), "leave --duv and --tint out");
         Result<CctAnswer> answer = answer_of(*illuminant, value, request);
         if (!answer) return pass_on(answer);
         return std::vector{std::move(*answer)};
@@ -258,8 +244,7 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
     }
     if (request.duv) {
         if (value.find('/') != std::string::npos)
-            return fail(Failure::usage,
-                        fmt::format("'{}' already has a Duv, and --duv or --tint gives another one", value));
+            return fail("USE0107", fmt::format("'{}' already has a Duv, and --duv or --tint gives another one", value));
         cct->duv = *request.duv;
     }
     Result<Uv> at = exact_uv(*cct, request.locus);
@@ -284,7 +269,7 @@ Result<std::vector<CctAnswer>> answer_xy(const std::string& text, const CctReque
     if (!v) return pass_on(v);
     const Xy xy{(*v)[0], (*v)[1]};
     if (!is_real(xy))
-        return fail(Failure::usage, fmt::format("xy {} is not a colour: it lies outside the spectral locus", text),
+        return fail("USE0106", fmt::format("xy {} is not a colour: it lies outside the spectral locus", text),
                     "real colours are mixtures of wavelengths and lie inside it");
     return nearest_black_body(fmt::format("xy {}", text), CctKind::chromaticity, to_uv(xy), request);
 }
@@ -294,7 +279,7 @@ Result<std::vector<CctAnswer>> answer_uv_prime(const std::string& text, const Cc
     if (!v) return pass_on(v);
     const Uv uv = to_uv(UvPrime{(*v)[0], (*v)[1]});
     if (!is_real(to_xy(uv)))
-        return fail(Failure::usage, fmt::format("u'v' {} is not a colour: it lies outside the spectral locus", text),
+        return fail("USE0106", fmt::format("u'v' {} is not a colour: it lies outside the spectral locus", text),
                     "real colours are mixtures of wavelengths and lie inside it");
     return nearest_black_body(fmt::format("u'v' {}", text), CctKind::chromaticity, uv, request);
 }
@@ -308,8 +293,7 @@ Result<std::vector<CctAnswer>> answer_rgb(const std::string& text, const CctRequ
 }
 
 Result<std::vector<CctAnswer>> answer_spectrum(const std::string& text, const CctRequest& request) {
-    if (request.duv)
-        return fail(Failure::usage, fmt::format("'{}' already has a Duv", text), "leave --duv and --tint out");
+    if (request.duv) return fail("USE0107", fmt::format("'{}' already has a Duv", text), "leave --duv and --tint out");
     Result<std::vector<Spectrum>> spectra = std::vector<Spectrum>();
     if (text == "-") {
         Result<std::string> bytes = read_standard_input(limit("spectrum-bytes"));

@@ -67,7 +67,7 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
     const std::size_t rows = 1 + answers.front().versus.size();
     for (const CctAnswer& answer : answers)
         if (1 + answer.versus.size() != rows || (rows > 1 && !answer.versus.front().of_color))
-            return fail(Failure::usage, "a picture with --versus compares only colour temperatures");
+            return fail("USE0107", "a picture with --versus compares only colour temperatures");
     if (Result<void> fits = check_picture_size(size.width, size.height + strip_scale_px(size)); !fits)
         return pass_on(fits);
     const auto width = static_cast<std::size_t>(size.width);

@@ -49,7 +49,7 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     Result<BakeRequest> request = parse_bake(arguments);
     if (!request) return pass_on(request);
     if (request->sidecar && inputs->size() > 1)
-        return fail(Failure::usage, "--sidecar names one file, but there are several inputs");
+        return fail("USE0107", "--sidecar names one file, but there are several inputs");
     const Result<std::vector<TextureJob>> jobs = plan_textures(arguments, *request, *inputs);
     if (!jobs) return Unexpected(jobs.error());
     const ReportKind kind = report_kind(arguments);

@@ -82,7 +82,7 @@ Result<Form> form_of(const Arguments& arguments) {
     for (const auto& [name, its_form] : forms) {
         if (!arguments.has(name)) continue;
         if (!given.empty())
-            return fail(Failure::usage, fmt::format("{} and {} cannot be combined", given, name),
+            return fail("USE0107", fmt::format("{} and {} cannot be combined", given, name),
                         "write further formats to files: -o bench.csv -o bench.json");
         given = name;
         form = its_form;
@@ -101,7 +101,7 @@ Result<void> read_outputs(const Arguments& arguments, Request& request) {
         const std::size_t point = file.rfind('.');
         const std::string extension = point == std::string::npos ? std::string() : file.substr(point);
         if (extension != ".svg" && extension != ".csv" && extension != ".md" && extension != ".json")
-            return fail(Failure::usage, fmt::format("the name '{}' does not end in .svg, .csv, .md or .json", file));
+            return fail("USE0104", fmt::format("the name '{}' does not end in .svg, .csv, .md or .json", file));
         Result<void> fine = check_writable(file);
         if (!fine) return pass_on(fine);
         request.outputs.emplace_back(file, extension);
@@ -112,8 +112,7 @@ Result<void> read_outputs(const Arguments& arguments, Request& request) {
 Result<Request> parse(const Arguments& arguments) {
     Request request;
     if (!arguments.positional().empty())
-        return fail(Failure::usage,
-                    fmt::format("bench does not take the argument '{}'", arguments.positional().front()),
+        return fail("USE0107", fmt::format("bench does not take the argument '{}'", arguments.positional().front()),
                     "name suites with --suite");
     Result<std::vector<const measure::Suite*>> suites =
         measure::parse_suites(arguments.value("--suite").value_or("all"));

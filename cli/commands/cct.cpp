@@ -106,7 +106,7 @@ Result<std::vector<Question>> questions(const Arguments& arguments) {
         for (const std::string& text : arguments.values(option))
             all.push_back({text, 0, answer});
     if (all.empty())
-        return fail(Failure::usage, "no colour is given",
+        return fail("USE0104", "no colour is given",
                     "for example: gonio cct 2700K, gonio cct --xy 0.3127,0.329, gonio cct --spectrum d65");
     return all;
 }

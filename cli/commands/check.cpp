@@ -1,3 +1,5 @@
+#include <gonio/base/codes/profile.hpp>
+#include <gonio/base/codes/web.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/plausibility.hpp>
@@ -39,21 +41,23 @@ struct Checked {
     int notes = 0;
 };
 
-// Resolving repeats what the readers have said with a place.
+// What resolving says again of what a reader has said with a place.
+struct Repetition {
+    WebCode again;
+    ProfileCode said;
+};
+constexpr std::array repetitions{
+    Repetition{"WEB0101", "IES0309"}, Repetition{"WEB0101", "TM30304"}, Repetition{"WEB0102", "IES0306"},
+    Repetition{"WEB0103", "IES0308"}, Repetition{"WEB0104", "IES0213"}, Repetition{"WEB0105", "IES0401"},
+    Repetition{"WEB0105", "LDT0401"}, Repetition{"WEB0105", "TM30401"}, Repetition{"WEB0106", "IES0402"},
+    Repetition{"WEB0106", "LDT0402"}, Repetition{"WEB0106", "TM30402"},
+};
+
 void drop_repetitions(Diagnostics& diagnostics) {
-    constexpr std::array<std::pair<std::string_view, std::array<std::string_view, 3>>, 6> repeated{
-        {{"WEB0101", {"IES0309", "TM30304", ""}},
-         {"WEB0102", {"IES0306", "", ""}},
-         {"WEB0103", {"IES0308", "", ""}},
-         {"WEB0104", {"IES0213", "", ""}},
-         {"WEB0105", {"IES0401", "LDT0401", "TM30401"}},
-         {"WEB0106", {"IES0402", "LDT0402", "TM30402"}}}};
-    const auto is_said = [&](std::string_view code) {
-        return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) { return d.code == code; });
-    };
-    for (const auto& [code, by] : repeated) {
-        const bool repeats = std::any_of(by.begin(), by.end(), is_said);
-        if (repeats) std::erase_if(diagnostics, [&, name = code](const Diagnostic& d) { return d.code == name; });
+    for (const Repetition& repetition : repetitions) {
+        const bool is_said = std::any_of(diagnostics.begin(), diagnostics.end(),
+                                         [&](const Diagnostic& d) { return d.code == repetition.said->code; });
+        if (is_said) std::erase_if(diagnostics, [&](const Diagnostic& d) { return d.code == repetition.again->code; });
     }
 }
 

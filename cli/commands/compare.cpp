@@ -99,7 +99,7 @@ Result<double> tolerance(const Arguments& arguments) {
     if (!text) return 1e-6;
     const std::optional<double> value = parse_number(*text);
     if (!value || *value < 0.0)
-        return fail(Failure::usage, fmt::format("--rtol takes a fraction of 0 or more, not '{}'", *text),
+        return fail("USE0105", fmt::format("--rtol takes a fraction of 0 or more, not '{}'", *text),
                     "for example 1e-3");
     return *value;
 }
@@ -107,10 +107,10 @@ Result<double> tolerance(const Arguments& arguments) {
 Result<int> compare(const Arguments& arguments, Console& console) {
     Result<std::vector<std::string>> files = input_files(arguments);
     if (files && files->size() != 2)
-        return fail(Failure::usage, fmt::format("compare takes two profiles, not {}", files->size()),
+        return fail("USE0107", fmt::format("compare takes two profiles, not {}", files->size()),
                     "for example: gonio compare lamp.ies lamp.ldt");
     if (!files) return pass_on(files);
-    if (files->front() == "-" && files->back() == "-") return fail(Failure::usage, "stdin cannot be both profiles");
+    if (files->front() == "-" && files->back() == "-") return fail("USE0108", "stdin cannot be both profiles");
     Result<double> rtol = tolerance(arguments);
     if (!rtol) return pass_on(rtol);
     Result<ProfileInputOptions> options = profile_input(arguments);

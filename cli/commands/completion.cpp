@@ -126,7 +126,7 @@ std::string zsh_script() {
 
 int run(const Arguments& arguments, Console& console) {
     if (arguments.positional().size() != 1)
-        return console.fail(fail(Failure::usage, "name one shell", "bash, zsh or fish").value());
+        return console.fail(fail("USE0104", "name one shell", "bash, zsh or fish").value());
     const std::string& shell = arguments.positional().front();
     if (shell == "bash")
         console.print(bash_script());

@@ -135,7 +135,7 @@ Result<std::optional<double>> compact_tolerance(const Arguments& arguments) {
     if (!text) return std::optional<double>();
     const std::optional<double> value = parse_number(*text);
     if (!value || *value < 0.0 || *value >= 1.0)
-        return fail(Failure::usage, fmt::format("--compact takes a fraction from 0 to below 1, not '{}'", *text),
+        return fail("USE0105", fmt::format("--compact takes a fraction from 0 to below 1, not '{}'", *text),
                     "for example 1e-3");
     return value;
 }
@@ -148,7 +148,7 @@ Result<int> convert_all(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     if (arguments.has("--output-dir") && !arguments.has("--to") && !arguments.has("--dialect"))
-        return fail(Failure::usage, "-O needs a format", "add --to ies, --to ldt, --to tm33 or --dialect NAME");
+        return fail("USE0104", "-O needs a format", "add --to ies, --to ldt, --to tm33 or --dialect NAME");
     const std::string format = arguments.value("--to").value_or("ies");
     Result<std::vector<Job>> jobs = plan_outputs(arguments, *inputs, format == "tm33" ? "xml" : format);
     if (!jobs) return pass_on(jobs);

@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/symmetry.hpp>
@@ -74,8 +74,7 @@ struct AnglePair {
 Result<AnglePair> angle_pair(const std::string& text, std::string_view option) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos)
-        return fail(Failure::usage, fmt::format("{} takes two angles, not '{}'", option, text),
-                    "for example 0deg,80deg");
+        return fail("USE0105", fmt::format("{} takes two angles, not '{}'", option, text), "for example 0deg,80deg");
     Result<double> first = angle_deg(std::string_view(text).substr(0, comma), option);
     if (!first) return pass_on(first);
     Result<double> second = angle_deg(std::string_view(text).substr(comma + 1), option);
@@ -86,16 +85,15 @@ Result<AnglePair> angle_pair(const std::string& text, std::string_view option) {
 Result<double> factor_of(const std::string& text, std::string_view option) {
     const std::optional<double> factor = parse_number(text);
     if (!factor || !(*factor > 0.0))
-        return fail(Failure::usage, fmt::format("{} takes a number greater than 0, not '{}'", option, text));
+        return fail("USE0106", fmt::format("{} takes a number greater than 0, not '{}'", option, text));
     return *factor;
 }
 
 Result<Symmetry> symmetry_named(const std::string& name) {
-    constexpr std::array<std::string_view, 4> names{"axial", "quadrant", "bilateral-0-180", "bilateral-90-270"};
-    for (const Symmetry known :
-         {Symmetry::axial, Symmetry::quadrant, Symmetry::bilateral_0_180, Symmetry::bilateral_90_270})
-        if (name == to_text(known)) return known;
-    return unknown_name("symmetry", name, names);
+    constexpr std::array symmetries{Named{"axial", Symmetry::axial}, Named{"quadrant", Symmetry::quadrant},
+                                    Named{"bilateral-0-180", Symmetry::bilateral_0_180},
+                                    Named{"bilateral-90-270", Symmetry::bilateral_90_270}};
+    return find_value("symmetry", name, symmetries);
 }
 
 Result<Web> on_even_steps(const Web& web, const AnglePair& steps, Cost& cost) {
@@ -105,7 +103,7 @@ Result<Web> on_even_steps(const Web& web, const AnglePair& steps, Cost& cost) {
     };
     if (!divides(360.0, steps.first_deg) || !divides(180.0, steps.second_deg) || steps.first_deg < 0.1 ||
         steps.second_deg < 0.1)
-        return fail(Failure::usage,
+        return fail("USE0105",
                     fmt::format("steps of {}° and {}° do not divide 360° and 180° evenly", rounded(steps.first_deg),
                                 rounded(steps.second_deg)),
                     "from 0.1deg, for example 5deg,2.5deg");
@@ -139,9 +137,10 @@ Result<void> change_web(Web& web, const Arguments& arguments, Cost& cost) {
         web = std::move(*even);
     }
     if (const auto plane = arguments.value("--mirror")) {
-        if (*plane != "c0-180" && *plane != "c90-270")
-            return unknown_name("plane", *plane, std::array<std::string_view, 2>{"c0-180", "c90-270"});
-        web = mirrored(web, *plane == "c0-180" ? MirrorPlane::c0_180 : MirrorPlane::c90_270);
+        constexpr std::array planes{Named{"c0-180", MirrorPlane::c0_180}, Named{"c90-270", MirrorPlane::c90_270}};
+        Result<MirrorPlane> mirror = find_value("plane", *plane, planes);
+        if (!mirror) return pass_on(mirror);
+        web = mirrored(web, *mirror);
     }
     if (const auto text = arguments.value("--rotate")) {
         Result<double> angle = angle_deg(*text, "--rotate");
@@ -185,16 +184,16 @@ Result<Luminaire> scale(Luminaire luminaire, const Arguments& arguments) {
 Result<std::vector<double>> weights_for(const Arguments& arguments, std::size_t inputs) {
     const auto blend = arguments.value("--blend");
     if (blend && arguments.has("--sum"))
-        return fail(Failure::usage, "--sum and --blend are both given", "--sum adds, --blend takes a mean");
+        return fail("USE0107", "--sum and --blend are both given", "--sum adds, --blend takes a mean");
     if (blend) {
         const std::optional<double> share = parse_number(*blend);
         if (!share || *share < 0.0 || *share > 1.0)
-            return fail(Failure::usage, fmt::format("--blend takes a share from 0 to 1, not '{}'", *blend));
-        if (inputs != 2) return fail(Failure::usage, fmt::format("--blend takes two profiles, not {}", inputs));
+            return fail("USE0105", fmt::format("--blend takes a share from 0 to 1, not '{}'", *blend));
+        if (inputs != 2) return fail("USE0107", fmt::format("--blend takes two profiles, not {}", inputs));
         return std::vector{1.0 - *share, *share};
     }
     if (inputs > 1 && !arguments.has("--sum"))
-        return fail(Failure::usage, fmt::format("edit takes one profile, not {}", inputs),
+        return fail("USE0107", fmt::format("edit takes one profile, not {}", inputs),
                     "--sum adds their light, --blend mixes two");
     return std::vector<double>(inputs, 1.0);
 }

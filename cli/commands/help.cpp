@@ -1,6 +1,6 @@
 #include "../help.hpp"
 
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
@@ -8,7 +8,7 @@
 #include "../options/common.hpp"
 
 #include <array>
-#include <vector>
+#include <span>
 
 namespace gonio::cli {
 
@@ -22,14 +22,11 @@ int run(const Arguments& arguments, Console& console) {
         return 0;
     }
     const std::string& name = arguments.positional().front();
-    if (const Command* command = find_command(name)) {
-        console.print(help_text(*command));
-        return 0;
-    }
-    std::vector<std::string_view> names;
-    for (const Command* command : commands())
-        names.push_back(command->name);
-    return console.fail(unknown_name("command", name, names).value());
+    const std::span<const Command* const> all = commands();
+    const Result<const Command* const*> command = find_named("command", name, all);
+    if (!command) return console.fail(command.error());
+    console.print(help_text(**command.value()));
+    return 0;
 }
 
 } // namespace

@@ -45,7 +45,7 @@ Result<void> distinct(const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         const auto [other, is_new] = taken.emplace(asset_name(input), input);
         if (!is_new)
-            return fail(Failure::usage,
+            return fail("USE0108",
                         fmt::format("the assets of '{}' and '{}' would both be called '{}'", other->second, input,
                                     other->first),
                         "rename one, or import them into different folders");

@@ -50,7 +50,7 @@ int run(const Arguments& arguments, Console& console) {
     const bool json = arguments.has("--json") || arguments.has("--jsonl");
     if (arguments.has("--markdown") && (json || arguments.positional().empty()))
         return console.fail(
-            fail(Failure::usage, "--markdown takes one LIST and no --json", "for example: gonio list limits --markdown")
+            fail("USE0107", "--markdown takes one LIST and no --json", "for example: gonio list limits --markdown")
                 .value());
     if (arguments.positional().empty()) {
         for (const NamedList& list : named_lists())

@@ -1,5 +1,7 @@
 #include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/shape.hpp>
@@ -70,7 +72,7 @@ Result<AuthoredShape> shape_of(const std::string& text) {
     Result<Shape> parsed = parse_shape(text);
     if (!parsed) return pass_on(parsed);
     const auto& spot = std::get<SpotShape>(*parsed);
-    if (!spot.mask_file.empty()) return fail(Failure::usage, "make does not take a mask for a spot");
+    if (!spot.mask_file.empty()) return fail("USE0107", "make does not take a mask for a spot");
     return AuthoredShape{[spot](double, double gamma) { return lobe(spot, degrees(gamma)); }, Symmetry::axial, 90.0};
 }
 
@@ -80,7 +82,7 @@ Result<double> positive(const Arguments& arguments, std::string_view option, Dim
     Result<double> value = parse_amount(*text, dimension, option);
     if (!value) return pass_on(value);
     if (*value > 0.0) return *value;
-    return fail(Failure::usage, fmt::format("{} must be greater than 0, not {}", option, *text));
+    return fail("USE0106", fmt::format("{} must be greater than 0, not {}", option, *text));
 }
 
 Result<double> step(const Arguments& arguments, std::string_view option, double standard_deg) {
@@ -90,15 +92,14 @@ Result<double> step(const Arguments& arguments, std::string_view option, double 
 }
 
 Result<Photometry> type_of(const Arguments& arguments) {
+    constexpr std::array types{Named{"A", Photometry::a}, Named{"B", Photometry::b}, Named{"C", Photometry::c}};
     const std::string name = arguments.value("--type").value_or("C");
-    if (name == "A" || name == "a") return Photometry::a;
-    if (name == "B" || name == "b") return Photometry::b;
-    if (name == "C" || name == "c") return Photometry::c;
-    return unknown_name("goniometer", name, std::array<std::string_view, 3>{"A", "B", "C"});
+    Result<Photometry> type = find_value("goniometer", to_upper(name), types);
+    return type ? type : find_value("goniometer", name, types);
 }
 
 struct OpeningKind {
-    std::string_view kind;
+    std::string_view name;
     OpeningShape shape;
     std::array<std::string_view, 3> keys; // width, length, height; "d" fills every size it stands for
 };
@@ -130,19 +131,16 @@ Result<LuminousOpening> opening_of(const Arguments& arguments) {
             if (known.keys[i].empty()) continue;
             const std::string* const value = parsed->value(known.keys[i]);
             if (value == nullptr)
-                return fail(Failure::usage, fmt::format("the opening '{}' needs {}", known.kind, known.keys[i]));
+                return fail("USE0104", fmt::format("the opening '{}' needs {}", known.kind, known.keys[i]));
             Result<double> meters = parse_amount(*value, Dimension::length, known.keys[i]);
             if (!meters) return pass_on(meters);
             if (!(*meters > 0.0))
-                return fail(Failure::usage, fmt::format("{}={} is not greater than 0", known.keys[i], *value));
+                return fail("USE0106", fmt::format("{}={} is not greater than 0", known.keys[i], *value));
             *sizes[i] = *meters;
         }
         return opening;
     }
-    std::vector<std::string_view> names;
-    for (const OpeningKind& known : opening_kinds)
-        names.push_back(known.kind);
-    return unknown_name("opening", parsed->kind, names);
+    return opening;
 }
 
 Result<ProfileHeader> header_for(const Arguments& arguments, const std::string& shape, double lumens,
@@ -152,7 +150,7 @@ Result<ProfileHeader> header_for(const Arguments& arguments, const std::string& 
     for (const std::string& text : arguments.values("--keyword")) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
-            return fail(Failure::usage, fmt::format("'{}' is not a keyword", text), "write --keyword NAME=TEXT");
+            return fail("USE0105", fmt::format("'{}' is not a keyword", text), "write --keyword NAME=TEXT");
         header.keywords.push_back({text.substr(0, equals), text.substr(equals + 1)});
     }
     // What the standard requires and a formula has not.
@@ -182,7 +180,7 @@ Result<Web> web_for(const Arguments& arguments, const std::string& shape, double
     if (shape.starts_with("csv:")) {
         for (const std::string_view option : {"--planes", "--gammas", "--type"})
             if (arguments.has(option))
-                return fail(Failure::usage, fmt::format("{} does not apply to a table that lists its angles", option));
+                return fail("USE0107", fmt::format("{} does not apply to a table that lists its angles", option));
         const std::string file = shape.substr(4);
         if (Result<void> free = check_outputs({&file, 1}, {&output, 1}); !free) return pass_on(free);
         Result<std::string> text =
@@ -210,7 +208,7 @@ Result<Web> web_for(const Arguments& arguments, const std::string& shape, double
 
 Result<int> make(const Arguments& arguments, Console& console) {
     if (arguments.positional().size() != 1)
-        return fail(Failure::usage, fmt::format("make takes one shape, not {}", arguments.positional().size()),
+        return fail("USE0107", fmt::format("make takes one shape, not {}", arguments.positional().size()),
                     "for example: gonio make downlight:beam=36deg -o down.ies");
     const std::string& shape = arguments.positional().front();
     Result<ProfileOutput> output = profile_output(arguments);

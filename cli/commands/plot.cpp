@@ -63,7 +63,7 @@ Result<double> positive_length(const Arguments& arguments, std::string_view name
     Result<double> length = parse_amount(*text, Dimension::length, name);
     if (!length) return pass_on(length);
     if (!(*length > 0.0))
-        return fail(Failure::usage, fmt::format("{} takes a length greater than 0, not '{}'", name, *text));
+        return fail("USE0105", fmt::format("{} takes a length greater than 0, not '{}'", name, *text));
     return *length;
 }
 
@@ -131,12 +131,12 @@ Result<void> read_format(const Arguments& arguments, Request& request) {
     const bool by_name = !output.empty() && output != "-";
     if (named ? *named == "svg" : !by_name || output.ends_with(".svg")) return {};
     if (!named && media::find_image_format(output) == nullptr)
-        return fail(Failure::usage, fmt::format("the name '{}' does not show a diagram format", output),
+        return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", output),
                     "end it in .svg or .png, or add --to");
     Result<const media::ImageFormat*> format = picture_format(named, output);
     if (!format) return pass_on(format);
     if (!has_pixel(**format, media::Pixel::uint8))
-        return fail(Failure::usage, fmt::format("{} is for light, not for diagrams", (*format)->title),
+        return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
                     "write .svg, .png, .tif or .jpg");
     Result<void> fits = check_picture_size(request.plot.width_px, request.plot.height_px);
     if (!fits) error_hint(fits.error(), "use a smaller -s, or write .svg, which has no pixels");
@@ -185,7 +185,7 @@ int draw_each(const std::vector<Job>& jobs, const Request& request, unsigned thr
 Result<int> draw_falloff(const Arguments& arguments, Request& request, Console& console) {
     const std::optional<std::string> output = arguments.value("--output");
     if (!output || arguments.has("--output-dir"))
-        return fail(Failure::usage, "falloff shows all lights in one diagram", "use -o FILE");
+        return fail("USE0107", "falloff shows all lights in one diagram", "use -o FILE");
     const Result<void> format = read_format(arguments, request);
     if (!format) return Unexpected(format.error());
     Result<FalloffOptions> options = read_falloff(arguments);

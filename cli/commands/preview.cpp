@@ -164,14 +164,13 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--export"))
         for (const std::string_view option : several_pictures)
             if (arguments.has(option))
-                return fail(Failure::usage, fmt::format("--export is for one picture, {} for several", option),
+                return fail("USE0107", fmt::format("--export is for one picture, {} for several", option),
                             "export without it");
     if (arguments.has("--aov")) return preview_layers(arguments, console);
     if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     if (arguments.has("--compare")) return preview_compare(arguments, console);
-    if (arguments.has("--overwrite"))
-        return fail(Failure::usage, "--overwrite is only for -O", "add --sweep and -O DIR");
+    if (arguments.has("--overwrite")) return fail("USE0107", "--overwrite is only for -O", "add --sweep and -O DIR");
     if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);

@@ -37,11 +37,9 @@ Result<Direction> parse_direction(std::string_view text) {
         const auto c = parse_number(trimmed(text.substr(0, comma)));
         const auto gamma = parse_number(trimmed(text.substr(comma + 1)));
         if (c && gamma && *gamma >= 0.0 && *gamma <= 180.0) return Direction{*c, *gamma};
-        if (c && gamma)
-            return fail(Failure::usage, fmt::format("gamma must lie between 0 and 180 degrees, not {}", *gamma));
+        if (c && gamma) return fail("USE0106", fmt::format("gamma must lie between 0 and 180 degrees, not {}", *gamma));
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a direction", text),
-                "write C,GAMMA in degrees, for example 90,30");
+    return fail("USE0105", fmt::format("'{}' is not a direction", text), "write C,GAMMA in degrees, for example 90,30");
 }
 
 // One direction a line; empty lines are skipped.
@@ -73,12 +71,11 @@ Result<int> sample(const Arguments& arguments, Console& console) {
     const bool from_pipe = files.size() == 2 && files[1] == "-" && at.empty();
     if (from_pipe) files.pop_back();
     if (files.size() != 1)
-        return fail(Failure::usage, fmt::format("sample takes one profile, not {}", files.size()),
+        return fail("USE0107", fmt::format("sample takes one profile, not {}", files.size()),
                     "for example: gonio sample lamp.ies --at 0,30");
-    if (from_pipe && files[0] == "-")
-        return fail(Failure::usage, "stdin cannot be both the profile and the directions");
+    if (from_pipe && files[0] == "-") return fail("USE0108", "stdin cannot be both the profile and the directions");
     if (at.empty() && !from_pipe)
-        return fail(Failure::usage, "no direction is given", "use --at C,GAMMA, or '-' to read them from stdin");
+        return fail("USE0104", "no direction is given", "use --at C,GAMMA, or '-' to read them from stdin");
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return pass_on(options);
 

@@ -111,15 +111,15 @@ Result<int> convert(const Arguments& arguments, Console& console) {
     if (const auto name = arguments.value("--preset")) {
         Result<const LightPreset*> preset = find_preset(*name);
         if (!preset) return pass_on(preset);
-        if (!values.empty()) return fail(Failure::usage, "a preset has its own value, but another one is given");
+        if (!values.empty()) return fail("USE0107", "a preset has its own value, but another one is given");
         values.emplace_back((*preset)->value);
         if (!arguments.has("--shape")) request->shape = (*preset)->shape;
     }
     if (values.empty())
-        return fail(Failure::usage, "no value is given", "for example: gonio units 800lm --shape sphere:r=3cm --to nt");
+        return fail("USE0104", "no value is given", "for example: gonio units 800lm --shape sphere:r=3cm --to nt");
     const Form form = form_of(arguments);
     if (form == Form::csv && (request->wanted.empty() || request->policy == nullptr))
-        return fail(Failure::usage, "--csv needs the same columns in every row",
+        return fail("USE0104", "--csv needs the same columns in every row",
                     "name the units with --to, and one policy at a time");
 
     if (form == Form::csv) console.print(csv_head(request->wanted));

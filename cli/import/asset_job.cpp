@@ -103,7 +103,7 @@ Result<Content> content_of(const Source& source, const ImportRequest& request) {
 Result<Rig> rig_of(const std::string& file, const std::string& bytes, const ImportRequest& request) {
     const bool changed = request.light.flux || !request.light.color.empty() || request.light.rotation.value != 0.0;
     if (changed)
-        return fail(Failure::usage, "the lights of a rig have their own amount, colour and rotation",
+        return fail("USE0107", "the lights of a rig have their own amount, colour and rotation",
                     "leave --flux, --color and --rotate out", file);
     Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
@@ -198,7 +198,7 @@ Result<Written> made(const Source& source, const Content& content, const Target&
     const auto add = [&](const std::string& name, std::string bytes) -> Result<FileRecord> {
         const std::string path = folder_of(request, target) + "/" + name;
         if (!request.overwrite && !request.update && file_exists(path))
-            return fail(Failure::usage, fmt::format("'{}' exists", path),
+            return fail("USE0108", fmt::format("'{}' exists", path),
                         "add --overwrite, or -u to write only outdated files");
         FileRecord record = file_record(name, bytes);
         written.files.push_back({path, record.sha256});

@@ -22,8 +22,7 @@ namespace {
 
 Result<std::vector<const Target*>> parse_targets(const Arguments& arguments) {
     const auto text = arguments.value("--to");
-    if (!text)
-        return fail(Failure::usage, "no target is given", "for example --to gltf; 'gonio list targets' shows all");
+    if (!text) return fail("USE0104", "no target is given", "for example --to gltf; 'gonio list targets' shows all");
     std::vector<const Target*> chosen;
     std::string_view rest = *text;
     while (true) {
@@ -40,8 +39,7 @@ Result<void> parse_light(const Arguments& arguments, MeasuredLightOptions& light
     if (const auto text = arguments.value("--flux")) {
         Result<double> flux = parse_amount(*text, Dimension::luminous_flux, "--flux");
         if (!flux) return pass_on(flux);
-        if (!(*flux > 0.0))
-            return fail(Failure::usage, fmt::format("--flux must be greater than 0 lm, not '{}'", *text));
+        if (!(*flux > 0.0)) return fail("USE0106", fmt::format("--flux must be greater than 0 lm, not '{}'", *text));
         light.flux = Lumens(*flux);
     }
     if (const auto text = arguments.value("--rotate")) {
@@ -63,7 +61,7 @@ Result<Meters> parse_unit(const std::string& text) {
     const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
     Result<double> length = parse_amount(has_number ? text : "1" + text, Dimension::length, "--unit-scale");
     if (!length || !(*length > 0.0))
-        return fail(Failure::usage, fmt::format("--unit-scale takes a unit of length, not '{}'", text),
+        return fail("USE0105", fmt::format("--unit-scale takes a unit of length, not '{}'", text),
                     "for example cm, in or 2.5cm");
     return Meters(*length);
 }
@@ -76,7 +74,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     if (!chosen) return pass_on(chosen);
     request.targets = std::move(*chosen);
     const auto folder = arguments.value("--output-dir");
-    if (!folder) return fail(Failure::usage, "no output folder is given", "add -O DIR");
+    if (!folder) return fail("USE0104", "no output folder is given", "add -O DIR");
     if (!is_folder(*folder))
         return fail(Failure::io, file_exists(*folder) ? "this is a file, not a folder" : "the folder does not exist",
                     file_exists(*folder) ? "" : "create it first: mkdir " + *folder, *folder);
@@ -93,7 +91,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     if (!catalogue) return pass_on(catalogue);
     request.catalogue = std::move(*catalogue);
     if (arguments.value("--output"))
-        return fail(Failure::usage, "-o is only for --merge", "use -O DIR for the folders of the targets");
+        return fail("USE0107", "-o is only for --merge", "use -O DIR for the folders of the targets");
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
     request.input = *input;

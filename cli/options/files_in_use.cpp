@@ -17,7 +17,7 @@ Result<void> FilesInUse::check(const std::string& output) const {
     if (output == "-") return {};
     const auto input = inputs_.find(file_identity(output));
     if (input == inputs_.end()) return {};
-    return fail(Failure::usage,
+    return fail("USE0108",
                 input->second == output
                     ? fmt::format("the output '{}' is an input and would be replaced", output)
                     : fmt::format("the output '{}' is the same file as the input '{}' and would be replaced", output,
@@ -31,8 +31,8 @@ Result<void> FilesInUse::take(const std::string& output) {
     if (identity.empty()) return {};
     const auto [other, is_new] = outputs_.emplace(std::move(identity), output);
     if (is_new) return {};
-    if (output == "-") return fail(Failure::usage, "two outputs would go to stdout", "write one of them to a file");
-    return fail(Failure::usage,
+    if (output == "-") return fail("USE0108", "two outputs would go to stdout", "write one of them to a file");
+    return fail("USE0108",
                 other->second == output
                     ? fmt::format("two outputs would be written to '{}'", output)
                     : fmt::format("the outputs '{}' and '{}' are the same file", other->second, output),

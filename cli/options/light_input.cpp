@@ -17,13 +17,11 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
                                      Diagnostics& diagnostics) {
     const std::vector<std::string>& files = arguments.positional();
     const auto shape_text = arguments.value("--shape");
-    if (files.size() > 1)
-        return fail(Failure::usage, fmt::format("expected one profile, but {} are given", files.size()));
+    if (files.size() > 1) return fail("USE0107", fmt::format("expected one profile, but {} are given", files.size()));
     if (files.empty() && !shape_text)
-        return fail(Failure::usage, "no light is given",
-                    "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
+        return fail("USE0104", "no light is given", "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
     if (!files.empty() && shape_text)
-        return fail(Failure::usage, "a profile and --shape are both given", "leave one of them out");
+        return fail("USE0107", "a profile and --shape are both given", "leave one of them out");
     LightDescription light;
     Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
     if (!shape) return pass_on(shape);

@@ -4,6 +4,7 @@
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 
 #include "files_in_use.hpp"
@@ -32,13 +33,9 @@ std::string stem_of(const std::string& path) {
 Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output) {
     const media::ImageFormat* format = media::find_image_format(named ? *named : output);
     if (format != nullptr) return format;
-    std::vector<std::string_view> names;
-    for (const media::ImageFormat& known : media::image_formats())
-        names.push_back(known.name);
-    if (named) return unknown_name("picture format", *named, names);
-    if (output == "-")
-        return fail(Failure::usage, "stdout has no file name to show the format", "add --to exr or --to png");
-    return fail(Failure::usage, fmt::format("the name '{}' does not show a picture format", output),
+    if (named) return unknown_name("picture format", *named, names_of(media::image_formats()));
+    if (output == "-") return fail("USE0104", "stdout has no file name to show the format", "add --to exr or --to png");
+    return fail("USE0104", fmt::format("the name '{}' does not show a picture format", output),
                 "end it in .png or .exr, or add --to");
 }
 
@@ -91,7 +88,7 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel) {
 }
 
 Unexpected both_to_standard_output(std::string_view what) {
-    return fail(Failure::usage, fmt::format("stdout cannot take both the {} and the report", what),
+    return fail("USE0108", fmt::format("stdout cannot take both the {} and the report", what),
                 fmt::format("write the {} to a file, or leave --json out", what));
 }
 
@@ -99,16 +96,14 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                                       std::string_view extension, Share share) {
     const auto file = arguments.value("--output");
     const auto folder = arguments.value("--output-dir");
-    if (file && folder)
-        return fail(Failure::usage, "-o and -O are both given", "-o writes one file, -O a folder of them");
-    if (!file && !folder)
-        return fail(Failure::usage, "no output is given", "use -o FILE, or -O DIR for several inputs");
+    if (file && folder) return fail("USE0107", "-o and -O are both given", "-o writes one file, -O a folder of them");
+    if (!file && !folder) return fail("USE0104", "no output is given", "use -o FILE, or -O DIR for several inputs");
     if (file && inputs.size() > 1)
-        return fail(Failure::usage, fmt::format("-o names one output, but there are {} inputs", inputs.size()),
+        return fail("USE0107", fmt::format("-o names one output, but there are {} inputs", inputs.size()),
                     "use -O DIR");
     if (folder && !is_folder(*folder))
         return file_exists(*folder)
-                   ? fail(Failure::io, "cannot write into it: it is not a folder", "-O names a folder", *folder)
+                   ? fail("FIL0101", "cannot write into it: it is not a folder", "-O names a folder", *folder)
                    : fail(Failure::io, "the folder does not exist", fmt::format("create it: mkdir -p '{}'", *folder),
                           *folder);
     FilesInUse files(inputs);
@@ -121,7 +116,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
         job.output =
             file ? *file : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input), extension);
         if (folder && !taken.insert(job.output).second)
-            return fail(Failure::usage, fmt::format("two inputs would both be written to '{}'", job.output),
+            return fail("USE0108", fmt::format("two inputs would both be written to '{}'", job.output),
                         "give them different names, or write them to different folders");
         if (i % share.step != share.first) continue;
         if (Result<void> free = files.take(job.output); !free) return pass_on(free);
@@ -131,7 +126,7 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
             if (exists && arguments.has("--update") && !arguments.has("--overwrite"))
                 job.skip = input != "-" && !is_newer(input, job.output);
             else if (exists && !arguments.has("--overwrite"))
-                return fail(Failure::usage, fmt::format("'{}' exists", job.output),
+                return fail("USE0108", fmt::format("'{}' exists", job.output),
                             "add --overwrite, or -u to write only outdated files");
         }
         jobs.push_back(std::move(job));

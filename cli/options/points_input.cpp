@@ -47,9 +47,7 @@ std::vector<Field> fields_of(std::string_view line) {
 
 Unexpected malformed(const std::string& source, std::uint32_t line, std::uint32_t column, std::string message,
                      std::string hint = {}) {
-    Error error{Failure::malformed, {}};
-    error.diagnostics.push_back({{}, Severity::error, {source, line, column}, std::move(message), std::move(hint)});
-    return Unexpected(std::move(error));
+    return Unexpected(error_at(Failure::malformed, {source, line, column}, std::move(message), std::move(hint)));
 }
 
 // Which field of a line is x, y, z, nx, ny, nz.
@@ -114,7 +112,7 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const std::size_t colon = rest.find(':');
         if ((colon == std::string_view::npos) != (p == 3))
-            return fail(Failure::usage, fmt::format("--grid does not take '{}'", text),
+            return fail("USE0105", fmt::format("--grid does not take '{}'", text),
                         "write CORNER:EDGE:EDGE:NxM, for example -2,-2,0:4,0,0:0,4,0:21x21");
         parts[p] = rest.substr(0, colon);
         if (p < 3) rest.remove_prefix(colon + 1);
@@ -134,7 +132,7 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
     if (size->width < 1 || size->height < 1 ||
         static_cast<std::size_t>(size->width) > max_points / static_cast<std::size_t>(size->height))
         return fail(
-            Failure::usage,
+            "USE0106",
             fmt::format("a grid of {} points is out of range: it may have 1 to {}", parts[3], to_text(limit("points"))),
             std::string(limits_hint));
     const auto& [corner, u, v] = vectors;
@@ -192,7 +190,7 @@ Result<Points> points_input(const Arguments& arguments) {
     const auto grid = arguments.value("--grid");
     const int ways = (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0);
     if (ways != 1)
-        return fail(Failure::usage,
+        return fail(ways == 0 ? Cause("USE0104") : Cause("USE0107"),
                     ways == 0 ? "no point is given" : "more than one of --at, --points and --grid is given",
                     "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
 
@@ -201,11 +199,11 @@ Result<Points> points_input(const Arguments& arguments) {
         Result<glm::dvec3> normal = parse_vector(text, "--normal");
         if (!normal) return pass_on(normal);
         if (!unit_vector(*normal))
-            return fail(Failure::usage, "--normal is zero", "it is the direction that the surface faces");
+            return fail("USE0106", "--normal is zero", "it is the direction that the surface faces");
         normals.push_back(*normal);
     }
     if (normals.size() > 1 && normals.size() != at.size())
-        return fail(Failure::usage,
+        return fail("USE0107",
                     fmt::format("--normal is given {} times, --at {}", normals.size(),
                                 at.empty() ? std::string("never") : fmt::format("{} times", at.size())),
                     "give one normal for all, or one for each --at");

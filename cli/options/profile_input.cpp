@@ -2,7 +2,7 @@
 
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 
@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <utility>
@@ -37,7 +38,7 @@ Result<void> add_input(const std::string& name, std::vector<std::string>& files)
     if (!inside) return pass_on(inside);
     std::erase_if(*inside, is_other_xml);
     if (inside->empty())
-        return fail(Failure::usage, "the folder holds no profiles",
+        return fail("USE0104", "the folder holds no profiles",
                     fmt::format("profiles end in .{}; XML files must be TM-33", fmt::join(profile_extensions, ", .")),
                     name);
     files.insert(files.end(), std::make_move_iterator(inside->begin()), std::make_move_iterator(inside->end()));
@@ -67,29 +68,25 @@ Result<void> add_list(const std::string& list, std::vector<std::string>& files) 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
     ProfileInputOptions options;
     if (const auto format = arguments.value("--from")) {
-        if (*format == "ies")
-            options.read.format = ProfileFormat::ies;
-        else if (*format == "ldt")
-            options.read.format = ProfileFormat::ldt;
-        else if (*format == "tm33")
-            options.read.format = ProfileFormat::tm33;
-        else
-            return unknown_name("format", *format, std::array<std::string_view, 3>{"ies", "ldt", "tm33"});
+        constexpr std::array formats{Named{"ies", ProfileFormat::ies}, Named{"ldt", ProfileFormat::ldt},
+                                     Named{"tm33", ProfileFormat::tm33}};
+        Result<ProfileFormat> named = find_value("format", *format, formats);
+        if (!named) return pass_on(named);
+        options.read.format = *named;
     }
     options.read.strict = arguments.has("--strict");
     if (const auto text = arguments.value("--lamp-set")) {
         const char* const end = text->data() + text->size();
         const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
         if (error != std::errc() || stop != end || options.resolve.lamp_set < 1)
-            return fail(Failure::usage, fmt::format("--lamp-set takes a number of 1 or more, not '{}'", *text));
+            return fail("USE0105", fmt::format("--lamp-set takes a number of 1 or more, not '{}'", *text));
     }
     if (const auto name = arguments.value("--azimuth")) {
-        if (*name == "ies")
-            options.resolve.azimuth = AzimuthConvention::lm63;
-        else if (*name == "eulumdat")
-            options.resolve.azimuth = AzimuthConvention::eulumdat;
-        else
-            return unknown_name("azimuth", *name, std::array<std::string_view, 2>{"ies", "eulumdat"});
+        constexpr std::array conventions{Named{"ies", AzimuthConvention::lm63},
+                                         Named{"eulumdat", AzimuthConvention::eulumdat}};
+        Result<AzimuthConvention> named = find_value("azimuth", *name, conventions);
+        if (!named) return pass_on(named);
+        options.resolve.azimuth = *named;
     }
     if (const auto text = arguments.value("--tilt")) {
         Result<double> tilt = parse_amount(*text, Dimension::angle, "--tilt");
@@ -117,7 +114,7 @@ Result<std::vector<std::string>> input_files(const Arguments& arguments) {
         Result<void> added = word.starts_with('@') ? add_list(word.substr(1), files) : add_input(word, files);
         if (!added) return pass_on(added);
     }
-    if (files.empty()) return fail(Failure::usage, "no input file is given", "name one, or '-' for stdin");
+    if (files.empty()) return fail("USE0104", "no input file is given", "name one, or '-' for stdin");
     return files;
 }
 
@@ -130,8 +127,8 @@ Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& o
 
 Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options) {
     if (bytes.size() > limit("profile-bytes").value)
-        return fail(Failure::io, fmt::format("larger than {}", to_text(limit("profile-bytes"))),
-                    std::string(limits_hint), file);
+        return fail("FIL0104", fmt::format("larger than {}", to_text(limit("profile-bytes"))), std::string(limits_hint),
+                    file);
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);
     Result<Profile> profile = read_profile(bytes, file, read);

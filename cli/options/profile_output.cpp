@@ -39,11 +39,11 @@ Result<ProfileTarget> profile_target(const Arguments& arguments, const std::stri
             return unknown_name("dialect", *dialect,
                                 std::array<std::string_view, 4>{"lm-63-1995", "lm-63-2002", "lm-63-2019", "portable"});
         if (target && *target != ProfileTarget::lm63)
-            return fail(Failure::usage, fmt::format("--dialect {} is for IES, but the output is {}", *dialect, format));
+            return fail("USE0107", fmt::format("--dialect {} is for IES, but the output is {}", *dialect, format));
         return *edition;
     }
     if (!target)
-        return fail(Failure::usage,
+        return fail("USE0104",
                     output == "-" ? std::string("stdout has no file name to show the format")
                                   : fmt::format("the name '{}' does not show a format", output),
                     "end it in .ies, .ldt or .xml, or add --to");
@@ -52,7 +52,7 @@ Result<ProfileTarget> profile_target(const Arguments& arguments, const std::stri
 
 Result<ProfileOutput> profile_output(const Arguments& arguments) {
     const auto file = arguments.value("--output");
-    if (!file) return fail(Failure::usage, "no output is given", "use -o FILE, ending in .ies, .ldt or .xml");
+    if (!file) return fail("USE0104", "no output is given", "use -o FILE, ending in .ies, .ldt or .xml");
     const Result<ProfileTarget> target = profile_target(arguments, *file);
     if (!target) return Unexpected(target.error());
     return ProfileOutput{*file, *target};

@@ -26,10 +26,9 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
         return input;
     }
     if (const std::string_view option = given_light_option(arguments); !option.empty())
-        return fail(Failure::usage, fmt::format("--rig and {} are both given", option),
-                    "a rig describes all of its lights");
+        return fail("USE0107", fmt::format("--rig and {} are both given", option), "a rig describes all of its lights");
     if (!arguments.positional().empty())
-        return fail(Failure::usage, "--rig and a profile are both given", "name the profile in the rig");
+        return fail("USE0107", "--rig and a profile are both given", "name the profile in the rig");
     input.rig_file = *rig_file;
     Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
     if (!rig) return pass_on(rig);

@@ -30,7 +30,7 @@ Result<PixelSize> parse_size(std::string_view text) {
         const std::optional<int> height = parse_count(text.substr(cross + 1));
         if (width && height) return PixelSize{*width, *height};
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a size", text), "write WIDTHxHEIGHT, for example 512x256");
+    return fail("USE0105", fmt::format("'{}' is not a size", text), "write WIDTHxHEIGHT, for example 512x256");
 }
 
 Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {
@@ -40,7 +40,7 @@ Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what) {
         const std::size_t comma = rest.find(',');
         const std::optional<double> number = parse_number(rest.substr(0, comma));
         if (!number || (comma == std::string_view::npos) != (axis == 2))
-            return fail(Failure::usage, fmt::format("{} takes three numbers, not '{}'", what, text),
+            return fail("USE0105", fmt::format("{} takes three numbers, not '{}'", what, text),
                         "write x,y,z, for example 0,0,2.5");
         vector[axis] = *number;
         if (axis < 2) rest.remove_prefix(comma + 1);
@@ -56,15 +56,14 @@ Result<std::uint64_t> whole_number(std::string_view text, std::string_view what)
     const std::optional<double> number = parse_number(text);
     if (number && *number >= 0.0 && *number <= 0x1p53 && std::floor(*number) == *number)
         return static_cast<std::uint64_t>(*number);
-    return fail(Failure::usage, fmt::format("{} takes a whole number, not '{}'", what, text));
+    return fail("USE0105", fmt::format("{} takes a whole number, not '{}'", what, text));
 }
 
 Result<unsigned> thread_count(const Arguments& arguments) {
     const std::optional<std::string> text = arguments.value("--jobs");
     if (!text) return 0U;
     const std::optional<int> count = parse_count(*text);
-    if (!count || *count > 1024)
-        return fail(Failure::usage, fmt::format("-j takes a number of threads, not '{}'", *text));
+    if (!count || *count > 1024) return fail("USE0105", fmt::format("-j takes a number of threads, not '{}'", *text));
     return static_cast<unsigned>(*count);
 }
 
@@ -82,10 +81,10 @@ Result<simd::InstructionSet> instruction_set(const Arguments& arguments) {
 Result<std::optional<double>> reference_error(const Arguments& arguments, bool by_reference) {
     const auto given = arguments.value("--error");
     if (!given) return std::nullopt;
-    if (!by_reference) return fail(Failure::usage, "--error needs the method reference", "add --method reference");
+    if (!by_reference) return fail("USE0104", "--error needs the method reference", "add --method reference");
     const std::optional<double> error = parse_number(*given);
     if (!error || !(*error >= 1e-12) || !(*error <= 0.1))
-        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
+        return fail("USE0106", fmt::format("--error must lie in [1e-12, 0.1], not '{}'", *given),
                     "it is relative: 1e-4 is a hundredth of a percent");
     return error;
 }

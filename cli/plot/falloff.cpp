@@ -30,11 +30,9 @@ Result<std::vector<LightDescription>> described(const Arguments& arguments) {
         }
     }
     if (lights.empty() && shapes.empty())
-        return fail(Failure::usage, "no light is given",
-                    "name profiles, or use --shape sphere:r=10cm --intensity 800lm");
+        return fail("USE0104", "no light is given", "name profiles, or use --shape sphere:r=10cm --intensity 800lm");
     if (shapes.empty() ? !amounts.empty() : amounts.size() > 1 && amounts.size() != shapes.size())
-        return fail(Failure::usage,
-                    fmt::format("{} values of --intensity for {} of --shape", amounts.size(), shapes.size()),
+        return fail("USE0107", fmt::format("{} values of --intensity for {} of --shape", amounts.size(), shapes.size()),
                     "give one for all shapes, or one for each; profiles keep their own intensity");
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         Result<Shape> shape = parse_shape(shapes[i]);
@@ -69,7 +67,7 @@ Result<void> check_free(const Arguments& arguments, std::span<const LightDescrip
 Result<void> no_falloff_options(const Arguments& arguments) {
     for (const Option& option : falloff_options)
         if (arguments.has(option.names))
-            return fail(Failure::usage, fmt::format("{} is only for the diagram falloff", option.names),
+            return fail("USE0107", fmt::format("{} is only for the diagram falloff", option.names),
                         "add --diagram falloff");
     return {};
 }
@@ -80,7 +78,7 @@ Result<FalloffOptions> read_falloff(const Arguments& arguments) {
     if (!text) return options;
     const std::size_t colon = text->find(':');
     if (colon == std::string::npos)
-        return fail(Failure::usage, fmt::format("'{}' is not a range of distances", *text),
+        return fail("USE0105", fmt::format("'{}' is not a range of distances", *text),
                     "write FROM:TO, for example 0.1m:20m");
     Result<double> from = parse_amount(std::string_view(*text).substr(0, colon), Dimension::length, "--distance");
     if (!from) return pass_on(from);

@@ -266,16 +266,16 @@ Json comparison_json(const Comparison& comparison, const PreviewRequest& request
 
 Result<void> fits_comparison(const Arguments& arguments, const PreviewRequest& request) {
     if (request.look.look != Look::beauty)
-        return fail(Failure::usage, "a comparison uses the display mode beauty and shows differences in colour",
+        return fail("USE0107", "a comparison uses the display mode beauty and shows differences in colour",
                     "leave --look out");
     for (const std::string_view option : {"--columns", "--ticks", "--stats"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} does not apply to a comparison", option), "leave it out");
+            return fail("USE0107", fmt::format("{} does not apply to a comparison", option), "leave it out");
     if (request.exposure.tone_map == ToneMap::ue3_inverse)
-        return fail(Failure::usage, "--tone-map ue3-inverse does not apply to a comparison", "leave it out");
+        return fail("USE0107", "--tone-map ue3-inverse does not apply to a comparison", "leave it out");
     if (request.compared.size() > most_methods)
-        return fail(Failure::usage, fmt::format("{} methods are more than {}", request.compared.size(),
-                                                to_text(limit("compared-methods"))));
+        return fail("USE0106", fmt::format("{} methods are more than {}", request.compared.size(),
+                                           to_text(limit("compared-methods"))));
     return {};
 }
 
@@ -302,7 +302,7 @@ Result<int> preview_compare(const Arguments& arguments, Console& console) {
         size.width = options.picture_width_px;
         size.height = options.picture_height_px;
     } else if (arguments.has("--title")) {
-        return fail(Failure::usage, "layers have no title", "write .png, or leave --title out");
+        return fail("USE0107", "layers have no title", "write .png, or leave --title out");
     }
     Diagnostics diagnostics = request->diagnostics;
     Result<std::vector<Light>> lights = resolve_input(request->lights, diagnostics, size.threads);

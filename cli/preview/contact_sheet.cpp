@@ -19,7 +19,7 @@ namespace {} // namespace
 Result<void> no_sheet_options(const Arguments& arguments) {
     for (const Option& option : contact_sheet_options)
         if (arguments.has(option.names))
-            return fail(Failure::usage, fmt::format("{} is only for sheets", option.names),
+            return fail("USE0107", fmt::format("{} is only for sheets", option.names),
                         "add --sheet, --compare or --sweep");
     return {};
 }
@@ -33,19 +33,19 @@ Result<SheetOptions> read_sheet_options(const Arguments& arguments, const Previe
     if (options.picture_width_px < 32 || options.picture_height_px < 32 || options.picture_width_px > 2048 ||
         options.picture_height_px > 2048)
         return fail(
-            Failure::usage, "the picture of a tile must be 32 to 2048 pixels wide and high",
+            "USE0106", "the picture of a tile must be 32 to 2048 pixels wide and high",
             fmt::format("-s is the size of the picture in each tile, for example {}x{}", usual.width, usual.height));
     if (const auto text = arguments.value("--columns")) {
         const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), options.columns);
         if (error != std::errc() || end != text->data() + text->size() || options.columns < 1)
-            return fail(Failure::usage, fmt::format("--columns takes a number of 1 or more, not '{}'", *text));
+            return fail("USE0105", fmt::format("--columns takes a number of 1 or more, not '{}'", *text));
     }
     return options;
 }
 
 Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hint) {
     if (has_pixel(format, media::Pixel::uint8) && !has_pixel(format, media::Pixel::float32)) return {};
-    return fail(Failure::usage, fmt::format("{} is for light, not for sheets", format.title), std::string(hint));
+    return fail("USE0107", fmt::format("{} is for light, not for sheets", format.title), std::string(hint));
 }
 
 Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what) {

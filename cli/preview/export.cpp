@@ -28,7 +28,7 @@ std::string description_of(const PreviewRequest& request, std::size_t lights, st
 
 Result<void> check_export(const std::string& file) {
     if (file == "-")
-        return fail(Failure::usage, "a scene has several files, and stdout holds only one",
+        return fail("USE0107", "a scene has several files, and stdout holds only one",
                     "give --export a file name, for example --export scene.gltf");
     Result<const StageFormat*> format = stage_format_of(file);
     if (!format) return pass_on(format);

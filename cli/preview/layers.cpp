@@ -1,6 +1,7 @@
 #include "layers.hpp"
 
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/media/layers.hpp>
 #include <gonio/plot/look.hpp>
 #include <gonio/preview/picture_parts.hpp>
@@ -51,10 +52,7 @@ Result<LayerChoice> read_choice(std::string_view text) {
         } else if (name == "illuminance") {
             choice.illuminance = true;
         } else {
-            std::vector<std::string_view> known;
-            for (const LayerKind& kind : layer_kinds)
-                known.push_back(kind.name);
-            return unknown_name("layers", name, known);
+            return unknown_name("layers", name, names_of(layer_kinds));
         }
         more = comma != std::string_view::npos;
         if (more) text.remove_prefix(comma + 1);
@@ -67,15 +65,15 @@ Result<void> fits_layers(const Arguments& arguments, const PreviewRequest& reque
     others.insert(others.end(), {"--ticks", "--stats"});
     for (const std::string_view option : others)
         if (option != "--aov" && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--aov and {} are both given", option), "make a picture of each");
+            return fail("USE0107", fmt::format("--aov and {} are both given", option), "make a picture of each");
     if (request.format->name != "exr")
-        return fail(Failure::usage, fmt::format("{} cannot hold layers", request.format->title),
+        return fail("USE0107", fmt::format("{} cannot hold layers", request.format->title),
                     "write .exr, or leave --aov out");
     if (request.look.look != Look::beauty)
-        return fail(Failure::usage, "layers need the display mode beauty",
+        return fail("USE0107", "layers need the display mode beauty",
                     "leave --look out; --aov illuminance has the lux");
     if (request.exposure.tone_map != ToneMap::none)
-        return fail(Failure::usage, "layers add up as light, before any tone map", "leave --tone-map out");
+        return fail("USE0107", "layers add up as light, before any tone map", "leave --tone-map out");
     return no_sheet_options(arguments);
 }
 

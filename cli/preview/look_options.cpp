@@ -1,6 +1,6 @@
 #include "look_options.hpp"
 
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/preview/exposure.hpp>
 
 #include "../options/output.hpp"
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,10 +21,9 @@ Dimension dimension_of(PictureQuantity quantity) {
 }
 
 Result<PictureQuantity> parse_quantity(const std::string& text) {
-    constexpr std::array<std::string_view, 2> names{"illuminance", "luminance"};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (text == names[i]) return static_cast<PictureQuantity>(i);
-    return unknown_name("quantity", text, names);
+    constexpr std::array quantities{Named{"illuminance", PictureQuantity::illuminance},
+                                    Named{"luminance", PictureQuantity::luminance}};
+    return find_value("quantity", text, quantities);
 }
 
 // The unit decides the quantity where none is named.
@@ -34,8 +34,7 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
         Result<PictureQuantity> quantity = parse_quantity(*named);
         if (!quantity) return pass_on(quantity);
         if (request.look == Look::luminance && *quantity != PictureQuantity::luminance)
-            return fail(Failure::usage, "the display mode luminance shows only luminance",
-                        "use --look falsecolour for lux");
+            return fail("USE0107", "the display mode luminance shows only luminance", "use --look falsecolour for lux");
         request.quantity = *quantity;
     }
     const auto text = arguments.value("--unit");
@@ -47,12 +46,12 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
     const bool of_lux = unit != nullptr && unit->dimension == Dimension::illuminance;
     const bool of_nits = unit != nullptr && unit->dimension == Dimension::luminance;
     if (!of_lux && !of_nits)
-        return fail(Failure::usage, fmt::format("'{}' is not a unit of illuminance or luminance", *text),
+        return fail("USE0105", fmt::format("'{}' is not a unit of illuminance or luminance", *text),
                     "use lx or fc for illuminance, nt, cd/m2 or fL for luminance");
     if (!named && request.look != Look::luminance)
         request.quantity = of_lux ? PictureQuantity::illuminance : PictureQuantity::luminance;
     if (unit->dimension != dimension_of(request.quantity))
-        return fail(Failure::usage, fmt::format("{} is not measured in {}", to_text(request.quantity), *text),
+        return fail("USE0107", fmt::format("{} is not measured in {}", to_text(request.quantity), *text),
                     of_lux ? "use nt, cd/m2 or fL" : "use lx or fc");
     request.unit = unit;
     return {};
@@ -61,7 +60,7 @@ Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
 // "log", "linear", "LOW:HIGH", "log:LOW:HIGH", "linear:LOW:HIGH".
 Result<void> read_scale(std::string_view text, LookRequest& request) {
     const auto wrong = [&](std::string message) {
-        return fail(Failure::usage, std::move(message),
+        return fail("USE0105", std::move(message),
                     request.quantity == PictureQuantity::illuminance
                         ? "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1lx:1000lx"
                         : "write log, linear, LOW:HIGH or linear:LOW:HIGH, for example 0.1nt:1000nt");
@@ -102,7 +101,7 @@ Result<void> read_levels(std::string_view text, LookRequest& request) {
         Result<double> level = parse_amount(part, dimension_of(request.quantity), "each of --levels");
         if (!level) return pass_on(level);
         if (!(*level > 0.0) || (!request.levels.empty() && *level <= request.levels.back()))
-            return fail(Failure::usage, fmt::format("the levels '{}' must rise from above 0", text),
+            return fail("USE0106", fmt::format("the levels '{}' must rise from above 0", text),
                         "write them in ascending order, for example --levels 1lx,5lx,10lx");
         request.levels.push_back(*level);
     }
@@ -126,7 +125,7 @@ Result<void> only_useful(const Arguments& arguments, Look look) {
         for (const LookName& known : looks())
             if (use.by_look[static_cast<std::size_t>(known.look)])
                 names += fmt::format("{}{}", names.empty() ? "" : " or ", known.name);
-        return fail(Failure::usage, fmt::format("the display mode {} does not take {}", to_text(look), use.option),
+        return fail("USE0107", fmt::format("the display mode {} does not take {}", to_text(look), use.option),
                     fmt::format("add --look {}", names));
     }
     return {};
@@ -135,11 +134,11 @@ Result<void> only_useful(const Arguments& arguments, Look look) {
 Result<void> fits_format(const LookRequest& request, const media::ImageFormat& format) {
     if (request.look == Look::beauty || !has_pixel(format, media::Pixel::float32)) return {};
     if (request.look == Look::isolux)
-        return fail(Failure::usage, fmt::format("{} holds values, not lines", format.title),
+        return fail("USE0107", fmt::format("{} holds values, not lines", format.title),
                     "write .png, or write the values with --look falsecolour");
     if (!format.channels.empty() &&
         std::find(format.channels.begin(), format.channels.end(), 1) == format.channels.end())
-        return fail(Failure::usage,
+        return fail("USE0107",
                     fmt::format("{} cannot hold the single channel of {}", format.title, to_text(request.quantity)),
                     "write .exr for the values, .png for the picture");
     return {};
@@ -177,7 +176,7 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
         Result<double> lux = parse_amount(std::string_view(text).substr(card.size()), Dimension::illuminance,
                                           "what follows lux: in --exposure");
         if (!lux) return pass_on(lux);
-        if (!(*lux > 0.0)) return fail(Failure::usage, fmt::format("--exposure {} needs an illuminance above 0", text));
+        if (!(*lux > 0.0)) return fail("USE0104", fmt::format("--exposure {} needs an illuminance above 0", text));
         request.mode = ExposureMode::card;
         request.ev = exposure_of_card(Lux(*lux));
     } else if (text == "auto") {
@@ -185,7 +184,7 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
     } else {
         if (const Result<Amount> amount = parse_amount(text);
             amount && amount->unit->dimension == Dimension::illuminance)
-            return fail(Failure::usage, fmt::format("write an exposure in lux as lux:{}", text),
+            return fail("USE0105", fmt::format("write an exposure in lux as lux:{}", text),
                         "a matte 18 % card under that illuminance is then middle grey");
         Result<double> ev = parse_amount(text, Dimension::luminance_ev, "--exposure");
         if (!ev) return pass_on(ev);
@@ -194,7 +193,7 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
     }
     constexpr double most = 100.0; // 1.5e30 cd/m² for white; a picture holds less
     if (!(std::abs(request.ev.value) <= most))
-        return fail(Failure::usage, fmt::format("--exposure {} is out of range", text),
+        return fail("USE0106", fmt::format("--exposure {} is out of range", text),
                     fmt::format("it must lie between -{0}ev and {0}ev", most));
     return {};
 }
@@ -208,16 +207,16 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
     request.tone_map = *map;
     const bool floats = has_pixel(format, media::Pixel::float32);
     if (*map == ToneMap::ue3_inverse && arguments.value("--look").value_or("beauty") != "beauty")
-        return fail(Failure::usage, "ue3-inverse needs the display mode beauty");
+        return fail("USE0107", "ue3-inverse needs the display mode beauty");
     if (*map == ToneMap::ue3 && floats)
-        return fail(Failure::usage, fmt::format("{} holds linear light, but ue3 is for a display", format.title),
+        return fail("USE0107", fmt::format("{} holds linear light, but ue3 is for a display", format.title),
                     "write .png, or use ue3-inverse");
     if (*map == ToneMap::ue3_inverse && !floats)
-        return fail(Failure::usage, fmt::format("{} cannot hold values up to 8, which ue3-inverse gives", format.title),
+        return fail("USE0107", fmt::format("{} cannot hold values up to 8, which ue3-inverse gives", format.title),
                     "write .exr");
     for (const std::string_view option : {"--view", "--display", "--ocio"})
         if (*map != ToneMap::none && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--tone-map {} replaces {}", to_text(*map), option),
+            return fail("USE0107", fmt::format("--tone-map {} replaces {}", to_text(*map), option),
                         "leave one of them out");
     return request;
 }

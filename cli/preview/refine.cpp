@@ -27,9 +27,9 @@ Result<double> parse_error(std::string_view text) {
     const bool percent = text.ends_with('%');
     const std::optional<double> number = parse_number(percent ? text.substr(0, text.size() - 1) : text);
     const double error = number.value_or(-1.0) * (percent ? 0.01 : 1.0);
-    if (error == 0.0) return fail(Failure::usage, "--error 0 would never end", "for example --error 1%, or --time 30s");
+    if (error == 0.0) return fail("USE0106", "--error 0 would never end", "for example --error 1%, or --time 30s");
     if (!(error >= 1e-12) || !(error <= 0.5))
-        return fail(Failure::usage, fmt::format("--error must lie in [1e-12, 0.5], not '{}'", text),
+        return fail("USE0106", fmt::format("--error must lie in [1e-12, 0.5], not '{}'", text),
                     "it is relative: 1% is 0.01");
     return error;
 }
@@ -41,11 +41,11 @@ Result<double> parse_time_ms(std::string_view text) {
         if (!text.ends_with(unit)) continue;
         const std::optional<double> number = parse_number(text.substr(0, text.size() - std::string_view(unit).size()));
         if (!number) break;
-        if (*number == 0.0) return fail(Failure::usage, "--time must be greater than 0", "for example --time 30s");
+        if (*number == 0.0) return fail("USE0106", "--time must be greater than 0", "for example --time 30s");
         if (!(*number > 0.0) || !(*number * ms <= 1e9)) break;
         return *number * ms;
     }
-    return fail(Failure::usage, fmt::format("--time takes a duration, not '{}'", text),
+    return fail("USE0105", fmt::format("--time takes a duration, not '{}'", text),
                 "for example 500ms, 30s, 2min or 1h");
 }
 
@@ -56,11 +56,11 @@ Result<ReferenceBudget> reference_budget(const Arguments& arguments, bool by_ref
     const auto error = arguments.value("--error");
     const auto time = arguments.value("--time");
     if ((error || time) && !by_reference)
-        return fail(Failure::usage, fmt::format("{} needs the method reference", error ? "--error" : "--time"),
+        return fail("USE0104", fmt::format("{} needs the method reference", error ? "--error" : "--time"),
                     "add --method reference");
     for (const std::string_view option : {"--aov", "--compare", "--sheet", "--sweep"})
         if (time && arguments.has(option))
-            return fail(Failure::usage, fmt::format("--time is for one picture, not for {}", option),
+            return fail("USE0107", fmt::format("--time is for one picture, not for {}", option),
                         "there --error ends the method reference");
     if (error) {
         Result<double> parsed = parse_error(*error);

@@ -24,14 +24,14 @@ Result<Shadows> read_shadows(const Arguments& arguments) {
     const auto kind = arguments.value("--shadows");
     if (arguments.has("--no-shadows")) {
         if (kind && *kind != "off")
-            return fail(Failure::usage, fmt::format("--shadows {} and --no-shadows are both given", *kind),
+            return fail("USE0107", fmt::format("--shadows {} and --no-shadows are both given", *kind),
                         "leave one of them out");
         return Shadows::off;
     }
     if (!kind || *kind == "soft") return Shadows::soft;
     if (*kind == "hard") return Shadows::hard;
     if (*kind == "off") return Shadows::off;
-    return fail(Failure::usage, fmt::format("'{}' is not a kind of shadows", *kind), "off, hard or soft");
+    return fail("USE0105", fmt::format("'{}' is not a kind of shadows", *kind), "off, hard or soft");
 }
 
 Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
@@ -68,11 +68,11 @@ Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) 
     const auto text = arguments.value("--compare");
     if (!text) return {};
     if (arguments.has("--method"))
-        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+        return fail("USE0107", "--method and --compare are both given", "name every method in --compare");
     Result<std::vector<IrradianceMethod>> methods = method_list(*text);
     if (!methods) return pass_on(methods);
     if (methods->size() < 2)
-        return fail(Failure::usage, fmt::format("--compare {} names only one method", *text),
+        return fail("USE0104", fmt::format("--compare {} names only one method", *text),
                     "name two or more, the one to compare with first: for example --compare exact,frostbite");
     request.compared = std::move(*methods);
     return {};
@@ -96,7 +96,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
         Result<std::optional<double>> error = reference_error(arguments, by_reference);
         if (!error) return pass_on(error);
         if (*error) request.render.goal.relative_error = **error;
-        if (arguments.has("--time")) return fail(Failure::usage, "--time is for a single picture", "use --error E");
+        if (arguments.has("--time")) return fail("USE0107", "--time is for a single picture", "use --error E");
     } else {
         Result<ReferenceBudget> budget = reference_budget(arguments, by_reference);
         if (!budget) return pass_on(budget);
@@ -110,7 +110,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
 Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
     for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} is for a picture, but no picture is asked for", option),
+            return fail("USE0107", fmt::format("{} is for a picture, but no picture is asked for", option),
                         "add -o FILE, for example -o lamp.png");
     Result<ExposureRequest> exposure = read_exposure(arguments, *media::find_image_format("a.png"));
     if (!exposure) return pass_on(exposure);
@@ -122,16 +122,15 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     auto output = arguments.value("--output");
     if (arguments.has("--output-dir")) {
         if (!arguments.has("--sweep"))
-            return fail(Failure::usage, "-O is only for --sweep", "use -o FILE, for example -o lamp.png");
-        if (output)
-            return fail(Failure::usage, "-o and -O are both given", "-o writes a sheet, -O a file for each picture");
+            return fail("USE0107", "-O is only for --sweep", "use -o FILE, for example -o lamp.png");
+        if (output) return fail("USE0107", "-o and -O are both given", "-o writes a sheet, -O a file for each picture");
         output = "picture.png"; // unless --to says otherwise
     }
     request.export_file = arguments.value("--export").value_or("");
     if (arguments.has("--export"))
         if (Result<void> checked = check_export(request.export_file); !checked) return checked;
     if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
-    if (!output) return fail(Failure::usage, "no output is given", "use -o FILE, for example -o lamp.png");
+    if (!output) return fail("USE0104", "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;
     if (*output == "-" && (arguments.has("--json") || arguments.has("--jsonl"))) return both_to_standard_output();
     Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), *output);
@@ -172,7 +171,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     if (!read) return pass_on(read);
     // Lines would be read as numbers.
     if (arguments.has("--ticks") && request.look.look != Look::beauty && request.look.look != Look::isolux)
-        return fail(Failure::usage, "--ticks cannot be drawn into a picture of values",
+        return fail("USE0107", "--ticks cannot be drawn into a picture of values",
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);

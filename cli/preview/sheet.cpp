@@ -41,12 +41,12 @@ Result<void> only_of_sheets(const Arguments& arguments) {
     for (const std::string_view option : {"--output-dir"})
         if (arguments.has(option)) other = option;
     if (!other.empty())
-        return fail(Failure::usage, fmt::format("a sheet shows profiles as measured: {} does not apply", other),
+        return fail("USE0107", fmt::format("a sheet shows profiles as measured: {} does not apply", other),
                     "leave it out, or render one light without --sheet");
     if (arguments.has("--compare"))
-        return fail(Failure::usage, "--sheet and --compare are both given", "make a picture of each");
+        return fail("USE0107", "--sheet and --compare are both given", "make a picture of each");
     if (arguments.value("--look").value_or("beauty") != "beauty")
-        return fail(Failure::usage, "a sheet uses the display mode beauty", "render one light without --sheet");
+        return fail("USE0107", "a sheet uses the display mode beauty", "render one light without --sheet");
     return {};
 }
 

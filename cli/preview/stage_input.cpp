@@ -64,7 +64,7 @@ Result<void> read_field_of_view(const std::string& text, Camera& camera) {
     camera.vertical_fov_deg = to_degrees(Radians(*angle));
     camera.least_horizontal_fov_deg = 0.0;
     if (!(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
-        return fail(Failure::usage, fmt::format("--fov must lie between 0deg and 180deg, not {}", text));
+        return fail("USE0106", fmt::format("--fov must lie between 0deg and 180deg, not {}", text));
     return {};
 }
 

@@ -47,15 +47,14 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
 Result<void> fits_sweep(const Arguments& arguments, bool as_files) {
     for (const std::string_view option : {"--sheet", "--compare"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("--sweep and {} are both given", option), "make a picture of each");
+            return fail("USE0107", fmt::format("--sweep and {} are both given", option), "make a picture of each");
     for (const std::string_view option : {"--stats", "--ticks"})
         if (arguments.has(option))
-            return fail(Failure::usage, fmt::format("{} does not apply to a sweep", option), "leave it out");
+            return fail("USE0107", fmt::format("{} does not apply to a sweep", option), "leave it out");
     if (as_files) return no_sheet_options(arguments);
-    if (arguments.has("--overwrite"))
-        return fail(Failure::usage, "--overwrite is only for -O", "name a folder with -O");
+    if (arguments.has("--overwrite")) return fail("USE0107", "--overwrite is only for -O", "name a folder with -O");
     if (arguments.value("--look").value_or("beauty") != "beauty")
-        return fail(Failure::usage, "a sheet uses the display mode beauty",
+        return fail("USE0107", "a sheet uses the display mode beauty",
                     "use -O DIR for pictures of another display mode");
     return {};
 }
@@ -101,7 +100,7 @@ Result<int> preview_sweep(const Arguments& arguments, Console& console) {
         options.polar = false;
         if (sweep->axes.size() == 2) {
             if (arguments.has("--columns"))
-                return fail(Failure::usage, "two sweeps set the number of columns", "leave --columns out");
+                return fail("USE0107", "two sweeps set the number of columns", "leave --columns out");
             options.columns = static_cast<int>(sweep->axes[0].values.size());
         }
         fine = fits_sheet(sweep->cells(), options, "pictures");

@@ -59,8 +59,7 @@ public:
 
 private:
     Unexpected wrong(std::size_t at, std::string_view message, std::string hint = {}) const {
-        return fail(Failure::usage, fmt::format("--sweep '{}', column {}: {}", text_, at + 1, message),
-                    std::move(hint));
+        return fail("USE0105", fmt::format("--sweep '{}', column {}: {}", text_, at + 1, message), std::move(hint));
     }
 
     std::size_t colons(std::size_t from) const {

@@ -41,7 +41,7 @@ Result<std::vector<std::string>> plan_sweep_files(const Arguments& arguments, co
         files.push_back(file_of(sweeper.sweep(), cell, folder, sweeper.request().format->extensions.front()));
         if (Result<void> free = in_use.take(files.back()); !free) return pass_on(free);
         if (!arguments.has("--overwrite") && file_exists(files.back()))
-            return fail(Failure::usage, "already exists", "add --overwrite to replace it", files.back());
+            return fail("USE0108", "already exists", "add --overwrite to replace it", files.back());
     }
     return files;
 }

@@ -154,15 +154,15 @@ Result<Sweep> read_sweep(const Arguments& arguments) {
         if (!axis) return pass_on(axis);
         for (const SweepAxis& other : sweep.axes)
             if (other.name() == axis->name())
-                return fail(Failure::usage, fmt::format("--sweep {} is given twice", axis->name()));
+                return fail("USE0107", fmt::format("--sweep {} is given twice", axis->name()));
         sweep.axes.push_back(std::move(*axis));
     }
     if (sweep.axes.size() > 2)
-        return fail(Failure::usage, fmt::format("{} sweeps are given", sweep.axes.size()),
+        return fail("USE0107", fmt::format("{} sweeps are given", sweep.axes.size()),
                     "one makes a row, two make rows and columns");
     if (sweep.cells() > most_cells)
         return fail(
-            Failure::usage,
+            "USE0106",
             fmt::format("the sweeps make {} pictures, more than {}", sweep.cells(), to_text(limit("sweep-pictures"))),
             "ask for fewer values");
     return sweep;

@@ -41,15 +41,14 @@ Result<void> read_methods(const Arguments& arguments, ProbeRequest& request) {
     const auto compare = arguments.value("--compare");
     const auto method = arguments.value("--method");
     if (compare && method)
-        return fail(Failure::usage, "--method and --compare are both given", "name every method in --compare");
+        return fail("USE0107", "--method and --compare are both given", "name every method in --compare");
     request.compare = compare.has_value();
     // Of luminance the quadrature is the truth, of illuminance the closed forms are.
     if (request.compare)
         request.methods.push_back(arguments.has("--view") ? IrradianceMethod::reference : IrradianceMethod::exact);
     Result<std::vector<IrradianceMethod>> named = method_list(compare ? *compare : method.value_or("exact"));
     if (!named) return pass_on(named);
-    if (!compare && named->size() > 1)
-        return fail(Failure::usage, "--method takes one method", "use --compare for several");
+    if (!compare && named->size() > 1) return fail("USE0107", "--method takes one method", "use --compare for several");
     for (const IrradianceMethod each : *named)
         if (std::find(request.methods.begin(), request.methods.end(), each) == request.methods.end())
             request.methods.push_back(each);
@@ -61,14 +60,14 @@ Result<void> read_view(const Arguments& arguments, ProbeRequest& request) {
     const auto material = arguments.value("--material");
     if (!view && !material) return {};
     if (!view || !material)
-        return fail(Failure::usage, view ? "--view is given without --material" : "--material is given without --view",
+        return fail("USE0104", view ? "--view is given without --material" : "--material is given without --view",
                     "luminance needs both");
     constexpr std::string_view place = "at:";
     const bool is_place = view->starts_with(place);
     Result<glm::dvec3> vector = parse_vector(is_place ? view->substr(place.size()) : *view, "--view");
     if (!vector) return pass_on(vector);
     if (!is_place && !unit_vector(*vector))
-        return fail(Failure::usage, "--view is zero", "it points from the surface to the eye");
+        return fail("USE0106", "--view is zero", "it points from the surface to the eye");
     Result<Material> parsed = parse_material(*material);
     if (!parsed) return pass_on(parsed);
     const Diagnostics judged = check_charts(*parsed);
@@ -81,7 +80,7 @@ Result<void> read_view(const Arguments& arguments, ProbeRequest& request) {
 Result<void> read_form(const Arguments& arguments, ProbeRequest& request) {
     const std::array given{arguments.has("--json"), arguments.has("--jsonl"), arguments.has("--csv")};
     if (std::count(given.begin(), given.end(), true) > 1)
-        return fail(Failure::usage, "more than one of --json, --jsonl and --csv is given");
+        return fail("USE0107", "more than one of --json, --jsonl and --csv is given");
     request.form = given[0]   ? ProbeForm::json
                    : given[1] ? ProbeForm::json_line
                    : given[2] ? ProbeForm::csv
@@ -97,7 +96,7 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     if (!threads) return pass_on(threads);
     request.options.threads = *threads;
     if (arguments.value("--rig") == "-" && arguments.value("--points") == "-")
-        return fail(Failure::usage, "stdin cannot be both the rig and the points");
+        return fail("USE0108", "stdin cannot be both the rig and the points");
     Result<void> read = read_form(arguments, request);
     if (read) read = read_methods(arguments, request);
     if (read) read = read_view(arguments, request);

@@ -140,7 +140,7 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
         Result<Shape> assumed = parse_shape(*text);
         if (!assumed) return pass_on(assumed);
         if (class_of(*assumed) != ShapeClass::area)
-            return fail(Failure::usage, fmt::format("--assume takes a shape with an area, not '{}'", *text),
+            return fail("USE0105", fmt::format("--assume takes a shape with an area, not '{}'", *text),
                         "for example --assume sphere:r=1cm");
         request.assumed = std::move(*assumed);
     }
@@ -149,7 +149,7 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
         if (!target) return pass_on(target);
         const Dimension dimension = target->unit.unit->dimension;
         if (dimension != Dimension::illuminance && dimension != Dimension::illuminance_ev)
-            return fail(Failure::usage, fmt::format("--solve takes an illuminance, not '{}'", *text),
+            return fail("USE0105", fmt::format("--solve takes an illuminance, not '{}'", *text),
                         "0.1lx asks for a distance, 500lx@2m for a flux");
         request.solve = *target;
     }

@@ -10,6 +10,8 @@
 #include <gonio/bake/engine.hpp>
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
+#include <gonio/base/codes/failure.hpp>
+#include <gonio/base/diagnostic_codes.hpp>
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/base/exposure_value.hpp>
 #include <gonio/base/frame.hpp>

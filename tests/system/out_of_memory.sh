@@ -36,12 +36,12 @@ limited info -j 1 first.ies big.ies last.ies
 ((status == 5)) || fail "exit $status, not 5"
 grep -q '^first.ies$' out || fail "the input before is not read"
 grep -q '^last.ies$' out || fail "the input after is not read"
-grep -q '^big.ies: error: out of memory$' said || fail "the reason is not said"
+grep -q '^big.ies: error\[UNS0103\]: out of memory$' said || fail "the reason is not said"
 grep -q '^3 files: 2 read, 1 failed$' said || fail "the closing line does not count it"
 
 limited info -q big.ies
 ((status == 5)) || fail "-q: exit $status, not 5"
-grep -q '^big.ies: error: out of memory$' said || fail "-q hides the error"
+grep -q '^big.ies: error\[UNS0103\]: out of memory$' said || fail "-q hides the error"
 
 limited info -j 1 --json first.ies big.ies
 ((status == 5)) || fail "--json: exit $status, not 5"
@@ -49,5 +49,5 @@ grep -q '"message": "out of memory"' out || fail "--json does not report it"
 
 limited compare first.ies big.ies # no batch
 ((status == 5)) || fail "compare: exit $status, not 5"
-grep -q 'error: out of memory$' said || fail "compare does not say why"
+grep -q 'error\[UNS0103\]: out of memory$' said || fail "compare does not say why"
 echo "passed"

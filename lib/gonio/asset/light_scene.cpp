@@ -323,7 +323,7 @@ Result<void> check_unit(const Target& target, Meters unit) {
     constexpr double least = 1e-4;
     constexpr double most = 1e4;
     if (!(unit.value >= least && unit.value <= most))
-        return fail(Failure::usage, fmt::format("a unit of {} m is out of range", unit.value),
+        return fail("USE0106", fmt::format("a unit of {} m is out of range", unit.value),
                     fmt::format("it lies between {} m and {} m", least, most));
     const auto is = [&](double meters) { return std::abs(unit.value - meters) <= 1e-12 * meters; };
     switch (target.holds.length) {
@@ -359,7 +359,7 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
     for (const Light& light : lights)
         if (const glm::dvec3& at = light.frame.origin;
             !in_amount_range(at.x) || !in_amount_range(at.y) || !in_amount_range(at.z))
-            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+            return fail("USE0106", fmt::format("the position of '{}' is out of range", light.name),
                         fmt::format("coordinates of a scene reach to {} m", greatest_amount));
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);

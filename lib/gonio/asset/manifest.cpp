@@ -121,7 +121,7 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
 }
 
 Result<Manifest> merged(std::span<const Manifest> manifests) {
-    if (manifests.empty()) return fail(Failure::usage, "there is no manifest to merge");
+    if (manifests.empty()) return fail("USE0104", "there is no manifest to merge");
     Manifest whole;
     whole.recipe = manifests.front().recipe;
     std::set<std::size_t> shards;
@@ -135,13 +135,13 @@ Result<Manifest> merged(std::span<const Manifest> manifests) {
         if ((part.shard ? part.shard->count : 0) != count)
             return fail(Failure::usage, "the manifests are of different numbers of shards");
         if (part.shard && !shards.insert(part.shard->index).second)
-            return fail(Failure::usage, fmt::format("shard {}/{} is there twice", part.shard->index, count));
+            return fail("USE0107", fmt::format("shard {}/{} is there twice", part.shard->index, count));
         for (const ManifestAsset& asset : part.assets) {
             if (!inputs.insert(asset.input.file).second)
-                return fail(Failure::usage, fmt::format("two manifests list the input '{}'", asset.input.file));
+                return fail("USE0108", fmt::format("two manifests list the input '{}'", asset.input.file));
             for (const ManifestFile& file : asset.files)
                 if (!files.insert(file.file).second)
-                    return fail(Failure::usage, fmt::format("two inputs were written to '{}'", file.file));
+                    return fail("USE0108", fmt::format("two inputs were written to '{}'", file.file));
         }
         whole.inputs += part.inputs;
         whole.assets.insert(whole.assets.end(), part.assets.begin(), part.assets.end());
@@ -149,7 +149,7 @@ Result<Manifest> merged(std::span<const Manifest> manifests) {
     }
     for (std::size_t index = 1; index <= count && shards.size() < count; ++index)
         if (!shards.contains(index))
-            return fail(Failure::usage, fmt::format("the manifest of shard {}/{} is missing", index, count));
+            return fail("USE0104", fmt::format("the manifest of shard {}/{} is missing", index, count));
     sort_by_name(whole);
     return whole;
 }

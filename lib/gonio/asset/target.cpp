@@ -8,6 +8,18 @@
 
 namespace gonio {
 
+// Each in the target's own file.
+namespace asset_detail {
+std::vector<AssetFile> babylon_files(const SceneContent& scene);
+std::vector<AssetFile> gltf_files(const SceneContent& scene);
+std::vector<AssetFile> godot_files(const SceneContent& scene);
+std::vector<AssetFile> luxcore_files(const SceneContent& scene);
+std::vector<AssetFile> raw_files(const SceneContent& scene);
+std::vector<AssetFile> threejs_files(const SceneContent& scene);
+std::vector<AssetFile> unity_files(const SceneContent& scene);
+std::vector<AssetFile> unreal_files(const SceneContent& scene);
+} // namespace asset_detail
+
 namespace {
 
 // What each has besides profiles.

@@ -12,34 +12,12 @@ namespace {
 constexpr int least_side = 4;
 constexpr int greatest_side = static_cast<int>(limit("auto-texture-side").value);
 
-// `side` is what the layout's shape is counted in: a face of a cube, the height of a map of the sphere.
-TextureSize size_of(const BakeOptions& options, int side) {
-    switch (options.layout) {
-    case Layout::latlong:
-    case Layout::panorama:
-        return {2 * side, side};
-    case Layout::v180:
-        return {side, 1};
-    case Layout::octahedral:
-    case Layout::octahedral_equal_area:
-        return {side, side};
-    case Layout::gnomonic:
-        return {side + 2 * options.chart.border, side + 2 * options.chart.border};
-    case Layout::cube:
-    case Layout::cube_strip:
-        return {6 * side, side};
-    case Layout::cube_cross:
-        return {4 * side, 3 * side};
-    }
-    return {2 * side, side};
-}
-
 } // namespace
 
 Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candelas max_error) {
     const auto bake = [&](int side) {
         BakeOptions sized = options;
-        const TextureSize size = size_of(options, side);
+        const TextureSize size = size_of_side(info_of(options.layout), side, options.chart.border);
         sized.width = size.width;
         sized.height = size.height;
         return bake_texture(web, sized);

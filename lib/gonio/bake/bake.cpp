@@ -99,11 +99,11 @@ StoredTotals fill_in_closed_form(Texture& texture, const Web& web, const BakeOpt
     return sum(totals);
 }
 
-Result<double> unit_of(const Web& web, Normalization normalization) {
+Result<double> unit_of(Normalization normalization, Candelas peak, Lumens flux) {
     double unit = 1.0;
-    if (normalization == Normalization::peak) unit = peak(web).intensity.value;
-    if (normalization == Normalization::flux) unit = flux(web).value;
-    if (normalization == Normalization::mean) unit = flux(web).value / (4.0 * pi);
+    if (normalization == Normalization::peak) unit = peak.value;
+    if (normalization == Normalization::flux) unit = flux.value;
+    if (normalization == Normalization::mean) unit = flux.value / (4.0 * pi);
     if (!(unit > 0.0))
         return fail(Failure::usage, fmt::format("cannot normalise by a {} of {}", to_text(normalization), unit),
                     "this web emits no light; --normalize none stores its candela");
@@ -123,23 +123,7 @@ Unexpected does_not_fit(const Texture& texture) {
 } // namespace
 
 TextureSize usual_size(Layout layout) {
-    switch (layout) {
-    case Layout::latlong:
-    case Layout::panorama:
-        return {512, 256};
-    case Layout::v180:
-        return {256, 1};
-    case Layout::octahedral:
-    case Layout::octahedral_equal_area:
-    case Layout::gnomonic:
-        return {256, 256};
-    case Layout::cube:
-    case Layout::cube_strip:
-        return {768, 128};
-    case Layout::cube_cross:
-        return {512, 384};
-    }
-    return {512, 256};
+    return size_of_side(info_of(layout), info_of(layout).usual_side);
 }
 
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
@@ -149,10 +133,12 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
         return pass_on(fits);
     Result<std::vector<PlacedChart>> charts = charts_of(options.layout, options.width, options.height, options.chart);
     if (!charts) return pass_on(charts);
-    Result<double> unit = unit_of(web, options.normalization);
-    if (!unit) return pass_on(unit);
 
     Texture texture;
+    texture.peak = peak(web).intensity;
+    texture.flux = flux(web);
+    Result<double> unit = unit_of(options.normalization, texture.peak, texture.flux);
+    if (!unit) return pass_on(unit);
     texture.layout = info_of(options.layout).name;
     texture.texel_convention = info_of(options.layout).texel_convention;
     texture.image = Image(options.width, options.height, 1);
@@ -161,8 +147,6 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.texel_type = options.texel_type;
     texture.sampling = options.sampling;
     texture.transfer = options.transfer;
-    texture.peak = peak(web).intensity;
-    texture.flux = flux(web);
 
     const bool latlong = options.layout == Layout::latlong || (options.layout == Layout::v180 && options.height == 1);
     const Storage storage{texture.texel_type, texture.cd_per_unit, texture.transfer};

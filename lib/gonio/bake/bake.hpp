@@ -26,10 +26,6 @@ struct BakeOptions {
 };
 
 // The default size of a layout.
-struct TextureSize {
-    int width = 0;
-    int height = 0;
-};
 TextureSize usual_size(Layout layout);
 
 // The smallest texture of the options' layout whose max_error is within the limit: sizes are doubled until one is, and

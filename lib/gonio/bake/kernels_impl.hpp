@@ -75,6 +75,20 @@ struct NativeDoubles {
     }
 };
 
+// The doubles that go with a scalar of the other kernels.
+template<class S>
+struct DoublesFor;
+template<>
+struct DoublesFor<float> {
+    using type = ScalarDoubles;
+};
+template<class Isa>
+struct DoublesFor<simd::pack<float, Isa>> {
+    using type = NativeDoubles<Isa>;
+};
+template<class S>
+using DoublesOf = typename DoublesFor<S>::type;
+
 template<class D>
 GONIO_FORCE_INLINE typename D::V all(double x) {
     return typename D::V{} + x;

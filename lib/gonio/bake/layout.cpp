@@ -16,40 +16,75 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::array infos{
-    LayoutInfo{Layout::latlong, "latlong", "C across and gamma down, the aim in the first row",
+    LayoutInfo{Layout::latlong,
+               "latlong",
+               "C across and gamma down, the aim in the first row",
+               {2, 1},
+               256,
                "column i covers C in [i, i+1]/width*360 deg, row j covers gamma in [j, j+1]/height*180 deg, first row "
                "at gamma = 0 (nadir); a texel holds the mean over its solid angle"},
     LayoutInfo{
-        Layout::v180, "v180", "gamma across; one row holds the mean over C, more rows run over C",
+        Layout::v180,
+        "v180",
+        "gamma across; one row holds the mean over C, more rows run over C",
+        {1, 0},
+        256,
         "column i covers gamma in [i, i+1]/width*180 deg, first column at gamma = 0 (nadir), row j covers C in [j, "
         "j+1]/height*360 deg; a texel holds the mean over its solid angle"},
-    LayoutInfo{Layout::octahedral, "octahedral", "square, the aim in the middle, its opposite in the corners",
+    LayoutInfo{Layout::octahedral,
+               "octahedral",
+               "square, the aim in the middle, its opposite in the corners",
+               {1, 1},
+               256,
                "p = (x, y)/(|x|+|y|+|z|), for z > 0 folded to (1-|p.y|, 1-|p.x|) with the signs of x and y; column i "
                "covers p.x in [i, i+1]/width*2-1, row j covers p.y in 1-[j, j+1]/height*2; a texel holds the mean over "
                "its solid angle"},
-    LayoutInfo{Layout::octahedral_equal_area, "octahedral-equal-area",
+    LayoutInfo{Layout::octahedral_equal_area,
+               "octahedral-equal-area",
                "the octahedral layout with texels of equal solid angle",
+               {1, 1},
+               256,
                "r = sqrt(1-|z|), phi = atan2(|y|, |x|)*2/pi, p = (r - r*phi, r*phi), for z > 0 folded to (1-p.y, "
                "1-p.x), with the signs of x and y; column i covers p.x in [i, i+1]/width*2-1, row j covers p.y in "
                "1-[j, j+1]/height*2; a texel holds the mean over its solid angle"},
-    LayoutInfo{Layout::cube_strip, "cube-strip", "cube faces +X -X +Y -Y +Z -Z side by side",
+    LayoutInfo{Layout::cube_strip,
+               "cube-strip",
+               "cube faces +X -X +Y -Y +Z -Z side by side",
+               {6, 1},
+               128,
                "faces +X -X +Y -Y +Z -Z from the left, each as OpenGL looks it up; a texel holds the mean over its "
                "solid angle"},
-    LayoutInfo{Layout::cube_cross, "cube-cross", "cube faces unfolded, 4 x 3",
+    LayoutInfo{Layout::cube_cross,
+               "cube-cross",
+               "cube faces unfolded, 4 x 3",
+               {4, 3},
+               128,
                "faces +Y above, -X +Z +X -Z, -Y below, each as OpenGL looks it up; a texel holds the mean over its "
                "solid angle, texels of no face are 0"},
     LayoutInfo{
-        Layout::cube, "cube", "six files, one for each cube face",
+        Layout::cube,
+        "cube",
+        "six files, one for each cube face",
+        {6, 1},
+        128,
         "face +X -X +Y -Y +Z or -Z as its file's name says, each as OpenGL looks it up; a texel holds the mean over "
         "its solid angle"},
-    LayoutInfo{Layout::gnomonic, "gnomonic", "a plane across the aim: a cookie for a spot light",
+    LayoutInfo{Layout::gnomonic,
+               "gnomonic",
+               "a plane across the aim: a cookie for a spot light",
+               {1, 1, true},
+               256,
                "p = (x, y)/-z/tan(cone/2); inside the border columns run from p.x = -1 to 1, rows from p.y = 1 down to "
                "-1; a texel holds the mean over its solid angle, the border is 0"},
-    LayoutInfo{Layout::panorama, "panorama", "longitude and latitude about +Y, the aim in the middle",
+    LayoutInfo{Layout::panorama,
+               "panorama",
+               "longitude and latitude about +Y, the aim in the middle",
+               {2, 1},
+               256,
                "column i covers atan2(x, -z) in [i, i+1]/width*360-180 deg, row j covers asin(y) in 90-[j, "
                "j+1]/height*180 deg; a texel holds the mean over its solid angle"},
 };
-static_assert(in_enum_order(infos, &LayoutInfo::layout, Layout::panorama));
+static_assert(in_enum_order(infos, &LayoutInfo::layout, last_layout));
 
 double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
@@ -292,8 +327,7 @@ constexpr FacePlaces cross_places{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1
 
 Unexpected size_refused(Layout layout, int width, int height, const char* wanted, int example_width,
                         int example_height) {
-    return fail(Failure::usage,
-                fmt::format("the layout {} is {}, not {}x{}", info_of(layout).name, wanted, width, height),
+    return fail("USE0106", fmt::format("the layout {} is {}, not {}x{}", info_of(layout).name, wanted, width, height),
                 fmt::format("for example -s {}x{}", example_width, example_height));
 }
 
@@ -328,6 +362,12 @@ std::span<const LayoutInfo> layouts() {
 
 const LayoutInfo& info_of(Layout layout) {
     return infos[static_cast<std::size_t>(layout)];
+}
+
+TextureSize size_of_side(const LayoutInfo& layout, int side, int border) {
+    const LayoutShape& shape = layout.shape;
+    const int around = shape.bordered ? 2 * border : 0;
+    return {shape.across * side + around, shape.down == 0 ? 1 : shape.down * side + around};
 }
 
 Result<Layout> parse_layout(std::string_view text) {
@@ -369,12 +409,11 @@ Result<std::vector<PlacedChart>> upright_charts(Layout layout, int width, int he
         if (width != height) return size_refused(layout, width, height, "square", 256, 256);
         const int inside = width - 2 * options.border;
         if (options.border < 0 || inside < 1)
-            return fail(Failure::usage,
+            return fail("USE0106",
                         fmt::format("a border of {} texels leaves no texel of {}x{}", options.border, width, height));
         if (!(options.cone.value > 0.0 && options.cone.value < pi))
-            return fail(Failure::usage,
-                        fmt::format("a plane shows a cone of more than 0deg and less than 180deg, not {}deg",
-                                    to_degrees(options.cone)));
+            return fail("USE0106", fmt::format("a plane shows a cone of more than 0deg and less than 180deg, not {}deg",
+                                               to_degrees(options.cone)));
         const double reach = std::tan(0.5 * options.cone.value);
         return one(std::make_shared<Plane>(glm::dvec3(0, 0, -1), glm::dvec3(reach, 0, 0), glm::dvec3(0, reach, 0)),
                    options.border, inside, inside);

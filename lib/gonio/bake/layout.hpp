@@ -33,13 +33,31 @@ enum class Layout {
     gnomonic,              // a plane across the aim: a cookie
     panorama               // longitude and latitude about +Y, the aim in the middle
 };
+inline constexpr Layout last_layout = Layout::panorama;
+
+struct TextureSize {
+    int width = 0;
+    int height = 0;
+};
+
+// How a layout's width and height go with its side: a face of a cube, the height of a map of the sphere.
+struct LayoutShape {
+    int across = 1;        // sides
+    int down = 1;          // sides; 0: one row
+    bool bordered = false; // the border of the options lies around
+};
 
 struct LayoutInfo {
     Layout layout;
-    std::string_view name;             // "octahedral-equal-area"
-    std::string_view summary;          // for lists
+    std::string_view name;    // "octahedral-equal-area"
+    std::string_view summary; // for lists
+    LayoutShape shape;
+    int usual_side;                    // when no size is asked for
     std::string_view texel_convention; // one sentence: which directions a texel stands for
 };
+
+// Of a layout whose side has that many texels.
+TextureSize size_of_side(const LayoutInfo& layout, int side, int border = 0);
 
 std::span<const LayoutInfo> layouts();
 const LayoutInfo& info_of(Layout layout);

@@ -1,5 +1,5 @@
 #include <gonio/bake/texture.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,9 +25,9 @@ const char* to_text(Normalization normalization) {
 }
 
 Result<Normalization> parse_normalization(std::string_view text) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == text) return static_cast<Normalization>(i);
-    return unknown_name("normalization", text, names);
+    return find_named("normalization", text, names).map([](const std::string_view* name) {
+        return static_cast<Normalization>(name - names.data());
+    });
 }
 
 double as_stored(TexelType type, double value) {

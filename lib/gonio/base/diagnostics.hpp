@@ -19,7 +19,7 @@ struct Location {
 };
 
 struct Diagnostic {
-    std::string code; // stable, empty for usage and I/O errors
+    std::string code; // of diagnostic_codes.hpp; empty for remarks that have none; an error has one
     Severity severity = Severity::error;
     Location location;
     std::string message; // one sentence without a full stop

@@ -23,7 +23,7 @@ Result<void> check_readable(int fd, const std::string& path) {
     if (fd < 0) return io_failure("read", path, errno);
     struct stat status {};
     if (::fstat(fd, &status) == 0 && S_ISDIR(status.st_mode))
-        return fail(Failure::io, "cannot read: it is a folder", "name a file in it", path);
+        return fail("FIL0101", "cannot read: it is a folder", "name a file in it", path);
     return {};
 }
 
@@ -44,7 +44,7 @@ Result<std::string> read_all(int fd, const std::string& name, const Limit& most)
         if (got == 0) break;
         used += static_cast<std::size_t>(got);
         if (used > most.value)
-            return fail(Failure::io, fmt::format("larger than {}", to_text(most)), std::string(limits_hint), name);
+            return fail("FIL0104", fmt::format("larger than {}", to_text(most)), std::string(limits_hint), name);
     }
     bytes.resize(used);
     return bytes;

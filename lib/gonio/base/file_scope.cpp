@@ -55,12 +55,12 @@ Result<std::string> FileScope::path_of(const std::string& name) {
         path = folder_.ends_with('/') ? folder_ + name : folder_ + '/' + name;
     if (bounded_) {
         if (!lies_under(behind_links(path), real_folder_))
-            return fail(Failure::io, fmt::format("the file '{}' is outside {}", name, shown(folder_)),
+            return fail("FIL0105", fmt::format("the file '{}' is outside {}", name, shown(folder_)),
                         hint_.empty() ? "put it under that folder" : hint_);
         std::error_code error;
         const fs::file_status status = fs::status(path, error);
         if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
-            return fail(Failure::io, fmt::format("'{}' in {} is not a regular file", name, shown(folder_)), hint_);
+            return fail("FIL0105", fmt::format("'{}' in {} is not a regular file", name, shown(folder_)), hint_);
     }
     named_.insert(path);
     return path;

@@ -144,7 +144,7 @@ struct FileSet::State {
         file.path = path;
         file.name = target.substr(target.rfind('/') + 1);
         if (file.name.empty() || file.name == "." || file.name == "..")
-            return fail(Failure::io, "cannot write: it is not the name of a file", {}, path);
+            return fail("FIL0103", "cannot write: it is not the name of a file", {}, path);
         file.replaces = existing != nullptr;
         file.folder = open_folder(folder_of(target));
         if (file.folder < 0) return io_failure("write", path, errno);
@@ -203,12 +203,12 @@ FileSet& FileSet::operator=(FileSet&&) noexcept = default;
 FileSet::~FileSet() = default;
 
 Result<void> FileSet::add(const std::string& path, std::string_view bytes) {
-    if (path.empty()) return fail(Failure::io, "cannot write: the file name is empty");
+    if (path.empty()) return fail("FIL0103", "cannot write: the file name is empty");
     struct stat status {};
     const bool exists = ::stat(path.c_str(), &status) == 0;
     if (!exists && errno != ENOENT) return io_failure("write", path, errno);
     if (exists && S_ISDIR(status.st_mode))
-        return fail(Failure::io, "cannot write: it is a folder", "name a file in it", path);
+        return fail("FIL0101", "cannot write: it is a folder", "name a file in it", path);
     if (exists && ::access(path.c_str(), W_OK) != 0) return io_failure("write", path, errno);
     if (exists && !S_ISREG(status.st_mode)) {
         state_->direct.push_back({path, std::string(bytes)});

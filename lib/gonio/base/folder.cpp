@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Unexpected unreadable(const std::string& folder, const std::error_code& error) {
-    return fail(Failure::io, "cannot read the folder: " + error.message(), {}, folder);
+    return fail("FIL0102", "cannot read the folder: " + error.message(), {}, folder);
 }
 
 bool ends_in(std::string_view name, std::span<const std::string_view> extensions) {
@@ -32,7 +32,7 @@ bool is_folder(const std::string& path) {
 Result<void> make_folder(const std::string& path) {
     std::error_code error;
     fs::create_directory(path, error);
-    if (error) return fail(Failure::io, "cannot create the folder: " + error.message(), {}, path);
+    if (error) return fail("FIL0103", "cannot create the folder: " + error.message(), {}, path);
     if (!is_folder(path)) return fail(Failure::io, "this is a file, not a folder", {}, path);
     return {};
 }

@@ -82,11 +82,7 @@ public:
 
 private:
     bool refuse(std::string message) {
-        Diagnostic diagnostic;
-        diagnostic.location = bytes_.place(source_);
-        diagnostic.message = std::move(message);
-        diagnostic.hint = limits_hint;
-        error_ = Error{Failure::malformed, {std::move(diagnostic)}};
+        error_ = error_at(Failure::malformed, bytes_.place(source_), std::move(message), std::string(limits_hint));
         return false;
     }
 
@@ -155,6 +151,7 @@ Diagnostic json_complaint(std::string_view text, const std::string& source, std:
     const std::size_t back = too_large ? last_token.size() : 1;
     const std::size_t offset = at_end ? text.size() : position - std::min(position, back);
     Diagnostic diagnostic;
+    diagnostic.code = Cause(Failure::malformed).code();
     diagnostic.location = location_in(text, offset, source);
     Complaint complaint = complaint_of(exception.what());
     if (too_large)

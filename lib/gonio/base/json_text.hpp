@@ -65,7 +65,7 @@ private:
 // Line and column, from 1, of the byte at `offset`.
 Location location_in(std::string_view text, std::size_t offset, const std::string& source);
 
-// What json_sax::parse_error() is told, in our words and with its place.
+// What json_sax::parse_error() is told, in our words, with its place and the general code of malformed inputs.
 Diagnostic json_complaint(std::string_view text, const std::string& source, std::size_t position,
                           const std::string& last_token, const nlohmann::detail::exception& exception);
 

@@ -1,25 +1,91 @@
-// Closed sets as tables: one row for each member, with its name in `name`.
+// Closed sets as tables: one row for each member, with its name in `name`. A row may also be a pointer to one, or the
+// name itself. Looking a name up and refusing one that is not there is done here and nowhere else.
 #pragma once
 
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/result.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace gonio {
 
-// The row called `name`. Fails (usage) as unknown_name() does: "unknown WHAT 'NAME'", with the nearest name and all of
-// them in the hint. The pointer is into `rows`, which must outlive it.
+template<class Row>
+constexpr std::string_view name_of_row(const Row& row) {
+    if constexpr (std::is_convertible_v<const Row&, std::string_view>)
+        return row;
+    else if constexpr (std::is_pointer_v<Row>)
+        return row->name;
+    else
+        return row.name;
+}
+
+// Of every row, in their order.
 template<class Rows>
-auto find_named(std::string_view what, std::string_view name, const Rows& rows) -> Result<decltype(&*rows.begin())> {
-    for (const auto& row : rows)
-        if (row.name == name) return &row;
+std::vector<std::string_view> names_of(const Rows& rows) {
     std::vector<std::string_view> names;
     for (const auto& row : rows)
-        names.push_back(row.name);
-    return unknown_name(what, name, names);
+        names.push_back(name_of_row(row));
+    return names;
+}
+
+// The row called `name`. Fails (usage) as unknown_name() does: "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'",
+// with the nearest name and all of them in the hint. The pointer is into `rows`, which must outlive it.
+template<class Rows>
+auto find_named(std::string_view what, std::string_view name, const Rows& rows, std::string_view of = {})
+    -> Result<decltype(&*rows.begin())> {
+    for (const auto& row : rows)
+        if (name_of_row(row) == name) return &row;
+    return unknown_name(what, name, names_of(rows), of);
+}
+
+// The same for a list of names with commas between them. `all`, where it is not empty, is one name more, which stands
+// for every row. No row is there twice.
+template<class Rows>
+auto find_all_named(std::string_view what, std::string_view list, const Rows& rows, std::string_view all = {})
+    -> Result<std::vector<decltype(&*rows.begin())>> {
+    std::vector<decltype(&*rows.begin())> found;
+    const auto add = [&](decltype(&*rows.begin()) row) {
+        if (std::find(found.begin(), found.end(), row) == found.end()) found.push_back(row);
+    };
+    for (bool more = true; more;) {
+        const std::size_t comma = list.find(',');
+        const std::string_view name = list.substr(0, comma);
+        const auto at =
+            std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return name_of_row(row) == name; });
+        if (at != rows.end()) {
+            add(&*at);
+        } else if (!all.empty() && name == all) {
+            for (const auto& row : rows)
+                add(&row);
+        } else {
+            std::vector<std::string_view> names = names_of(rows);
+            if (!all.empty()) names.push_back(all);
+            return unknown_name(what, name, names);
+        }
+        more = comma != std::string_view::npos;
+        if (more) list.remove_prefix(comma + 1);
+    }
+    return found;
+}
+
+// A name for a value, where nothing else is to be said of it.
+template<class T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+template<class T>
+Named(std::string_view, T) -> Named<T>;
+
+// The value of that name; fails as find_named() does.
+template<class Rows>
+auto find_value(std::string_view what, std::string_view name, const Rows& rows)
+    -> Result<std::remove_cvref_t<decltype(rows.begin()->value)>> {
+    return find_named(what, name, rows).map([](const auto* row) { return row->value; });
 }
 
 // Whether row i describes the enumerator of value i, up to and with `last`: what a table must hold that is indexed by

@@ -9,8 +9,7 @@ namespace gonio {
 Result<void> check_picture_size(std::int64_t width, std::int64_t height, const Limit& side, std::string_view what,
                                 std::string_view unit) {
     const auto refuse = [&](const std::string& reason) {
-        return fail(Failure::usage,
-                    fmt::format("{} of {}x{} {} is out of range: {}", what, width, height, unit, reason),
+        return fail("USE0106", fmt::format("{} of {}x{} {} is out of range: {}", what, width, height, unit, reason),
                     std::string(limits_hint));
     };
     const auto longest = static_cast<std::int64_t>(side.value);

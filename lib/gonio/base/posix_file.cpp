@@ -60,7 +60,8 @@ int Descriptor::close() {
 }
 
 Unexpected io_failure(const char* verb, const std::string& path, int error) {
-    return fail(Failure::io, fmt::format("cannot {}: {}", verb, reason(error)), hint_for(error, path), path);
+    const Cause code = verb == std::string_view("read") ? Cause("FIL0102") : Cause("FIL0103");
+    return fail(code, fmt::format("cannot {}: {}", verb, reason(error)), hint_for(error, path), path);
 }
 
 int write_all(int fd, std::string_view bytes) {

@@ -4,11 +4,14 @@
 // was collected up to it; the last one of severity `error` is the reason.
 #pragma once
 
+#include <gonio/base/codes/failure.hpp>
 #include <gonio/base/diagnostics.hpp>
 
 #include <tl/expected.hpp>
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace gonio {
@@ -27,16 +30,55 @@ struct Error {
     Diagnostics diagnostics;
 };
 
+// The family of codes/failure.hpp for each failure.
+struct FailureFamily {
+    Failure failure;
+    std::string_view family;
+};
+inline constexpr std::array failure_families{
+    FailureFamily{Failure::usage, "USE"},     FailureFamily{Failure::io, "FIL"},
+    FailureFamily{Failure::malformed, "INP"}, FailureFamily{Failure::unsupported, "UNS"},
+    FailureFamily{Failure::internal, "INT"},
+};
+
+// Why something fails: a code of codes/failure.hpp, written as its text, or a Failure, which has the general code of
+// its family.
+class Cause {
+public:
+    // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
+    consteval Cause(const char* code) : code_(CodeOf<failure_codes>(code)->code) {
+        for (const FailureFamily& of : failure_families)
+            if (code_family(code_) == of.family) failure_ = of.failure;
+    }
+    // NOLINTNEXTLINE(google-explicit-constructor): a failure without a class of its own
+    constexpr Cause(Failure failure) : failure_(failure) {
+        for (const FailureFamily& of : failure_families)
+            for (const DiagnosticCode& row : failure_codes)
+                if (of.failure == failure && code_family(row.code) == of.family && code_.empty()) code_ = row.code;
+    }
+
+    [[nodiscard]] constexpr Failure failure() const { return failure_; }
+    [[nodiscard]] constexpr std::string_view code() const { return code_; }
+
+private:
+    std::string_view code_;
+    Failure failure_ = Failure::internal;
+};
+
 template<class T>
 using Result = tl::expected<T, Error>;
 
 using Unexpected = tl::unexpected<Error>;
 
-// return fail(Failure::usage, "a sphere needs a radius", "write sphere:r=3cm");
-inline Unexpected fail(Failure failure, std::string message, std::string hint = {}, std::string file = {}) {
-    Error error{failure, {}};
-    error.diagnostics.push_back({{}, Severity::error, {std::move(file), 0, 0}, std::move(message), std::move(hint)});
-    return Unexpected(std::move(error));
+// An error at a place of an input, which is said in one sentence.
+inline Error error_at(Cause cause, Location location, std::string message, std::string hint = {}) {
+    return {cause.failure(),
+            {{std::string(cause.code()), Severity::error, std::move(location), std::move(message), std::move(hint)}}};
+}
+
+// return fail("USE0104", "a sphere needs a radius", "write sphere:r=3cm");
+inline Unexpected fail(Cause cause, std::string message, std::string hint = {}, std::string file = {}) {
+    return Unexpected(error_at(cause, {std::move(file), 0, 0}, std::move(message), std::move(hint)));
 }
 
 // Replaces the hint of the diagnostic that is the reason of the error.

@@ -69,7 +69,7 @@ bool begins_beyond_range(std::string_view text) {
 }
 
 Unexpected beyond_range(std::string_view text) {
-    return fail(Failure::usage, fmt::format("'{}' is out of the range of a number", text),
+    return fail("USE0106", fmt::format("'{}' is out of the range of a number", text),
                 "numbers go up to 1.7e308 and down to 4.9e-324");
 }
 
@@ -145,16 +145,16 @@ Result<Amount> parse_amount(std::string_view text) {
     const std::optional<double> number = take_number(rest);
     if (!number && begins_beyond_range(text)) return beyond_range(text);
     if (!number)
-        return fail(Failure::usage, fmt::format("'{}' is not a number with a unit", text), "write for example 800lm");
+        return fail("USE0105", fmt::format("'{}' is not a number with a unit", text), "write for example 800lm");
     if (rest.empty())
-        return fail(Failure::usage, fmt::format("'{}' has no unit", text), fmt::format("write for example {}lm", text));
+        return fail("USE0105", fmt::format("'{}' has no unit", text), fmt::format("write for example {}lm", text));
     const Unit* unit = find_unit(rest);
     if (unit == nullptr) {
         std::vector<std::string_view> symbols;
         for (const Unit& known : units_table)
             symbols.push_back(known.symbol);
         const std::string_view guess = nearest(rest, symbols);
-        return fail(Failure::usage, fmt::format("unknown unit '{}' in '{}'", rest, text),
+        return fail("USE0103", fmt::format("unknown unit '{}' in '{}'", rest, text),
                     guess.empty() ? "gonio list units shows them all" : fmt::format("did you mean '{}'?", guess));
     }
     const Amount amount{*number, unit};
@@ -171,7 +171,7 @@ Result<double> parse_amount(std::string_view text, Dimension dimension, std::str
         return pass_on(amount);
     }
     if (amount->unit->dimension != dimension)
-        return fail(Failure::usage,
+        return fail("USE0105",
                     fmt::format("{} is {}, but '{}' is {}", what, with_article(dimension), text,
                                 with_article(amount->unit->dimension)),
                     fmt::format("use one of {}", symbols_of(dimension)));

@@ -124,15 +124,15 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
     const Kelvin high = planckian ? hottest : hottest_daylight;
     const Kelvin T = cct.temperature;
     if (!(T.value >= low.value && T.value <= high.value))
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("{} K is outside the {} locus", rounded(T.value, 12),
                                 loci[static_cast<std::size_t>(locus)].name),
                     fmt::format("the locus runs from {} K to {} K", rounded(low.value), rounded(high.value, 7)));
     if (!(std::abs(cct.duv) <= greatest_duv))
-        return fail(Failure::usage, fmt::format("a Duv of {} is too far from the locus", rounded(cct.duv)),
+        return fail("USE0106", fmt::format("a Duv of {} is too far from the locus", rounded(cct.duv)),
                     "colour temperature is meaningful up to 0.05 and unique up to 0.1");
     if (!planckian && cct.duv != 0.0)
-        return fail(Failure::usage,
+        return fail("USE0107",
                     fmt::format("a Duv of {} cannot be combined with the {} locus", rounded(cct.duv),
                                 loci[static_cast<std::size_t>(locus)].name),
                     "Duv is measured from the Planckian locus: leave out one of the two");
@@ -143,7 +143,7 @@ Result<Uv> checked_uv(Cct cct, Locus locus, PointOfLocus point) {
         return to_uv((1.0 - daylight) * to_xyz(planck) + daylight * to_xyz(daylight_xy(T)));
     }
     if (cct.duv != 0.0 && !is_real(to_xy(planck)))
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("{} K with a Duv of {} is not a real colour", rounded(T.value), rounded(cct.duv)),
                     "it lies outside the spectral locus: use a smaller Duv");
     return planck;
@@ -175,7 +175,7 @@ Result<Uv> uv_of(Cct cct, Locus locus) {
 }
 
 Result<Cct> exact_cct(Uv at) {
-    if (!std::isfinite(at.u) || !std::isfinite(at.v)) return fail(Failure::usage, "the chromaticity is not a number");
+    if (!std::isfinite(at.u) || !std::isfinite(at.v)) return fail("USE0105", "the chromaticity is not a number");
     const double least = per_kk(hottest);
     const double greatest = per_kk(coolest);
     // The fit ends at 800 K; from there Newton finds the rest of the way.
@@ -224,9 +224,9 @@ std::span<const TintConvention> tint_conventions() {
 Result<double> parse_tint(std::string_view text) {
     const std::size_t at = text.find('@');
     const std::optional<double> number = parse_number(text.substr(0, at));
-    if (!number) return fail(Failure::usage, fmt::format("'{}' is not a tint", text), "for example 10@dng");
+    if (!number) return fail("USE0105", fmt::format("'{}' is not a tint", text), "for example 10@dng");
     if (at == std::string_view::npos)
-        return fail(Failure::usage, fmt::format("the tint '{}' does not name its convention", text),
+        return fail("USE0104", fmt::format("the tint '{}' does not name its convention", text),
                     fmt::format("write {}@dng, or another of 'gonio list tints'", text));
     return find_named("tint", text.substr(at + 1), tint_conventions()).map([&](const TintConvention* known) {
         return *number / known->per_duv;
@@ -241,8 +241,7 @@ Result<Cct> parse_cct(std::string_view text) {
     if (slash == std::string_view::npos) return cct;
     const std::optional<double> duv = parse_number(text.substr(slash + 1));
     if (!duv)
-        return fail(Failure::usage, fmt::format("'{}' is not a Duv", text.substr(slash + 1)),
-                    "for example 2700K/0.003");
+        return fail("USE0105", fmt::format("'{}' is not a Duv", text.substr(slash + 1)), "for example 2700K/0.003");
     cct.duv = *duv;
     return cct;
 }

@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/detail/cie_tables.hpp>
 #include <gonio/color/kernels.hpp>
@@ -306,18 +306,16 @@ constexpr std::array inverses{
 template<class Method>
 Result<std::vector<const Method*>> parse(std::string_view list, std::span<const Method> known, std::string_view what) {
     std::vector<const Method*> found;
-    std::vector<std::string_view> names;
-    for (const Method& method : known) {
-        names.push_back(method.name);
-        if (list == "all") found.push_back(&method);
+    if (list == "all") {
+        for (const Method& method : known)
+            found.push_back(&method);
+        return found;
     }
-    if (list == "all") return found;
     for (bool more = true; more;) {
         const std::size_t comma = list.find(',');
-        const std::string_view name = list.substr(0, comma);
-        const auto at = std::find(names.begin(), names.end(), name);
-        if (at == names.end()) return unknown_name(what, name, names);
-        found.push_back(&known[static_cast<std::size_t>(at - names.begin())]);
+        Result<const Method*> method = find_named(what, list.substr(0, comma), known);
+        if (!method) return pass_on(method);
+        found.push_back(*method);
         more = comma != std::string_view::npos;
         if (more) list.remove_prefix(comma + 1);
     }

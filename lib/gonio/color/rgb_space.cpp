@@ -130,7 +130,7 @@ SpaceColor to_space(Uv at, const RgbSpace& space, Gamut gamut, Normalize normali
 }
 
 Result<Uv> uv_of_rgb(const glm::dvec3& rgb, const RgbSpace& space) {
-    if (!finite(rgb)) return fail(Failure::usage, "an RGB component is not a finite number");
+    if (!finite(rgb)) return fail("USE0105", "an RGB component is not a finite number");
     const double size = std::max({std::abs(rgb.x), std::abs(rgb.y), std::abs(rgb.z)});
     if (!(size > 0.0)) return fail(Failure::usage, "black has no chromaticity");
     const glm::dvec3 xyz = space.to_xyz * (rgb / size);

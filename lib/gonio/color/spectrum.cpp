@@ -84,7 +84,7 @@ Result<Band> parse_band(std::string_view text) {
         const std::optional<double> last = nanometers(text.substr(colon + 1));
         if (first && last && *first > 0.0 && *first < *last) return Band{*first, *last};
     }
-    return fail(Failure::usage, fmt::format("'{}' is not a band of wavelengths", text), "for example 380nm:780nm");
+    return fail("USE0105", fmt::format("'{}' is not a band of wavelengths", text), "for example 380nm:780nm");
 }
 
 std::string to_text(Band band) {
@@ -150,7 +150,7 @@ std::optional<Spectrum> find_illuminant(std::string_view name) {
 
 Result<Spectrum> blackbody_spectrum(Kelvin temperature) {
     if (!(temperature.value >= coolest.value && temperature.value <= hottest.value))
-        return fail(Failure::usage, fmt::format("a black body of {} K is out of range", rounded(temperature.value, 12)),
+        return fail("USE0106", fmt::format("a black body of {} K is out of range", rounded(temperature.value, 12)),
                     "the range is 500 K to 1e6 K");
     Spectrum spectrum;
     spectrum.name = fmt::format("blackbody {} K", rounded(temperature.value, 12));

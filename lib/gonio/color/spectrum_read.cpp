@@ -26,9 +26,7 @@ constexpr double least_nm = 1.0;
 constexpr double greatest_nm = 1e5;
 
 Unexpected malformed(const Location& where, std::string message, std::string hint = {}) {
-    Error error{Failure::malformed, {}};
-    error.diagnostics.push_back({{}, Severity::error, where, std::move(message), std::move(hint)});
-    return Unexpected(std::move(error));
+    return Unexpected(error_at(Failure::malformed, where, std::move(message), std::move(hint)));
 }
 
 // The places of the points in their file, for messages; empty where there are none.

@@ -1,3 +1,4 @@
+#include <gonio/base/named.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/spectrum.hpp>
@@ -52,11 +53,8 @@ Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files) {
     if (number.ends_with("lm/W")) number.remove_suffix(4);
     const std::optional<double> value = parse_number(number);
     if (value && *value > 0.0 && *value <= greatest_lm_per_w) return Efficacy{*value, {}};
-    std::vector<std::string_view> names;
-    for (const NamedEfficacy& known : efficacies)
-        names.push_back(known.name);
-    const std::string_view guess = value ? std::string_view() : nearest(text, names);
-    return fail(Failure::usage, fmt::format("'{}' is not a luminous efficacy", text),
+    const std::string_view guess = value ? std::string_view() : nearest(text, names_of(efficacies));
+    return fail("USE0105", fmt::format("'{}' is not a luminous efficacy", text),
                 guess.empty() ? std::string("write for example 60W@90lm/W, at most 683 lm/W; 'gonio list efficacies' "
                                             "shows the conventions with a name")
                               : fmt::format("did you mean '{}'?", guess));

@@ -21,7 +21,7 @@ Result<void> check_amount(const Light& light) {
     const auto check = [](double value, const char* quantity, const char* unit) -> Result<void> {
         if (in_amount_range(value)) return {};
         return fail(
-            Failure::usage,
+            "USE0106",
             fmt::format("the light has a {} of {} {}, above {} {}", quantity, value, unit, greatest_amount, unit),
             "its amount is too large, or too large for its size");
     };
@@ -30,7 +30,7 @@ Result<void> check_amount(const Light& light) {
     if (Result<void> checked = check(light.illuminance.value, "illuminance", "lx"); !checked) return checked;
     const double size = with_traits(light.shape, [](const auto& kind, auto traits) { return traits.largest(kind); });
     if (!in_amount_range(size))
-        return fail(Failure::usage, fmt::format("a light of {} m is larger than {} m", size, greatest_amount));
+        return fail("USE0106", fmt::format("a light of {} m is larger than {} m", size, greatest_amount));
     if (std::isfinite(light.web_scale)) return {};
     return fail(Failure::usage, "the profile is too dark to be scaled to an amount",
                 "its greatest intensity is next to nothing");
@@ -48,12 +48,12 @@ Candelas Light::intensity_towards(const glm::dvec3& direction) const {
 }
 
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics) {
-    if (!finite(description.position)) return fail(Failure::usage, "a light's position must be finite");
+    if (!finite(description.position)) return fail("USE0106", "a light's position must be finite");
     if (!finite(description.direction) || !(glm::length(description.direction) > 0.0))
-        return fail(Failure::usage, "a light's direction must be finite and not zero");
-    if (!finite(description.up)) return fail(Failure::usage, "a light's up must be finite");
+        return fail("USE0106", "a light's direction must be finite and not zero");
+    if (!finite(description.up)) return fail("USE0106", "a light's up must be finite");
     if (description.range && !(description.range->value > 0.0))
-        return fail(Failure::usage, "a light's range must be greater than 0");
+        return fail("USE0106", "a light's range must be greater than 0");
     if (Result<void> loaded = load_profile(description.shape, diagnostics); !loaded) return pass_on(loaded);
 
     Light light;
@@ -72,7 +72,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     if (!description.intensity) {
         if (profile == nullptr)
-            return fail(Failure::usage, std::string("a ") + kind_of(light.shape) + " light needs an intensity",
+            return fail("USE0104", std::string("a ") + kind_of(light.shape) + " light needs an intensity",
                         class_of(light.shape) == ShapeClass::sun ? "give for example 100klx"
                                                                  : "give for example 800lm");
         light.intensity = peak(*profile->web).intensity;

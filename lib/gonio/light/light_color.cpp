@@ -19,7 +19,7 @@ namespace gonio {
 namespace {
 
 Unexpected no_color(std::string_view text) {
-    return fail(Failure::usage, fmt::format("'{}' is not a colour", text),
+    return fail("USE0105", fmt::format("'{}' is not a colour", text),
                 "write 2700K, d65, #ffd9a0, rgb(1,0.8,0.6) or an illuminant of 'gonio list illuminants'");
 }
 
@@ -43,8 +43,7 @@ Result<Uv> chromaticity(std::string_view text, FileScope* files) {
     if (!amount || amount->unit->dimension != Dimension::temperature) {
         const std::string_view guess = nearest(text, illuminant_names());
         if (guess.empty()) return no_color(text);
-        return fail(Failure::usage, fmt::format("'{}' is not a colour", text),
-                    fmt::format("did you mean '{}'?", guess));
+        return fail("USE0105", fmt::format("'{}' is not a colour", text), fmt::format("did you mean '{}'?", guess));
     }
     Result<Cct> cct = parse_cct(text);
     if (!cct) return pass_on(cct);

@@ -31,16 +31,14 @@ bool needs_distance(Dimension dimension) {
 
 Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std::string_view> text) {
     if (!needs_distance(unit.dimension)) {
-        if (text)
-            return fail(Failure::usage, fmt::format("'{}' takes no distance, but '@{}' is given", unit.symbol, *text));
+        if (text) return fail("USE0107", fmt::format("'{}' takes no distance, but '@{}' is given", unit.symbol, *text));
         return std::optional<Meters>();
     }
     if (!text) return std::optional<Meters>();
     Result<double> meters = parse_amount(*text, Dimension::length, "the distance of an illuminance");
     if (!meters) return pass_on(meters);
     if (!(*meters > 0.0))
-        return fail(Failure::usage,
-                    fmt::format("the distance of an illuminance must be greater than 0, not {}", *text));
+        return fail("USE0106", fmt::format("the distance of an illuminance must be greater than 0, not {}", *text));
     return std::optional<Meters>(Meters(*meters));
 }
 
@@ -50,7 +48,7 @@ Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::strin
     PhotometricUnit complete{&unit, std::nullopt, std::nullopt, {}};
     if (unit.dimension == Dimension::power) {
         if (!behind_at)
-            return fail(Failure::usage, fmt::format("'{}' does not say how many lumens a watt gives", text),
+            return fail("USE0104", fmt::format("'{}' does not say how many lumens a watt gives", text),
                         fmt::format("write for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
         Result<Efficacy> efficacy = parse_efficacy(*behind_at, files);
         if (!efficacy) return pass_on(efficacy);
@@ -77,17 +75,17 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
     const std::string_view symbol = text.substr(0, at);
     const Unit* unit = find_unit(symbol);
     if (symbol.empty())
-        return fail(Failure::usage, fmt::format("no unit stands in '{}'", text), "write for example nt or lx@2m");
+        return fail("USE0104", fmt::format("no unit stands in '{}'", text), "write for example nt or lx@2m");
     if (unit == nullptr) {
         if (const Result<Amount> amount = parse_amount(symbol))
-            return fail(Failure::usage, fmt::format("'{}' is an amount, where a unit is expected", symbol),
+            return fail("USE0105", fmt::format("'{}' is an amount, where a unit is expected", symbol),
                         fmt::format("write '{}'", amount->unit->symbol));
         const Result<Amount> amount = parse_amount(fmt::format("1{}", symbol));
-        return fail(Failure::usage, fmt::format("unknown unit '{}'", symbol),
+        return fail("USE0103", fmt::format("unknown unit '{}'", symbol),
                     amount ? std::string("gonio list units shows them all") : amount.error().diagnostics.back().hint);
     }
     if (!photometric(unit->dimension))
-        return fail(Failure::usage,
+        return fail("USE0105",
                     fmt::format("'{}' is a unit of {}, not of light", symbol, dimension_name(unit->dimension)),
                     "use lm, cd, lx@2m, nt, ev, evlx@2m, fc@6ft, fL or W@90lm/W");
     return complete_unit(*unit, behind(text, at), text, nullptr);
@@ -106,7 +104,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScop
 
     const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
     if (!logarithmic && amount->number < 0.0)
-        return fail(Failure::usage, fmt::format("'{}' is negative: there is no negative light", text));
+        return fail("USE0106", fmt::format("'{}' is negative: there is no negative light", text));
     if (!photometric(unit.dimension))
         return fail(Failure::usage,
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),

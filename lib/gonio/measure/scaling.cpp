@@ -1,5 +1,5 @@
 #include <gonio/bake/bake.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/measure/random.hpp>
 #include <gonio/measure/scaling.hpp>
@@ -243,22 +243,7 @@ std::span<const Scaling> scalings() {
 }
 
 Result<std::vector<const Scaling*>> parse_scalings(std::string_view list) {
-    std::vector<const Scaling*> found;
-    std::vector<std::string_view> names;
-    for (const Scaling& scaling : scalings())
-        names.push_back(scaling.name);
-    names.emplace_back("all");
-    for (std::size_t at = 0; at <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        const std::string_view name = list.substr(at, comma - at);
-        if (std::find(names.begin(), names.end(), name) == names.end()) return unknown_name("scaling", name, names);
-        for (const Scaling& scaling : scalings())
-            if ((name == "all" || name == scaling.name) &&
-                std::find(found.begin(), found.end(), &scaling) == found.end())
-                found.push_back(&scaling);
-        at = comma + 1;
-    }
-    return found;
+    return find_all_named("scaling", list, scalings(), "all");
 }
 
 } // namespace gonio::measure

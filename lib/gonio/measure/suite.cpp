@@ -1,4 +1,4 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/measure/suite.hpp>
 #include <gonio/measure/suites/suites.hpp>
 
@@ -22,16 +22,6 @@ constexpr std::array all_suites{
     Suite{"preview", "pictures under one light and under many", detail::preview_methods, detail::preview_contests},
 };
 
-std::vector<std::string_view> split(std::string_view list) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t comma = list.find(',');
-        parts.push_back(list.substr(0, comma));
-        if (comma == std::string_view::npos) return parts;
-        list.remove_prefix(comma + 1);
-    }
-}
-
 } // namespace
 
 std::span<const Suite> suites() {
@@ -39,21 +29,7 @@ std::span<const Suite> suites() {
 }
 
 Result<std::vector<const Suite*>> parse_suites(std::string_view list) {
-    std::vector<const Suite*> found;
-    std::vector<std::string_view> names;
-    for (const Suite& suite : suites())
-        names.push_back(suite.name);
-    names.emplace_back("all");
-    for (const std::string_view name : split(list)) {
-        const std::size_t before = found.size();
-        for (const Suite& suite : suites()) {
-            const bool named = name == "all" || name == suite.name;
-            if (named && std::find(found.begin(), found.end(), &suite) == found.end()) found.push_back(&suite);
-        }
-        const bool known = std::find(names.begin(), names.end(), name) != names.end();
-        if (found.size() == before && !known) return unknown_name("suite", name, names);
-    }
-    return found;
+    return find_all_named("suite", list, suites(), "all");
 }
 
 Result<std::vector<std::string>> parse_methods(std::string_view list, std::span<const Suite* const> of) {
@@ -61,13 +37,12 @@ Result<std::vector<std::string>> parse_methods(std::string_view list, std::span<
     for (const Suite* suite : of)
         for (std::string& name : suite->methods())
             if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(std::move(name));
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    std::vector<std::string> found;
-    for (const std::string_view name : split(list)) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) return unknown_name("method", name, names);
-        found.emplace_back(name);
-    }
-    return found;
+    return find_all_named("method", list, known).map([](const std::vector<const std::string*>& found) {
+        std::vector<std::string> names;
+        for (const std::string* const name : found)
+            names.push_back(*name);
+        return names;
+    });
 }
 
 TimingOptions timing_of(const SuiteOptions& options) {

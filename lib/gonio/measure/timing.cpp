@@ -94,7 +94,7 @@ Result<std::vector<std::optional<RelativeTiming>>> time_in_turn(std::span<const 
                                                                 const std::function<bool()>& stop) {
     const bool empty = std::any_of(works.begin(), works.end(), [](const TimedWork& work) { return work.items == 0; });
     if (empty || options.samples == 0 || baseline >= works.size())
-        return fail(Failure::usage, "timing needs at least one item and one sample");
+        return fail("USE0104", "timing needs at least one item and one sample");
     const Result<double> wanted = wanted_seconds(options, clock);
     if (!wanted) return Unexpected(wanted.error());
     const auto stopped = [&] { return stop && stop(); };

@@ -35,7 +35,7 @@ Result<void> Processor::apply(float* pixels, std::size_t count, int channels) co
 Unexpected unknown(std::string_view what, std::string_view name, const std::vector<std::string>& known) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     const std::string_view near = nearest(name, candidates);
-    return fail(Failure::usage, fmt::format("unknown {} '{}'", what, name),
+    return fail("USE0103", fmt::format("unknown {} '{}'", what, name),
                 fmt::format("{}there are: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                             fmt::join(known, ", ")));
 }

@@ -161,7 +161,7 @@ Result<std::vector<std::string>> list_spaces(const std::string& path) {
 
 Result<void> convert_space(std::span<float> rgb, const std::string& from, const std::string& to,
                            const std::string& path) {
-    if (rgb.size() % 3 != 0) return fail(Failure::usage, "the number of values must be a multiple of three");
+    if (rgb.size() % 3 != 0) return fail("USE0105", "the number of values must be a multiple of three");
     Result<Config> config = Config::open(path);
     if (!config) return pass_on(config);
     Result<abi::ColorProcessor*> handle = space_processor(*config, from, to);

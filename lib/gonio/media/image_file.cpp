@@ -108,7 +108,7 @@ Result<void> check_compression(const ImageFormat& format, const std::string& com
     const std::string name = compression.substr(0, compression.find(':'));
     if (known.empty() || compression.empty() || std::find(known.begin(), known.end(), name) != known.end()) return {};
     const std::string_view near = nearest(name, known);
-    return fail(Failure::usage, fmt::format("{} has no compression '{}'", format.title, name),
+    return fail("USE0103", fmt::format("{} has no compression '{}'", format.title, name),
                 near.empty() ? fmt::format("there are: {}", fmt::join(known, ", "))
                              : fmt::format("did you mean '{}'?", near));
 }

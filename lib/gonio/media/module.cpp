@@ -92,7 +92,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {
         const char* const reason = ::dlerror();
-        return fail(Failure::unsupported,
+        return fail("UNS0102",
                     fmt::format("the module {} cannot be loaded: {}", name.file, reason ? reason : "no reason given"),
                     fmt::format("it needs {} (Debian package {})", name.library, name.package), path);
     }
@@ -101,8 +101,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     const void* const table = entry ? entry() : nullptr;
     if (table == nullptr) {
         ::dlclose(handle);
-        return fail(Failure::unsupported,
-                    fmt::format("{} is not a module of gonio: it has no {}", name.file, name.entry),
+        return fail("UNS0102", fmt::format("{} is not a module of gonio: it has no {}", name.file, name.entry),
                     "install gonio again", path);
     }
     std::uint32_t version = 0;
@@ -110,7 +109,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     if (version != name.version) {
         ::dlclose(handle);
         return fail(
-            Failure::unsupported,
+            "UNS0102",
             fmt::format("the module {} belongs to another version of gonio: its interface has version {}, not {}",
                         name.file, version, name.version),
             "install the tool and its modules from one build", path);

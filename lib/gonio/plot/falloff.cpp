@@ -129,7 +129,7 @@ Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const Fall
     if (!fine) return pass_on(fine);
     if (!(options.nearest_m >= shortest_m && options.farthest_m <= longest_m &&
           options.farthest_m >= 1.5 * options.nearest_m))
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("the distances {} m to {} m are not a valid range", rounded(options.nearest_m),
                                 rounded(options.farthest_m)),
                     "they must lie from 1 mm to 100 km, the farther one at least 1.5 times the nearer");

@@ -62,11 +62,11 @@ std::vector<LegendPlace> place_legend(std::span<const LegendEntry> legend, doubl
 Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most) {
     for (const int side : {options.width_px, options.height_px})
         if (side < least_px || side > most_px)
-            return fail(Failure::usage, fmt::format("a diagram is {} to {} pixels wide and high, not {}x{}", least_px,
-                                                    most_px, options.width_px, options.height_px));
-    if (webs.empty()) return fail(Failure::usage, "there is nothing to draw");
+            return fail("USE0106", fmt::format("a diagram is {} to {} pixels wide and high, not {}x{}", least_px,
+                                               most_px, options.width_px, options.height_px));
+    if (webs.empty()) return fail("USE0104", "there is nothing to draw");
     if (webs.size() > most)
-        return fail(Failure::usage, fmt::format("this diagram shows one profile, but {} are given", webs.size()),
+        return fail("USE0107", fmt::format("this diagram shows one profile, but {} are given", webs.size()),
                     "draw them one by one with -O DIR, or together as polar or cartesian");
     return {};
 }

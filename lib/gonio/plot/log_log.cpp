@@ -204,7 +204,7 @@ Result<std::string> log_log_panels(std::span<const LogLogPanel> panels, const Lo
     std::vector<const LogLogPanel*> shown;
     for (const LogLogPanel& panel : panels)
         if (has_points(panel)) shown.push_back(&panel);
-    if (shown.empty()) return fail(Failure::usage, "there is nothing to draw");
+    if (shown.empty()) return fail("USE0104", "there is nothing to draw");
     const int columns = std::clamp(static_cast<int>(shown.size()), 1, std::max(options.columns, 1));
     const int rows = (static_cast<int>(shown.size()) + columns - 1) / columns;
     const int width = columns * options.panel_width_px;

@@ -18,10 +18,10 @@ Result<void> detail::check_rendering(std::span<const Light> lights, const Render
     for (const Light& light : lights) {
         const glm::dvec3& at = light.frame.origin;
         if (!in_amount_range(at.x) || !in_amount_range(at.y) || !in_amount_range(at.z))
-            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+            return fail("USE0106", fmt::format("the position of '{}' is out of range", light.name),
                         fmt::format("coordinates of a picture reach to {} m", greatest_amount));
         if (!std::isfinite(light.luminance.value) || !std::isfinite(light.intensity.value))
-            return fail(Failure::usage, fmt::format("the luminance of '{}' is infinite", light.name),
+            return fail("USE0106", fmt::format("the luminance of '{}' is infinite", light.name),
                         "its amount is too large for its size");
     }
     return {};

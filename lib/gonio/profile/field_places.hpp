@@ -13,6 +13,8 @@ enum class ProfileField : std::uint8_t {
     input_watts,       // of the first too
     color_temperature, // of the first too; LM-63: the keyword [_CCT]
     color_rendering,   // of the first too; LM-63: the keyword [_CRI]
+    multiplier,        // LM-63: of the candela; EULUMDAT: the conversion factor; of the first emitter of TM-33
+    ballast_factor,    // LM-63
     field_12,          // LM-63
     opening,           // LM-63, EULUMDAT: the luminous opening's first size
     downward_flux,     // EULUMDAT, and so are the next two
@@ -26,7 +28,7 @@ enum class ProfileField : std::uint8_t {
     negative_intensity // the first; LM-63, EULUMDAT
 };
 
-inline constexpr std::size_t profile_field_count = 15;
+inline constexpr std::size_t profile_field_count = 17;
 
 // Line and column from 1; 0: not known, or not there.
 struct FieldPlace {

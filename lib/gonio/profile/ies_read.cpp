@@ -279,6 +279,8 @@ private:
         places_.shape = place[7];
         report_.mark(ProfileField::lamp_flux, place[1]);
         report_.mark(ProfileField::opening, place[7]);
+        report_.mark(ProfileField::multiplier, place[2]);
+        report_.mark(ProfileField::ballast_factor, place[10]);
         report_.mark(ProfileField::field_12, place[11]);
         report_.mark(ProfileField::input_watts, place[12]);
         check_header(value, place);

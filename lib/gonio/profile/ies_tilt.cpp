@@ -147,7 +147,7 @@ ReadBeside reader_beside(const std::string& path) {
             const fs::path real_folder = fs::canonical(folder, failed);
             const fs::path real_file = fs::canonical(file, failed);
             if (failed || real_file.parent_path() != real_folder)
-                return fail(Failure::io, "the link leads out of the folder", {}, file.string());
+                return fail("FIL0105", "the link leads out of the folder", {}, file.string());
             return read_file(file.string(), limit("tilt-bytes"));
         }
         return fail(Failure::io, "there is no such file in the same folder", {}, (folder / name).string());

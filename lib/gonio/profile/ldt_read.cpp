@@ -80,6 +80,7 @@ public:
         check_ldt(file_, places_, report_);
         mark_table(places_, report_);
         report_.mark(ProfileField::light_output_ratio, places_.light_output_ratio);
+        report_.mark(ProfileField::multiplier, places_.conversion_factor);
         report_.mark(ProfileField::direct_ratios, places_.direct_ratios);
         if (report_.has_error()) return report_.failure();
         return std::move(file_);

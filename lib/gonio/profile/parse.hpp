@@ -88,6 +88,7 @@ std::optional<OpeningShape> ies_opening_shape(const IesFile& file);
 struct Tm33Places {
     std::size_t table = no_place;
     std::size_t symmetry = no_place;
+    std::size_t multiplier = no_place;
 };
 
 // Planes and poles are those of type C alone.

@@ -2,7 +2,7 @@
 //
 // Tolerant by default: anything that needs no guess is read, and a diagnostic reports what was unusual. `strict`
 // turns the departures from the standard into errors. A count that a file announces is never allocated before that
-// many values have been seen. Fails with `malformed`; every diagnostic has a code of gonio/profile/codes.hpp and
+// many values have been seen. Fails with `malformed`; every diagnostic has a code of gonio/base/codes/profile.hpp and
 // carries file, line and column (whole-file remarks: line 0). Texts keep their bytes (text_encoding.hpp shows them);
 // only UTF-16 is converted, and its lines and columns are those of the UTF-8 it became.
 #pragma once

@@ -60,18 +60,17 @@ FieldPlaces Report::places() const {
     return places;
 }
 
-void Report::add(Code code, std::size_t offset, std::string message, std::string hint) {
-    if (code.entry->strict_only && !strict_) return;
+void Report::add(ProfileCode code, std::size_t offset, std::string message, std::string hint) {
+    if (code->strict == Strict::only && !strict_) return;
     const auto said = std::find_if(diagnostics_.begin(), diagnostics_.end(),
-                                   [&](const Diagnostic& d) { return d.code == code.entry->code; });
+                                   [&](const Diagnostic& d) { return d.code == code->code; });
     if (said != diagnostics_.end()) {
         ++repeats_[static_cast<std::size_t>(said - diagnostics_.begin())];
         return;
     }
-    const Severity severity = strict_ ? code.entry->strict_severity : code.entry->severity;
+    const Severity severity = strict_ ? code->strict_severity() : code->severity;
     has_error_ = has_error_ || severity == Severity::error;
-    diagnostics_.push_back(
-        {std::string(code.entry->code), severity, locate(offset), std::move(message), std::move(hint)});
+    diagnostics_.push_back({std::string(code->code), severity, locate(offset), std::move(message), std::move(hint)});
     repeats_.push_back(0);
 }
 
@@ -95,10 +94,10 @@ Unexpected Report::fail_of_other(Diagnostics diagnostics) {
     return Unexpected(Error{Failure::malformed, std::move(diagnostics_)});
 }
 
-Unexpected Report::fail(Code code, std::size_t offset, std::string message, std::string hint, Failure failure) {
+Unexpected Report::fail(ProfileCode code, std::size_t offset, std::string message, std::string hint, Failure failure) {
     order();
     diagnostics_.push_back(
-        {std::string(code.entry->code), Severity::error, locate(offset), std::move(message), std::move(hint)});
+        {std::string(code->code), Severity::error, locate(offset), std::move(message), std::move(hint)});
     return Unexpected(Error{failure, std::move(diagnostics_)});
 }
 

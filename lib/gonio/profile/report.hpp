@@ -4,8 +4,8 @@
 // occurrence is kept and the others are counted: a file with ten thousand negative values is one sentence.
 #pragma once
 
+#include <gonio/base/codes/profile.hpp>
 #include <gonio/base/result.hpp>
-#include <gonio/profile/codes.hpp>
 #include <gonio/profile/field_places.hpp>
 
 #include <array>
@@ -16,16 +16,6 @@
 
 namespace gonio::profile_detail {
 
-// A code of the table, checked at compile time.
-struct Code {
-    const ProfileCode* entry;
-
-    // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
-    consteval Code(const char* text) : entry(find_profile_code(text)) {
-        if (entry == nullptr) throw "no such diagnostic code"; // not a constant expression: refused by the compiler
-    }
-};
-
 // "the whole file": no line and column are given.
 inline constexpr std::size_t no_place = static_cast<std::size_t>(-1);
 
@@ -35,10 +25,10 @@ public:
     Report(std::string_view bytes, std::string source, bool strict);
 
     // Says it with the severity that the table gives to the code.
-    void add(Code code, std::size_t offset, std::string message, std::string hint = {});
+    void add(ProfileCode code, std::size_t offset, std::string message, std::string hint = {});
 
     // Says it and returns the failure of the whole reading, with everything said before.
-    Unexpected fail(Code code, std::size_t offset, std::string message, std::string hint = {},
+    Unexpected fail(ProfileCode code, std::size_t offset, std::string message, std::string hint = {},
                     Failure failure = Failure::malformed);
 
     // Adds what was said about another file that this one leads to, behind everything else.

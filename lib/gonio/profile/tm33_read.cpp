@@ -189,6 +189,7 @@ private:
 
     void mark_first(pugi::xml_node emitter, const Tm33Places& places) {
         report_.mark(ProfileField::intensity, places.table);
+        report_.mark(ProfileField::multiplier, places.multiplier);
         const auto mark = [&](ProfileField field, std::optional<double> Tm33Emitter::*member) {
             for (const auto& [paths, other] : emitter_numbers)
                 if (other == member)
@@ -219,6 +220,7 @@ private:
         places.table = place(element);
         intensity.absolute = truth_in(child_named(element, "AbsolutePhotometry"));
         intensity.multiplier = number_in(child_named(element, "Multiplier"));
+        if (intensity.multiplier) places.multiplier = place(child_named(element, "Multiplier"));
         if (intensity.multiplier && *intensity.multiplier <= 0.0)
             return report_.fail("TM30208", place(child_named(element, "Multiplier")),
                                 fmt::format("multiplier {}", *intensity.multiplier));

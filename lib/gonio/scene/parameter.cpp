@@ -83,7 +83,7 @@ Result<bool> set_length(LightDescription& light, std::string_view name, std::str
     Result<double> meters = parse_amount(value, Dimension::length, name);
     if (!meters) return pass_on(meters);
     if (name == "range") {
-        if (!(*meters > 0.0)) return fail(Failure::usage, fmt::format("range must be greater than 0, not {}", value));
+        if (!(*meters > 0.0)) return fail("USE0106", fmt::format("range must be greater than 0, not {}", value));
         light.range = Meters(*meters);
     } else {
         light.position[name == "x" ? 0 : name == "y" ? 1 : 2] = *meters;

@@ -1,7 +1,7 @@
 #include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
-#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/lights.hpp>
 
 #include <fmt/format.h>
@@ -64,10 +64,10 @@ struct Sums {
 Result<void> check_lights(std::span<const Light> lights) {
     for (const Light& light : lights) {
         if (!in_range(light.frame.origin))
-            return fail(Failure::usage, fmt::format("the position of '{}' is out of range", light.name),
+            return fail("USE0106", fmt::format("the position of '{}' is out of range", light.name),
                         fmt::format("coordinates reach to {} m", farthest));
         if (!std::isfinite(light.luminance.value) || !std::isfinite(light.intensity.value))
-            return fail(Failure::usage, fmt::format("the luminance of '{}' is infinite", light.name),
+            return fail("USE0106", fmt::format("the luminance of '{}' is infinite", light.name),
                         "its amount is too large for its size");
     }
     return {};
@@ -82,7 +82,7 @@ Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const 
             unit_vector(view.eye ? *view.eye - receivers[i].position : view.direction);
         if (!toward)
             return view.eye ? fail(Failure::usage, fmt::format("the eye is at point {}", i + 1))
-                            : fail(Failure::usage, "the view is zero or not finite");
+                            : fail("USE0106", "the view is zero or not finite");
         views.push_back(*toward);
     }
     return views;
@@ -145,9 +145,9 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
     normals.reserve(receivers.size());
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         const std::optional<glm::dvec3> normal = unit_vector(receivers[i].normal);
-        if (!normal) return fail(Failure::usage, fmt::format("the normal of point {} is zero or not finite", i + 1));
+        if (!normal) return fail("USE0106", fmt::format("the normal of point {} is zero or not finite", i + 1));
         if (!in_range(receivers[i].position))
-            return fail(Failure::usage, fmt::format("the position of point {} is out of range", i + 1),
+            return fail("USE0106", fmt::format("the position of point {} is out of range", i + 1),
                         fmt::format("coordinates reach to {} m", farthest));
         normals.push_back(*normal);
     }

@@ -69,7 +69,7 @@ public:
                                    [this](const std::string& key, const RigJson& json) { return member(key, json); }};
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
-            streamed = detail::rig_error(Failure::malformed, rig_.source, {}, "there is no key 'schema'",
+            streamed = detail::rig_error("RIG0104", rig_.source, {}, "there is no key 'schema'",
                                          fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_stage();
         if (!streamed) return pass_on(streamed);
@@ -78,13 +78,13 @@ public:
     }
 
 private:
-    Unexpected refuse(std::string_view path, std::string message, std::string hint = {}) const {
-        return detail::rig_error(Failure::malformed, rig_.source, path, std::move(message), std::move(hint));
+    Unexpected refuse(RigCode code, std::string_view path, std::string message, std::string hint = {}) const {
+        return detail::rig_error(code, rig_.source, path, std::move(message), std::move(hint));
     }
 
     Result<void> light(std::size_t index, const RigJson& json) {
         const std::string path = fmt::format("lights[{}]", index);
-        if (!json.is_object()) return refuse(path, fmt::format("must be an object, not {}", type_of(json)));
+        if (!json.is_object()) return refuse("RIG0105", path, fmt::format("must be an object, not {}", type_of(json)));
         LightDescription light;
         light.name = fmt::format("light {}", index + 1);
         bool has_shape = false;
@@ -117,7 +117,8 @@ private:
             }
             if (!read) return placed(read.error(), rig_.source, fmt::format("{}.{}", path, key));
         }
-        if (!has_shape) return refuse(path, "there is no key 'shape'", R"(for example "shape": "sphere:r=10cm")");
+        if (!has_shape)
+            return refuse("RIG0104", path, "there is no key 'shape'", R"(for example "shape": "sphere:r=10cm")");
         rig_.lights.push_back(std::move(light));
         return {};
     }
@@ -179,12 +180,15 @@ private:
         if (key == "schema") {
             schema_seen_ = true;
             const Result<std::string> text = text_of(json);
-            if (!text || *text != schema_name)
-                return detail::rig_error(text ? Failure::unsupported : Failure::malformed, rig_.source, "schema",
-                                         fmt::format("must be \"{}\", not {}", schema_name,
-                                                     !text                         ? std::string(type_of(json))
-                                                     : text->starts_with("gonio.") ? '"' + *text + '"'
-                                                                                   : "another"));
+            if (!text)
+                return refuse("RIG0105", "schema", fmt::format("must be \"{}\", not {}", schema_name, type_of(json)));
+            if (*text != schema_name) {
+                Unexpected other = refuse("RIG0102", "schema",
+                                          fmt::format("must be \"{}\", not {}", schema_name,
+                                                      text->starts_with("gonio.") ? '"' + *text + '"' : "another"));
+                other.value().failure = Failure::unsupported;
+                return other;
+            }
         } else if (key == "stage") {
             Result<Stage> stage = detail::read_rig_stage(json, rig_.source);
             if (!stage) return pass_on(stage);
@@ -195,8 +199,8 @@ private:
             return materials(json);
         } else if (!schema_seen_ && nearest(key, top_keys).empty()) {
             // Any JSON text, of which nothing is to be told.
-            return detail::rig_error(Failure::malformed, rig_.source, {}, "not a rig: it begins with another key",
-                                     fmt::format(R"(write "schema": "{}" first)", schema_name));
+            return refuse("RIG0101", {}, "not a rig: it begins with another key",
+                          fmt::format(R"(write "schema": "{}" first)", schema_name));
         } else {
             return placed(unknown_name("key", key, top_keys).value(), rig_.source, {});
         }
@@ -204,7 +208,8 @@ private:
     }
 
     Result<void> camera(const RigJson& json) {
-        if (!json.is_object()) return refuse("camera", fmt::format("must be an object, not {}", type_of(json)));
+        if (!json.is_object())
+            return refuse("RIG0105", "camera", fmt::format("must be an object, not {}", type_of(json)));
         Camera camera;
         for (const auto& [key, value] : json.items()) {
             Result<void> read;
@@ -218,7 +223,7 @@ private:
                 Result<double> angle = angle_of(value);
                 if (angle) camera.vertical_fov_deg = to_degrees(Radians(*angle));
                 if (angle && !(camera.vertical_fov_deg > 0.0 && camera.vertical_fov_deg < 180.0))
-                    read = fail(Failure::malformed, "must lie between 0deg and 180deg");
+                    read = detail::rig_value_error("RIG0106", "must lie between 0deg and 180deg");
                 else
                     read = angle ? Result<void>() : pass_on(angle);
             } else {
@@ -226,14 +231,14 @@ private:
             }
             if (!read) return placed(read.error(), rig_.source, fmt::format("camera.{}", key));
         }
-        if (camera.position == camera.target) return refuse("camera", "must not stand at its own target");
+        if (camera.position == camera.target) return refuse("RIG0106", "camera", "must not stand at its own target");
         rig_.camera = camera;
         return {};
     }
 
     Result<void> materials(const RigJson& json) {
         if (!json.is_object())
-            return refuse("materials", fmt::format("must be an object, not {}", type_of(json)),
+            return refuse("RIG0105", "materials", fmt::format("must be an object, not {}", type_of(json)),
                           R"(for example { "floor": "lambert:albedo=0.5" })");
         for (const auto& [key, value] : json.items()) {
             Result<std::string> text = text_of(value, "for example \"lambert:albedo=0.5\"");
@@ -294,7 +299,7 @@ std::span<const std::string_view> rig_camera_keys() {
 
 Result<void> require_lights(const Rig& rig) {
     if (!rig.lights.empty()) return {};
-    return detail::rig_error(Failure::malformed, rig.source, "lights", "must be an array of at least one light here",
+    return detail::rig_error("RIG0104", rig.source, "lights", "must be an array of at least one light here",
                              R"(for example [{"shape": "point", "intensity": "800lm"}])");
 }
 

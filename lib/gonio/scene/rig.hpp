@@ -26,9 +26,9 @@
 // the size of one light are limited. A million lights take 2.4 s.
 // rig.schema.json beside this file says the same to editors.
 //
-// A failure is one diagnostic: "rig.json:LINE:COLUMN: error: …" where the JSON is broken, else
-// "rig.json: error: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a file that
-// cannot be read or may not be named; unsupported: what a shape or colour asks for and gonio has not.
+// A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is broken, else
+// "rig.json: error[RIG0106]: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a
+// file that cannot be read or may not be named; unsupported: what a shape or colour asks for and gonio has not.
 #pragma once
 
 #include <gonio/base/result.hpp>

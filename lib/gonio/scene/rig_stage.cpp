@@ -31,17 +31,13 @@ constexpr std::array<std::string_view, 4> box_keys{"center", "size", "up", "rota
 constexpr std::array<std::string_view, 2> sphere_keys{"center", "radius"};
 constexpr std::array<std::string_view, 3> capsule_keys{"from", "to", "radius"};
 
-Unexpected refuse(std::string message, std::string hint = {}) {
-    return fail(Failure::malformed, std::move(message), std::move(hint));
-}
-
 // The values of an object under one path. The first failure stays; what is read after it is not looked at.
 class Members {
 public:
     Members(const RigJson& json, Keys keys, const std::string& source, std::string path)
         : json_(json), source_(source), path_(std::move(path)) {
         if (!json.is_object()) {
-            fail_at(path_, refuse(fmt::format("must be an object, not {}", type_of(json))));
+            fail_at(path_, rig_value_error("RIG0105", fmt::format("must be an object, not {}", type_of(json))));
             return;
         }
         for (const auto& [key, value] : json.items())
@@ -57,7 +53,8 @@ public:
     }
     template<class T, class Read>
     void required(const char* key, T& target, const Read& read) {
-        if (!failure_ && !json_.contains(key)) fail_at(path_, refuse(fmt::format("there is no key '{}'", key)));
+        if (!failure_ && !json_.contains(key))
+            fail_at(path_, rig_value_error("RIG0104", fmt::format("there is no key '{}'", key)));
         optional(key, target, read);
     }
 
@@ -88,21 +85,22 @@ constexpr double farthest = 1e9; // [m]
 Result<glm::dvec3> place_of(const RigJson& json) {
     Result<glm::dvec3> place = position_of(json);
     if (place && std::max({std::abs(place->x), std::abs(place->y), std::abs(place->z)}) > farthest)
-        return refuse(fmt::format("must lie within {:g} m", farthest));
+        return rig_value_error("RIG0106", fmt::format("must lie within {:g} m", farthest));
     return place;
 }
 
 Result<double> length_of(const RigJson& json) {
     Result<double> length = positive_length(json);
     if (length && !(*length >= 1.0 / farthest && *length <= farthest))
-        return refuse(fmt::format("must lie within {:g} m and {:g} m", 1.0 / farthest, farthest));
+        return rig_value_error("RIG0106", fmt::format("must lie within {:g} m and {:g} m", 1.0 / farthest, farthest));
     return length;
 }
 
 Result<glm::dvec3> size_of(const RigJson& json) {
     Result<glm::dvec3> size = place_of(json);
     if (size && !(std::min({size->x, size->y, size->z}) > 0.0))
-        return refuse("must be greater than 0 along every axis", "a sheet without thickness is a panel");
+        return rig_value_error("RIG0106", "must be greater than 0 along every axis",
+                               "a sheet without thickness is a panel");
     return size;
 }
 
@@ -157,7 +155,8 @@ Capsule read_capsule(Members& members) {
     members.required("to", to, place_of);
     members.required("radius", radius, length_of);
     if (!(glm::distance(from, to) > 0.0)) {
-        members.fail_at(members.path(), refuse("'from' and 'to' must differ", "a ball is a sphere"));
+        members.fail_at(members.path(),
+                        rig_value_error("RIG0106", "'from' and 'to' must differ", "a ball is a sphere"));
         return {};
     }
     return capsule_between(from, to, radius);
@@ -190,7 +189,7 @@ Result<Material> material_of(const RigJson& json) {
 
 Result<std::string> name_of(const RigJson& json) {
     Result<std::string> text = text_of(json);
-    if (text && text->empty()) return refuse("must not be empty");
+    if (text && text->empty()) return rig_value_error("RIG0106", "must not be empty");
     return text;
 }
 
@@ -204,13 +203,12 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
     for (const PrimitiveKind& kind : primitives) {
         if (!json.contains(kind.key)) continue;
         if (found != nullptr)
-            return rig_error(Failure::malformed, source, path,
-                             fmt::format("has both a {} and a {}", found->key, kind.key), "a surface is one of them");
+            return rig_error("RIG0107", source, path, fmt::format("has both a {} and a {}", found->key, kind.key),
+                             "a surface is one of them");
         found = &kind;
     }
     if (found == nullptr)
-        return rig_error(Failure::malformed, source, path, "has no shape",
-                         "give it a plane, panel, box, sphere or capsule");
+        return rig_error("RIG0104", source, path, "has no shape", "give it a plane, panel, box, sphere or capsule");
     const std::string key(found->key);
     Members shape(json[key], found->keys, source, fmt::format("{}.{}", path, key));
     const Primitive geometry = shape.failure() ? Primitive() : found->read(shape);
@@ -260,7 +258,7 @@ Result<Stage> read_rig_stage(const RigJson& json, const std::string& source) {
         return stage;
     }
     if (!json.is_object())
-        return rig_error(Failure::malformed, source, "stage",
+        return rig_error("RIG0105", source, "stage",
                          fmt::format("must be a string or an object, not {}", type_of(json)),
                          R"(for example "floor" or { "surfaces": [ … ] })");
     Stage stage;
@@ -271,10 +269,10 @@ Result<Stage> read_rig_stage(const RigJson& json, const std::string& source) {
     if (members.failure()) return Unexpected(*members.failure());
     const auto surfaces = json.find("surfaces");
     if (surfaces == json.end() || !surfaces->is_array() || surfaces->empty())
-        return rig_error(Failure::malformed, source, "stage.surfaces", "must be an array of at least one surface",
+        return rig_error("RIG0104", source, "stage.surfaces", "must be an array of at least one surface",
                          R"(for example [ { "name": "floor", "plane": {} } ])");
     if (surfaces->size() > limit("stage-surfaces").value)
-        return rig_error(Failure::malformed, source, "stage.surfaces",
+        return rig_error("RIG0108", source, "stage.surfaces",
                          fmt::format("holds more than {}", to_text(limit("stage-surfaces"))), std::string(limits_hint));
     for (std::size_t i = 0; i < surfaces->size(); ++i) {
         Result<Surface> surface = read_surface((*surfaces)[i], source, fmt::format("stage.surfaces[{}]", i));

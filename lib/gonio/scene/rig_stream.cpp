@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -21,7 +22,7 @@ public:
     Result<void> result() {
         if (error_) return Unexpected(std::move(*error_));
         if (!lights_seen_)
-            return rig_error(Failure::malformed, source_, {}, "there is no key 'lights'", R"(write "lights": [ … ])");
+            return rig_error("RIG0104", source_, {}, "there is no key 'lights'", R"(write "lights": [ … ])");
         return {};
     }
 
@@ -35,12 +36,13 @@ public:
 
     bool key(string_t& name) override {
         if (!open_.empty()) {
-            if (open_.back()->contains(name)) return refuse(path(), fmt::format("the key '{}' is given twice", name));
+            if (open_.back()->contains(name))
+                return refuse("RIG0107", path(), fmt::format("the key '{}' is given twice", name));
             key_ = std::move(name);
             return true;
         }
         if (std::find(members_.begin(), members_.end(), name) != members_.end())
-            return refuse({}, fmt::format("the key '{}' is given twice", name));
+            return refuse("RIG0107", {}, fmt::format("the key '{}' is given twice", name));
         if (members_.size() == limit("rig-values").value)
             return refuse_beyond({}, fmt::format("there are more keys than {}", to_text(limit("rig-values"))));
         members_.push_back(name);
@@ -70,7 +72,10 @@ public:
 
     bool parse_error(std::size_t position, const std::string& last_token,
                      const nlohmann::detail::exception& exception) override {
-        error_ = Error{Failure::malformed, {json_complaint(bytes_.text(), source_, position, last_token, exception)}};
+        const RigCode code = "RIG0101";
+        Diagnostic complaint = json_complaint(bytes_.text(), source_, position, last_token, exception);
+        complaint.code = code->code;
+        error_ = Error{Failure::malformed, {std::move(complaint)}};
         return false;
     }
 
@@ -79,14 +84,14 @@ private:
 
     std::string path() const { return where_ == Where::lights ? fmt::format("lights[{}]", lights_) : member_; }
 
-    bool refuse(const std::string& path, std::string message, std::string hint = {}) {
-        error_ = std::move(rig_error(Failure::malformed, source_, path, std::move(message), std::move(hint)).value());
+    bool refuse(RigCode code, const std::string& path, std::string message, std::string hint = {}) {
+        error_ = std::move(rig_error(code, source_, path, std::move(message), std::move(hint)).value());
         return false;
     }
 
     // What is beyond a limit, with the place where it is.
     bool refuse_beyond(const std::string& path, std::string message) {
-        refuse(path, std::move(message), std::string(limits_hint));
+        refuse("RIG0108", path, std::move(message), std::string(limits_hint));
         error_->diagnostics.back().location = bytes_.place(source_);
         return false;
     }
@@ -94,11 +99,11 @@ private:
     // Puts a value where the text has it; nullptr where it may not be.
     RigJson* place(RigJson value) {
         if (where_ == Where::outside) {
-            refuse({}, "a rig is a JSON object", R"(write { "schema": "gonio.rig/1", "lights": [ … ] })");
+            refuse("RIG0101", {}, "a rig is a JSON object", R"(write { "schema": "gonio.rig/1", "lights": [ … ] })");
             return nullptr;
         }
         if (where_ == Where::rig && open_.empty() && member_ == "lights") {
-            refuse("lights", "must be an array");
+            refuse("RIG0105", "lights", "must be an array");
             return nullptr;
         }
         if (open_.empty()) {
@@ -167,10 +172,39 @@ private:
 
 } // namespace
 
-Unexpected rig_error(Failure failure, const std::string& source, std::string_view path, std::string message,
+namespace {
+
+std::string at_path(std::string_view path, std::string message) {
+    return path.empty() ? std::move(message) : fmt::format("{}: {}", path, message);
+}
+
+// What a grammar says of a value, as the rig's: a text is refused for the same reasons on a command line.
+std::string code_in_rig(std::string code) {
+    struct Twin {
+        CodeOf<failure_codes> of;
+        RigCode in_rig;
+    };
+    constexpr std::array special{Twin{"USE0103", "RIG0103"}, Twin{"USE0104", "RIG0104"}, Twin{"USE0107", "RIG0107"}};
+    constexpr RigCode other = "RIG0106";
+    for (const Twin& twin : special)
+        if (twin.of->code == code) return std::string(twin.in_rig->code);
+    const std::string_view family = code_family(code);
+    return family == "USE" || family == "INP" ? std::string(other->code) : code;
+}
+
+} // namespace
+
+Unexpected rig_error(RigCode code, const std::string& source, std::string_view path, std::string message,
                      std::string hint) {
-    if (!path.empty()) message = fmt::format("{}: {}", path, message);
-    return fail(failure, std::move(message), std::move(hint), source);
+    Unexpected error = rig_value_error(code, at_path(path, std::move(message)), std::move(hint));
+    error.value().diagnostics.back().location.file = source;
+    return error;
+}
+
+Unexpected rig_value_error(RigCode code, std::string message, std::string hint) {
+    Error error = error_at(Failure::malformed, {}, std::move(message), std::move(hint));
+    error.diagnostics.back().code = code->code;
+    return Unexpected(std::move(error));
 }
 
 Unexpected placed(const Error& error, const std::string& source, std::string_view path) {
@@ -181,9 +215,10 @@ Unexpected placed(const Error& error, const std::string& source, std::string_vie
     else if (!in.file.empty())
         reason.message = fmt::format("{}: {}", in.file, reason.message);
     const Failure failure = error.failure == Failure::usage ? Failure::malformed : error.failure;
-    Error at_path = rig_error(failure, source, path, std::move(reason.message), std::move(reason.hint)).value();
-    at_path.diagnostics.back().code = std::move(reason.code);
-    return Unexpected(std::move(at_path));
+    reason.code = code_in_rig(std::move(reason.code));
+    reason.location = {source, 0, 0};
+    reason.message = at_path(path, std::move(reason.message));
+    return Unexpected(Error{failure, {std::move(reason)}});
 }
 
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink) {

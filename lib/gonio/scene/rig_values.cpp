@@ -23,16 +23,16 @@ std::string unit_hint(const RigJson& json, std::string_view unit) {
 
 Result<std::string> text_of(const RigJson& json, std::string hint) {
     if (!json.is_string())
-        return fail(Failure::malformed, fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
+        return rig_value_error("RIG0105", fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
     auto text = json.get<std::string>();
-    if (text.find('\0') != std::string::npos) return fail(Failure::malformed, "must not hold a null character");
+    if (text.find('\0') != std::string::npos) return rig_value_error("RIG0106", "must not hold a null character");
     return text;
 }
 
 Result<glm::dvec3> vector_of(const RigJson& json) {
     const auto wrong = [](std::string what) {
-        return fail(Failure::malformed, fmt::format("must be an array of three numbers, not {}", what),
-                    "for example [0, 0, 2.5]");
+        return rig_value_error("RIG0105", fmt::format("must be an array of three numbers, not {}", what),
+                               "for example [0, 0, 2.5]");
     };
     if (!json.is_array()) return wrong(std::string(type_of(json)));
     if (json.size() != 3) return wrong(fmt::format("of {}", json.size()));
@@ -48,13 +48,13 @@ Result<glm::dvec3> position_of(const RigJson& json) {
     constexpr double farthest = 1e100; // [m], as far as a probe reaches
     Result<glm::dvec3> vector = vector_of(json);
     if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
-        return fail(Failure::malformed, fmt::format("must lie within {} m", farthest));
+        return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest));
     return vector;
 }
 
 Result<glm::dvec3> nonzero_vector_of(const RigJson& json) {
     Result<glm::dvec3> vector = vector_of(json);
-    if (vector && *vector == glm::dvec3(0.0)) return fail(Failure::malformed, "must not be zero");
+    if (vector && *vector == glm::dvec3(0.0)) return rig_value_error("RIG0106", "must not be zero");
     return vector;
 }
 
@@ -62,7 +62,7 @@ Result<double> positive_length(const RigJson& json) {
     Result<std::string> text = text_of(json, unit_hint(json, "m"));
     if (!text) return pass_on(text);
     Result<double> meters = parse_amount(*text, Dimension::length, "it");
-    if (meters && !(*meters > 0.0)) return fail(Failure::malformed, "must be greater than 0");
+    if (meters && !(*meters > 0.0)) return rig_value_error("RIG0106", "must be greater than 0");
     return meters;
 }
 

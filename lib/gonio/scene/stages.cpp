@@ -1,10 +1,9 @@
 // The stages that are there by name.
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/scene/stage.hpp>
 
+#include <algorithm>
 #include <array>
-#include <utility>
-#include <vector>
 
 namespace gonio {
 
@@ -177,8 +176,7 @@ Stage room_stage() {
     return stage;
 }
 
-struct NamedStage {
-    StageKind kind;
+struct NamedStage : StageKind {
     Stage (*make)();
 };
 
@@ -195,7 +193,7 @@ constexpr std::array stages{
 constexpr auto kinds = [] {
     std::array<StageKind, stages.size()> all;
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = stages[i].kind;
+        all[i] = stages[i];
     return all;
 }();
 
@@ -206,15 +204,11 @@ std::span<const StageKind> stage_kinds() {
 }
 
 Result<Stage> make_stage(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const auto& [kind, make] : stages) {
-        names.push_back(kind.name);
-        if (kind.name != name) continue;
-        Stage stage = make();
-        stage.name = name;
+    return find_named("stage", name, stages).map([](const NamedStage* named) {
+        Stage stage = named->make();
+        stage.name = named->name;
         return stage;
-    }
-    return unknown_name("stage", name, names);
+    });
 }
 
 } // namespace gonio

@@ -4,12 +4,6 @@
 
 namespace gonio::simd {
 
-namespace detail {
-
-static constexpr const ArrayMath& array_math_twin_scalar = array_math_scalar; // one lane has no twin
-
-} // namespace detail
-
 const ArrayMath& array_math(InstructionSet set) {
     return GONIO_CHOSEN_KERNELS(set, detail::array_math);
 }

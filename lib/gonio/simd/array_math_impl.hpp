@@ -144,6 +144,7 @@ constexpr ArrayMath array_math_of(InstructionSet set) {
 }
 
 extern const ArrayMath array_math_scalar;
+extern const ArrayMath array_math_twin_scalar; // the same: one lane has no twin
 extern const ArrayMath array_math_sse2;
 extern const ArrayMath array_math_twin_sse2;
 extern const ArrayMath array_math_avx2;

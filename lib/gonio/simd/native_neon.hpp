@@ -1,6 +1,8 @@
 // What vector extensions cannot say, in intrinsics of 64-bit Arm, where NEON is always there.
 #pragma once
 
+#include <gonio/simd/scalar.hpp>
+
 #include <arm_neon.h>
 #include <cstddef>
 #include <cstdint>

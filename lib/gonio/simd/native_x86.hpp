@@ -2,6 +2,8 @@
 // the file being compiled, so that no other file can use it by accident.
 #pragma once
 
+#include <gonio/simd/scalar.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <immintrin.h>

@@ -85,10 +85,10 @@ Axes axes_of(const AuthoredShape& shape, const AuthorOptions& options) {
 Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options) {
     for (const double step : {options.horizontal_step_deg, options.vertical_step_deg})
         if (!divides_a_quarter(step))
-            return fail(Failure::usage, fmt::format("steps of {}° do not divide 90° into whole parts", step),
+            return fail("USE0105", fmt::format("steps of {}° do not divide 90° into whole parts", step),
                         "from 0.05°, for example 2.5°");
     if (!(options.flux.value > 0.0) || !std::isfinite(options.flux.value))
-        return fail(Failure::usage, fmt::format("a flux of {} lm is not greater than 0", options.flux.value));
+        return fail("USE0106", fmt::format("a flux of {} lm is not greater than 0", options.flux.value));
     const Axes axes = axes_of(shape, options);
     std::vector<double> relative;
     for (const double h : axes.horizontal)
@@ -116,8 +116,8 @@ Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options) {
         cd = per_klm < darkest_cd_per_klm ? 0.0 : rounded_to(per_klm * options.flux.value / 1000.0, 10);
     }
     if (const double greatest = *std::max_element(relative.begin(), relative.end()); !in_amount_range(greatest))
-        return fail(Failure::usage, fmt::format("a flux of {} lm makes an intensity of {} cd, above {} cd",
-                                                options.flux.value, greatest, greatest_amount));
+        return fail("USE0106", fmt::format("a flux of {} lm makes an intensity of {} cd, above {} cd",
+                                           options.flux.value, greatest, greatest_amount));
     return web_of(std::move(relative));
 }
 

@@ -27,13 +27,8 @@ struct Row {
 
 Unexpected malformed(const std::string& source, std::uint32_t line, std::size_t column, std::string message,
                      std::string hint = {}) {
-    Error error{Failure::malformed, {}};
-    Diagnostic diagnostic;
-    diagnostic.location = {source, line, static_cast<std::uint32_t>(column)};
-    diagnostic.message = std::move(message);
-    diagnostic.hint = std::move(hint);
-    error.diagnostics.push_back(std::move(diagnostic));
-    return Unexpected(std::move(error));
+    return Unexpected(error_at(Failure::malformed, {source, line, static_cast<std::uint32_t>(column)},
+                               std::move(message), std::move(hint)));
 }
 
 // One line's numbers, without its first field where `title` says so. Unless the text is `known` to be a table it may be

@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/author.hpp>
 
@@ -66,7 +67,7 @@ public:
         if (!rad) return pass_on(rad);
         const double deg = std::round(to_degrees(Radians(*rad)) * 1e9) / 1e9;
         if (deg > 0.0 && deg < 90.0) return deg;
-        return fail(Failure::usage, fmt::format("{}={} is not between 0deg and 90deg", key, *value));
+        return fail("USE0106", fmt::format("{}={} is not between 0deg and 90deg", key, *value));
     }
 
     // The full angle of a beam.
@@ -77,7 +78,7 @@ public:
         if (!rad) return pass_on(rad);
         const double deg = std::round(to_degrees(Radians(*rad)) * 1e9) / 1e9;
         if (deg > 0.0 && deg <= 180.0) return deg;
-        return fail(Failure::usage, fmt::format("{}={} is not between 0deg and 180deg", key, *value));
+        return fail("USE0106", fmt::format("{}={} is not between 0deg and 180deg", key, *value));
     }
 
     Result<double> length_m(std::string_view key, double standard) const {
@@ -86,7 +87,7 @@ public:
         Result<double> meters = parse_amount(*value, Dimension::length, key);
         if (!meters) return pass_on(meters);
         if (*meters > 0.0) return *meters;
-        return fail(Failure::usage, fmt::format("{}={} is not a length greater than 0", key, *value));
+        return fail("USE0106", fmt::format("{}={} is not a length greater than 0", key, *value));
     }
 
     Result<double> number(std::string_view key, double standard, double low, double high) const {
@@ -94,7 +95,7 @@ public:
         if (value == nullptr) return standard;
         const std::optional<double> number = parse_number(*value);
         if (number && *number >= low && *number <= high) return *number;
-        return fail(Failure::usage, fmt::format("{}={} is not a number between {} and {}", key, *value, low, high));
+        return fail("USE0105", fmt::format("{}={} is not a number between {} and {}", key, *value, low, high));
     }
 
 private:
@@ -208,7 +209,7 @@ Result<AuthoredShape> tube(const Values& values) {
 }
 
 struct Parser {
-    std::string_view kind;
+    std::string_view name;
     std::array<std::string_view, 4> keys;
     Result<AuthoredShape> (*parse)(const Values&);
 };
@@ -232,18 +233,13 @@ std::span<const AuthoredKind> authored_kinds() {
 Result<AuthoredShape> parse_authored(std::string_view text) {
     Result<KindText> parsed = parse_kind_text(text);
     if (!parsed) return pass_on(parsed);
-    for (const Parser& parser : parsers) {
-        if (parser.kind != parsed->kind) continue;
-        std::vector<std::string_view> keys;
-        for (const std::string_view key : parser.keys)
-            if (!key.empty()) keys.push_back(key);
-        if (Result<void> known = only_keys(*parsed, keys); !known) return pass_on(known);
-        return parser.parse(Values(*parsed));
-    }
-    std::vector<std::string_view> names;
-    for (const Parser& parser : parsers)
-        names.push_back(parser.kind);
-    return unknown_name("kind of luminaire", parsed->kind, names);
+    Result<const Parser*> parser = find_named("kind of luminaire", parsed->kind, parsers);
+    if (!parser) return pass_on(parser);
+    std::vector<std::string_view> keys;
+    for (const std::string_view key : (*parser)->keys)
+        if (!key.empty()) keys.push_back(key);
+    if (Result<void> known = only_keys(*parsed, keys); !known) return pass_on(known);
+    return (*parser)->parse(Values(*parsed));
 }
 
 } // namespace gonio

@@ -42,7 +42,7 @@ Ends joined(Ends a, std::span<const double> angles) {
 } // namespace
 
 Result<CombinedWeb> combined(std::span<const WeightedWeb> webs) {
-    if (webs.empty()) return fail(Failure::usage, "there is no web to combine");
+    if (webs.empty()) return fail("USE0104", "there is no web to combine");
     const Photometry type = webs.front().web->photometry();
     const bool alike =
         std::all_of(webs.begin(), webs.end(), [&](const WeightedWeb& each) { return each.web->photometry() == type; });

@@ -1,9 +1,9 @@
 // The parts of to_profile, one for each format. Internal to the web room.
 #pragma once
 
+#include <gonio/base/codes/web.hpp>
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/profile/profile.hpp>
-#include <gonio/web/codes.hpp>
 #include <gonio/web/grid.hpp>
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/to_profile.hpp>
@@ -13,30 +13,20 @@
 
 namespace gonio::web_detail {
 
-// A code of the table, checked at compile time.
-struct WebCodeName {
-    const WebCode* entry;
-
-    // NOLINTNEXTLINE(google-explicit-constructor): a code is written as its text
-    consteval WebCodeName(const char* text) : entry(find_web_code(text)) {
-        if (entry == nullptr) throw "no such diagnostic code"; // not a constant expression: refused by the compiler
-    }
-};
-
 // What was lost or changed while a file was made.
 class Losses {
 public:
     explicit Losses(std::string source) : source_(std::move(source)) {}
 
     // Of the whole file.
-    void add(WebCodeName code, std::string message, std::string hint = {}) {
+    void add(WebCode code, std::string message, std::string hint = {}) {
         add_at({source_, 0, 0}, code, std::move(message), std::move(hint));
     }
 
-    void add_at(Location location, WebCodeName code, std::string message, std::string hint = {}) {
+    void add_at(Location location, WebCode code, std::string message, std::string hint = {}) {
         Diagnostic diagnostic;
-        diagnostic.code = code.entry->code;
-        diagnostic.severity = code.entry->severity;
+        diagnostic.code = code->code;
+        diagnostic.severity = code->severity;
         diagnostic.location = std::move(location);
         diagnostic.message = std::move(message);
         diagnostic.hint = std::move(hint);

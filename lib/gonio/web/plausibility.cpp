@@ -28,19 +28,19 @@ class Findings {
 public:
     Findings(const Profile& profile, int lamp_set) : profile_(profile), lamp_set_(lamp_set) {}
 
-    void add(web_detail::WebCodeName code, ProfileField field, std::string message, std::string hint = {}) {
+    void add(WebCode code, ProfileField field, std::string message, std::string hint = {}) {
         found_.add_at(location_of(profile_, field), code, std::move(message), std::move(hint));
     }
 
     // At the lamps that are looked at.
-    void add_of_lamps(web_detail::WebCodeName code, ProfileField field, std::string message, std::string hint = {}) {
+    void add_of_lamps(WebCode code, ProfileField field, std::string message, std::string hint = {}) {
         const bool sets = std::holds_alternative<LdtFile>(profile_.file);
         found_.add_at(location_of_lamps(profile_, field, sets ? lamp_set_ : 1), code, std::move(message),
                       std::move(hint));
     }
 
     // At one of the ten direct ratios, which have a line each.
-    void add_of_ratio(web_detail::WebCodeName code, std::size_t ratio, std::string message) {
+    void add_of_ratio(WebCode code, std::size_t ratio, std::string message) {
         Location location = location_of(profile_, ProfileField::direct_ratios);
         if (ratio > 0 && location.line > 0) {
             location.line += static_cast<std::uint32_t>(ratio);

@@ -1,6 +1,6 @@
 // The check of plausibility: a file that readers accept, against its own light.
 //
-// The rules are the codes WEB03… of gonio/web/codes.hpp. The reader of a file reports errors of its text, and
+// The rules are the codes WEB03… of gonio/base/codes/web.hpp. The reader of a file reports errors of its text, and
 // resolve_web reports unusual angles; neither is repeated here.
 #pragma once
 

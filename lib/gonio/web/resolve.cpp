@@ -1,4 +1,5 @@
 #include <gonio/base/amount_range.hpp>
+#include <gonio/base/codes/web.hpp>
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/transform.hpp>
@@ -24,8 +25,9 @@ struct Table {
     Photometry photometry = Photometry::c;
 };
 
-void warn(Diagnostics& diagnostics, Location location, const char* code, std::string message, std::string hint = {}) {
-    diagnostics.push_back({code, Severity::warning, std::move(location), std::move(message), std::move(hint)});
+void warn(Diagnostics& diagnostics, Location location, WebCode code, std::string message, std::string hint = {}) {
+    diagnostics.push_back(
+        {std::string(code->code), code->severity, std::move(location), std::move(message), std::move(hint)});
 }
 
 void append_column(std::vector<double>& to, const std::vector<double>& from, std::size_t plane, std::size_t rows) {
@@ -124,6 +126,11 @@ double tilt_factor(const IesTilt& tilt, double tilt_deg) {
     return tilt.factors[i - 1] + weight * (tilt.factors[i] - tilt.factors[i - 1]);
 }
 
+// In later editions the twelfth number is reserved, or says how the file came about.
+bool field_12_is_factor(const IesFile& file) {
+    return file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
+}
+
 // Of each: `candela` are the file's own, which the caller copied or took from it.
 Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<double> candela, const Profile& profile,
                                           const ResolveOptions& options, Diagnostics& diagnostics) {
@@ -140,8 +147,7 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
              fmt::format("the only C-plane is at {}°: used for every C", table.planes_deg.front()));
 
     double factor = file.candela_multiplier * file.ballast_factor * tilt_factor(file.tilt, options.tilt_deg);
-    const bool field_12_is_factor = file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
-    if (field_12_is_factor) {
+    if (field_12_is_factor(file)) {
         factor *= file.field_12;
     } else if (file.field_12 != 1.0 && file.version != IesVersion::lm63_2019) {
         warn(diagnostics, location_of(profile, ProfileField::field_12), "WEB0104",
@@ -150,6 +156,11 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
              "if the luminaire is too bright or too dark, this is why");
     }
     return std::pair{std::move(table), factor};
+}
+
+// The set that is asked for, which must be there.
+const LdtLampSet& lamps_of(const LdtFile& file, const ResolveOptions& options) {
+    return file.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
 }
 
 // Isym 3: the stored planes are Mc1 = 3Mc/4 + 1 to Mc2 = Mc1 + Mc/2 (Stockmar 1990), which is C270 over C0 to C90.
@@ -172,10 +183,10 @@ void take_planes_from_c270(const LdtFile& file, std::size_t stored, Table& table
 Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<double> candela, const Profile& profile,
                                           const ResolveOptions& options) {
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("there is no lamp set {}: the file has {}", options.lamp_set, file.lamp_sets.size()),
                     {}, profile.source);
-    const LdtLampSet& lamps = file.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
+    const LdtLampSet& lamps = lamps_of(file, options);
 
     Table table;
     table.gammas_deg = file.gammas_deg;
@@ -242,10 +253,37 @@ auto* candela_of(AnyProfile& profile) {
     return ldt != nullptr ? &ldt->candela_per_klm : nullptr;
 }
 
-Unexpected beyond_range(const Profile& profile, double intensity_cd, double factor) {
+// The field whose factor is the greatest of those that the table was multiplied by: a reader takes no value beyond the
+// range, so that what is beyond it after resolving is a factor's doing. The table where there is none.
+ProfileField greatest_factor(const Profile& profile, const ResolveOptions& options) {
+    ProfileField field = ProfileField::intensity;
+    double greatest = 1.0;
+    const auto consider = [&](ProfileField of, double factor) {
+        if (std::abs(factor) <= greatest) return;
+        greatest = std::abs(factor);
+        field = of;
+    };
+    if (const auto* const ies = std::get_if<IesFile>(&profile.file)) {
+        consider(ProfileField::multiplier, ies->candela_multiplier);
+        consider(ProfileField::ballast_factor, ies->ballast_factor);
+        if (field_12_is_factor(*ies)) consider(ProfileField::field_12, ies->field_12);
+    } else if (const auto* const ldt = std::get_if<LdtFile>(&profile.file)) {
+        consider(ProfileField::multiplier, ldt->conversion_factor);
+        consider(ProfileField::lamp_flux, lamps_of(*ldt, options).flux_lm / 1000.0);
+    } else {
+        const Result<IesFile> light = lm63_of(std::get<Tm33File>(profile.file));
+        if (light) consider(ProfileField::multiplier, light->candela_multiplier);
+    }
+    return field;
+}
+
+Unexpected beyond_range(const Profile& profile, const ResolveOptions& options, double intensity_cd, double factor) {
+    const CodeOf<web_codes> code = "WEB0108";
+    const ProfileField field = greatest_factor(profile, options);
     Diagnostic error;
-    error.code = "WEB0108";
-    error.location = location_of(profile, ProfileField::intensity);
+    error.code = code->code;
+    error.location = field == ProfileField::lamp_flux ? location_of_lamps(profile, field, options.lamp_set)
+                                                      : location_of(profile, field);
     error.message = factor == 1.0 ? fmt::format("an intensity of {} cd is above {} cd", intensity_cd, greatest_amount)
                                   : fmt::format("the factor {} makes {} cd of the table, above {} cd", factor,
                                                 intensity_cd, greatest_amount);
@@ -271,7 +309,7 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
         negative += cd < 0.0 ? 1 : 0;
         greatest = std::max(greatest, std::abs(cd));
     }
-    if (!in_amount_range(greatest)) return beyond_range(profile, greatest, factor);
+    if (!in_amount_range(greatest)) return beyond_range(profile, options, greatest, factor);
     if (negative > 0)
         warn(diagnostics, location_of(profile, ProfileField::negative_intensity), "WEB0105",
              fmt::format("{} intensities are negative: kept as they are", negative),

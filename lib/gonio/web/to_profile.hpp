@@ -2,8 +2,8 @@
 //
 // The file that is made means the same web: resolved again it agrees with the one given to 1e-6 of the peak or better
 // (numbers are written exactly; scaling to cd/klm rounds once). Of what the target cannot hold, everything is said in
-// the diagnostics: codes WEB02… of gonio/web/codes.hpp. Azimuths are kept; the 90° between the conventions of LM-63 and
-// EULUMDAT are not applied here.
+// the diagnostics: codes WEB02… of gonio/base/codes/web.hpp. Azimuths are kept; the 90° between the conventions of
+// LM-63 and EULUMDAT are not applied here.
 //
 // Tables are written as readers expect them. Vertical angles begin at 0 or 90 and end at 90 or 180 degrees, padded with
 // zeros where the web's table ends elsewhere. LM-63 without symmetry has planes from 0 to 360, both included; symmetric

@@ -444,7 +444,7 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry) {
 
 Result<Web> cropped(const Web& web, double gamma_low_deg, double gamma_high_deg) {
     if (!(gamma_low_deg >= 0.0 && gamma_low_deg < gamma_high_deg && gamma_high_deg <= 180.0))
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("cannot keep gamma from {}° to {}° of 0° to 180°", gamma_low_deg, gamma_high_deg));
     if (web.photometry() != Photometry::c)
         return fail(Failure::unsupported, "a web of type A or B cannot be cropped by gamma",
@@ -481,7 +481,7 @@ Result<Web> scaled_to(const Web& web, Lumens wanted) {
     if (!(now.value > 0.0))
         return fail(Failure::usage, fmt::format("a web of {} lm cannot be scaled to a flux", now.value));
     if (!(wanted.value > 0.0))
-        return fail(Failure::usage, fmt::format("a flux of {} lm is not greater than 0", wanted.value));
+        return fail("USE0106", fmt::format("a flux of {} lm is not greater than 0", wanted.value));
     return scaled_by(web, wanted / now);
 }
 
@@ -491,10 +491,10 @@ Result<Web> scaled_by(const Web& web, double factor) {
         for (const double cd : web.column(i))
             greatest = std::max(greatest, std::abs(cd));
     if (!(factor > 0.0) || !std::isfinite(factor))
-        return fail(Failure::usage, fmt::format("a factor of {} is not a number greater than 0", factor));
+        return fail("USE0106", fmt::format("a factor of {} is not a number greater than 0", factor));
     if (!in_amount_range(greatest * factor))
-        return fail(Failure::usage, fmt::format("a factor of {} makes {} cd more than {} cd", factor, rounded(greatest),
-                                                greatest_amount));
+        return fail("USE0106", fmt::format("a factor of {} makes {} cd more than {} cd", factor, rounded(greatest),
+                                           greatest_amount));
     return web.scaled(factor);
 }
 

@@ -51,11 +51,11 @@ TEST(HostileJson, DeepManifestsAreRefusedWithTheirPlace) {
         return manifest ? std::string("read") : to_text(manifest.error().diagnostics.back());
     };
     EXPECT_EQ(refusal("{\"schema\":\"gonio.manifest/1\",\n\"extra\":" + nested(100000) + "}"),
-              "m.json:2:72: error: nested deeper than 64 levels, the limit 'json-depth'\n"
+              "m.json:2:72: error[INP0101]: nested deeper than 64 levels, the limit 'json-depth'\n"
               "hint: 'gonio list limits' describes each limit");
-    EXPECT_EQ(refusal("\n  [3]"), "m.json:2:3: error: not a manifest: it is not a JSON object");
-    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error: broken JSON: invalid literal");
-    EXPECT_EQ(refusal(R"({"schema":"hunter2"})"), "m.json: error: the schema is not gonio.manifest/1");
+    EXPECT_EQ(refusal("\n  [3]"), "m.json:2:3: error[INP0101]: not a manifest: it is not a JSON object");
+    EXPECT_EQ(refusal("root:x:0:0"), "m.json:1:1: error[INP0101]: broken JSON: invalid literal");
+    EXPECT_EQ(refusal(R"({"schema":"hunter2"})"), "m.json: error[UNS0101]: the schema is not gonio.manifest/1");
 }
 
 std::vector<Light> suns(std::size_t count) {

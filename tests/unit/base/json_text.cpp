@@ -32,28 +32,29 @@ TEST(JsonText, ReadsEveryKindOfValueInItsOrder) {
 }
 
 TEST(JsonText, BrokenTextIsPlacedAndNotQuoted) {
-    EXPECT_EQ(refusal(""), "x.json:1:1: error: the JSON ends too early\nhint: expected '[', '{', or a literal");
-    EXPECT_EQ(refusal("{\n \"a\": secret }"), "x.json:2:7: error: broken JSON: invalid literal");
-    EXPECT_EQ(refusal("root:x:0:0"), "x.json:1:1: error: broken JSON: invalid literal");
-    EXPECT_EQ(refusal("[1e999]"), "x.json:1:2: error: the number 1e999 is too large");
+    EXPECT_EQ(refusal(""),
+              "x.json:1:1: error[INP0101]: the JSON ends too early\nhint: expected '[', '{', or a literal");
+    EXPECT_EQ(refusal("{\n \"a\": secret }"), "x.json:2:7: error[INP0101]: broken JSON: invalid literal");
+    EXPECT_EQ(refusal("root:x:0:0"), "x.json:1:1: error[INP0101]: broken JSON: invalid literal");
+    EXPECT_EQ(refusal("[1e999]"), "x.json:1:2: error[INP0101]: the number 1e999 is too large");
 }
 
 TEST(JsonText, DepthIsLimitedWithItsPlace) {
     const std::size_t most = limit("json-depth").value;
     EXPECT_TRUE(detail::parse_json(repeated("[", most) + repeated("]", most)));
     EXPECT_EQ(refusal("\n" + repeated("[", most + 1) + repeated("]", most + 1)),
-              "x.json:2:65: error: nested deeper than 64 levels, the limit 'json-depth'\n"
+              "x.json:2:65: error[INP0101]: nested deeper than 64 levels, the limit 'json-depth'\n"
               "hint: 'gonio list limits' describes each limit");
-    EXPECT_EQ(refusal(repeated("{\"a\":", 100000)).substr(0, 33), "x.json:1:321: error: nested deepe");
-    EXPECT_EQ(refusal(repeated("[", 1000000)).substr(0, 19), "x.json:1:65: error:");
+    EXPECT_EQ(refusal(repeated("{\"a\":", 100000)).substr(0, 42), "x.json:1:321: error[INP0101]: nested deepe");
+    EXPECT_EQ(refusal(repeated("[", 1000000)).substr(0, 28), "x.json:1:65: error[INP0101]:");
 }
 
 TEST(JsonText, KeysAndValuesAreLimited) {
     std::string many = "{";
     for (std::size_t i = 0; i <= limit("json-keys").value; ++i)
         many += (i > 0 ? ",\n\"k" : "\"k") + std::to_string(i) + "\":0";
-    EXPECT_EQ(refusal(many + "}").substr(0, 79),
-              "x.json:1025:7: error: an object has more than 1024 keys, the limit 'json-keys'\n");
+    EXPECT_EQ(refusal(many + "}").substr(0, 88),
+              "x.json:1025:7: error[INP0101]: an object has more than 1024 keys, the limit 'json-keys'\n");
     const std::size_t most = limit("json-values").value;
     EXPECT_TRUE(detail::parse_json("[" + repeated("0,", most - 2) + "0]"));
     EXPECT_NE(refusal("[" + repeated("0,", most - 1) + "0]").find("the limit 'json-values'"), std::string::npos);

@@ -171,7 +171,7 @@ TEST(SpectrumTest, BadCsvSaysWhere) {
         ASSERT_FALSE(read) << bad.message;
         EXPECT_EQ(read.error().failure, Failure::malformed);
         const std::string text = to_text(read.error().diagnostics.back());
-        EXPECT_EQ(text.substr(0, text.find('\n')), bad.place + ": error: " + bad.message);
+        EXPECT_EQ(text.substr(0, text.find('\n')), bad.place + ": error[INP0101]: " + bad.message);
     }
 }
 

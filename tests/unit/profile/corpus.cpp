@@ -1,6 +1,6 @@
 // Real files, read where they are: all of the corpus folder's good/ must be read, all of its bad/ refused.
+#include <gonio/base/diagnostic_codes.hpp>
 #include <gonio/base/file.hpp>
-#include <gonio/profile/codes.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
@@ -75,7 +75,7 @@ TEST_F(ProfileCorpus, EveryBadFileIsRefusedWithItsPlace) {
             ASSERT_FALSE(read.error().diagnostics.empty()) << path;
             const Diagnostic& reason = read.error().diagnostics.back();
             EXPECT_EQ(reason.severity, Severity::error) << path;
-            EXPECT_NE(find_profile_code(reason.code), nullptr) << to_text(reason);
+            EXPECT_NE(find_diagnostic_code(reason.code), nullptr) << to_text(reason);
             EXPECT_EQ(reason.location.file, path);
             EXPECT_GE(reason.location.line, 1U) << to_text(reason);
             EXPECT_GE(reason.location.column, 1U) << to_text(reason);

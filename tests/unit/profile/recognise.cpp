@@ -1,5 +1,4 @@
 // What kind of file it is, and what is none.
-#include <gonio/profile/codes.hpp>
 #include <gonio/profile/read.hpp>
 
 #include "expect.hpp"
@@ -83,19 +82,6 @@ TEST(Recognise, AFileThatIsNotThereIsAnIoFailure) {
     const Result<Profile> read = read_profile_file("/nonexistent/lamp.ies");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().failure, Failure::io);
-}
-
-TEST(ProfileCodes, AreUniqueAndExplained) {
-    std::set<std::string_view> seen;
-    for (const ProfileCode& code : profile_codes) {
-        EXPECT_TRUE(seen.insert(code.code).second) << code.code;
-        EXPECT_EQ(code.code.size(), 7U) << code.code;
-        EXPECT_FALSE(code.title.empty()) << code.code;
-        EXPECT_EQ(code.explanation.back(), '.') << code.code;
-        EXPECT_EQ(find_profile_code(code.code), &code);
-        EXPECT_GE(code.strict_severity, code.severity) << code.code;
-    }
-    EXPECT_EQ(find_profile_code("IES9999"), nullptr);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <gonio/base/codes/rig.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/probe.hpp>
@@ -15,7 +16,9 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gonio {
@@ -88,72 +91,75 @@ TEST(Rig, ReadsEveryKey) {
 }
 
 TEST(Rig, BrokenJsonIsPlacedByLineAndColumn) {
-    EXPECT_EQ(refusal(""), "rig.json:1:1: error: the JSON ends too early\nhint: expected '[', '{', or a literal");
+    EXPECT_EQ(refusal(""),
+              "rig.json:1:1: error[RIG0101]: the JSON ends too early\nhint: expected '[', '{', or a literal");
     EXPECT_EQ(refusal("{\n  \"schema\": \"gonio.rig/1\",\n  lights: []\n}"),
-              "rig.json:3:3: error: broken JSON: invalid literal\nhint: expected string literal");
+              "rig.json:3:3: error[RIG0101]: broken JSON: invalid literal\nhint: expected string literal");
     EXPECT_EQ(light_refusal("{\"shape\":\"point\"\n}\n]"),
-              "rig.json:3:2: error: broken JSON: unexpected ']'\nhint: expected '}'");
-    EXPECT_EQ(light_refusal("{\"position\":[0,0,1e999]}"), "rig.json:1:52: error: the number 1e999 is too large");
-    EXPECT_EQ(light_refusal("{\"name\":\"\xff\"}"), "rig.json:1:44: error: the text is not UTF-8");
+              "rig.json:3:2: error[RIG0101]: broken JSON: unexpected ']'\nhint: expected '}'");
+    EXPECT_EQ(light_refusal("{\"position\":[0,0,1e999]}"),
+              "rig.json:1:52: error[RIG0101]: the number 1e999 is too large");
+    EXPECT_EQ(light_refusal("{\"name\":\"\xff\"}"), "rig.json:1:44: error[RIG0101]: the text is not UTF-8");
     EXPECT_EQ(refusal(with_lights("") + "\n]"),
-              "rig.json:2:1: error: broken JSON: unexpected ']'\nhint: expected end of input");
+              "rig.json:2:1: error[RIG0101]: broken JSON: unexpected ']'\nhint: expected end of input");
 }
 
 TEST(Rig, WrongValuesArePlacedByTheirPath) {
-    EXPECT_EQ(refusal("[]"), "rig.json: error: a rig is a JSON object\n"
+    EXPECT_EQ(refusal("[]"), "rig.json: error[RIG0101]: a rig is a JSON object\n"
                              "hint: write { \"schema\": \"gonio.rig/1\", \"lights\": [ … ] }");
     EXPECT_EQ(refusal("{\"lights\":[]}"),
-              "rig.json: error: there is no key 'schema'\nhint: write \"schema\": \"gonio.rig/1\"");
+              "rig.json: error[RIG0104]: there is no key 'schema'\nhint: write \"schema\": \"gonio.rig/1\"");
     EXPECT_EQ(refusal("{\"schema\":\"gonio.rig/1\"}"),
-              "rig.json: error: there is no key 'lights'\nhint: write \"lights\": [ … ]");
+              "rig.json: error[RIG0104]: there is no key 'lights'\nhint: write \"lights\": [ … ]");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/2","lights":[]})", Failure::unsupported),
-              "rig.json: error: schema: must be \"gonio.rig/1\", not \"gonio.rig/2\"");
-    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error: lights: must be an array");
+              "rig.json: error[RIG0102]: schema: must be \"gonio.rig/1\", not \"gonio.rig/2\"");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error[RIG0105]: lights: must be an array");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lihgts":1})"),
-              "rig.json: error: unknown key 'lihgts'\n"
+              "rig.json: error[RIG0103]: unknown key 'lihgts'\n"
               "hint: did you mean 'lights'? there are: schema, lights, stage, camera, materials");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lights":[]})"),
-              "rig.json: error: the key 'lights' is given twice");
-    EXPECT_EQ(light_refusal("7"), "rig.json: error: lights[0]: must be an object, not a number");
+              "rig.json: error[RIG0107]: the key 'lights' is given twice");
+    EXPECT_EQ(light_refusal("7"), "rig.json: error[RIG0105]: lights[0]: must be an object, not a number");
     EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":"1lm"},{"shpae":"point"})"),
-              "rig.json: error: lights[1]: unknown key 'shpae'\n"
+              "rig.json: error[RIG0103]: lights[1]: unknown key 'shpae'\n"
               "hint: did you mean 'shape'? there are: name, shape, intensity, color, position, direction, up, rotate, "
               "range");
-    EXPECT_EQ(light_refusal("{}"),
-              "rig.json: error: lights[0]: there is no key 'shape'\nhint: for example \"shape\": \"sphere:r=10cm\"");
+    EXPECT_EQ(
+        light_refusal("{}"),
+        "rig.json: error[RIG0104]: lights[0]: there is no key 'shape'\nhint: for example \"shape\": \"sphere:r=10cm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point","shape":"point"})"),
-              "rig.json: error: lights[0]: the key 'shape' is given twice");
+              "rig.json: error[RIG0107]: lights[0]: the key 'shape' is given twice");
     EXPECT_EQ(light_refusal(R"({"shape":"sphere:r=0cm","intensity":"1lm"})"),
-              "rig.json: error: lights[0].shape: r of 'sphere' must be greater than 0, not 0cm");
+              "rig.json: error[RIG0106]: lights[0].shape: r of 'sphere' must be greater than 0, not 0cm");
     EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":800})"),
-              "rig.json: error: lights[0].intensity: must be a string, not a number\n"
+              "rig.json: error[RIG0105]: lights[0].intensity: must be a string, not a number\n"
               "hint: write it with its unit, for example \"800lm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point"})"),
-              "rig.json: error: lights[0]: a point light needs an intensity\nhint: give for example 800lm");
+              "rig.json: error[RIG0104]: lights[0]: a point light needs an intensity\nhint: give for example 800lm");
     EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0]})"),
-              "rig.json: error: lights[0].position: must be an array of three numbers, not of 2\n"
+              "rig.json: error[RIG0105]: lights[0].position: must be an array of three numbers, not of 2\n"
               "hint: for example [0, 0, 2.5]");
     EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0,"1m"]})"),
-              "rig.json: error: lights[0].position: must be an array of three numbers, not one with a string\n"
+              "rig.json: error[RIG0105]: lights[0].position: must be an array of three numbers, not one with a string\n"
               "hint: for example [0, 0, 2.5]");
     EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0,1e101]})"),
-              "rig.json: error: lights[0].position: must lie within 1e+100 m");
+              "rig.json: error[RIG0106]: lights[0].position: must lie within 1e+100 m");
     EXPECT_EQ(light_refusal(R"({"shape":"point","direction":[0,0,0]})"),
-              "rig.json: error: lights[0].direction: must not be zero");
+              "rig.json: error[RIG0106]: lights[0].direction: must not be zero");
     EXPECT_EQ(light_refusal(R"({"shape":"point","range":"0m"})"),
-              "rig.json: error: lights[0].range: must be greater than 0");
+              "rig.json: error[RIG0106]: lights[0].range: must be greater than 0");
     EXPECT_EQ(light_refusal(R"({"name":null,"shape":"point"})"),
-              "rig.json: error: lights[0].name: must be a string, not null");
-    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"stage":"flor"})").substr(0, 44),
-              "rig.json: error: stage: unknown stage 'flor'");
+              "rig.json: error[RIG0105]: lights[0].name: must be a string, not null");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"stage":"flor"})").substr(0, 53),
+              "rig.json: error[RIG0103]: stage: unknown stage 'flor'");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"fov":"180deg"}})"),
-              "rig.json: error: camera.fov: must lie between 0deg and 180deg");
+              "rig.json: error[RIG0106]: camera.fov: must lie between 0deg and 180deg");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"position":[0,0,1]}})"),
-              "rig.json: error: camera: must not stand at its own target");
-    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"flor":"lambert"}})").substr(0, 55),
-              "rig.json: error: materials: unknown surface 'flor' of '");
+              "rig.json: error[RIG0106]: camera: must not stand at its own target");
+    EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"flor":"lambert"}})").substr(0, 64),
+              "rig.json: error[RIG0103]: materials: unknown surface 'flor' of '");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"floor":"lambert:albedo=2"}})"),
-              "rig.json: error: materials.floor: albedo of 'lambert' must lie in [0, 1], not 2");
+              "rig.json: error[RIG0106]: materials.floor: albedo of 'lambert' must lie in [0, 1], not 2");
 }
 
 std::string with_stage(const std::string& stage) {
@@ -202,70 +208,97 @@ TEST(Rig, ReadsAStageOfItsOwn) {
 }
 
 TEST(Rig, WrongStagesArePlacedByTheirPath) {
-    EXPECT_EQ(refusal(with_stage("7")), "rig.json: error: stage: must be a string or an object, not a number\n"
+    EXPECT_EQ(refusal(with_stage("7")), "rig.json: error[RIG0105]: stage: must be a string or an object, not a number\n"
                                         "hint: for example \"floor\" or { \"surfaces\": [ … ] }");
-    EXPECT_EQ(refusal(with_stage("{}")), "rig.json: error: stage.surfaces: must be an array of at least one surface\n"
-                                         "hint: for example [ { \"name\": \"floor\", \"plane\": {} } ]");
+    EXPECT_EQ(refusal(with_stage("{}")),
+              "rig.json: error[RIG0104]: stage.surfaces: must be an array of at least one surface\n"
+              "hint: for example [ { \"name\": \"floor\", \"plane\": {} } ]");
     EXPECT_EQ(refusal(with_stage(R"({"surface":[]})")),
-              "rig.json: error: stage: unknown key 'surface'\n"
+              "rig.json: error[RIG0103]: stage: unknown key 'surface'\n"
               "hint: did you mean 'surfaces'? there are: name, surfaces, figure");
-    EXPECT_EQ(surface_refusal("3"), "rig.json: error: stage.surfaces[1]: must be an object, not a number");
-    EXPECT_EQ(surface_refusal("{}"), "rig.json: error: stage.surfaces[1]: there is no key 'name'");
-    EXPECT_EQ(surface_refusal(R"({"name":"a"})"), "rig.json: error: stage.surfaces[1]: has no shape\n"
+    EXPECT_EQ(surface_refusal("3"), "rig.json: error[RIG0105]: stage.surfaces[1]: must be an object, not a number");
+    EXPECT_EQ(surface_refusal("{}"), "rig.json: error[RIG0104]: stage.surfaces[1]: there is no key 'name'");
+    EXPECT_EQ(surface_refusal(R"({"name":"a"})"), "rig.json: error[RIG0104]: stage.surfaces[1]: has no shape\n"
                                                   "hint: give it a plane, panel, box, sphere or capsule");
-    EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{},"box":{}})"),
-              "rig.json: error: stage.surfaces[1]: has both a plane and a box\nhint: a surface is one of them");
+    EXPECT_EQ(
+        surface_refusal(R"({"name":"a","plane":{},"box":{}})"),
+        "rig.json: error[RIG0107]: stage.surfaces[1]: has both a plane and a box\nhint: a surface is one of them");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":[]})"),
-              "rig.json: error: stage.surfaces[1].plane: must be an object, not an array");
+              "rig.json: error[RIG0105]: stage.surfaces[1].plane: must be an object, not an array");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1],"radius":"0m"}})"),
-              "rig.json: error: stage.surfaces[1].sphere.radius: must be greater than 0");
+              "rig.json: error[RIG0106]: stage.surfaces[1].sphere.radius: must be greater than 0");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1],"radius":2}})"),
-              "rig.json: error: stage.surfaces[1].sphere.radius: must be a string, not a number\n"
+              "rig.json: error[RIG0105]: stage.surfaces[1].sphere.radius: must be a string, not a number\n"
               "hint: write it with its unit, for example \"2m\"");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1]}})"),
-              "rig.json: error: stage.surfaces[1].sphere: there is no key 'radius'");
+              "rig.json: error[RIG0104]: stage.surfaces[1].sphere: there is no key 'radius'");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"radius":"1m","centre":[0,0,1]}})"),
-              "rig.json: error: stage.surfaces[1].sphere: unknown key 'centre'\n"
+              "rig.json: error[RIG0103]: stage.surfaces[1].sphere: unknown key 'centre'\n"
               "hint: did you mean 'center'? there are: center, radius");
     EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,0,1],"size":[1,0,1]}})"),
-              "rig.json: error: stage.surfaces[1].box.size: must be greater than 0 along every axis\n"
+              "rig.json: error[RIG0106]: stage.surfaces[1].box.size: must be greater than 0 along every axis\n"
               "hint: a sheet without thickness is a panel");
     EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,2e9,1],"size":[1,1,1]}})"),
-              "rig.json: error: stage.surfaces[1].box.center: must lie within 1e+09 m");
-    EXPECT_EQ(surface_refusal(R"({"name":"a","capsule":{"from":[0,0,1],"to":[0,0,1],"radius":"1cm"}})"),
-              "rig.json: error: stage.surfaces[1].capsule: 'from' and 'to' must differ\nhint: a ball is a sphere");
+              "rig.json: error[RIG0106]: stage.surfaces[1].box.center: must lie within 1e+09 m");
+    EXPECT_EQ(
+        surface_refusal(R"({"name":"a","capsule":{"from":[0,0,1],"to":[0,0,1],"radius":"1cm"}})"),
+        "rig.json: error[RIG0106]: stage.surfaces[1].capsule: 'from' and 'to' must differ\nhint: a ball is a sphere");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{"normal":[0,0,0]}})"),
-              "rig.json: error: stage.surfaces[1].plane.normal: must not be zero");
+              "rig.json: error[RIG0106]: stage.surfaces[1].plane.normal: must not be zero");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{},"material":"lambert:albedo=2"})"),
-              "rig.json: error: stage.surfaces[1].material: albedo of 'lambert' must lie in [0, 1], not 2");
+              "rig.json: error[RIG0106]: stage.surfaces[1].material: albedo of 'lambert' must lie in [0, 1], not 2");
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[{"name":"a","plane":{}}]},"camera":{"position":[0,-5,-1]})")),
-              "rig.json: error: camera: the camera at 0,-5,-1 stands behind 'a'\n"
+              "rig.json: error[RIG0106]: camera: the camera at 0,-5,-1 stands behind 'a'\n"
               "hint: a plane is seen from its lit side only");
     std::string many;
     for (int i = 0; i < 257; ++i)
         many += R"({"name":"a","plane":{}},)";
     many.pop_back();
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
-              "rig.json: error: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
+              "rig.json: error[RIG0108]: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
               "hint: 'gonio list limits' describes each limit");
     std::string more;
     for (int i = 0; i < 1e6; ++i)
         more += "0,";
-    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 86),
-              "rig.json:1:8249: error: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 95),
+              "rig.json:1:8249: error[RIG0108]: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
+}
+
+// Else a code would be explained that nobody is told.
+TEST(Rig, EveryCodeHasTheSmallestRigThatBreaksIt) {
+    const std::map<std::string_view, std::string> broken{
+        {"RIG0101", "[]"},
+        {"RIG0102", R"({"schema":"gonio.rig/2","lights":[]})"},
+        {"RIG0103", with_lights(R"({"shpe":"point"})")},
+        {"RIG0104", with_lights("{}")},
+        {"RIG0105", with_lights("7")},
+        {"RIG0106", with_lights(R"({"shape":"sphere:r=0m"})")},
+        {"RIG0107", with_lights(R"({"shape":"point","shape":"point"})")},
+        {"RIG0108", with_lights("[[[[[[[[[")},
+    };
+    for (const DiagnosticCode& code : rig_codes) {
+        const auto rig = broken.find(code.code);
+        ASSERT_NE(rig, broken.end()) << code.code;
+        const Result<Rig> got = read(rig->second);
+        ASSERT_FALSE(got) << code.code;
+        EXPECT_EQ(got.error().diagnostics.back().code, code.code);
+        EXPECT_EQ(got.error().diagnostics.back().severity, code.severity);
+    }
 }
 
 TEST(Rig, FilesAreNamedWithTheirPath) {
-    EXPECT_EQ(light_refusal(R"({"shape":"ies:missing.ies"})", Failure::io),
-              fmt::format("rig.json: error: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
-                          profiles));
+    EXPECT_EQ(
+        light_refusal(R"({"shape":"ies:missing.ies"})", Failure::io),
+        fmt::format("rig.json: error[FIL0102]: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
+                    profiles));
     EXPECT_EQ(light_refusal(R"({"shape":"ies:."})", Failure::io),
-              fmt::format("rig.json: error: lights[0].shape: {}/.: cannot read: it is a folder\n"
+              fmt::format("rig.json: error[FIL0101]: lights[0].shape: {}/.: cannot read: it is a folder\n"
                           "hint: name a file in it",
                           profiles));
-    EXPECT_EQ(light_refusal(R"({"shape":"spot:outer=20deg,mask=missing.ies","intensity":"1cd"})", Failure::io),
-              fmt::format("rig.json: error: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
-                          profiles));
+    EXPECT_EQ(
+        light_refusal(R"({"shape":"spot:outer=20deg,mask=missing.ies","intensity":"1cd"})", Failure::io),
+        fmt::format("rig.json: error[FIL0102]: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
+                    profiles));
     // A text that is not a profile, as a rig that names itself is.
     EXPECT_EQ(light_refusal(R"({"shape":"ies:README.md"})").substr(0, 46),
               "rig.json: error[PRF0103]: lights[0].shape: " + profiles.substr(0, 3));
@@ -337,10 +370,10 @@ TEST_F(RigFiles, OfAnotherKindAreNotQuoted) {
         EXPECT_EQ(said.find("hunter2"), std::string::npos) << said;
     }
     // Nor is a JSON text that is not a rig.
-    EXPECT_EQ(refusal(R"({"api_token":"hunter2"})"), "rig.json: error: not a rig: it begins with another key\n"
+    EXPECT_EQ(refusal(R"({"api_token":"hunter2"})"), "rig.json: error[RIG0101]: not a rig: it begins with another key\n"
                                                      "hint: write \"schema\": \"gonio.rig/1\" first");
     EXPECT_EQ(refusal(R"({"schema":"hunter2"})", Failure::unsupported),
-              "rig.json: error: schema: must be \"gonio.rig/1\", not another");
+              "rig.json: error[RIG0102]: schema: must be \"gonio.rig/1\", not another");
 }
 
 TEST(Rig, ProfilesAreReadOnceAndShared) {
@@ -367,21 +400,21 @@ TEST(Rig, ProfilesAreReadOnceAndShared) {
 }
 
 TEST(Rig, NestingAndSizeAreBounded) {
-    EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 39), "rig.json: error: a rig is a JSON object");
+    EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 48), "rig.json: error[RIG0101]: a rig is a JSON object");
     EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
-              "rig.json:1:50: error: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
+              "rig.json:1:50: error[RIG0108]: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
               "hint: 'gonio list limits' describes each limit");
     std::string deep;
     for (int i = 0; i < 100000; ++i)
         deep += "{\"a\":";
-    EXPECT_EQ(refusal("{\"camera\":\n" + deep).substr(0, 84),
-              "rig.json:2:41: error: camera: is nested deeper than 8 levels, the limit 'rig-depth'\n");
+    EXPECT_EQ(refusal("{\"camera\":\n" + deep).substr(0, 93),
+              "rig.json:2:41: error[RIG0108]: camera: is nested deeper than 8 levels, the limit 'rig-depth'\n");
     std::string wide = "{\"position\":[0";
     for (int i = 0; i < 5000; ++i)
         wide += ",0";
-    EXPECT_NE(
-        light_refusal(wide + "]}").find(": error: lights[0]: holds more than 4096 values, the limit 'rig-values'"),
-        std::string::npos);
+    EXPECT_NE(light_refusal(wide + "]}")
+                  .find(": error[RIG0108]: lights[0]: holds more than 4096 values, the limit 'rig-values'"),
+              std::string::npos);
 }
 
 TEST(Rig, ParallelResolveOfManyLights) {
@@ -402,8 +435,9 @@ TEST(Rig, ParallelResolveOfManyLights) {
 
     // Of several bad lights the first is told, whoever comes upon it first.
     const std::string bad = with_lights(lights + ",{\"shape\":\"point\"},{\"shape\":\"sphere:r=1m\"}");
-    EXPECT_EQ(refusal(bad), "rig.json: error: lights[100000]: a point light needs an intensity\nhint: give for example "
-                            "800lm");
+    EXPECT_EQ(refusal(bad),
+              "rig.json: error[RIG0104]: lights[100000]: a point light needs an intensity\nhint: give for example "
+              "800lm");
 }
 
 TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {

@@ -40,7 +40,7 @@ TEST(AmountRange, AWebHoldsIntensitiesUpToIt) {
 TEST(AmountRange, NoFactorLeadsOutOfIt) {
     const Web web = uniform(1e20);
     EXPECT_EQ(peak(*scaled_by(web, 1e10)).intensity.value, 1e30);
-    EXPECT_EQ(reason(scaled_by(web, 1e17)), "error: a factor of 1e+17 makes 1e+20 cd more than 1e+30 cd");
+    EXPECT_EQ(reason(scaled_by(web, 1e17)), "error[USE0106]: a factor of 1e+17 makes 1e+20 cd more than 1e+30 cd");
     for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()})
         EXPECT_FALSE(scaled_by(web, wrong)) << wrong;
     // Of next to no light the factor is beyond a double.
@@ -66,7 +66,7 @@ TEST(AmountRange, AFluxThatMakesMoreIsRefused) {
 TEST(AmountRange, ATableNamesThePlace) {
     EXPECT_EQ(reason(web_from_csv("g,0,90\n0,1,2\n", "t.csv")), "no failure");
     EXPECT_EQ(reason(web_from_csv("g,0,90\n0,1,1e31\n", "t.csv")),
-              "t.csv:2:5: error: 1e+31 is above 1e+30 in magnitude");
+              "t.csv:2:5: error[INP0101]: 1e+31 is above 1e+30 in magnitude");
 }
 
 // A web in range, and a header or a flux beside it that leads out of it.
@@ -78,7 +78,7 @@ TEST(AmountRange, AFileThatNoReaderWouldTakeIsNotMade) {
         const auto made = to_profile(uniform(100.0), header, target);
         ASSERT_FALSE(made) << to_text(target);
         EXPECT_EQ(made.error().failure, Failure::malformed);
-        EXPECT_EQ(reason(made).substr(0, 16), "lamp: error: the") << reason(made);
+        EXPECT_EQ(reason(made).substr(0, 25), "lamp: error[INP0101]: the") << reason(made);
     }
     header.lamp_flux_lm = 1e-300;
     EXPECT_TRUE(to_profile(uniform(100.0), header, ProfileTarget::lm63_2002));

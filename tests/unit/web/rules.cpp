@@ -1,7 +1,7 @@
 // Every diagnostic code with the smallest file that breaks its rule. A code without an entry fails the test.
-#include <gonio/profile/codes.hpp>
+#include <gonio/base/codes/profile.hpp>
+#include <gonio/base/codes/web.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/codes.hpp>
 #include <gonio/web/plausibility.hpp>
 #include <gonio/web/to_profile.hpp>
 
@@ -339,14 +339,14 @@ void expect_broken(std::string_view code, Severity severity) {
 }
 
 TEST(Rules, EveryCodeHasTheSmallestFileThatBreaksIt) {
-    for (const ProfileCode& entry : profile_codes) {
+    for (const DiagnosticCode& entry : profile_codes) {
         SCOPED_TRACE(entry.code);
         const auto rule = smallest_files().find(std::string(entry.code));
         const bool strict = rule != smallest_files().end() && rule->second.strict;
-        expect_broken(entry.code, strict ? entry.strict_severity : entry.severity);
+        expect_broken(entry.code, strict ? entry.strict_severity() : entry.severity);
         EXPECT_FALSE(entry.explanation.empty());
     }
-    for (const WebCode& entry : web_codes) {
+    for (const DiagnosticCode& entry : web_codes) {
         SCOPED_TRACE(entry.code);
         expect_broken(entry.code, entry.severity);
         EXPECT_FALSE(entry.explanation.empty());
@@ -363,11 +363,11 @@ std::string place_of(const Diagnostics& said, std::string_view code) {
 TEST(Rules, AboutTheLightNameTheField) {
     const std::map<std::string, std::string> places{
         {"WEB0101", "6:7"},  {"WEB0102", "6:1"},  {"WEB0103", "6:1"},  {"WEB0104", "4:3"},  {"WEB0105", "7:5"},
-        {"WEB0106", "7:1"},  {"WEB0107", "6:1"},  {"WEB0108", "7:1"},  {"WEB0301", "3:3"},  {"WEB0302", "3:3"},
+        {"WEB0106", "7:1"},  {"WEB0107", "6:1"},  {"WEB0108", "3:8"},  {"WEB0301", "3:3"},  {"WEB0302", "3:3"},
         {"WEB0303", "4:5"},  {"WEB0304", "4:5"},  {"WEB0305", "4:5"},  {"WEB0306", "3:18"}, {"WEB0307", "3:18"},
         {"WEB0308", "7:1"},  {"WEB0309", "5:3"},  {"WEB0310", "7:1"},  {"WEB0311", "6:1"},  {"WEB0312", "22:1"},
         {"WEB0313", "23:1"}, {"WEB0314", "34:0"}, {"WEB0315", "29:1"}, {"WEB0316", "16:1"}, {"WEB0317", "31:1"}};
-    for (const WebCode& entry : web_codes) {
+    for (const DiagnosticCode& entry : web_codes) {
         if (entry.code.substr(0, 5) == "WEB02") continue;
         const std::string code(entry.code);
         EXPECT_EQ(place_of(all_said(smallest_files().at(code)), code), places.at(code)) << code;
@@ -376,6 +376,15 @@ TEST(Rules, AboutTheLightNameTheField) {
     EXPECT_EQ(place_of(all_said({ldt({{46, " -1"}})}), "WEB0105"), "46:2");
     EXPECT_EQ(place_of(all_said({ldt({{32, "0"}})}), "WEB0305"), "32:1");
     EXPECT_EQ(place_of(all_said({ies({{2, "[_CCT] 99\nTILT=NONE"}})}), "WEB0317"), "2:1");
+    // Beyond the range it is a factor: the greatest of them.
+    EXPECT_EQ(place_of(all_said({ies({{4, "1e30 1 10"}})}), "WEB0108"), "4:1");
+    EXPECT_EQ(place_of(all_said({ies({{1, "IESNA91"}, {4, "1 1e30 10"}})}), "WEB0108"), "4:3");
+    EXPECT_EQ(place_of(all_said({ldt({{24, "1e30"}})}), "WEB0108"), "24:1");
+    EXPECT_EQ(place_of(all_said({ldt({{24, "100"}, {29, "1e30"}})}), "WEB0108"), "29:1");
+    EXPECT_EQ(place_of(all_said({tm33("<IntData h=\"0\" v=\"0\">", "\n <Multiplier>1e30</Multiplier>"
+                                                                   "<IntData h=\"0\" v=\"0\">")}),
+                       "WEB0108"),
+              "2:2");
     const std::string lines = tm33("<InputWattage>10", "\n <InputWattage>0");
     EXPECT_EQ(place_of(all_said({lines}), "WEB0305"), "2:2");
 }
@@ -406,15 +415,15 @@ TEST(Rules, TheFilesTheyAreMadeFromBreakNone) {
 
 // What strict reading makes an error of, tolerant reading reads.
 TEST(Rules, StrictSeveritiesAreThoseOfTheTable) {
-    for (const ProfileCode& entry : profile_codes) {
+    for (const DiagnosticCode& entry : profile_codes) {
         Rule rule = smallest_files().at(std::string(entry.code));
         rule.strict = true;
         const Diagnostics said = all_said(rule);
         const Diagnostic* const diagnostic = find_code(said, entry.code);
         ASSERT_NE(diagnostic, nullptr) << entry.code << "\n" << text_of(said);
-        EXPECT_EQ(diagnostic->severity, entry.strict_severity) << to_text(*diagnostic);
+        EXPECT_EQ(diagnostic->severity, entry.strict_severity()) << to_text(*diagnostic);
         rule.strict = false;
-        EXPECT_EQ(find_code(all_said(rule), entry.code) == nullptr, entry.strict_only) << entry.code;
+        EXPECT_EQ(find_code(all_said(rule), entry.code) == nullptr, entry.strict == Strict::only) << entry.code;
     }
 }
 

@@ -130,20 +130,12 @@ std::string pbrt_stage(const SceneStage& stage, std::string_view picture);
 std::string usd_stage(const SceneStage& stage, std::string_view root);
 std::string usd_render_settings(const SceneStage& stage, std::string_view root);
 
-// The files of each target, for target.cpp and stage_scene.cpp.
-std::vector<AssetFile> babylon_files(const SceneContent& scene);
+// The files of the targets that stages are written for too; those of the others are named by target.cpp alone.
 std::vector<AssetFile> blender_files(const SceneContent& scene);
-std::vector<AssetFile> gltf_files(const SceneContent& scene);
 std::vector<AssetFile> gltf_text_files(const SceneContent& scene); // .gltf and what it reads
 std::vector<AssetFile> gltf_binary_files(const SceneContent& scene);
-std::vector<AssetFile> godot_files(const SceneContent& scene);
-std::vector<AssetFile> luxcore_files(const SceneContent& scene);
 std::vector<AssetFile> mitsuba_files(const SceneContent& scene);
 std::vector<AssetFile> pbrt_files(const SceneContent& scene);
-std::vector<AssetFile> raw_files(const SceneContent& scene);
-std::vector<AssetFile> threejs_files(const SceneContent& scene);
-std::vector<AssetFile> unity_files(const SceneContent& scene);
-std::vector<AssetFile> unreal_files(const SceneContent& scene);
 std::vector<AssetFile> usd_files(const SceneContent& scene);
 
 } // namespace gonio::asset_detail

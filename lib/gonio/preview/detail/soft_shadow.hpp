@@ -4,7 +4,7 @@
 // The ratio of E. Heitz, S. Hill and M. McGuire ("Combining Analytic Direct Illumination and Stochastic Shadows", I3D
 // 2018): ∫ f ⟨n·l⟩ V dl over ∫ f ⟨n·l⟩ dl, both by the same samples, so that what is not shadowed keeps its closed form
 // and what is cannot exceed it. Where they draw points of the light by chance, these samples are the cells of a few
-// lines over it, of each of which what is hidden is known exactly (scene/detail/shadow_line.hpp): there is no noise to
+// lines over it, of each of which what is hidden is known exactly (scene/shadow_line.hpp): there is no noise to
 // filter, and bodies that overlap hide nothing twice. README.md has the error.
 #pragma once
 
