@@ -163,7 +163,7 @@ public:
         const bool is_sun = class_of(light.shape) == ShapeClass::sun;
         const bool dark = is_sun ? !(light.illuminance.value > 0.0) : !emits(light);
         if (dark) {
-            say(light, "is dark, and left out");
+            say(light, "is dark and is left out");
             return {};
         }
         if (light.range && !target_.holds.range && !is_sun)
@@ -222,17 +222,17 @@ private:
     }
 
     Result<void> place_far(const Light& light, SceneLight made, std::string_view why) {
-        say(light, fmt::format("{}: written as a point with its intensity in every direction", why));
+        say(light, fmt::format("{}: written as a point with the same intensity in every direction", why));
         return place_profile(light, std::move(made));
     }
 
     // An area: of the target's own kind, or from afar.
     template<class Area>
     Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
-        if (shape.mask) return place_far(light, std::move(made), "a mask on an area");
+        if (shape.mask) return place_far(light, std::move(made), "a mask on an area light");
         if (!holds(kind))
             return place_far(light, std::move(made),
-                             fmt::format("{} has no {} lights", target_.name, kind_of(light.shape)));
+                             fmt::format("{} does not have {} lights", target_.name, kind_of(light.shape)));
         if (!two_sided) return place_as(kind, std::move(made));
         say(light, "two lights back to back, for its two sides");
         SceneLight back = made;
@@ -258,23 +258,23 @@ private:
         if (spot.mask) return place_far(light, std::move(made), "a mask on a spot");
         if (!held.spot_falloff || (hard ? !held.spot_has_inner : !same))
             return place_far(light, std::move(made),
-                             fmt::format("{} has no spot of the falloff {}", target_.name,
+                             fmt::format("{} does not have spots with the falloff {}", target_.name,
                                          to_text(hard ? Falloff::hard : spot.falloff)));
         if (to_degrees(spot.outer) > held.widest_spot_deg)
-            return place_far(
-                light, std::move(made),
-                fmt::format("{} opens its spots to {} degrees at most", target_.name, 2.0 * held.widest_spot_deg));
+            return place_far(light, std::move(made),
+                             fmt::format("{} limits spots to {} degrees", target_.name, 2.0 * held.widest_spot_deg));
         made.outer = spot.outer.value;
         made.inner = hard ? asset_detail::hard_edge * spot.outer.value : spot.inner.value;
         return place_as(LightKind::spot, std::move(made));
     }
     Result<void> place(const Light& light, const FrustumShape&, SceneLight made) {
-        return place_far(light, std::move(made), fmt::format("{} has no frustum lights", target_.name));
+        return place_far(light, std::move(made), fmt::format("{} does not have frustum lights", target_.name));
     }
     Result<void> place(const Light& light, const SphereShape& sphere, SceneLight made) {
         made.radius = sphere.radius.value * scale_.length;
         if (!sphere.mask && !holds(LightKind::sphere) && holds(LightKind::point)) {
-            say(light, fmt::format("{} has no sphere lights: written as a point of its intensity", target_.name));
+            say(light,
+                fmt::format("{} does not have sphere lights: written as a point of the same intensity", target_.name));
             return place_as(LightKind::point, std::move(made));
         }
         return place_area(light, sphere, LightKind::sphere, false, std::move(made));
@@ -300,7 +300,7 @@ private:
     }
     Result<void> place(const Light& light, const SunShape& sun, SceneLight made) {
         if (!holds(LightKind::sun)) {
-            say(light, fmt::format("{} has no sun, and it has no intensity: left out", target_.name));
+            say(light, fmt::format("{} does not have suns, and a sun has no intensity: left out", target_.name));
             return {};
         }
         made.diameter = sun.diameter.value;
@@ -324,24 +324,23 @@ Result<void> check_unit(const Target& target, Meters unit) {
     constexpr double most = 1e4;
     if (!(unit.value >= least && unit.value <= most))
         return fail("USE0106", fmt::format("a unit of {} m is out of range", unit.value),
-                    fmt::format("it lies between {} m and {} m", least, most));
+                    fmt::format("it must lie between {} m and {} m", least, most));
     const auto is = [&](double meters) { return std::abs(unit.value - meters) <= 1e-12 * meters; };
     switch (target.holds.length) {
     case TargetLength::any:
         return {};
     case TargetLength::meter:
         if (is(1.0)) return {};
-        return fail(Failure::usage, fmt::format("{} counts in metres, whatever the scene", target.name),
-                    "leave --unit-scale out");
+        return fail(Failure::usage, fmt::format("{} always uses metres", target.name), "leave --unit-scale out");
     case TargetLength::centimeter:
         if (is(1.0) || is(0.01)) return {};
-        return fail(Failure::usage, fmt::format("{} counts in centimetres, whatever the scene", target.name),
-                    "leave --unit-scale out: its lengths are written in cm");
+        return fail(Failure::usage, fmt::format("{} always uses centimetres", target.name),
+                    "leave --unit-scale out: lengths are written in cm");
     case TargetLength::none:
         break;
     }
     if (is(1.0)) return {};
-    return fail(Failure::usage, fmt::format("{} has no lengths that a unit could scale", target.name),
+    return fail(Failure::usage, fmt::format("{} does not have lengths to scale", target.name),
                 "leave --unit-scale out");
 }
 
@@ -364,7 +363,7 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);
     if (builder.content().lights.empty())
-        return fail(Failure::unsupported, fmt::format("{} has no place for any of the lights", target.name),
+        return fail(Failure::unsupported, fmt::format("{} cannot store any of the lights", target.name),
                     "see 'gonio list targets'");
     return BuiltScene{std::move(builder.content()), std::move(builder.instead())};
 }

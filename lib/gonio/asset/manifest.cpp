@@ -46,8 +46,8 @@ public:
     // What to fail with, if anything.
     [[nodiscard]] std::optional<Unexpected> failure() const {
         if (wrong_.empty()) return std::nullopt;
-        return fail(Failure::malformed, fmt::format("no manifest: '{}' is missing or of another kind", wrong_), {},
-                    name_);
+        return fail(Failure::malformed, fmt::format("not a manifest: '{}' is missing or has the wrong type", wrong_),
+                    {}, name_);
     }
 
 private:
@@ -114,9 +114,10 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
         if (input.is_string()) manifest.failed.push_back(input.get<std::string>());
     if (auto failure = reader.failure()) return *failure;
     if (manifest.shard && (manifest.shard->index < 1 || manifest.shard->index > manifest.shard->count))
-        return fail(Failure::malformed,
-                    fmt::format("no manifest: there is no shard {}/{}", manifest.shard->index, manifest.shard->count),
-                    "they are counted from 1", name);
+        return fail(
+            Failure::malformed,
+            fmt::format("not a manifest: there is no shard {}/{}", manifest.shard->index, manifest.shard->count),
+            "shards are counted from 1", name);
     return manifest;
 }
 
@@ -133,9 +134,9 @@ Result<Manifest> merged(std::span<const Manifest> manifests) {
             return fail(Failure::usage, "the manifests were made with different options",
                         fmt::format("'{}' and '{}'", whole.recipe, part.recipe));
         if ((part.shard ? part.shard->count : 0) != count)
-            return fail(Failure::usage, "the manifests are of different numbers of shards");
+            return fail(Failure::usage, "the manifests have different numbers of shards");
         if (part.shard && !shards.insert(part.shard->index).second)
-            return fail("USE0107", fmt::format("shard {}/{} is there twice", part.shard->index, count));
+            return fail("USE0107", fmt::format("shard {}/{} is given twice", part.shard->index, count));
         for (const ManifestAsset& asset : part.assets) {
             if (!inputs.insert(asset.input.file).second)
                 return fail("USE0108", fmt::format("two manifests list the input '{}'", asset.input.file));

@@ -38,8 +38,9 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
             Diagnostic warning;
             warning.severity = Severity::warning;
             warning.location.file = source.file;
-            warning.message = fmt::format("of {} spectra the light has the colour of the first", source.spectra.size());
-            warning.hint = "name one colour for all, for example --color 3000K";
+            warning.message =
+                fmt::format("the profile has {} spectra; the light has the colour of the first", source.spectra.size());
+            warning.hint = "set one colour, for example --color 3000K";
             diagnostics.push_back(std::move(warning));
         }
         return Colored{*rgb, "spectrum"};
@@ -52,8 +53,8 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
             Diagnostic warning;
             warning.severity = Severity::warning;
             warning.location.file = source.file;
-            warning.message = fmt::format("the colour temperature '{}' is not understood: the light is white", said);
-            warning.hint = "name one, for example --color 3000K";
+            warning.message = fmt::format("the colour temperature '{}' cannot be read: the light is white", said);
+            warning.hint = "set one, for example --color 3000K";
             diagnostics.push_back(std::move(warning));
             return colored;
         }
@@ -112,8 +113,7 @@ Result<MeasuredLight> measured_light(const MeasuredLightSource& source, const Me
     std::string bytes = write_profile(made->profile, ProfileTarget::portable);
     Result<Profile> again = read_profile(bytes, source.file);
     Result<ResolvedWeb> delivered = again ? resolve_web(*again) : Result<ResolvedWeb>(pass_on(again));
-    if (!delivered)
-        return fail(Failure::internal, "the portable profile that was made cannot be read again", {}, source.file);
+    if (!delivered) return fail(Failure::internal, "the portable profile cannot be read back", {}, source.file);
     diagnostics.insert(diagnostics.end(), made->diagnostics.begin(), made->diagnostics.end());
     Result<Colored> color = color_of(source, options, diagnostics);
     if (!color) return pass_on(color);

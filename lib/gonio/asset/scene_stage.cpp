@@ -50,7 +50,7 @@ void take_lobe(const Core& core, SceneMaterial& made, std::vector<std::string>& 
     made.f0 = color(gloss.f0 * gloss.factor);
     made.alpha = gloss.lobe.alpha;
     if (made.has_lobe() && gloss.f90 * gloss.factor < 1.0)
-        losses.emplace_back("its reflection at grazing angles, which is dimmed, is written as a whole one");
+        losses.emplace_back("its reduced reflection at grazing angles is written as full reflection");
 }
 
 // Whether its diffuse part depends on the directions.
@@ -77,7 +77,7 @@ SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
             losses.emplace_back(
                 made.metallic_roughness
                     ? "its diffuse part, which its lobe dims, is written as Lambert's of the same albedo"
-                    : "its rough diffuse part is written as Lambert's of the same albedo");
+                    : "its rough diffuse part is written as Lambert with the same albedo");
     }
     constexpr shading::LobeKind lobe = decltype(core)::lobe;
     if constexpr (lobe != shading::LobeKind::none) take_lobe(core, made, losses);
@@ -86,10 +86,10 @@ SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
     case shading::LobeKind::ggx:
         break;
     case shading::LobeKind::ggx_and_more:
-        losses.emplace_back("what its facets scatter more than once is left out");
+        losses.emplace_back("multiple scattering between its facets is left out");
         break;
     case shading::LobeKind::cosine_power:
-        if (made.has_lobe()) losses.emplace_back("its cosine lobe is written as a GGX lobe as wide");
+        if (made.has_lobe()) losses.emplace_back("its cosine lobe is written as a GGX lobe of the same width");
         break;
     }
     return made;

@@ -22,7 +22,7 @@ constexpr std::array formats{
     StageFormat{".usda", "OpenUSD with UsdLux, UsdPreviewSurface", "usd", usd_files},
     StageFormat{".pbrt", "pbrt-v4", "pbrt", pbrt_files},
     StageFormat{".xml", "Mitsuba 3", "mitsuba", mitsuba_files},
-    StageFormat{".py", "a script for Blender that makes a scene for Cycles", "blender", blender_files},
+    StageFormat{".py", "a Blender script that creates a scene for Cycles", "blender", blender_files},
 };
 
 // The square of an endless plane, in the middle of which the eye stands.
@@ -107,7 +107,7 @@ Result<const StageFormat*> stage_format_of(std::string_view file) {
         known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
     }
     return fail(Failure::usage, fmt::format("a scene cannot be written as '{}'", file),
-                fmt::format("its name ends in one of {}", known));
+                fmt::format("the name must end in one of {}", known));
 }
 
 Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, const Camera& camera,
@@ -127,15 +127,14 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     for (const SceneMaterial& material : made.materials) {
         const glm::dvec3 diffuse = mixed(material).diffuse;
         if (mixes && std::max({diffuse.x, diffuse.y, diffuse.z}) > 1.0)
-            built->instead.push_back(fmt::format("{}: its albedo and its coloured reflection are more together than {} "
-                                                 "mixes: an albedo above 1 is written",
+            built->instead.push_back(fmt::format("{}: its albedo and its coloured reflection together exceed what {} "
+                                                 "can mix: an albedo above 1 is written",
                                                  material.name, format.target));
     }
     made.white = options.white;
     if (made.shows_backs && mixes)
-        built->instead.push_back(fmt::format("the camera stands behind a wall that is seen from its lit side only: {} "
-                                             "shows its back",
-                                             format.target));
+        built->instead.push_back(
+            fmt::format("the camera is behind a one-sided wall: {} shows the back of the wall", format.target));
     built->content.stage = std::move(made);
     return LightScene{format.files(built->content), std::move(built->instead)};
 }

@@ -24,7 +24,7 @@ constexpr std::array efficacies{
     NamedEfficacy{"incandescent", 14.0, true, "per electrical watt: 840 lm of a 60 W tungsten lamp"},
     NamedEfficacy{"halogen", 20.0, true, "per electrical watt, low-voltage tungsten halogen"},
     NamedEfficacy{"fluorescent", 80.0, true, "per electrical watt, T8 tube with its ballast"},
-    NamedEfficacy{"led", 100.0, true, "per electrical watt, a usual LED lamp"},
+    NamedEfficacy{"led", 100.0, true, "per electrical watt, a typical LED lamp"},
     NamedEfficacy{"sodium", 120.0, true, "per electrical watt, high-pressure sodium"},
 };
 
@@ -54,10 +54,12 @@ Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files) {
     const std::optional<double> value = parse_number(number);
     if (value && *value > 0.0 && *value <= greatest_lm_per_w) return Efficacy{*value, {}};
     const std::string_view guess = value ? std::string_view() : nearest(text, names_of(efficacies));
-    return fail("USE0105", fmt::format("'{}' is not a luminous efficacy", text),
-                guess.empty() ? std::string("write for example 60W@90lm/W, at most 683 lm/W; 'gonio list efficacies' "
-                                            "shows the conventions with a name")
-                              : fmt::format("did you mean '{}'?", guess));
+    return fail(
+        "USE0105", fmt::format("'{}' is not a luminous efficacy", text),
+        guess.empty()
+            ? std::string(
+                  "for example 60W@90lm/W, at most 683 lm/W; 'gonio list efficacies' shows the named conventions")
+            : fmt::format("did you mean '{}'?", guess));
 }
 
 } // namespace gonio

@@ -33,7 +33,7 @@ Result<void> check_amount(const Light& light) {
         return fail("USE0106", fmt::format("a light of {} m is larger than {} m", size, greatest_amount));
     if (std::isfinite(light.web_scale)) return {};
     return fail(Failure::usage, "the profile is too dark to be scaled to an amount",
-                "its greatest intensity is next to nothing");
+                "its greatest intensity is almost 0");
 }
 
 } // namespace
@@ -73,8 +73,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (!description.intensity) {
         if (profile == nullptr)
             return fail("USE0104", std::string("a ") + kind_of(light.shape) + " light needs an intensity",
-                        class_of(light.shape) == ShapeClass::sun ? "give for example 100klx"
-                                                                 : "give for example 800lm");
+                        class_of(light.shape) == ShapeClass::sun ? "for example 100klx" : "for example 800lm");
         light.intensity = peak(*profile->web).intensity;
         return light;
     }

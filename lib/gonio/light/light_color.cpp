@@ -55,10 +55,9 @@ glm::dvec3 in_working_space(std::string_view text, Uv at, Diagnostics* diagnosti
     if (!color.in_gamut && diagnostics != nullptr) {
         Diagnostic warning;
         warning.severity = Severity::warning;
-        warning.message =
-            fmt::format("'{}' lies outside Rec.709, in which lights are computed: clipped to it, {} in u'v' "
-                        "away, its luminance kept",
-                        text, rounded(color.delta_uv_prime, 2));
+        warning.message = fmt::format(
+            "'{}' lies outside Rec.709, the space of lights: clipped to it by {} in u'v' at the same luminance", text,
+            rounded(color.delta_uv_prime, 2));
         diagnostics->push_back(std::move(warning));
     }
     return color.rgb;
@@ -113,7 +112,8 @@ Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnos
     const double greatest = std::max({rgb.x, rgb.y, rgb.z});
     if (greatest > 0.0) rgb = glm::dvec3(rgb.x / greatest, rgb.y / greatest, rgb.z / greatest);
     const double y = glm::dot(rgb, rec709_luminance);
-    if (!(y > 0.0)) return fail(Failure::usage, fmt::format("'{}' is black: a light has a colour to be seen by", text));
+    if (!(y > 0.0))
+        return fail(Failure::usage, fmt::format("'{}' is black; the colour of a light must not be black", text));
     return rgb / y;
 }
 

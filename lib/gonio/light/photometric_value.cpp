@@ -31,7 +31,9 @@ bool needs_distance(Dimension dimension) {
 
 Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std::string_view> text) {
     if (!needs_distance(unit.dimension)) {
-        if (text) return fail("USE0107", fmt::format("'{}' takes no distance, but '@{}' is given", unit.symbol, *text));
+        if (text)
+            return fail("USE0107",
+                        fmt::format("'{}' does not take a distance, but '@{}' is given", unit.symbol, *text));
         return std::optional<Meters>();
     }
     if (!text) return std::optional<Meters>();
@@ -48,8 +50,8 @@ Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::strin
     PhotometricUnit complete{&unit, std::nullopt, std::nullopt, {}};
     if (unit.dimension == Dimension::power) {
         if (!behind_at)
-            return fail("USE0104", fmt::format("'{}' does not say how many lumens a watt gives", text),
-                        fmt::format("write for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
+            return fail("USE0104", fmt::format("'{}' does not state the lumens per watt", text),
+                        fmt::format("for example {0}@90lm/W, or {0}@ and one of 'gonio list efficacies'", text));
         Result<Efficacy> efficacy = parse_efficacy(*behind_at, files);
         if (!efficacy) return pass_on(efficacy);
         complete.efficacy_lm_per_w = efficacy->lm_per_w;
@@ -75,10 +77,10 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
     const std::string_view symbol = text.substr(0, at);
     const Unit* unit = find_unit(symbol);
     if (symbol.empty())
-        return fail("USE0104", fmt::format("no unit stands in '{}'", text), "write for example nt or lx@2m");
+        return fail("USE0104", fmt::format("'{}' does not have a unit", text), "for example nt or lx@2m");
     if (unit == nullptr) {
         if (const Result<Amount> amount = parse_amount(symbol))
-            return fail("USE0105", fmt::format("'{}' is an amount, where a unit is expected", symbol),
+            return fail("USE0105", fmt::format("expected a unit, found the amount '{}'", symbol),
                         fmt::format("write '{}'", amount->unit->symbol));
         const Result<Amount> amount = parse_amount(fmt::format("1{}", symbol));
         return fail("USE0103", fmt::format("unknown unit '{}'", symbol),
@@ -104,7 +106,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScop
 
     const bool logarithmic = unit.dimension == Dimension::luminance_ev || unit.dimension == Dimension::illuminance_ev;
     if (!logarithmic && amount->number < 0.0)
-        return fail("USE0106", fmt::format("'{}' is negative: there is no negative light", text));
+        return fail("USE0106", fmt::format("'{}' is negative, but light is never negative", text));
     if (!photometric(unit.dimension))
         return fail(Failure::usage,
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),

@@ -37,7 +37,7 @@ void note_inverse_square(ConversionSteps* steps, const Shape& shape, double inte
 
 Unexpected luminance_refused(const ShapeFactors& factors) {
     return fail(Failure::usage, factors.no_luminance,
-                "give it a size: --shape sphere:r=1cm, or --assume sphere:r=1cm for this answer alone");
+                "give it a size: --shape sphere:r=1cm, or only for this result --assume sphere:r=1cm");
 }
 
 Unexpected no_flux_refused(const Shape& shape) {
@@ -46,11 +46,11 @@ Unexpected no_flux_refused(const Shape& shape) {
     if (mask_of(shape).web == nullptr && std::holds_alternative<SpotShape>(shape))
         return fail(Failure::usage, "a spot with an outer angle of 0deg has no solid angle, so no flux fits in it",
                     "give it an intensity, for example 1000cd, or a wider angle");
-    return fail(Failure::usage, "this shape lets no flux through, so it cannot be scaled to one");
+    return fail(Failure::usage, "this shape emits no flux, so it cannot be scaled to one");
 }
 
 Unexpected sun_refused(const char* quantity) {
-    return fail(Failure::usage, fmt::format("the sun is infinitely far away, so it has no {}", quantity),
+    return fail(Failure::usage, fmt::format("the sun is infinitely far away, so its {} is not defined", quantity),
                 "its amount is an illuminance or a luminance: lx, evlx, fc, nt, ev or fL");
 }
 
@@ -64,17 +64,17 @@ Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factor
     }
     if (factors.luminance && mask_of(shape).web != nullptr)
         return fail(Failure::unsupported,
-                    fmt::format("the illuminance of a {} behind a mask has no closed form", kind_of(shape)),
+                    fmt::format("the illuminance of a {} behind a mask does not have a closed form", kind_of(shape)),
                     "give lm, cd or nt; probe computes the illuminance");
     if (!unit.distance)
         return fail(Failure::usage,
                     fmt::format("an illuminance in {} needs the distance of the receiver", unit.unit->symbol),
-                    fmt::format("write for example {}@2m", unit.unit->symbol));
+                    fmt::format("for example {}@2m", unit.unit->symbol));
     if (unit.distance->value < factors.nearest_m)
         return fail(Failure::usage,
                     fmt::format("a distance of {} m is inside the {} of radius {} m", unit.distance->value,
                                 kind_of(shape), factors.nearest_m),
-                    "the distance counts from the centre");
+                    "the distance is measured from the centre");
     return facing_factor(shape, factors, *unit.distance);
 }
 
@@ -102,7 +102,7 @@ Result<ShapePhotometry> ShapePhotometry::of(Shape shape) {
     if (!factors) return pass_on(factors);
     // A subnormal factor has lost digits, an infinite one all of them.
     if (factors->luminance && !std::isnormal(factors->luminance->value))
-        return fail(Failure::usage, fmt::format("the size of this {} is beyond the range of a number", kind_of(shape)));
+        return fail(Failure::usage, fmt::format("the size of this {} is out of the range of a number", kind_of(shape)));
     return ShapePhotometry(std::move(shape), *factors);
 }
 
@@ -179,7 +179,7 @@ Result<Emission> ShapePhotometry::emission_of(const PhotometricValue& value, Con
     if (!strength) return pass_on(strength);
     const Emission emission = emission_of_strength(factors_, *strength);
     if (!std::isfinite(*strength) || !std::isfinite(emission.luminance.value))
-        return fail(Failure::usage, fmt::format("{} {} of this shape are too much for a number", value.number,
+        return fail(Failure::usage, fmt::format("{} {} of this shape are out of the range of a number", value.number,
                                                 value.unit.unit->symbol));
     return emission;
 }
@@ -217,7 +217,8 @@ Result<double> ShapePhotometry::express(const Emission& emission, const Photomet
         }
     }
     if (dimension == Dimension::luminance_ev || dimension == Dimension::illuminance_ev) {
-        if (!(base > 0.0)) return fail(Failure::usage, fmt::format("no light has no {}", dimension_name(dimension)));
+        if (!(base > 0.0))
+            return fail(Failure::usage, fmt::format("the {} of 0 is not defined", dimension_name(dimension)));
         const bool of_luminance = dimension == Dimension::luminance_ev;
         base = of_luminance ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
         const char* const formula = of_luminance ? "EV = log2(L) + 3" : "EV = log2(E/2.5)";
@@ -248,10 +249,10 @@ Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illumi
     // dark.
     double far = std::sqrt(candela / illuminance.value);
     if (!std::isfinite(far) || !(far > 0.0))
-        return fail(Failure::usage, "the distance is beyond the range of a number");
+        return fail(Failure::usage, "the distance is out of the range of a number");
     double near = std::fmax(factors_.nearest_m, 1e-9 * far);
     if (lux_at(near) < illuminance.value)
-        return fail(Failure::usage, fmt::format("even on contact this light gives only {} lx", rounded(lux_at(near))),
+        return fail(Failure::usage, fmt::format("even at contact this light gives only {} lx", rounded(lux_at(near))),
                     "ask for less, or give it more flux or a smaller size");
     if (inverse_square_is_exact(shape_)) return Meters(far);
     far = std::fmax(far, near);

@@ -224,7 +224,7 @@ private:
         return !has_area() || (is<Kinds>() || ...);
     }
     std::string lacks(std::string_view program) const {
-        return fmt::format("{} has no {} lights", program, kind_of(shape_));
+        return fmt::format("{} does not have {} lights", program, kind_of(shape_));
     }
 
     static Meanings::Entry candela() { return honest(Dimension::luminous_intensity, "I"); }
@@ -266,8 +266,8 @@ struct PolicyRules {
 };
 
 constexpr std::array rules{
-    PolicyRules{{"physical", "numbers mean the flux that is emitted", "this program"}, nullptr},
-    PolicyRules{{"frostbite", "spots take lumens for π candela, whatever their cone",
+    PolicyRules{{"physical", "lumens are the emitted flux", "this program"}, nullptr},
+    PolicyRules{{"frostbite", "spots read π lumens as 1 candela, for every cone",
                  "Lagarde and de Rousiers, Moving Frostbite to PBR, 2014"},
                 [](const Rules& r) { return r.frostbite(false); }},
     PolicyRules{{"frostbite-cone", "spots take lumens for the solid angle of their outer cone",
@@ -306,12 +306,12 @@ Result<Facts> facts_of(const Shape& shape) {
     Facts facts;
     const bool punctual = class_of(shape) == ShapeClass::punctual;
     if (!punctual && mask_of(shape).web != nullptr)
-        return fail(Failure::unsupported, "no other program has masks on lights with a size",
+        return fail(Failure::unsupported, "other programs do not have masks on lights with a size",
                     "name the shape without its mask");
     if (!punctual) return facts;
     facts.masked = mask_of(shape).web != nullptr;
     if (const auto* spot = std::get_if<SpotShape>(&shape); spot != nullptr && !(spot->outer.value > 0.0))
-        return fail(Failure::unsupported, "a spot of 0deg has no flux that could be compared");
+        return fail(Failure::unsupported, "a spot of 0deg has no flux to compare");
     Result<PhotometricValue> lumen = parse_photometric_value("1lm");
     if (!lumen) return pass_on(lumen);
     Result<Emission> emission = emission_of(shape, *lumen);

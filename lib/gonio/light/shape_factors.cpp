@@ -17,7 +17,7 @@ Result<ShapeFactors> masked(const std::string& mask_file, const Web* mask) {
     }
     factors.peak_cd = peak(*mask).intensity.value;
     if (!(factors.peak_cd > 0.0))
-        return fail(Failure::usage, "this mask lets no light through, so nothing can be scaled to it", {}, mask_file);
+        return fail(Failure::usage, "this mask transmits no light, so the light cannot be scaled", {}, mask_file);
     factors.axial_share = mask->candela(0.0, 0.0) / factors.peak_cd;
     factors.strength = "I₀";
     return factors;
@@ -28,7 +28,7 @@ Result<ShapeFactors> factors_of(const ProfileShape& profile) {
     ShapeFactors factors;
     factors.peak_cd = peak(*profile.web).intensity.value;
     if (!(factors.peak_cd > 0.0))
-        return fail(Failure::usage, "this profile emits no light, so nothing can be scaled to it", {}, profile.file);
+        return fail(Failure::usage, "this profile emits no light, so it cannot be scaled", {}, profile.file);
     factors.axial_share = profile.web->candela(0.0, 0.0) / factors.peak_cd;
     factors.no_luminance = "a profile is a point that emits by direction: it has no area, so no luminance";
     return factors;

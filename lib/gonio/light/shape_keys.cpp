@@ -20,7 +20,7 @@ const KindText::Entry* entry_of(const KindText& text, std::string_view key) {
 Result<std::string> needed(const KindText& text, std::string_view key, const char* what, std::string_view example) {
     if (const std::string* value = text.value(key)) return *value;
     return fail(Failure::usage, fmt::format("'{}' needs {}={}", text.kind, key, what),
-                fmt::format("write for example {}:{}={}", text.kind, key, example));
+                fmt::format("for example {}:{}={}", text.kind, key, example));
 }
 
 } // namespace

@@ -34,7 +34,7 @@ public:
     void albedo(std::string_view kind, std::string_view key, const glm::dvec3& linear) {
         const double value = srgb(linear);
         if (!dielectric_albedo.has(value))
-            say(fmt::format("{} of '{}' is {:.0f} in sRGB, and dielectrics lie within {} to {}", key, kind, value,
+            say(fmt::format("{} of '{}' is {:.0f} in sRGB, but dielectrics lie within {} to {}", key, kind, value,
                             dielectric_albedo.low, dielectric_albedo.high));
     }
     void specular(std::string_view kind, std::string_view key, const glm::dvec3& f0) {
@@ -57,7 +57,7 @@ private:
         Diagnostic& diagnostic = found_.emplace_back();
         diagnostic.severity = Severity::warning;
         diagnostic.message = std::move(message);
-        diagnostic.hint = "the artists' charts of Remember Me (2013); nothing is changed";
+        diagnostic.hint = "from the artists' charts of Remember Me (2013); the value is used as given";
     }
 
     Diagnostics found_;

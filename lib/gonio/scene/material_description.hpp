@@ -214,7 +214,7 @@ struct MaterialDescription<BlinnMaterial> {
 template<>
 struct MaterialDescription<GgxMaterial> {
     static constexpr std::string_view kind = "ggx";
-    static constexpr std::string_view summary = "GGX alone, scattered once; or roughness, alpha's root";
+    static constexpr std::string_view summary = "GGX only, single scattering; or roughness, the root of alpha";
     static constexpr std::tuple keys{ColorKey<GgxMaterial>{"f0", &GgxMaterial::f0},
                                      NumberKey<GgxMaterial>{"alpha", &GgxMaterial::alpha, KeyForm::alpha}};
 
@@ -229,8 +229,7 @@ struct MaterialDescription<GgxMaterial> {
 template<>
 struct MaterialDescription<KullaContyMaterial> {
     static constexpr std::string_view kind = "kulla-conty";
-    static constexpr std::string_view summary =
-        "GGX that loses no light between its facets (Kulla and Conty 2017); or roughness";
+    static constexpr std::string_view summary = "GGX with multiple scattering (Kulla and Conty 2017); or roughness";
     static constexpr std::tuple keys{
         ColorKey<KullaContyMaterial>{"f0", &KullaContyMaterial::f0},
         NumberKey<KullaContyMaterial>{"alpha", &KullaContyMaterial::alpha, KeyForm::alpha}};

@@ -22,7 +22,7 @@ std::vector<ParameterName> parameters_of_lights() {
     static const std::string radius = of_shapes("radius", " (r)");
     static const std::string width = of_shapes("width", " (w)");
     static const std::string length = of_shapes("length", " (l)");
-    static const std::string size = of_shapes("size", ": a factor on all of its lengths");
+    static const std::string size = of_shapes("size", ": a factor for all lengths");
     return {
         {"cct", "2700K", "colour temperature: 2700K or 2700K/0.003"},
         {"color", "d65", "colour, as --color takes it"},
@@ -33,18 +33,18 @@ std::vector<ParameterName> parameters_of_lights() {
         {"size", "2", size},
         {"h", "30cm", "ellipse, rect: its height; frustum: its horizontal angle"},
         {"v", "40deg", "frustum: its vertical angle"},
-        {"outer", "40deg", "spot: half angle of its edge"},
-        {"cone", "80deg", "spot: full angle of its edge"},
-        {"inner", "5deg", "spot: half angle up to which it is full"},
-        {"beam", "30deg", "spot: full angle at half of its peak; inner keeps its share of outer"},
+        {"outer", "40deg", "spot: outer half angle"},
+        {"cone", "80deg", "spot: outer full angle"},
+        {"inner", "5deg", "spot: inner half angle, with full intensity"},
+        {"beam", "30deg", "spot: full angle at half of the peak; the ratio of inner to outer stays"},
         {"falloff", "hard", "spot: from inner to outer"},
         {"angle", "0.53deg", "sun: its diameter"},
-        {"x", "1m", "place of its centre"},
-        {"y", "1m", "place of its centre"},
-        {"height", "2.5m", "of its centre above 0"},
-        {"rotate", "90deg", "about its direction, C0 towards C90"},
-        {"yaw", "45deg", "turns its direction about the vertical, against the clock from above"},
-        {"range", "12m", "distance at which it is windowed to nothing"},
+        {"x", "1m", "position of the centre"},
+        {"y", "1m", "position of the centre"},
+        {"height", "2.5m", "height of the centre above 0"},
+        {"rotate", "90deg", "rotation about the direction, C0 towards C90"},
+        {"yaw", "45deg", "rotation of the direction about the vertical, anticlockwise from above"},
+        {"range", "12m", "distance at which it fades to zero"},
     };
 }
 

@@ -94,7 +94,7 @@ bool at_ceiling(double value) {
 }
 
 std::string others(std::size_t count) {
-    return count > 1 ? fmt::format("; {} such pairs of point and light in all", count) : std::string();
+    return count > 1 ? fmt::format("; {} such pairs of point and light in total", count) : std::string();
 }
 
 } // namespace
@@ -158,9 +158,10 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
         if (!found) return pass_on(found);
         views = std::move(*found);
         if (!detail::has_luminance(options.view->material, options.method))
-            return fail(Failure::unsupported,
-                        fmt::format("the luminance of this material is not computed by '{}'", to_text(options.method)),
-                        "use the method exact or reference, or another material");
+            return fail(
+                Failure::unsupported,
+                fmt::format("the method '{}' does not compute the luminance of this material", to_text(options.method)),
+                "use the method exact or reference, or another material");
     }
     const bool surface = options.view.has_value();
 
@@ -240,23 +241,23 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
             {});
     if (remarks.unseen.count > 0)
         say(Severity::note,
-            fmt::format("point {} is seen from below its surface, where it shows no luminance{}",
+            fmt::format("point {} is seen from below its surface, where its luminance is 0{}",
                         remarks.unseen.receiver + 1,
-                        remarks.unseen.count > 1 ? fmt::format("; {} such points in all", remarks.unseen.count)
+                        remarks.unseen.count > 1 ? fmt::format("; {} such points in total", remarks.unseen.count)
                                                  : std::string()),
             "the view points from the surface to the eye");
     if (remarks.at_ceiling.count > 0)
         say(Severity::warning,
-            fmt::format("what '{}' gives point {} exceeds {} lx or cd/m2: it counts as that{}",
+            fmt::format("the light of '{}' at point {} is limited to {} lx or cd/m2{}",
                         lights[remarks.at_ceiling.light].name, remarks.at_ceiling.receiver + 1,
                         shading::illuminance_ceiling, others(remarks.at_ceiling.count)),
-            "give less light, or place it farther away");
+            "use less light, or move it farther away");
     if (remarks.not_converged.count > 0)
         say(Severity::warning,
-            fmt::format("the error asked for was not reached at point {} under '{}'{}",
+            fmt::format("the requested error was not reached at point {} under '{}'{}",
                         remarks.not_converged.receiver + 1, lights[remarks.not_converged.light].name,
                         others(remarks.not_converged.count)),
-            "the estimates tell the error that was");
+            "the estimates state the error that was reached");
     return diagnostics;
 }
 

@@ -69,7 +69,7 @@ public:
                                    [this](const std::string& key, const RigJson& json) { return member(key, json); }};
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
-            streamed = detail::rig_error("RIG0104", rig_.source, {}, "there is no key 'schema'",
+            streamed = detail::rig_error("RIG0104", rig_.source, {}, "the key 'schema' is missing",
                                          fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_stage();
         if (!streamed) return pass_on(streamed);
@@ -118,7 +118,7 @@ private:
             if (!read) return placed(read.error(), rig_.source, fmt::format("{}.{}", path, key));
         }
         if (!has_shape)
-            return refuse("RIG0104", path, "there is no key 'shape'", R"(for example "shape": "sphere:r=10cm")");
+            return refuse("RIG0104", path, "the key 'shape' is missing", R"(for example "shape": "sphere:r=10cm")");
         rig_.lights.push_back(std::move(light));
         return {};
     }
@@ -231,7 +231,7 @@ private:
             }
             if (!read) return placed(read.error(), rig_.source, fmt::format("camera.{}", key));
         }
-        if (camera.position == camera.target) return refuse("RIG0106", "camera", "must not stand at its own target");
+        if (camera.position == camera.target) return refuse("RIG0106", "camera", "must not be at its own target");
         rig_.camera = camera;
         return {};
     }

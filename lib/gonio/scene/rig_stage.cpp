@@ -54,7 +54,7 @@ public:
     template<class T, class Read>
     void required(const char* key, T& target, const Read& read) {
         if (!failure_ && !json_.contains(key))
-            fail_at(path_, rig_value_error("RIG0104", fmt::format("there is no key '{}'", key)));
+            fail_at(path_, rig_value_error("RIG0104", fmt::format("the key '{}' is missing", key)));
         optional(key, target, read);
     }
 
@@ -100,7 +100,7 @@ Result<glm::dvec3> size_of(const RigJson& json) {
     Result<glm::dvec3> size = place_of(json);
     if (size && !(std::min({size->x, size->y, size->z}) > 0.0))
         return rig_value_error("RIG0106", "must be greater than 0 along every axis",
-                               "a sheet without thickness is a panel");
+                               "for a flat surface without thickness use a panel");
     return size;
 }
 
@@ -156,7 +156,7 @@ Capsule read_capsule(Members& members) {
     members.required("radius", radius, length_of);
     if (!(glm::distance(from, to) > 0.0)) {
         members.fail_at(members.path(),
-                        rig_value_error("RIG0106", "'from' and 'to' must differ", "a ball is a sphere"));
+                        rig_value_error("RIG0106", "'from' and 'to' must differ", "for a ball use a sphere"));
         return {};
     }
     return capsule_between(from, to, radius);
@@ -204,7 +204,7 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
         if (!json.contains(kind.key)) continue;
         if (found != nullptr)
             return rig_error("RIG0107", source, path, fmt::format("has both a {} and a {}", found->key, kind.key),
-                             "a surface is one of them");
+                             "a surface has only one shape");
         found = &kind;
     }
     if (found == nullptr)

@@ -22,7 +22,7 @@ public:
     Result<void> result() {
         if (error_) return Unexpected(std::move(*error_));
         if (!lights_seen_)
-            return rig_error("RIG0104", source_, {}, "there is no key 'lights'", R"(write "lights": [ … ])");
+            return rig_error("RIG0104", source_, {}, "the key 'lights' is missing", R"(write "lights": [ … ])");
         return {};
     }
 
@@ -44,7 +44,8 @@ public:
         if (std::find(members_.begin(), members_.end(), name) != members_.end())
             return refuse("RIG0107", {}, fmt::format("the key '{}' is given twice", name));
         if (members_.size() == limit("rig-values").value)
-            return refuse_beyond({}, fmt::format("there are more keys than {}", to_text(limit("rig-values"))));
+            return refuse_beyond({},
+                                 fmt::format("more than {} keys, the limit 'rig-values'", limit("rig-values").value));
         members_.push_back(name);
         member_ = std::move(name);
         return true;

@@ -62,9 +62,10 @@ Result<Nits> parse_sky(std::string_view text) {
     if (!amount) return pass_on(amount);
     const bool is_lux = amount->unit->dimension == Dimension::illuminance;
     if (!is_lux && amount->unit->dimension != Dimension::luminance)
-        return fail("USE0105", fmt::format("a sky is told in lux or nits, not as '{}'", text),
-                    "the illuminance of an open plane, for example 500lx, or its luminance, for example 150nt");
-    if (!(amount->number >= 0.0)) return fail("USE0106", fmt::format("a sky gives light: '{}' is below 0", text));
+        return fail(
+            "USE0105", fmt::format("a sky takes lux or nits, not '{}'", text),
+            "give the illuminance of an open plane, for example 500lx, or the luminance of the sky, for example 150nt");
+    if (!(amount->number >= 0.0)) return fail("USE0106", fmt::format("a sky cannot be negative: '{}'", text));
     const Nits sky{amount->in_base_units() * (is_lux ? std::numbers::inv_pi : 1.0)};
     if (!in_amount_range(sky.value))
         return fail("USE0106", fmt::format("a sky of '{}' is above {} cd/m2", text, greatest_amount));

@@ -182,7 +182,7 @@ struct NamedStage : StageKind {
 
 constexpr std::array stages{
     NamedStage{{"floor", "a floor with a sphere on it and a wall behind"}, floor_stage},
-    NamedStage{{"wall", "a wall close to the light, for scallops and wall washers"}, wall_stage},
+    NamedStage{{"wall", "a wall close to the light, for scallops and wall-washers"}, wall_stage},
     NamedStage{{"corridor", "a long corridor, the light on its ceiling"}, corridor_stage},
     NamedStage{{"street", "a road with kerbs, the light on an 8 m pole, C0 along the road"}, street_stage},
     NamedStage{{"spheres", "25 spheres, rough to smooth by dielectric to metal"}, spheres_stage},

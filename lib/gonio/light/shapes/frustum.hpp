@@ -10,7 +10,7 @@ template<>
 struct ShapeTraits<FrustumShape> {
     static constexpr ShapeClass shape_class = ShapeClass::punctual;
     static constexpr std::string_view kind = "frustum";
-    static constexpr std::string_view summary = "a pyramid, even inside; full apex angles";
+    static constexpr std::string_view summary = "a pyramid, uniform inside; full apex angles";
     static constexpr AngleRange apex_angles{0.0, 180.0, false, false};
     static constexpr std::tuple keys{
         AngleKey<FrustumShape>{"h", "h", &FrustumShape::horizontal, apex_angles, "60deg,v=40deg"},

@@ -9,7 +9,7 @@ template<>
 struct ShapeTraits<PointShape> {
     static constexpr ShapeClass shape_class = ShapeClass::punctual;
     static constexpr std::string_view kind = "point";
-    static constexpr std::string_view summary = "emits alike in every direction, without size";
+    static constexpr std::string_view summary = "uniform in every direction, without size";
     static constexpr std::tuple<> keys{};
     static constexpr MaskedBy masked_by = MaskedBy::mask;
     static constexpr const char* masked_flux = "Φ = (∬ mask dω) I₀";

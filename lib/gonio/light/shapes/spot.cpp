@@ -102,7 +102,7 @@ Result<SpotShape> ShapeTraits<SpotShape>::parse(const KindText& text) {
                                     rounded(to_degrees(made.outer)), *inner_text),
                         "inner is a half angle too");
     } else if (Result<bool> bare = read_flag(text, "inner"); bare && *bare) {
-        return fail(Failure::usage, "'spot' needs a value for inner", "write for example inner=25deg");
+        return fail(Failure::usage, "'spot' needs a value for inner", "for example inner=25deg");
     }
     Result<void> read = read_key(text, std::get<2>(keys), made);
     if (read) read = read_mask(text, made.mask_file);

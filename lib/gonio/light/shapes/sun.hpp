@@ -11,7 +11,7 @@ template<>
 struct ShapeTraits<SunShape> {
     static constexpr ShapeClass shape_class = ShapeClass::sun;
     static constexpr std::string_view kind = "sun";
-    static constexpr std::string_view summary = "an even disk of that angular diameter, at infinity";
+    static constexpr std::string_view summary = "a uniform disk of that angular diameter, at infinity";
     static constexpr AngleRange diameters{0.0, 180.0, false, true};
     static constexpr std::tuple keys{AngleKey<SunShape>{"angle", "angle", &SunShape::diameter, diameters, "0.53deg"}};
     static constexpr bool inverse_square_is_exact = true;
