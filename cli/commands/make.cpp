@@ -119,26 +119,23 @@ Result<LuminousOpening> opening_of(const Arguments& arguments) {
     if (!text) return LuminousOpening{};
     Result<KindText> parsed = parse_kind_text(*text);
     if (!parsed) return pass_on(parsed);
-    for (const OpeningKind& known : opening_kinds) {
-        if (known.kind != parsed->kind) continue;
-        std::vector<std::string_view> keys;
-        for (const std::string_view key : known.keys)
-            if (!key.empty() && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-        if (Result<void> only = only_keys(*parsed, keys); !only) return pass_on(only);
-        LuminousOpening opening{known.shape, 0.0, 0.0, 0.0};
-        const std::array sizes{&opening.width_m, &opening.length_m, &opening.height_m};
-        for (std::size_t i = 0; i < sizes.size(); ++i) {
-            if (known.keys[i].empty()) continue;
-            const std::string* const value = parsed->value(known.keys[i]);
-            if (value == nullptr)
-                return fail("USE0104", fmt::format("the opening '{}' needs {}", known.kind, known.keys[i]));
-            Result<double> meters = parse_amount(*value, Dimension::length, known.keys[i]);
-            if (!meters) return pass_on(meters);
-            if (!(*meters > 0.0))
-                return fail("USE0106", fmt::format("{}={} is not greater than 0", known.keys[i], *value));
-            *sizes[i] = *meters;
-        }
-        return opening;
+    Result<const OpeningKind*> found = find_named("opening", parsed->kind, opening_kinds);
+    if (!found) return pass_on(found);
+    const OpeningKind& kind = **found;
+    std::vector<std::string_view> keys;
+    for (const std::string_view key : kind.keys)
+        if (!key.empty() && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    if (Result<void> only = only_keys(*parsed, keys); !only) return pass_on(only);
+    LuminousOpening opening{kind.shape, 0.0, 0.0, 0.0};
+    const std::array sizes{&opening.width_m, &opening.length_m, &opening.height_m};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (kind.keys[i].empty()) continue;
+        const std::string* const value = parsed->value(kind.keys[i]);
+        if (value == nullptr) return fail("USE0104", fmt::format("the opening '{}' needs {}", kind.name, kind.keys[i]));
+        Result<double> meters = parse_amount(*value, Dimension::length, kind.keys[i]);
+        if (!meters) return pass_on(meters);
+        if (!(*meters > 0.0)) return fail("USE0106", fmt::format("{}={} is not greater than 0", kind.keys[i], *value));
+        *sizes[i] = *meters;
     }
     return opening;
 }

@@ -43,7 +43,7 @@ void take(const shading::SunLight<double>& /*its angle below*/, LightConstants& 
 }
 void take(const shading::TubeLight<double>& light, LightConstants& constants) {
     constants.kind = LightConstants::Kind::tube;
-    copy(light.axis, constants.axis);
+    copy(glm::dvec3(light.axis.x, light.axis.y, light.axis.z), constants.axis);
     constants.radius = static_cast<float>(light.radius);
     constants.length = static_cast<float>(light.length);
 }
