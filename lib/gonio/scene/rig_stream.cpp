@@ -180,7 +180,7 @@ std::string at_path(std::string_view path, std::string message) {
 }
 
 // What a grammar says of a value, as the rig's: a text is refused for the same reasons on a command line.
-std::string code_in_rig(std::string code) {
+std::string_view code_in_rig(std::string_view code) {
     struct Twin {
         CodeOf<failure_codes> of;
         RigCode in_rig;
@@ -188,9 +188,9 @@ std::string code_in_rig(std::string code) {
     constexpr std::array special{Twin{"USE0103", "RIG0103"}, Twin{"USE0104", "RIG0104"}, Twin{"USE0107", "RIG0107"}};
     constexpr RigCode other = "RIG0106";
     for (const Twin& twin : special)
-        if (twin.of->code == code) return std::string(twin.in_rig->code);
+        if (twin.of->code == code) return twin.in_rig->code;
     const std::string_view family = code_family(code);
-    return family == "USE" || family == "INP" ? std::string(other->code) : code;
+    return family == "USE" || family == "INP" ? other->code : code;
 }
 
 } // namespace
@@ -216,7 +216,7 @@ Unexpected placed(const Error& error, const std::string& source, std::string_vie
     else if (!in.file.empty())
         reason.message = fmt::format("{}: {}", in.file, reason.message);
     const Failure failure = error.failure == Failure::usage ? Failure::malformed : error.failure;
-    reason.code = code_in_rig(std::move(reason.code));
+    reason.code = std::string(code_in_rig(reason.code));
     reason.location = {source, 0, 0};
     reason.message = at_path(path, std::move(reason.message));
     return Unexpected(Error{failure, {std::move(reason)}});
