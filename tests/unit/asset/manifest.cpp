@@ -85,8 +85,8 @@ TEST(Manifest, MergesShardsInAnyOrder) {
 TEST(Manifest, RefusesShardsThatMakeNoWhole) {
     EXPECT_EQ(refusal({}), "there is no manifest to merge");
     EXPECT_EQ(refusal({part(1, 3, {"a"}), part(3, 3, {"c"})}), "the manifest of shard 2/3 is missing");
-    EXPECT_EQ(refusal({part(1, 2, {"a"}), part(1, 2, {"b"})}), "shard 1/2 is there twice");
-    EXPECT_EQ(refusal({part(1, 2, {"a"}), part(2, 3, {"b"})}), "the manifests are of different numbers of shards");
+    EXPECT_EQ(refusal({part(1, 2, {"a"}), part(1, 2, {"b"})}), "shard 1/2 is given twice");
+    EXPECT_EQ(refusal({part(1, 2, {"a"}), part(2, 3, {"b"})}), "the manifests have different numbers of shards");
     EXPECT_EQ(refusal({part(1, 2, {"a"}), part(2, 2, {"a"})}), "two manifests list the input 'a'");
     Manifest other = part(2, 2, {"b"});
     other.recipe = "layout=v180";

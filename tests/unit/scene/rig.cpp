@@ -108,9 +108,9 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(refusal("[]"), "rig.json: error[RIG0101]: a rig is a JSON object\n"
                              "hint: write { \"schema\": \"gonio.rig/1\", \"lights\": [ … ] }");
     EXPECT_EQ(refusal("{\"lights\":[]}"),
-              "rig.json: error[RIG0104]: there is no key 'schema'\nhint: write \"schema\": \"gonio.rig/1\"");
+              "rig.json: error[RIG0104]: the key 'schema' is missing\nhint: write \"schema\": \"gonio.rig/1\"");
     EXPECT_EQ(refusal("{\"schema\":\"gonio.rig/1\"}"),
-              "rig.json: error[RIG0104]: there is no key 'lights'\nhint: write \"lights\": [ … ]");
+              "rig.json: error[RIG0104]: the key 'lights' is missing\nhint: write \"lights\": [ … ]");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/2","lights":[]})", Failure::unsupported),
               "rig.json: error[RIG0102]: schema: must be \"gonio.rig/1\", not \"gonio.rig/2\"");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error[RIG0105]: lights: must be an array");
@@ -124,9 +124,8 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
               "rig.json: error[RIG0103]: lights[1]: unknown key 'shpae'\n"
               "hint: did you mean 'shape'? there are: name, shape, intensity, color, position, direction, up, rotate, "
               "range");
-    EXPECT_EQ(
-        light_refusal("{}"),
-        "rig.json: error[RIG0104]: lights[0]: there is no key 'shape'\nhint: for example \"shape\": \"sphere:r=10cm\"");
+    EXPECT_EQ(light_refusal("{}"), "rig.json: error[RIG0104]: lights[0]: the key 'shape' is missing\nhint: for example "
+                                   "\"shape\": \"sphere:r=10cm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point","shape":"point"})"),
               "rig.json: error[RIG0107]: lights[0]: the key 'shape' is given twice");
     EXPECT_EQ(light_refusal(R"({"shape":"sphere:r=0cm","intensity":"1lm"})"),
@@ -135,7 +134,7 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
               "rig.json: error[RIG0105]: lights[0].intensity: must be a string, not a number\n"
               "hint: write it with its unit, for example \"800lm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point"})"),
-              "rig.json: error[RIG0104]: lights[0]: a point light needs an intensity\nhint: give for example 800lm");
+              "rig.json: error[RIG0104]: lights[0]: a point light needs an intensity\nhint: for example 800lm");
     EXPECT_EQ(light_refusal(R"({"shape":"point","position":[0,0]})"),
               "rig.json: error[RIG0105]: lights[0].position: must be an array of three numbers, not of 2\n"
               "hint: for example [0, 0, 2.5]");
@@ -155,7 +154,7 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"fov":"180deg"}})"),
               "rig.json: error[RIG0106]: camera.fov: must lie between 0deg and 180deg");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"camera":{"position":[0,0,1]}})"),
-              "rig.json: error[RIG0106]: camera: must not stand at its own target");
+              "rig.json: error[RIG0106]: camera: must not be at its own target");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"flor":"lambert"}})").substr(0, 64),
               "rig.json: error[RIG0103]: materials: unknown surface 'flor' of '");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"materials":{"floor":"lambert:albedo=2"}})"),
@@ -217,12 +216,12 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
               "rig.json: error[RIG0103]: stage: unknown key 'surface'\n"
               "hint: did you mean 'surfaces'? there are: name, surfaces, figure");
     EXPECT_EQ(surface_refusal("3"), "rig.json: error[RIG0105]: stage.surfaces[1]: must be an object, not a number");
-    EXPECT_EQ(surface_refusal("{}"), "rig.json: error[RIG0104]: stage.surfaces[1]: there is no key 'name'");
+    EXPECT_EQ(surface_refusal("{}"), "rig.json: error[RIG0104]: stage.surfaces[1]: the key 'name' is missing");
     EXPECT_EQ(surface_refusal(R"({"name":"a"})"), "rig.json: error[RIG0104]: stage.surfaces[1]: has no shape\n"
                                                   "hint: give it a plane, panel, box, sphere or capsule");
     EXPECT_EQ(
         surface_refusal(R"({"name":"a","plane":{},"box":{}})"),
-        "rig.json: error[RIG0107]: stage.surfaces[1]: has both a plane and a box\nhint: a surface is one of them");
+        "rig.json: error[RIG0107]: stage.surfaces[1]: has both a plane and a box\nhint: a surface has only one shape");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":[]})"),
               "rig.json: error[RIG0105]: stage.surfaces[1].plane: must be an object, not an array");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1],"radius":"0m"}})"),
@@ -231,24 +230,24 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
               "rig.json: error[RIG0105]: stage.surfaces[1].sphere.radius: must be a string, not a number\n"
               "hint: write it with its unit, for example \"2m\"");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"center":[0,0,1]}})"),
-              "rig.json: error[RIG0104]: stage.surfaces[1].sphere: there is no key 'radius'");
+              "rig.json: error[RIG0104]: stage.surfaces[1].sphere: the key 'radius' is missing");
     EXPECT_EQ(surface_refusal(R"({"name":"a","sphere":{"radius":"1m","centre":[0,0,1]}})"),
               "rig.json: error[RIG0103]: stage.surfaces[1].sphere: unknown key 'centre'\n"
               "hint: did you mean 'center'? there are: center, radius");
     EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,0,1],"size":[1,0,1]}})"),
               "rig.json: error[RIG0106]: stage.surfaces[1].box.size: must be greater than 0 along every axis\n"
-              "hint: a sheet without thickness is a panel");
+              "hint: for a flat surface without thickness use a panel");
     EXPECT_EQ(surface_refusal(R"({"name":"a","box":{"center":[0,2e9,1],"size":[1,1,1]}})"),
               "rig.json: error[RIG0106]: stage.surfaces[1].box.center: must lie within 1e+09 m");
-    EXPECT_EQ(
-        surface_refusal(R"({"name":"a","capsule":{"from":[0,0,1],"to":[0,0,1],"radius":"1cm"}})"),
-        "rig.json: error[RIG0106]: stage.surfaces[1].capsule: 'from' and 'to' must differ\nhint: a ball is a sphere");
+    EXPECT_EQ(surface_refusal(R"({"name":"a","capsule":{"from":[0,0,1],"to":[0,0,1],"radius":"1cm"}})"),
+              "rig.json: error[RIG0106]: stage.surfaces[1].capsule: 'from' and 'to' must differ\nhint: for a ball use "
+              "a sphere");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{"normal":[0,0,0]}})"),
               "rig.json: error[RIG0106]: stage.surfaces[1].plane.normal: must not be zero");
     EXPECT_EQ(surface_refusal(R"({"name":"a","plane":{},"material":"lambert:albedo=2"})"),
               "rig.json: error[RIG0106]: stage.surfaces[1].material: albedo of 'lambert' must lie in [0, 1], not 2");
     EXPECT_EQ(refusal(with_stage(R"({"surfaces":[{"name":"a","plane":{}}]},"camera":{"position":[0,-5,-1]})")),
-              "rig.json: error[RIG0106]: camera: the camera at 0,-5,-1 stands behind 'a'\n"
+              "rig.json: error[RIG0106]: camera: the camera at 0,-5,-1 is behind 'a'\n"
               "hint: a plane is seen from its lit side only");
     std::string many;
     for (int i = 0; i < 257; ++i)
@@ -436,7 +435,7 @@ TEST(Rig, ParallelResolveOfManyLights) {
     // Of several bad lights the first is told, whoever comes upon it first.
     const std::string bad = with_lights(lights + ",{\"shape\":\"point\"},{\"shape\":\"sphere:r=1m\"}");
     EXPECT_EQ(refusal(bad),
-              "rig.json: error[RIG0104]: lights[100000]: a point light needs an intensity\nhint: give for example "
+              "rig.json: error[RIG0104]: lights[100000]: a point light needs an intensity\nhint: for example "
               "800lm");
 }
 

@@ -167,7 +167,7 @@ TEST(Material, ChartsJudgeWhatIsNoRealSurface) {
     const Diagnostics said = check_charts(parse_material("lambert:albedo=1").value());
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].severity, Severity::warning);
-    EXPECT_EQ(said[0].message, "albedo of 'lambert' is 255 in sRGB, and dielectrics lie within 32 to 243");
+    EXPECT_EQ(said[0].message, "albedo of 'lambert' is 255 in sRGB, but dielectrics lie within 32 to 243");
 }
 
 } // namespace

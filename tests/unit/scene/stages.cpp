@@ -447,10 +447,10 @@ TEST(Stages, CamerasThatSeeNothingAreRefused) {
         const Result<void> checked = check_camera(stage, camera);
         return checked ? std::string("fine") : checked.error().diagnostics.front().message;
     };
-    EXPECT_EQ(refusal({{0, 3, -1}, {0, 0, 0}}), "the camera at 0,3,-1 stands behind 'road'");
-    EXPECT_EQ(refusal({{0, 3, 0}, {0, 9, 2}}), "the camera at 0,3,0 stands behind 'road'");
-    EXPECT_EQ(refusal({{0, -0.6, 4}, {0, 0, 0}}), "the camera at 0,-0.6,4 stands in 'pole'");
-    EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 3}}), "the camera must not stand at its own target");
+    EXPECT_EQ(refusal({{0, 3, -1}, {0, 0, 0}}), "the camera at 0,3,-1 is behind 'road'");
+    EXPECT_EQ(refusal({{0, 3, 0}, {0, 9, 2}}), "the camera at 0,3,0 is behind 'road'");
+    EXPECT_EQ(refusal({{0, -0.6, 4}, {0, 0, 0}}), "the camera at 0,-0.6,4 is in 'pole'");
+    EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 3}}), "the camera must not be at its own target");
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 0}, {0, 0.2, 1}}), "fine");
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 4, 3}, {0, -1, 0}}), "the camera looks along its own up direction");
     EXPECT_EQ(refusal({{0, 3, 30}, {0, 3, 0}}), "fine"); // a plan: the default up direction gives way
