@@ -1,6 +1,6 @@
 #include <gonio/preview/detail/lit_tile.hpp>
-#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/probe_light.hpp>
 
 #include <glm/geometric.hpp>
 

@@ -4,10 +4,10 @@
 #include <gonio/preview/detail/unit_hash.hpp>
 #include <gonio/preview/reference_picture.hpp>
 #include <gonio/scene/core_vector.hpp>
-#include <gonio/scene/light_sampler.hpp>
-#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/emitter.hpp>
+#include <gonio/scene/light_sampler.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/probe_light.hpp>
 
 #include <glm/geometric.hpp>
 

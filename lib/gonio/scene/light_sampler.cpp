@@ -1,7 +1,7 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
-#include <gonio/scene/light_sampler.hpp>
 #include <gonio/scene/emitter.hpp>
+#include <gonio/scene/light_sampler.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>
 

@@ -1,8 +1,8 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
-#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/shade.hpp>

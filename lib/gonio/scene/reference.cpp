@@ -2,8 +2,8 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
-#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>

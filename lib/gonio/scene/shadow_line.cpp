@@ -1,5 +1,5 @@
-#include <gonio/scene/shadow_line.hpp>
 #include <gonio/scene/detail/touching.hpp>
+#include <gonio/scene/shadow_line.hpp>
 
 #include <glm/geometric.hpp>
 

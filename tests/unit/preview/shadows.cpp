@@ -2,10 +2,10 @@
 #include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/capsule_overlap.hpp>
-#include <gonio/scene/light_lines.hpp>
-#include <gonio/scene/shadow_line.hpp>
 #include <gonio/scene/emitter.hpp>
+#include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/shadow_line.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
