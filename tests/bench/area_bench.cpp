@@ -54,8 +54,8 @@ measure::AreaMethod scalar_kernel() {
 
 int main(int argc, char** argv) {
     std::vector<std::pair<std::string, AreaCases>> sets;
-    for (const auto& [kind, name] :
-         {std::pair{Kind::disk, "disk"}, std::pair{Kind::rectangle, "rectangle"}, std::pair{Kind::tube, "tube"}}) {
+    for (const auto& [kind, name] : {std::pair{Kind::disk, "disk"}, std::pair{Kind::ellipse, "ellipse"},
+                                     std::pair{Kind::rectangle, "rectangle"}, std::pair{Kind::tube, "tube"}}) {
         sets.clear();
         for (const Stratum stratum : {Stratum::above, Stratum::straddling, Stratum::near, Stratum::far})
             sets.emplace_back(measure::to_text(stratum), measure::area_cases_of(kind, stratum, points, 3));

@@ -46,7 +46,8 @@ Case evaluated(const LightConstants& light, vec3<double> to_center, vec3<double>
         const vec3<double> c = cosine(points.patch.center);
         found.size = std::sqrt(points.transformed_size2(cosine) / dot(c, c));
         found.cut = points.patch.center.z <= points.rise();
-        found.value[0] = shading::detail::ltc_share(cosine, frame, typed, to_center) * cosine.albedo;
+        const auto seen = seen_from(typed, to_center);
+        found.value[0] = shading::detail::ltc_share(cosine, frame, seen.light, seen.to_center) * cosine.albedo;
         found.value[1] = shading::detail::point_sums<false>(points, lobe, cosine, {-frame.sine, 0.0, mu}).value;
         found.value[2] = specular_ltc(typed, to_center, n, v, lobe).scale;
         found.value[3] = specular_by<SpecularMethod::representative_point>(typed, to_center, n, v, lobe).scale;
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
     const std::size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 4096;
     const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
     std::vector<Case> all;
-    for (const Kind kind : {Kind::sphere, Kind::disk, Kind::rectangle, Kind::tube}) {
+    for (const Kind kind : {Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
         const measure::SpecularCases cases = measure::specular_cases(kind, count, seed);
         const std::vector<double> truth = measure::specular_truth(cases);
         for (std::size_t i = 0; i < cases.size(); ++i) {
