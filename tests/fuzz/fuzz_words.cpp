@@ -68,6 +68,9 @@ struct SoundShape {
     void operator()(const ProfileShape& measured) const { require(!measured.file.empty() && !measured.web); }
     void operator()(const SphereShape& sphere) const { require(positive(sphere.radius.value)); }
     void operator()(const DiskShape& disk) const { require(positive(disk.radius.value)); }
+    void operator()(const EllipseShape& ellipse) const {
+        require(positive(ellipse.width.value) && positive(ellipse.height.value));
+    }
     void operator()(const RectShape& rect) const { require(positive(rect.width.value) && positive(rect.height.value)); }
     void operator()(const TubeShape& tube) const {
         require(positive(tube.radius.value) && positive(tube.length.value));
