@@ -221,10 +221,8 @@ double masked(const FrustumShape& frustum, const Web& mask) {
 double masked_rings(const SpotShape& spot, const Web& mask) {
     Rings rings(mask);
     rings.cut_at_gamma(to_degrees(spot.inner));
-    const Rings::Weight weight = [&](const glm::dvec3& direction) {
-        return lobe(spot, Radians(std::atan2(std::hypot(direction.x, direction.y), -direction.z)));
-    };
-    return rings.zone(0.0, to_degrees(spot.outer), weight);
+    return rings.zone(0.0, to_degrees(spot.outer),
+                      [&](const glm::dvec3& direction) { return ShapeTraits<SpotShape>::shown(spot, direction); });
 }
 double masked_rings(const FrustumShape& frustum, const Web& mask) {
     Rings rings(mask);

@@ -68,9 +68,14 @@ Result<Shape> parse_as(ShapeTraits<Kind> traits, const KindText& text) {
         if (!made) return pass_on(made);
         return Shape(std::move(*made));
     } else {
-        std::vector<std::string_view> known;
-        for_each_key(traits, [&](const auto& key) { known.push_back(key.key); });
-        if (MaskedShape<Kind>) known.emplace_back("mask");
+        static constexpr auto known = std::apply(
+            [](const auto&... key) {
+                if constexpr (MaskedShape<Kind>)
+                    return std::array{key.key..., std::string_view("mask")};
+                else
+                    return std::array{key.key...};
+            },
+            Traits::keys);
         Result<void> read = only_keys(text, known);
         Kind made;
         for_each_key(traits, [&](const auto& key) {
@@ -153,12 +158,12 @@ Result<Shape> parse_shape(std::string_view text) {
     Result<KindText> parsed = parse_kind_text(text);
     if (!parsed) return pass_on(parsed);
     std::optional<Result<Shape>> made;
-    std::vector<std::string_view> names;
     for_each_kind([&](auto traits) {
-        names.push_back(decltype(traits)::kind);
         if (parsed->kind == decltype(traits)::kind) made = parse_as(traits, *parsed);
     });
     if (made) return *std::move(made);
+    std::vector<std::string_view> names;
+    for_each_kind([&](auto traits) { names.push_back(decltype(traits)::kind); });
     return unknown_name("shape", parsed->kind, names);
 }
 
@@ -183,16 +188,8 @@ Mask mask_of(const Shape& shape) {
 }
 
 const std::string* file_of(const Shape& shape) {
-    return std::visit(
-        [](const auto& kind) -> const std::string* {
-            if constexpr (requires { kind.mask_file; })
-                return kind.mask_file.empty() ? nullptr : &kind.mask_file;
-            else if constexpr (requires { kind.file; })
-                return &kind.file;
-            else
-                return nullptr;
-        },
-        shape);
+    const auto* const profile = std::get_if<ProfileShape>(&shape);
+    return profile != nullptr ? &profile->file : mask_of(shape).file;
 }
 
 const char* kind_of(const Shape& shape) {

@@ -16,7 +16,7 @@ namespace {
 
 // Names, examples and, but for those that name the shapes themselves, what has them.
 std::vector<ParameterName> parameters_of_lights() {
-    static const auto of_shapes = [](std::string_view name, std::string_view what) {
+    const auto of_shapes = [](std::string_view name, std::string_view what) {
         return kinds_with_parameter(name) + std::string(what);
     };
     static const std::string radius = of_shapes("radius", " (r)");

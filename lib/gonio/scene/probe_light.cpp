@@ -91,10 +91,12 @@ bool is_within(const shading::SunLight<double>& /*at infinity*/, const glm::dvec
     return false;
 }
 template<class Flat>
-bool is_within(const Flat& /*light*/, const glm::dvec3& /*to_center*/) requires requires(Flat light) {
+requires requires(Flat light) {
     light.two_sided;
 }
-{ return false; }
+bool is_within(const Flat& /*light*/, const glm::dvec3& /*to_center*/) {
+    return false;
+}
 
 // Whether the light is taken as a point: it is one, it is asked for, or the method has no form of its shape.
 bool as_point(const Shape& shape, IrradianceMethod method) {
