@@ -3,8 +3,8 @@
 #include <gonio/media/image_file.hpp>
 
 #include "../arguments.hpp"
+#include "../cct/cct_report.hpp"
 #include "../cct/question.hpp"
-#include "../cct/report.hpp"
 #include "../cct/strip.hpp"
 #include "../command.hpp"
 #include "../console.hpp"

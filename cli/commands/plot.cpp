@@ -14,7 +14,7 @@
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "../options/values.hpp"
-#include "../plot/falloff.hpp"
+#include "../plot/falloff_request.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "../options/common.hpp"
 #include "../options/light_input.hpp"
 #include "../options/rig_input.hpp"
-#include "../probe/report.hpp"
+#include "../probe/probe_report.hpp"
 #include "../probe/request.hpp"
 #include "../stopwatch.hpp"
 

@@ -7,7 +7,7 @@
 #include "../console.hpp"
 #include "../options/common.hpp"
 #include "../units/question.hpp"
-#include "../units/report.hpp"
+#include "../units/units_report.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/scene_content.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/bake/bake.hpp>

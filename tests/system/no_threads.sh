@@ -65,7 +65,7 @@ for most in 1 2 3 4 5 6 7 8 9 12 64; do
             ((most > 4)) || fail "$what: OpenImageIO starts four"
             ;;
         3)
-            grep -q '^error\[FIL0101\]: no threads can be started' "$work/said" || fail "$what"
+            grep -q '^error\[FIL0106\]: no threads can be started' "$work/said" || fail "$what"
             grep -q '^hint: .*ulimit -u' "$work/said" || fail "$what"
             [[ $(wc -l < "$work/said") == 2 ]] || fail "$what"
             [[ ! -e out.png ]] || fail "$what: there is a file"

@@ -434,7 +434,7 @@ def inputs_as_outputs(case):
         ("a/street.ies", ["plot", "a/street.ies", "-o", target]),
         ("a/street.ies", ["preview", "a/street.ies", "-s", "24x16", "-o", target, "--to", "png"]),
         ("a/street.ies", ["bake", "a/street.ies", "-s", "24x12", "-o", target, "--to", "exr"]),
-        ("rig.json", ["bake", "a/street.ies", "-s", "24x12", "-o", "out/t.exr", "--manifest", "rig.json"]),
+        ("a/street.ies", ["bake", "a/street.ies", "-s", "24x12", "-o", "out/t.exr", "--manifest", target]),
         ("rig2.gltf", ["preview", "--rig", "rig2.gltf", "--export", "rig2.gltf", "-q"]),
         ("rig.json", ["preview", "--rig", "rig.json", "-s", "24x16", "-o", "rig.json", "--to", "png", "-q"]),
         ("a/street.ies", ["preview", "--rig", "rig.json", "-s", "24x16", "-o", target, "--to", "png", "-q"]),

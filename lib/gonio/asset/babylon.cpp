@@ -3,7 +3,7 @@
 // A profile is a SpotLight with a texture, looked up at u = γ/180° alone. Babylon's own loader of .ies takes the first
 // plane, and loses the candela; ours gives the mean over C, and the peak as intensity. Falloff is glTF's: the inverse
 // square with the window of a range, spots as the square of the linear in the cosine.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

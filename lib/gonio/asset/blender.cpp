@@ -9,7 +9,7 @@
 // file.
 //
 // Spots are profiles too: Cycles 3.4 multiplies its own by the cosine to the axis, other releases do not.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/to_profile.hpp>
 

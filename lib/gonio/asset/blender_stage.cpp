@@ -3,7 +3,7 @@
 // Balls and capsules are one mesh of radius 1 with smooth normals for each shape, scaled. A material is a Diffuse BSDF
 // and, added, a Principled BSDF of metallic 1, whose lobe is GGX with the reflectance from its base colour to 1 at
 // grazing and which has no diffuse part.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
 // colour is scaled to a greatest channel of 1 and the multiplier gives back what that takes.
 #include <gonio/asset/detail/gltf_stage.hpp>
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/web/zones.hpp>

@@ -4,7 +4,7 @@
 // 0.04 (0: none at all, at grazing neither); one without is a metal. Roughness is the root of α. Readers take the
 // reflected share from the diffuse part, which ours keeps. A material that is glTF's own is written as it is.
 #include <gonio/asset/detail/gltf_stage.hpp>
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -122,7 +122,7 @@ Json color_json(const glm::dvec3& v) {
 }
 
 Json material_json(const SceneMaterial& material, bool& uses_specular) {
-    if (const auto& own = material.metallic_roughness)
+    if (const auto& own = material.gltf)
         return {{"name", material.name},
                 {"pbrMetallicRoughness",
                  {{"baseColorFactor", color_json(own->base)},

@@ -9,7 +9,7 @@
 // +Y, right +X); others are omni lights with a panorama, whose first row is −Y and whose middle is +Z: projectors of
 // omni lights stand on their head in Godot. Both are 8-bit and sRGB-encoded, their peak is 1, and a spot's needs
 // shadows to be on (godotengine/godot, issues 57704 and 121615).
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/color/rgb_space.hpp>
 

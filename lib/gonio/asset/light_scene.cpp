@@ -1,4 +1,4 @@
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/limits.hpp>
@@ -9,16 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace gonio {
 
 namespace {
-
-using asset_detail::SceneContent;
-using asset_detail::SceneLight;
 
 // Units in a metre, and the factor on intensities that keeps lux over distances in units; programs of a fixed unit know
 // what theirs is.
@@ -149,6 +146,30 @@ Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
     return made;
 }
 
+// What the profile of a light depends on: lights that agree in it share one.
+struct ProfileKey {
+    const Web* web; // its own or its mask's
+    std::vector<double> numbers;
+
+    auto operator<=>(const ProfileKey&) const = default;
+};
+
+ProfileKey profile_key(const Light& light) {
+    const auto* profile = std::get_if<ProfileShape>(&light.shape);
+    ProfileKey key{profile != nullptr ? profile->web.get() : mask_of(light.shape).web,
+                   {static_cast<double>(light.shape.index()), light.web_scale, light.intensity.value, light.color.x,
+                    light.color.y, light.color.z}};
+    const auto number = [](const auto& value) {
+        if constexpr (requires { value.value; })
+            return value.value;
+        else
+            return static_cast<double>(value);
+    };
+    for (const ShapeValue& value : values_of(light.shape))
+        key.numbers.push_back(std::visit(number, value.value));
+    return key;
+}
+
 class SceneBuilder {
 public:
     SceneBuilder(const Target& target, const LightSceneOptions& options)
@@ -204,19 +225,13 @@ private:
     }
 
     Result<void> place_profile(const Light& light, SceneLight made) {
-        const auto* shape = std::get_if<ProfileShape>(&light.shape);
-        const auto key = std::tuple(shape != nullptr ? shape->web.get() : nullptr, light.web_scale, light.color.x,
-                                    light.color.y, light.color.z);
-        const auto known = shape != nullptr ? shared_.find(key) : shared_.end();
-        if (known != shared_.end()) {
-            made.profile = known->second;
-        } else {
+        auto [known, is_new] = shared_.try_emplace(profile_key(light), content_.profiles.size());
+        if (is_new) {
             Result<MeasuredLight> profile = profile_of(light, fmt::format("{}.{}", name_, made.name));
             if (!profile) return pass_on(profile);
-            made.profile = content_.profiles.size();
-            if (shape != nullptr) shared_.emplace(key, made.profile);
             content_.profiles.push_back(std::move(*profile));
         }
+        made.profile = known->second;
         made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
         return place_as(LightKind::profile, std::move(made));
     }
@@ -313,7 +328,7 @@ private:
     SceneContent content_;
     std::vector<std::string> instead_;
     asset_detail::TakenNames names_;
-    std::map<std::tuple<const Web*, double, double, double, double>, std::size_t> shared_;
+    std::map<ProfileKey, std::size_t> shared_; // indices of the content's profiles
 };
 
 } // namespace

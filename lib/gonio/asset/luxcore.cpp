@@ -4,7 +4,7 @@
 // with that times its map over the map's mean, a sphere with P/4π²r² nt. LuxCore reads the profile itself, whose
 // candela count as a shape only; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
 // over a cone of half angle theta, a glowing material a luminance. Transformations list columns.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // EqualAreaSphereToSquare of the light's direction with y and z swapped: the image's middle is +Y, its right edge +X,
 // its lower edge +Z. Baked with the nadir in the middle, C0 to the right and C90 below, it is turned by −90° about X.
 // pbrt scales it to `power`; texels of equal solid angle make that exact. Spots fall as smoothstep over the cosine.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 
 #include <fmt/format.h>

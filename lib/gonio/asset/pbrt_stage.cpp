@@ -3,7 +3,7 @@
 // pbrt's camera space is left-handed: +X right, +Y up, +Z forward. Its field of view is that of the shorter side. What
 // has no diffuse part is a conductor of that reflectance at normal incidence; what has both is a coated diffuse
 // surface, and a mix of the two where its reflectance has a colour. Roughness is α itself (`remaproughness` off).
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

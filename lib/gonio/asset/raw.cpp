@@ -1,5 +1,5 @@
 // Raw: the portable profiles alone and, of several lights, a table of where each hangs.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

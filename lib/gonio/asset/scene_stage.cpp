@@ -66,7 +66,7 @@ bool is_rough(const Core& core) {
 template<class M>
 SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
     SceneMaterial made;
-    made.metallic_roughness = MaterialDescription<M>::metallic_roughness(material);
+    if constexpr (std::is_same_v<M, GltfMaterial>) made.gltf = material;
     const auto core = core_material(material);
     const auto matte = shading::diffuse_alone(core);
     if constexpr (std::is_same_v<decltype(matte), const shading::Lambert<double>>) {
@@ -75,9 +75,8 @@ SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
         made.diffuse = mean_albedo(core);
         if (is_rough(core))
             losses.emplace_back(
-                made.metallic_roughness
-                    ? "its diffuse part, which its lobe dims, is written as Lambert's of the same albedo"
-                    : "its rough diffuse part is written as Lambert with the same albedo");
+                made.gltf ? "its diffuse part, which its lobe dims, is written as Lambert's of the same albedo"
+                          : "its rough diffuse part is written as Lambert with the same albedo");
     }
     constexpr shading::LobeKind lobe = decltype(core)::lobe;
     if constexpr (lobe != shading::LobeKind::none) take_lobe(core, made, losses);

@@ -1,4 +1,4 @@
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 
 #include <fmt/format.h>

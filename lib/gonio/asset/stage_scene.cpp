@@ -1,4 +1,4 @@
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/base/kind_text.hpp>
 
@@ -49,10 +49,10 @@ SceneCamera scene_camera(const Camera& camera, int width, int height) {
 
 class StageBuilder {
 public:
-    // `has_metallic_roughness`: the target's own material is glTF's.
-    StageBuilder(const glm::dvec3& eye, bool has_metallic_roughness, asset_detail::TakenNames& names,
+    // `has_gltf`: the target's own material is glTF's.
+    StageBuilder(const glm::dvec3& eye, bool has_gltf, asset_detail::TakenNames& names,
                  std::vector<std::string>& instead)
-        : eye_(eye), has_metallic_roughness_(has_metallic_roughness), names_(names), instead_(instead) {}
+        : eye_(eye), has_gltf_(has_gltf), names_(names), instead_(instead) {}
 
     void add(const Surface& surface) {
         const SceneShape shape = scene_shape(surface.geometry, eye_);
@@ -68,7 +68,7 @@ private:
     std::size_t material_of(const Surface& surface) {
         std::vector<std::string> losses;
         SceneMaterial material = scene_material(surface.material, losses);
-        if (has_metallic_roughness_ && material.metallic_roughness) losses.clear();
+        if (has_gltf_ && material.gltf) losses.clear();
         for (const std::string& loss : losses) {
             std::string line = fmt::format("surface '{}': {}", surface.name, loss);
             if (std::find(instead_.begin(), instead_.end(), line) == instead_.end())
@@ -77,7 +77,7 @@ private:
         for (std::size_t i = 0; i < stage_.materials.size(); ++i) {
             const SceneMaterial& other = stage_.materials[i];
             if (sources_[i] == surface.name && other.diffuse == material.diffuse && other.f0 == material.f0 &&
-                other.alpha == material.alpha && other.metallic_roughness == material.metallic_roughness)
+                other.alpha == material.alpha && other.gltf == material.gltf)
                 return i;
         }
         material.name = unique_name(surface.name + "_material", names_);
@@ -87,7 +87,7 @@ private:
     }
 
     glm::dvec3 eye_;
-    bool has_metallic_roughness_;
+    bool has_gltf_;
     asset_detail::TakenNames& names_;
     std::vector<std::string>& instead_;
     SceneStage stage_;

@@ -35,7 +35,7 @@ struct StageFormat {
     std::string_view extension; // ".gltf"
     std::string_view summary;   // for lists
     std::string_view target;    // whose lights it holds
-    std::vector<AssetFile> (*files)(const asset_detail::SceneContent& scene);
+    std::vector<AssetFile> (*files)(const SceneContent& scene);
 };
 
 std::span<const StageFormat> stage_formats();

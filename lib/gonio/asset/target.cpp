@@ -1,4 +1,4 @@
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/base/named.hpp>
 

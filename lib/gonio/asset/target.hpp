@@ -16,9 +16,7 @@
 
 namespace gonio {
 
-namespace asset_detail {
-struct SceneContent;
-}
+struct SceneContent; // gonio/asset/scene_content.hpp
 
 // A picture that a target reads beside its text, stored by who writes the files.
 struct AssetPicture {
@@ -54,7 +52,8 @@ struct Target {
     // How to use what is written, what was checked in the program itself and what could not be: a line each.
     std::string_view use, verified, unverified;
     TargetHolds holds;
-    std::vector<AssetFile> (*files)(const asset_detail::SceneContent& scene);
+    // Its files for a scene: of the kinds above and in its unit of length.
+    std::vector<AssetFile> (*files)(const SceneContent& scene) = nullptr;
 };
 
 // By name.

@@ -10,7 +10,7 @@
 //
 // Points and spots count candela (with a decay of 2), areas nits, suns lux; a distance windows as ours does; a spot
 // falls as smoothstep over the cosine.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

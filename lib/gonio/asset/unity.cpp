@@ -4,7 +4,7 @@
 // Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
 // count candela, areas nits and suns lux, as HDRP of Unity 6 does; spots fall as the square of the linear in the
 // cosine.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
 

@@ -4,7 +4,7 @@
 // Of a profile, −Y is C0 and −Z is C90; its candela count (bUseIESBrightness) times IESBrightnessScale. Spots fall as
 // the square of the linear in the cosine. Every light has an attenuation radius, whose window takes away at most 0.01
 // lx where the light asks for none.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // What emits from a point is a sphere of 1 m² of projected area treated as one, so that an intensity of 1 nt shines
 // with 1 cd, which a profile scales and a cone cuts; its softness is the share of the cone in which it falls, smoothly
 // over the angle. angleScale is never authored: its formulas differ between renderers.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The stage in USD: bodies of UsdGeom, UsdPreviewSurface in its specular workflow, which has an albedo and a
 // reflectance of their own; roughness is the root of α. Transformations list rows.
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
 

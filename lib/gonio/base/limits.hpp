@@ -63,15 +63,10 @@ inline constexpr std::array limits{
     Limit{"cct-steps", 100000, "rows", "a table of cct"},
 };
 
-namespace detail {
-inline void no_such_limit() {} // not constexpr: a call of it does not compile
-} // namespace detail
-
 consteval const Limit& limit(std::string_view name) {
     for (const Limit& known : limits)
         if (known.name == name) return known;
-    detail::no_such_limit();
-    return limits.front();
+    throw "no such limit"; // not a constant expression
 }
 
 // "16 MiB", "67108864 pixels".

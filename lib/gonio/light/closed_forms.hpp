@@ -77,10 +77,6 @@ S disk_area(S r) { // a sphere's too
     return pi<S> * (r * r);
 }
 template<class S>
-S ellipse_area(S w, S h) { // of the whole axes w and h
-    return S(0.25) * pi<S> * (w * h);
-}
-template<class S>
 S tube_area(S r, S l) {
     return r * (S(2) * l + pi<S> * r);
 }
@@ -112,14 +108,6 @@ template<class S>
 S facing_disk(S r, S d) {
     const S s = r / std::hypot(d, r);
     return pi<S> * (s * s);
-}
-
-// π ab/√((d² + a²)(d² + b²)) with a = w/2, b = h/2, for d ≥ 0: the cone stands upright on its axes.
-template<class S>
-S facing_ellipse(S w, S h, S d) {
-    const S a = S(0.5) * w;
-    const S b = S(0.5) * h;
-    return pi<S> * ((a / std::hypot(d, a)) * (b / std::hypot(d, b)));
 }
 
 // 2 [A/√(1+A²) atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))] with A = w/2d, B = h/2d, for d > 0: four times the corner

@@ -175,7 +175,7 @@ public:
     Meanings usd() const {
         if (class_of(shape_) == ShapeClass::punctual)
             return none("UsdLux has lights with an area only; shape a sphere, disk, rectangle or cylinder");
-        if (!has<SphereShape, DiskShape, EllipseShape, RectShape, TubeShape>()) return none(lacks("UsdLux"));
+        if (!has_flat_or<SphereShape, TubeShape>()) return none(lacks("UsdLux"));
         Meanings meanings;
         meanings.units = {honest(Dimension::luminance, "intensity · 2^exposure = L")};
         if (is<SunShape>()) meanings.units.push_back(honest(Dimension::illuminance, "inputs:normalize = 1, E"));
@@ -184,7 +184,7 @@ public:
     }
 
     Meanings blender() const {
-        if (!has<SphereShape, DiskShape, EllipseShape, RectShape>() || is<FrustumShape>() || is<ProfileShape>())
+        if (!has_flat_or<SphereShape>() || is<FrustumShape>() || is<ProfileShape>())
             return none("blender has point, spot, area and sun lights");
         Meanings meanings;
         if (is<SunShape>()) {
@@ -222,6 +222,11 @@ private:
     template<class... Kinds>
     bool has() const {
         return !has_area() || (is<Kinds>() || ...);
+    }
+    // The same of a program that has flat lights of any outline.
+    template<class... Others>
+    bool has_flat_or() const {
+        return is_flat(shape_) || has<Others...>();
     }
     std::string lacks(std::string_view program) const {
         return fmt::format("{} does not have {} lights", program, kind_of(shape_));

@@ -20,7 +20,7 @@ Result<Config> Config::open(const std::string& path) {
     std::array<char, abi::message_bytes> message{};
     abi::ColorConfig* config = nullptr;
     if (const int status = (*module)->open_config(path.c_str(), &config, message.data()); status != 0)
-        return fail(failure_of(status), fmt::format("cannot read the colour configuration: {}", message.data()), {},
+        return fail(cause_of(status), fmt::format("cannot read the colour configuration: {}", message.data()), {},
                     path);
     return Config(*module, config);
 }
@@ -28,7 +28,7 @@ Result<Config> Config::open(const std::string& path) {
 Result<void> Processor::apply(float* pixels, std::size_t count, int channels) const {
     std::array<char, abi::message_bytes> message{};
     if (const int status = module_.apply(processor_, pixels, count, channels, message.data()); status != 0)
-        return fail(failure_of(status), fmt::format("the colour transform failed: {}", message.data()));
+        return fail(cause_of(status), fmt::format("the colour transform failed: {}", message.data()));
     return {};
 }
 
@@ -48,7 +48,7 @@ Result<abi::ColorProcessor*> space_processor(const Config& config, const std::st
     if (const int status =
             config.module().space_processor(config.get(), from.c_str(), to.c_str(), &processor, message.data());
         status != 0)
-        return fail(failure_of(status), fmt::format("no transform from '{}' to '{}': {}", from, to, message.data()));
+        return fail(cause_of(status), fmt::format("no transform from '{}' to '{}': {}", from, to, message.data()));
     return processor;
 }
 

@@ -83,7 +83,7 @@ Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::
     if (const int status =
             module.space_matrix(config->get(), detail::interchange, found, rows.data(), &is_matrix, message.data());
         status != 0)
-        return fail(detail::failure_of(status),
+        return fail(detail::cause_of(status),
                     fmt::format("no transform to the colour space '{}': {}", space.name, message.data()), {}, file);
     if (is_matrix == 0) {
         Result<glm::dmat3> matrix = measured(*config, found, file);

@@ -117,8 +117,8 @@ Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
     if (const int status = config->module().display_processor(config->get(), used.source.c_str(), used.display.c_str(),
                                                               used.view.c_str(), &handle, message.data());
         status != 0)
-        return fail(detail::failure_of(status), fmt::format("no transform to the view '{}' of the display '{}': {}",
-                                                            used.view, used.display, message.data()));
+        return fail(detail::cause_of(status), fmt::format("no transform to the view '{}' of the display '{}': {}",
+                                                          used.view, used.display, message.data()));
     const Processor to_display(config->module(), handle);
 
     std::vector<const Processor*> chain{&to_display};

@@ -279,7 +279,7 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
         kind_of(pixel), name_pointers.data(), attribute_table.data(), attribute_table.size()};
     abi::EncodeReply reply{};
     if (const int status = (*module)->encode(&request, &reply); status != 0)
-        return fail(detail::failure_of(status),
+        return fail(detail::cause_of(status),
                     fmt::format("the picture cannot be written as {}: {}", format.title, reply.message));
     std::string bytes(reinterpret_cast<const char*>(reply.bytes), reply.size);
     (*module)->release_encoded(reply.owner);
@@ -301,7 +301,7 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values
                                      max_values};
     abi::DecodeReply reply{};
     if (const int status = (*module)->decode(&request, &reply); status != 0)
-        return fail(detail::failure_of(status),
+        return fail(detail::cause_of(status),
                     fmt::format("the {} picture cannot be read: {}", format->title, reply.message));
     DecodedImage result;
     result.image = Image(reply.width, reply.height, reply.channels);

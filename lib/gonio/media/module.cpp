@@ -83,7 +83,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     // ever, where there are none to be had. Two more than those, for another process of the user.
     if (name.threads > 0 && !can_start_threads(name.threads + 2))
         return fail(
-            Failure::io,
+            "FIL0106",
             fmt::format("no threads can be started, and {} needs {} to be loaded", name.library, name.threads),
             "raise the limit on processes (ulimit -u) or of the container (pids.max of its cgroup), or add -j 1");
 
@@ -129,19 +129,23 @@ Result<const abi::ColorModule*> color_module() {
     });
 }
 
-Failure failure_of(int status) {
-    switch (status) {
-    case static_cast<int>(Failure::usage):
-        return Failure::usage;
-    case static_cast<int>(Failure::io):
+Cause cause_of(int status) {
+    switch (static_cast<abi::Status>(status)) {
+    case abi::io:
         return Failure::io;
-    case static_cast<int>(Failure::malformed):
+    case abi::malformed:
         return Failure::malformed;
-    case static_cast<int>(Failure::unsupported):
+    case abi::unsupported:
         return Failure::unsupported;
-    default:
-        return Failure::internal;
+    case abi::out_of_memory:
+        return "UNS0103";
+    case abi::no_threads:
+        return "FIL0106";
+    case abi::done:
+    case abi::internal:
+        break;
     }
+    return Failure::internal;
 }
 
 } // namespace detail

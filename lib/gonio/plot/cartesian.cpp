@@ -1,7 +1,7 @@
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 
 #include <cmath>
 #include <utility>

@@ -2,8 +2,8 @@
 // axes. Internal to the room.
 #pragma once
 
+#include <gonio/plot/diagram_page.hpp>
 #include <gonio/plot/drawing.hpp>
-#include <gonio/plot/frame.hpp>
 
 #include <string_view>
 #include <vector>

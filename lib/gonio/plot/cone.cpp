@@ -1,6 +1,6 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/web/metrics.hpp>
 

@@ -36,7 +36,7 @@ struct PlotOptions {
 struct DiagramKind {
     std::string_view name; // "heat-map"
     std::string_view summary;
-    // nullptr: of lights and not of webs, see falloff.hpp
+    // nullptr: of lights and not of webs, see falloff_diagram.hpp
     Result<Drawing> (*draw)(std::span<const PlottedWeb> webs, const PlotOptions& options);
 };
 

@@ -2,7 +2,7 @@
 #include <gonio/plot/bands.hpp>
 #include <gonio/plot/chart.hpp>
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 
 #include <fmt/format.h>
 

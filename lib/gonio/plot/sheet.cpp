@@ -1,4 +1,4 @@
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/plot/sheet.hpp>

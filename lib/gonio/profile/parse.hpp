@@ -7,7 +7,7 @@
 #include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/profile.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/profile/report.hpp>
+#include <gonio/profile/reader_report.hpp>
 #include <gonio/profile/scanner.hpp>
 
 #include <cstddef>

@@ -51,6 +51,8 @@ struct GltfMaterial {
     glm::dvec3 base{0.5};
     double metallic = 0.0;
     double roughness = 0.4;
+
+    friend bool operator==(const GltfMaterial&, const GltfMaterial&) = default;
 };
 
 // The Art of Remember Me (Lagarde and Harduin 2013): Lambert and Blinn's cosine power, dry to wet.

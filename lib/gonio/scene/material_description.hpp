@@ -12,8 +12,6 @@
 //       Its BRDF of shading/brdf_*.hpp, for numbers S and colours vec3<S>.
 //   chart_colors(const M&)
 //       What the artists' charts judge.
-//   metallic_roughness(const M&)
-//       Its factors where it is glTF's own material.
 //
 // Nothing of that has a default: where one is missing, what reads it does not compile. HOW_TO_ADD_A_MATERIAL.md leads
 // through it.
@@ -72,15 +70,6 @@ inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic
     return {{ChartColor::As::albedo, "base", base}, {ChartColor::As::specular, "f0", {f0.x, f0.y, f0.z}}};
 }
 
-// The factors of glTF's metallic-roughness material.
-struct MetallicRoughness {
-    glm::dvec3 base;
-    double metallic;
-    double roughness;
-
-    friend bool operator==(const MetallicRoughness&, const MetallicRoughness&) = default;
-};
-
 template<class M>
 struct MaterialDescription;
 
@@ -109,7 +98,6 @@ struct MaterialDescription<LambertMaterial> {
         return {albedo};
     }
     static ChartColors chart_colors(const LambertMaterial& m) { return {{ChartColor::As::albedo, "albedo", m.albedo}}; }
-    static std::optional<MetallicRoughness> metallic_roughness(const LambertMaterial& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -125,7 +113,6 @@ struct MaterialDescription<EonMaterial> {
         return {albedo, roughness};
     }
     static ChartColors chart_colors(const EonMaterial& m) { return {{ChartColor::As::albedo, "albedo", m.albedo}}; }
-    static std::optional<MetallicRoughness> metallic_roughness(const EonMaterial& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -145,7 +132,6 @@ struct MaterialDescription<FrostbiteMaterial> {
     static ChartColors chart_colors(const FrostbiteMaterial& m) {
         return metallic_chart_colors(m.base, m.metal, core_material(m).f0);
     }
-    static std::optional<MetallicRoughness> metallic_roughness(const FrostbiteMaterial& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -165,7 +151,6 @@ struct MaterialDescription<Ue4Material> {
     static ChartColors chart_colors(const Ue4Material& m) {
         return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
     }
-    static std::optional<MetallicRoughness> metallic_roughness(const Ue4Material& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -184,9 +169,6 @@ struct MaterialDescription<GltfMaterial> {
     }
     static ChartColors chart_colors(const GltfMaterial& m) {
         return metallic_chart_colors(m.base, m.metallic, core_material(m).f0);
-    }
-    static std::optional<MetallicRoughness> metallic_roughness(const GltfMaterial& m) {
-        return MetallicRoughness{m.base, m.metallic, m.roughness};
     }
 };
 
@@ -208,7 +190,6 @@ struct MaterialDescription<BlinnMaterial> {
     static ChartColors chart_colors(const BlinnMaterial& m) {
         return {{ChartColor::As::specular, "f0", m.specular}, {ChartColor::As::albedo, "albedo", m.albedo}};
     }
-    static std::optional<MetallicRoughness> metallic_roughness(const BlinnMaterial& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -223,7 +204,6 @@ struct MaterialDescription<GgxMaterial> {
         return {f0, alpha};
     }
     static ChartColors chart_colors(const GgxMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
-    static std::optional<MetallicRoughness> metallic_roughness(const GgxMaterial& /*m*/) { return std::nullopt; }
 };
 
 template<>
@@ -239,7 +219,6 @@ struct MaterialDescription<KullaContyMaterial> {
         return shading::kulla_conty_material(f0, alpha);
     }
     static ChartColors chart_colors(const KullaContyMaterial& m) { return {{ChartColor::As::specular, "f0", m.f0}}; }
-    static std::optional<MetallicRoughness> metallic_roughness(const KullaContyMaterial& /*m*/) { return std::nullopt; }
 };
 
 namespace detail {

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -302,6 +303,36 @@ TEST(LightScene, SaysWhatATargetCannotHold) {
         EXPECT_EQ(stays("angle"), target.holds.spot_falloff == Falloff::smoothstep_angle) << target.name;
         EXPECT_EQ(stays("linear"), target.holds.spot_falloff == Falloff::linear_angle) << target.name;
     }
+}
+
+// Lights that differ in place, direction and name alone share a profile: 600 of them took a minute to write.
+TEST(LightScene, LikeLightsShareAProfile) {
+    const std::vector<Light> all = studio();
+    const Light& masked = *std::find_if(all.begin(), all.end(), [](const Light& l) { return l.name == "masked"; });
+    std::vector<Light> lights(600, masked);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const double turn = 0.01 * static_cast<double>(i);
+        lights[i].name = fmt::format("panel{}", i);
+        lights[i].frame.origin.x = turn;
+        lights[i].frame.x = {std::cos(turn), std::sin(turn), 0.0};
+        lights[i].frame.z = {0.0, 0.0, 1.0};
+        lights[i].frame.y = glm::cross(lights[i].frame.z, lights[i].frame.x);
+    }
+    const auto profiles = [&] {
+        const LightScene scene = *light_scene(**find_target("raw"), lights, {"hall", "", Meters(1.0)});
+        return std::count_if(scene.files.begin(), scene.files.end(),
+                             [](const AssetFile& file) { return file.name.ends_with(".ies"); });
+    };
+    EXPECT_EQ(profiles(), 1);
+    // All that the profile depends on tells them apart.
+    lights.resize(8, masked);
+    lights[1].intensity = Candelas(2.0 * lights[1].intensity.value);
+    lights[2].color = {0.5, 1.0, 2.0};
+    lights[3].web_scale *= 2.0;
+    std::get<RectShape>(lights[4].shape).width = Meters(0.7);
+    std::get<RectShape>(lights[5].shape).two_sided = true;
+    std::get<RectShape>(lights[6].shape).mask = std::make_shared<Web>(*std::get<RectShape>(masked.shape).mask);
+    EXPECT_EQ(profiles(), 7);
 }
 
 // Profiles from afar have the shape's flux and its intensity; lights of one profile share it.

@@ -1,6 +1,6 @@
 #include <gonio/plot/diagram.hpp>
-#include <gonio/plot/falloff.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/falloff_diagram.hpp>
 #include <gonio/plot/sheet.hpp>
 #include <gonio/plot/svg.hpp>
 #include <gonio/web/metrics.hpp>

@@ -1,7 +1,7 @@
 // What Mitsuba's lights and stages are both written with.
 #pragma once
 
-#include <gonio/asset/detail/scene_light.hpp>
+#include <gonio/asset/detail/scene_text.hpp>
 
 #include <string>
 #include <string_view>

@@ -1,62 +1,20 @@
-// The stage of a scene as a target's writer gets it: what it is made of, what that looks like, who looks at it.
+// How a stage becomes what targets' writers get of it.
 #pragma once
 
+#include <gonio/asset/scene_content.hpp>
 #include <gonio/base/frame.hpp>
-#include <gonio/base/quantity.hpp>
-#include <gonio/scene/camera.hpp>
-#include <gonio/scene/material_description.hpp>
-#include <gonio/scene/stage.hpp>
+#include <gonio/scene/material.hpp>
+#include <gonio/scene/primitives.hpp>
 
 #include <glm/vec3.hpp>
 
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace gonio::asset_detail {
-
-// What every target holds of a material: a Lambertian part, and a GGX lobe with Schlick's reflectance from f0 to 1 at
-// grazing.
-struct SceneMaterial {
-    std::string name;        // unique in the scene: letters, digits and '_'
-    glm::dvec3 diffuse{0.0}; // albedo: the part of even light from all sides that our diffuse part gives back
-    glm::dvec3 f0{0.0};      // 0: no lobe
-    double alpha = 1.0;      // what enters D and V; the targets' own roughness is its root
-    std::optional<MetallicRoughness> metallic_roughness; // what a target with glTF's own material takes instead
-
-    bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
-    bool has_lobe() const { return f0 != glm::dvec3(0.0); }
-};
-
-using SceneShape = std::variant<Panel, Ball, Box, Capsule>; // a plane is a panel of plane_size
-
-struct SceneSurface {
-    std::string name; // unique in the scene: letters, digits and '_'
-    SceneShape shape;
-    std::size_t material = 0; // index
-};
-
-struct SceneCamera {
-    Frame frame;               // looks along −Z, Y is up
-    double vertical_fov = 0.0; // full angle of the picture [rad]
-    int width = 0;             // of the picture [pixels]
-    int height = 0;
-
-    double aspect() const { return static_cast<double>(width) / height; }
-};
-
-struct SceneStage {
-    std::vector<SceneMaterial> materials;
-    std::vector<SceneSurface> surfaces;
-    SceneCamera camera;
-    std::optional<Nits> white; // the luminance that our picture shows as 1
-    bool shows_backs = false;  // the camera stands behind a sheet, through which ours looks
-};
 
 // The rest of a material is named, an "its … is written as …" each.
 SceneMaterial scene_material(const Material& material, std::vector<std::string>& losses);

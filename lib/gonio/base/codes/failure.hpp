@@ -47,6 +47,9 @@ inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
     {"FIL0105", Severity::error, Strict::same, "file outside the folder",
      "An input names another file that is outside the folder of the input or is not a regular file. This protects "
      "you from files of other people. An option of the command allows it for rigs."},
+    {"FIL0106", Severity::error, Strict::same, "threads that cannot be started",
+     "The operating system refused to start the threads that a library needs: the limit on processes or memory is too "
+     "low."},
 
     {"INP0101", Severity::error, Strict::same, "invalid input",
      "A table, spectrum, picture, manifest or other input is broken or incomplete. The message states the place "

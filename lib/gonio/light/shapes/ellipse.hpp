@@ -7,6 +7,25 @@
 
 namespace gonio {
 
+namespace closed_form {
+
+// Of the whole axes w and h.
+template<class S>
+S ellipse_area(S w, S h) {
+    return S(0.25) * pi<S> * (w * h);
+}
+
+// E/L as closed_forms.hpp has it: π ab/√((d² + a²)(d² + b²)) with a = w/2, b = h/2, for d ≥ 0: the cone stands upright
+// on its axes.
+template<class S>
+S facing_ellipse(S w, S h, S d) {
+    const S a = S(0.5) * w;
+    const S b = S(0.5) * h;
+    return pi<S> * ((a / std::hypot(d, a)) * (b / std::hypot(d, b)));
+}
+
+} // namespace closed_form
+
 template<>
 struct ShapeTraits<EllipseShape> {
     static constexpr ShapeClass shape_class = ShapeClass::area;

@@ -28,9 +28,6 @@ namespace {
 
 using namespace gonio::media::abi;
 
-// As gonio::Failure, whose header is the core's.
-enum Status : int { done = 0, io = 3, malformed = 4, unsupported = 5, internal = 70 };
-
 void say(char* message, const char* text) {
     std::snprintf(message, message_bytes, "%s", text);
     // Messages of several lines (YAML) become one sentence.
@@ -52,7 +49,7 @@ int guarded(char* message, Status refused, Work work) noexcept {
         return refused;
     } catch (const std::bad_alloc&) {
         say(message, "out of memory");
-        return unsupported;
+        return out_of_memory;
     } catch (const std::exception& error) {
         say(message, error.what());
     } catch (...) {

@@ -1,18 +1,17 @@
 // The contract between the core and gonio-color.so: plain types, one table of functions, no exception.
 //
-// A function that can fail returns 0, or the value of a gonio::Failure with a sentence in the message buffer of
-// message_bytes. Text that a function returns lives as long as its configuration. Change `color_version` whenever
-// anything here changes.
+// A function that can fail returns a Status (module_abi.hpp). Text that a function returns lives as long as its
+// configuration. Change `color_version` whenever anything here or there changes.
 #pragma once
 
-#include <gonio/media/detail/image_abi.hpp> // message_bytes
+#include <gonio/media/detail/module_abi.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace gonio::media::abi {
 
-inline constexpr std::uint32_t color_version = 2;
+inline constexpr std::uint32_t color_version = 3;
 
 struct ColorConfig;    // opaque
 struct ColorProcessor; // opaque; lives on its own, without its configuration

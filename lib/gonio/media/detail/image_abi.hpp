@@ -1,16 +1,17 @@
 // The contract between the core and gonio-image.so: plain types, one table of functions, no exception.
 //
-// A function returns 0, or the value of a gonio::Failure with a sentence in `message`. What a reply points to belongs
-// to its `owner` and lives until release(owner). Change `image_version` whenever anything here changes.
+// A function returns a Status (module_abi.hpp). What a reply points to belongs to its `owner` and lives until
+// release(owner). Change `image_version` whenever anything here or there changes.
 #pragma once
+
+#include <gonio/media/detail/module_abi.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace gonio::media::abi {
 
-inline constexpr std::uint32_t image_version = 1;
-inline constexpr std::size_t message_bytes = 512;
+inline constexpr std::uint32_t image_version = 2;
 
 enum PixelKind : std::int32_t { pixel_uint8 = 0, pixel_uint16 = 1, pixel_half = 2, pixel_float = 3 };
 enum AttributeKind : std::int32_t { attribute_text = 0, attribute_floats = 1, attribute_ints = 2 };

@@ -33,7 +33,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
 Result<const abi::ImageModule*> image_module();
 Result<const abi::ColorModule*> color_module();
 
-// The Failure that a module's status stands for.
-Failure failure_of(int status);
+// Why a module's function failed, by its abi::Status.
+Cause cause_of(int status);
 
 } // namespace gonio::media::detail

@@ -10,14 +10,12 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
 
 using namespace gonio::media::abi;
-
-// As gonio::Failure, whose header is the core's.
-enum Status : int { done = 0, malformed = 4, unsupported = 5, internal = 70 };
 
 void say(char* message, const std::string& text) {
     // OpenImageIO's errors may span lines and end in a newline: one sentence is wanted.
@@ -42,7 +40,13 @@ int guarded(char* message, Work work) noexcept {
         return work();
     } catch (const std::bad_alloc&) {
         std::snprintf(message, message_bytes, "out of memory");
-        return unsupported;
+        return out_of_memory;
+    } catch (const std::system_error& error) { // of std::thread: OpenImageIO starts some where it is first used
+        std::snprintf(message, message_bytes, "%s", error.what());
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            std::snprintf(message, message_bytes, "no thread can be started");
+            return no_threads;
+        }
     } catch (const std::exception& error) {
         std::snprintf(message, message_bytes, "%s", error.what());
     } catch (...) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/base/result.hpp>
-#include <gonio/plot/falloff.hpp>
+#include <gonio/plot/falloff_diagram.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"

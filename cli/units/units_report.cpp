@@ -1,4 +1,4 @@
-#include "report.hpp"
+#include "units_report.hpp"
 
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>

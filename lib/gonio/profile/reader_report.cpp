@@ -1,4 +1,4 @@
-#include <gonio/profile/report.hpp>
+#include <gonio/profile/reader_report.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "sheet.hpp"
+#include "profile_sheet.hpp"
 
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/sheet.hpp>

@@ -2,7 +2,7 @@
 #include <gonio/base/sort_unique.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/axis.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/web/integrate.hpp>
 

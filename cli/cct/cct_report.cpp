@@ -1,4 +1,4 @@
-#include "report.hpp"
+#include "cct_report.hpp"
 
 #include <gonio/base/unit_text.hpp>
 

@@ -1,4 +1,4 @@
-#include "report.hpp"
+#include "probe_report.hpp"
 
 #include <gonio/base/unit_text.hpp>
 

@@ -2,8 +2,8 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/plot/axis.hpp>
 #include <gonio/plot/chart.hpp>
-#include <gonio/plot/falloff.hpp>
-#include <gonio/plot/frame.hpp>
+#include <gonio/plot/diagram_page.hpp>
+#include <gonio/plot/falloff_diagram.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/scene/probe.hpp>
 

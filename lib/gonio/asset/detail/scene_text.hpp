@@ -1,9 +1,10 @@
-// The lights of a scene as a target's writer gets them: of the kinds that it holds, in its unit of length.
+// What the writers of targets share: how a scene comes to them, axes, text, meshes, pictures.
 #pragma once
 
 #include <gonio/asset/detail/scene_stage.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/scene_content.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/bake/bake.hpp>
 #include <gonio/base/frame.hpp>
@@ -19,36 +20,6 @@
 #include <vector>
 
 namespace gonio::asset_detail {
-
-struct SceneLight {
-    LightKind kind = LightKind::point;
-    std::string name;       // unique in the scene: letters, digits and '_', of a luminaire alone '-' too
-    Frame frame;            // as Light::frame; the origin in the target's unit
-    glm::dvec3 color{1.0};  // linear Rec.709 of luminance 1
-    double intensity = 0.0; // along the direction; a profile: its peak; an area: A L or π r² L. Candela, but where the
-                            // target has no unit of its own: times the square of the units in a metre, so that over
-                            // the square of a distance in units it gives lux
-    double nits = 0.0;  // of areas and the sun
-    double lux = 0.0;   // of the sun, on a plane across its direction
-    double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
-    double outer = 0.0;
-    double radius = 0.0;         // of a sphere, a disk, a tube [unit]
-    double width = 0.0;          // of an ellipse and a rectangle along X; a tube's cylinder
-    double height = 0.0;         // of an ellipse and a rectangle along Y
-    double diameter = 0.0;       // of the sun [rad]
-    std::optional<double> range; // [unit]; only where the target has the window
-    std::size_t profile = 0;     // of a profile: index
-};
-
-struct SceneContent {
-    std::string name;
-    std::string description; // without line ends, ASCII
-    double units_per_meter = 1.0;
-    std::vector<MeasuredLight> profiles; // named as their files
-    std::vector<SceneLight> lights;
-    bool single = false;             // one luminaire alone: the profile's own name
-    std::optional<SceneStage> stage; // in metres; then the file is a whole scene
-};
 
 struct BuiltScene {
     SceneContent content;

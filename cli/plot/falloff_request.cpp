@@ -1,4 +1,4 @@
-#include "falloff.hpp"
+#include "falloff_request.hpp"
 
 #include <gonio/base/unit_text.hpp>
 

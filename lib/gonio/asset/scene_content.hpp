@@ -1,0 +1,93 @@
+// SceneContent: what the writer of a target gets. Lights of the kinds that the target holds, in its unit of length, and
+// for a whole scene what stands there, what that looks like, and who looks at it.
+//
+// light_scene() and stage_scene() make it and call Target::files with it. A program that is not in targets() gets a
+// Target of its own, whose `files` turns this into text.
+#pragma once
+
+#include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/target.hpp>
+#include <gonio/base/frame.hpp>
+#include <gonio/base/quantity.hpp>
+#include <gonio/scene/material.hpp>
+#include <gonio/scene/primitives.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gonio {
+
+// What every target holds of a material: a Lambertian part, and a GGX lobe with Schlick's reflectance from f0 to 1 at
+// grazing.
+struct SceneMaterial {
+    std::string name;                 // unique in the scene: letters, digits and '_'
+    glm::dvec3 diffuse{0.0};          // albedo: the part of even light from all sides that our diffuse part gives back
+    glm::dvec3 f0{0.0};               // 0: no lobe
+    double alpha = 1.0;               // what enters D and V; the targets' own roughness is its root
+    std::optional<GltfMaterial> gltf; // what a target with glTF's own material takes instead
+
+    bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
+    bool has_lobe() const { return f0 != glm::dvec3(0.0); }
+};
+
+using SceneShape = std::variant<Panel, Ball, Box, Capsule>; // a plane is a panel of plane_size
+
+struct SceneSurface {
+    std::string name; // unique in the scene: letters, digits and '_'
+    SceneShape shape;
+    std::size_t material = 0; // index
+};
+
+struct SceneCamera {
+    Frame frame;               // looks along −Z, Y is up
+    double vertical_fov = 0.0; // full angle of the picture [rad]
+    int width = 0;             // of the picture [pixels]
+    int height = 0;
+
+    double aspect() const { return static_cast<double>(width) / height; }
+};
+
+struct SceneStage {
+    std::vector<SceneMaterial> materials;
+    std::vector<SceneSurface> surfaces;
+    SceneCamera camera;
+    std::optional<Nits> white; // the luminance that our picture shows as 1
+    bool shows_backs = false;  // the camera stands behind a sheet, through which ours looks
+};
+
+struct SceneLight {
+    LightKind kind = LightKind::point;
+    std::string name;       // unique in the scene: letters, digits and '_', of a luminaire alone '-' too
+    Frame frame;            // as Light::frame; the origin in the target's unit
+    glm::dvec3 color{1.0};  // linear Rec.709 of luminance 1
+    double intensity = 0.0; // along the direction; a profile: its peak; an area: A L or π r² L. Candela, but where the
+                            // target has no unit of its own: times the square of the units in a metre, so that over
+                            // the square of a distance in units it gives lux
+    double nits = 0.0;  // of areas and the sun
+    double lux = 0.0;   // of the sun, on a plane across its direction
+    double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
+    double outer = 0.0;
+    double radius = 0.0;         // of a sphere, a disk, a tube [unit]
+    double width = 0.0;          // of an ellipse and a rectangle along X; a tube's cylinder
+    double height = 0.0;         // of an ellipse and a rectangle along Y
+    double diameter = 0.0;       // of the sun [rad]
+    std::optional<double> range; // [unit]; only where the target has the window
+    std::size_t profile = 0;     // of a profile: index
+};
+
+struct SceneContent {
+    std::string name;
+    std::string description; // without line ends, ASCII
+    double units_per_meter = 1.0;
+    std::vector<MeasuredLight> profiles; // named as their files
+    std::vector<SceneLight> lights;
+    bool single = false;             // one luminaire alone: the profile's own name
+    std::optional<SceneStage> stage; // in metres; then the file is a whole scene
+};
+
+} // namespace gonio
