@@ -1,5 +1,6 @@
 #include "question.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
@@ -145,7 +146,7 @@ Result<CctAnswer> answer_of(const Spectrum& spectrum, std::string input, const C
     } else {
         Diagnostic& reason = cct.error().diagnostics.back();
         reason.severity = Severity::warning;
-        reason.code.clear(); // is of errors
+        reason.code = CodeOf<result_codes>("RES0102")->code; // not that of an error
         answer.diagnostics.push_back(std::move(reason));
     }
     if (Result<void> compared = compare_temperatures(request, answer); !compared) return pass_on(compared);

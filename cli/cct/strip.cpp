@@ -73,7 +73,7 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
     const auto width = static_cast<std::size_t>(size.width);
     const auto height = static_cast<std::size_t>(size.height);
     if (size.width < 1 || size.height < 1 || width < answers.size() || height < 2 * rows)
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("a picture of {}x{} pixels is too small for {} colours{}", size.width, size.height,
                                 answers.size(), rows > 1 ? fmt::format(" and {} methods", rows - 1) : std::string()),
                     "use a larger -s");

@@ -3,6 +3,7 @@
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/light_scene.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_scope.hpp>
 #include <gonio/color/spectrum.hpp>
@@ -305,11 +306,7 @@ Result<Made> import_one(const std::string& file, const ImportRequest& request, c
                                       : fmt::format("{} -> {}: {} files, {}", file, folder_of(request, *asset.target),
                                                     asset.files.size(), content.description));
         for (const std::string& line : asset.record.instead) {
-            Diagnostic warning;
-            warning.severity = Severity::warning;
-            warning.location.file = file;
-            warning.message = line;
-            outcome.diagnostics.push_back(std::move(warning));
+            outcome.diagnostics.push_back(result_diagnostic("RES0201", line, {}, file));
             imported.asset.remarks.push_back(fmt::format("{}: {}", asset.target->name, line));
         }
     }

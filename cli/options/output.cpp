@@ -1,5 +1,6 @@
 #include "output.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/folder.hpp>
@@ -74,11 +75,9 @@ Diagnostics names_that_differ_by_case(std::span<const std::string> outputs) {
     for (const std::string& output : outputs) {
         const auto [other, is_new] = taken.emplace(to_lower(output), output);
         if (is_new || other->second == output) continue;
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.message = fmt::format("'{}' and '{}' differ only in upper and lower case", other->second, output);
-        warning.hint = "on a file system that ignores case (Windows, macOS), one replaces the other";
-        warnings.push_back(std::move(warning));
+        warnings.push_back(result_diagnostic(
+            "RES0205", fmt::format("'{}' and '{}' differ only in upper and lower case", other->second, output),
+            "on a file system that ignores case (Windows, macOS), one replaces the other"));
     }
     return warnings;
 }

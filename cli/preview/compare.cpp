@@ -1,5 +1,6 @@
 #include "compare.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/measure/picture_error.hpp>
@@ -96,13 +97,10 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
         options.method = method;
         Result<Rendering> rendering = render(request.stage, lights, request.stage.camera, options);
         if (!rendering) return pass_on(rendering);
-        if (rendering->stats.not_converged > 0) {
-            Diagnostic warning;
-            warning.severity = Severity::warning;
-            warning.message = fmt::format("the requested error was not reached in {} evaluations of a light",
-                                          rendering->stats.not_converged);
-            diagnostics.push_back(std::move(warning));
-        }
+        if (rendering->stats.not_converged > 0)
+            diagnostics.push_back(result_diagnostic(
+                "RES0202", fmt::format("the requested error was not reached in {} evaluations of a light",
+                                       rendering->stats.not_converged)));
         Compared compared;
         compared.method = method;
         compared.nt = quantity_image(*rendering, PictureQuantity::luminance);

@@ -1,6 +1,7 @@
 #include "export.hpp"
 
 #include <gonio/asset/stage_scene.hpp>
+#include <gonio/base/codes/result.hpp>
 
 #include "../asset_bytes.hpp"
 
@@ -58,13 +59,8 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     if (request.render.shadows != Shadows::soft)
         scene->instead.emplace_back("other renderers cast soft shadows regardless of --shadows");
     if (request.render.sky.value > 0.0) scene->instead.emplace_back("the sky of --sky is left out");
-    for (const std::string& line : scene->instead) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.location.file = request.export_file;
-        warning.message = line;
-        exported.diagnostics.push_back(std::move(warning));
-    }
+    for (const std::string& line : scene->instead)
+        exported.diagnostics.push_back(result_diagnostic("RES0201", line, {}, request.export_file));
     return exported;
 }
 

@@ -1,5 +1,6 @@
 #include "picture.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/plot/legend.hpp>
 #include <gonio/plot/picture_contours.hpp>
 #include <gonio/plot/raster.hpp>
@@ -200,12 +201,10 @@ void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
     const float greatest = std::accumulate(luminance_nt.pixels.begin(), luminance_nt.pixels.end(), 0.0F,
                                            [](float a, float b) { return std::max(a, b); });
     if (greatest < suspicious_nt) return;
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.message = fmt::format("pixels reach {:.3g} cd/m2: illuminance is limited to {} lx",
-                                  static_cast<double>(greatest), shading::illuminance_ceiling);
-    warning.hint = "use less light, or move it farther away";
-    diagnostics.push_back(std::move(warning));
+    diagnostics.push_back(result_diagnostic("RES0203",
+                                            fmt::format("pixels reach {:.3g} cd/m2: illuminance is limited to {} lx",
+                                                        static_cast<double>(greatest), shading::illuminance_ceiling),
+                                            "use less light, or move it farther away"));
 }
 
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,

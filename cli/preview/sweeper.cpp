@@ -47,7 +47,7 @@ Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<Li
     };
     const auto first = std::find_if(lights.begin(), lights.end(), of_name);
     const bool alone = lights.size() == 1 || !axis.target.empty();
-    return fail(Failure::usage,
+    return fail("USE0103",
                 alone ? fmt::format("--sweep '{}': the light has the shape {}, which has no {}", axis.text,
                                     kind_of(first->shape), axis.key)
                       : fmt::format("--sweep '{}': no light of the rig has {}", axis.text, axis.key),
@@ -68,7 +68,7 @@ Result<bool> set_materials(const SweepAxis& axis, std::size_t value, Stage& stag
     }
     if (was_set) return true;
     if (met == nullptr) return unknown_name("surface", axis.target, surface_names(stage), "--sweep " + axis.text);
-    return fail(Failure::usage,
+    return fail("USE0103",
                 fmt::format("--sweep '{}': the material of '{}' has no {}", axis.text, met->name, axis.key),
                 fmt::format("it has {}; --material sets another one", fmt::join(parameters_of(met->material), ", ")));
 }
@@ -109,7 +109,7 @@ Result<PreviewRequest> cell_request(const PreviewRequest& request, const Sweep& 
         else if (axis.target.empty())
             set = set_view(axis, value, of_cell);
         else
-            set = fail(Failure::usage,
+            set = fail("USE0107",
                        fmt::format("--sweep '{}': {} does not belong to a light or a surface", axis.text, axis.key),
                        fmt::format("write {} alone", axis.key));
         if (!set) return pass_on(set);

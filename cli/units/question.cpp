@@ -1,5 +1,6 @@
 #include "question.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/text.hpp>
 
@@ -87,19 +88,15 @@ Result<std::vector<PhotometricUnit>> wanted_units(const UnitsRequest& request, c
 
 // What the policy does to the flux is not what the number says: worth a warning.
 void warn(const Policy& policy, const PolicyMeaning& meaning, const std::string& value, Diagnostics& diagnostics) {
-    Diagnostic said;
-    said.severity = Severity::warning;
-    if (!meaning.own) {
-        said.severity = Severity::note;
-        said.message = fmt::format("{} does not use this unit: {} keeps its physical meaning", policy.name, value);
-    } else if (std::abs(meaning.emitted_over_said - 1.0) > 1e-12) {
-        said.message = fmt::format("{} emits {} times the flux that {} says: {}", policy.name,
-                                   rounded(meaning.emitted_over_said, 4), value, meaning.formula);
-        said.hint = fmt::format("from {}", policy.source);
-    } else {
-        return;
-    }
-    diagnostics.push_back(std::move(said));
+    if (!meaning.own)
+        diagnostics.push_back(result_diagnostic(
+            "RES0302", fmt::format("{} does not use this unit: {} keeps its physical meaning", policy.name, value)));
+    else if (std::abs(meaning.emitted_over_said - 1.0) > 1e-12)
+        diagnostics.push_back(
+            result_diagnostic("RES0301",
+                              fmt::format("{} emits {} times the flux that {} says: {}", policy.name,
+                                          rounded(meaning.emitted_over_said, 4), value, meaning.formula),
+                              fmt::format("from {}", policy.source)));
 }
 
 Result<void> solve(const UnitsRequest& request, const Emission& emitted, UnitsAnswer& result) {

@@ -346,16 +346,16 @@ Result<void> check_unit(const Target& target, Meters unit) {
         return {};
     case TargetLength::meter:
         if (is(1.0)) return {};
-        return fail(Failure::usage, fmt::format("{} always uses metres", target.name), "leave --unit-scale out");
+        return fail("USE0107", fmt::format("{} always uses metres", target.name), "leave --unit-scale out");
     case TargetLength::centimeter:
         if (is(1.0) || is(0.01)) return {};
-        return fail(Failure::usage, fmt::format("{} always uses centimetres", target.name),
+        return fail("USE0107", fmt::format("{} always uses centimetres", target.name),
                     "leave --unit-scale out: lengths are written in cm");
     case TargetLength::none:
         break;
     }
     if (is(1.0)) return {};
-    return fail(Failure::usage, fmt::format("{} does not have lengths to scale", target.name),
+    return fail("USE0107", fmt::format("{} does not have lengths to scale", target.name),
                 "leave --unit-scale out");
 }
 

@@ -131,10 +131,10 @@ Result<Manifest> merged(std::span<const Manifest> manifests) {
     const std::size_t count = manifests.front().shard ? manifests.front().shard->count : 0;
     for (const Manifest& part : manifests) {
         if (part.recipe != whole.recipe)
-            return fail(Failure::usage, "the manifests were made with different options",
+            return fail("USE0107", "the manifests were made with different options",
                         fmt::format("'{}' and '{}'", whole.recipe, part.recipe));
         if ((part.shard ? part.shard->count : 0) != count)
-            return fail(Failure::usage, "the manifests have different numbers of shards");
+            return fail("USE0107", "the manifests have different numbers of shards");
         if (part.shard && !shards.insert(part.shard->index).second)
             return fail("USE0107", fmt::format("shard {}/{} is given twice", part.shard->index, count));
         for (const ManifestAsset& asset : part.assets) {

@@ -1,5 +1,6 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/compare.hpp>
@@ -34,15 +35,11 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
     if (colored.text.empty() && !source.spectra.empty()) {
         Result<glm::dvec3> rgb = light_color_of(source.spectra.front(), &diagnostics);
         if (!rgb) return pass_on(rgb);
-        if (source.spectra.size() > 1) {
-            Diagnostic warning;
-            warning.severity = Severity::warning;
-            warning.location.file = source.file;
-            warning.message =
-                fmt::format("the profile has {} spectra; the light has the colour of the first", source.spectra.size());
-            warning.hint = "set one colour, for example --color 3000K";
-            diagnostics.push_back(std::move(warning));
-        }
+        if (source.spectra.size() > 1)
+            diagnostics.push_back(result_diagnostic(
+                "RES0105",
+                fmt::format("the profile has {} spectra; the light has the colour of the first", source.spectra.size()),
+                "set one colour, for example --color 3000K", source.file));
         return Colored{*rgb, "spectrum"};
     }
     if (colored.text.empty()) {
@@ -50,12 +47,9 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
         if (said.empty()) return colored;
         const std::optional<double> kelvin = color_temperature_of(said);
         if (!kelvin) {
-            Diagnostic warning;
-            warning.severity = Severity::warning;
-            warning.location.file = source.file;
-            warning.message = fmt::format("the colour temperature '{}' cannot be read: the light is white", said);
-            warning.hint = "set one, for example --color 3000K";
-            diagnostics.push_back(std::move(warning));
+            diagnostics.push_back(result_diagnostic(
+                "RES0106", fmt::format("the colour temperature '{}' cannot be read: the light is white", said),
+                "set one, for example --color 3000K", source.file));
             return colored;
         }
         colored.text = fmt::format("{}K", *kelvin);

@@ -106,7 +106,7 @@ Result<const StageFormat*> stage_format_of(std::string_view file) {
         if (file.size() > format.extension.size() && file.ends_with(format.extension)) return &format;
         known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
     }
-    return fail(Failure::usage, fmt::format("a scene cannot be written as '{}'", file),
+    return fail("USE0103", fmt::format("a scene cannot be written as '{}'", file),
                 fmt::format("the name must end in one of {}", known));
 }
 

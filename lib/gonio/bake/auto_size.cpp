@@ -28,7 +28,7 @@ Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candel
     while (best && best->max_error.value > max_error.value) {
         too_small = side;
         if (side == greatest_side)
-            return fail(Failure::usage,
+            return fail("USE0106",
                         fmt::format("no size up to {}x{} stays within {:.6g} cd: the error there is {:.6g} cd",
                                     best->image.width, best->image.height, max_error.value, best->max_error.value),
                         "allow a larger error, or choose another layout");

@@ -1,5 +1,6 @@
 #include <gonio/base/codes/failure.hpp>
 #include <gonio/base/codes/profile.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/codes/rig.hpp>
 #include <gonio/base/codes/web.hpp>
 #include <gonio/base/diagnostic_codes.hpp>
@@ -19,7 +20,7 @@ constexpr auto joined(const std::array<DiagnosticCode, Sizes>&... tables) {
     return all;
 }
 
-constexpr auto all_codes = joined(profile_codes, web_codes, rig_codes, failure_codes);
+constexpr auto all_codes = joined(profile_codes, web_codes, rig_codes, result_codes, failure_codes);
 static_assert(in_order(all_codes));
 
 constexpr std::array groups{
@@ -40,6 +41,10 @@ constexpr std::array groups{
     DiagnosticGroup{"WEB02", "What is lost or changed in another format"},
     DiagnosticGroup{"WEB03", "Whether such a light can be"},
     DiagnosticGroup{"RIG01", "Rigs"},
+    DiagnosticGroup{"RES01", "Results: colours"},
+    DiagnosticGroup{"RES02", "Results: files and pictures"},
+    DiagnosticGroup{"RES03", "Results: units"},
+    DiagnosticGroup{"RES04", "Results: points"},
     DiagnosticGroup{"USE01", "Usage: exit status 2"},
     DiagnosticGroup{"FIL01", "Files and folders: exit status 3"},
     DiagnosticGroup{"INP01", "Other inputs: exit status 4"},

@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/cct.hpp>
@@ -204,11 +205,9 @@ Cct fast_cct(Uv at) {
 
 Diagnostics remarks(Cct cct) {
     if (std::abs(cct.duv) <= meaningful_duv) return {};
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.message = fmt::format(
-        "a Duv of {} is beyond 0.05, where colour temperature means little according to the CIE", rounded(cct.duv, 4));
-    return {warning};
+    return {result_diagnostic(
+        "RES0101", fmt::format("a Duv of {} is beyond 0.05, where colour temperature means little according to the CIE",
+                               rounded(cct.duv, 4)))};
 }
 
 std::span<const TintConvention> tint_conventions() {

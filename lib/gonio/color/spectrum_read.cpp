@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_scope.hpp>
 #include <gonio/base/nearest.hpp>
@@ -74,14 +75,12 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
             "the eye sees from 380 to 780 nm");
     if (std::all_of(spectrum.power.begin(), spectrum.power.end(), [](double power) { return power == 0.0; }))
         return malformed(places.of(nm.size()), "no power anywhere in the spectrum");
-    if (nm.front() > 380.0 || nm.back() < 780.0) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.location.file = places.source;
-        warning.message = fmt::format("the spectrum reaches from {} to {} nm: taken as 0 beyond, up to 380 and 780 nm",
-                                      rounded(nm.front(), 9), rounded(nm.back(), 9));
-        spectrum.diagnostics.push_back(std::move(warning));
-    }
+    if (nm.front() > 380.0 || nm.back() < 780.0)
+        spectrum.diagnostics.push_back(result_diagnostic(
+            "RES0103",
+            fmt::format("the spectrum reaches from {} to {} nm: taken as 0 beyond, up to 380 and 780 nm",
+                        rounded(nm.front(), 9), rounded(nm.back(), 9)),
+            {}, places.source));
     return {};
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/cct.hpp>
@@ -52,14 +53,12 @@ Result<Uv> chromaticity(std::string_view text, FileScope* files) {
 
 glm::dvec3 in_working_space(std::string_view text, Uv at, Diagnostics* diagnostics) {
     const SpaceColor color = to_space(at, *find_rgb_space("rec709"), Gamut::clip);
-    if (!color.in_gamut && diagnostics != nullptr) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.message = fmt::format(
-            "'{}' lies outside Rec.709, the space of lights: clipped to it by {} in u'v' at the same luminance", text,
-            rounded(color.delta_uv_prime, 2));
-        diagnostics->push_back(std::move(warning));
-    }
+    if (!color.in_gamut && diagnostics != nullptr)
+        diagnostics->push_back(result_diagnostic(
+            "RES0104",
+            fmt::format(
+                "'{}' lies outside Rec.709, the space of lights: clipped to it by {} in u'v' at the same luminance",
+                text, rounded(color.delta_uv_prime, 2))));
     return color.rgb;
 }
 
@@ -112,8 +111,7 @@ Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnos
     const double greatest = std::max({rgb.x, rgb.y, rgb.z});
     if (greatest > 0.0) rgb = glm::dvec3(rgb.x / greatest, rgb.y / greatest, rgb.z / greatest);
     const double y = glm::dot(rgb, rec709_luminance);
-    if (!(y > 0.0))
-        return fail(Failure::usage, fmt::format("'{}' is black; the colour of a light must not be black", text));
+    if (!(y > 0.0)) return fail("USE0106", fmt::format("'{}' is black; the colour of a light must not be black", text));
     return rgb / y;
 }
 

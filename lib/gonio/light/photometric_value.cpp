@@ -108,7 +108,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScop
     if (!logarithmic && amount->number < 0.0)
         return fail("USE0106", fmt::format("'{}' is negative, but light is never negative", text));
     if (!photometric(unit.dimension))
-        return fail(Failure::usage,
+        return fail("USE0105",
                     fmt::format("'{}' is a {}, not an amount of light", text, dimension_name(unit.dimension)),
                     fmt::format("give {}", amounts_of_light));
     Result<PhotometricUnit> complete = complete_unit(unit, behind(text, at), text, files);

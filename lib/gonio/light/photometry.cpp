@@ -58,7 +58,7 @@ Unexpected sun_refused(const char* quantity) {
 Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factors, const PhotometricUnit& unit) {
     if (factors.at_infinity) {
         if (unit.distance)
-            return fail(Failure::usage, "the sun is infinitely far away, so its illuminance takes no distance",
+            return fail("USE0107", "the sun is infinitely far away, so its illuminance takes no distance",
                         fmt::format("write {} alone", unit.unit->symbol));
         return facing_factor(shape, factors, Meters(0.0));
     }
@@ -67,11 +67,11 @@ Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factor
                     fmt::format("the illuminance of a {} behind a mask does not have a closed form", kind_of(shape)),
                     "give lm, cd or nt; probe computes the illuminance");
     if (!unit.distance)
-        return fail(Failure::usage,
+        return fail("USE0104",
                     fmt::format("an illuminance in {} needs the distance of the receiver", unit.unit->symbol),
                     fmt::format("for example {}@2m", unit.unit->symbol));
     if (unit.distance->value < factors.nearest_m)
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("a distance of {} m is inside the {} of radius {} m", unit.distance->value,
                                 kind_of(shape), factors.nearest_m),
                     "the distance is measured from the centre");
@@ -102,7 +102,7 @@ Result<ShapePhotometry> ShapePhotometry::of(Shape shape) {
     if (!factors) return pass_on(factors);
     // A subnormal factor has lost digits, an infinite one all of them.
     if (factors->luminance && !std::isnormal(factors->luminance->value))
-        return fail(Failure::usage, fmt::format("the size of this {} is out of the range of a number", kind_of(shape)));
+        return fail("USE0106", fmt::format("the size of this {} is out of the range of a number", kind_of(shape)));
     return ShapePhotometry(std::move(shape), *factors);
 }
 
@@ -179,8 +179,8 @@ Result<Emission> ShapePhotometry::emission_of(const PhotometricValue& value, Con
     if (!strength) return pass_on(strength);
     const Emission emission = emission_of_strength(factors_, *strength);
     if (!std::isfinite(*strength) || !std::isfinite(emission.luminance.value))
-        return fail(Failure::usage, fmt::format("{} {} of this shape are out of the range of a number", value.number,
-                                                value.unit.unit->symbol));
+        return fail("USE0106", fmt::format("{} {} of this shape are out of the range of a number", value.number,
+                                           value.unit.unit->symbol));
     return emission;
 }
 
@@ -229,13 +229,13 @@ Result<double> ShapePhotometry::express(const Emission& emission, const Photomet
     }
     const double number = base / unit.unit->base_per_unit;
     if (!std::isfinite(number))
-        return fail(Failure::usage, fmt::format("the result in {} is too large for a number", unit.unit->symbol));
+        return fail("USE0106", fmt::format("the result in {} is too large for a number", unit.unit->symbol));
     return number;
 }
 
 Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illuminance) const {
     if (!(illuminance.value > 0.0) || !std::isfinite(illuminance.value))
-        return fail(Failure::usage, "a distance belongs to an illuminance above 0");
+        return fail("USE0106", "a distance belongs to an illuminance above 0");
     if (factors_.at_infinity)
         return fail(Failure::usage, "the sun is infinitely far away, so its illuminance does not depend on a distance");
     const double candela = emission.intensity.value * factors_.axial_share;
@@ -248,11 +248,10 @@ Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illumi
     // brightest direction bounds it for every shape but the tube, whose near end may count for more: doubled until
     // dark.
     double far = std::sqrt(candela / illuminance.value);
-    if (!std::isfinite(far) || !(far > 0.0))
-        return fail(Failure::usage, "the distance is out of the range of a number");
+    if (!std::isfinite(far) || !(far > 0.0)) return fail("USE0106", "the distance is out of the range of a number");
     double near = std::fmax(factors_.nearest_m, 1e-9 * far);
     if (lux_at(near) < illuminance.value)
-        return fail(Failure::usage, fmt::format("even at contact this light gives only {} lx", rounded(lux_at(near))),
+        return fail("USE0106", fmt::format("even at contact this light gives only {} lx", rounded(lux_at(near))),
                     "ask for less, or give it more flux or a smaller size");
     if (inverse_square_is_exact(shape_)) return Meters(far);
     far = std::fmax(far, near);

@@ -1,9 +1,10 @@
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/policy.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -332,21 +333,14 @@ std::span<const Policy> policies() {
 }
 
 Result<const Policy*> find_policy(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Policy& policy : policy_list) {
-        if (policy.name == name) return &policy;
-        names.push_back(policy.name);
-    }
-    names.emplace_back("all");
-    return unknown_name("policy", name, names);
+    return find_named("policy", name, policy_list, {}, "all");
 }
 
 Result<PolicyMeaning> policy_meaning(const Policy& policy, const Shape& shape, Dimension dimension) {
     PolicyMeaning meaning;
-    const PolicyRules* found = nullptr;
-    for (const PolicyRules& known : rules)
-        if (known.policy.name == policy.name) found = &known;
-    if (found == nullptr) return fail(Failure::internal, "a policy was asked for that does not exist");
+    const auto* const found = std::find_if(rules.begin(), rules.end(),
+                                           [&](const PolicyRules& known) { return known.policy.name == policy.name; });
+    if (found == rules.end()) return fail(Failure::internal, "a policy was asked for that does not exist");
     if (found->meanings == nullptr) {
         meaning.own = true;
         return meaning;

@@ -152,7 +152,7 @@ Result<Shape> parse_shape(std::string_view text) {
     // A file name may hold anything, so it is not cut at commas.
     if (text.starts_with("ies:")) {
         const std::string_view file = text.substr(4);
-        if (file.empty()) return fail(Failure::usage, "'ies:' needs a file", "write ies:lamp.ies");
+        if (file.empty()) return fail("USE0104", "'ies:' needs a file", "write ies:lamp.ies");
         return Shape(ProfileShape{std::string(file), nullptr});
     }
     Result<KindText> parsed = parse_kind_text(text);

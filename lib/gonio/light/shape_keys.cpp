@@ -19,7 +19,7 @@ const KindText::Entry* entry_of(const KindText& text, std::string_view key) {
 // The entry as written; fails when it is not there or bare. `example` is a value that would do.
 Result<std::string> needed(const KindText& text, std::string_view key, const char* what, std::string_view example) {
     if (const std::string* value = text.value(key)) return *value;
-    return fail(Failure::usage, fmt::format("'{}' needs {}={}", text.kind, key, what),
+    return fail("USE0104", fmt::format("'{}' needs {}={}", text.kind, key, what),
                 fmt::format("for example {}:{}={}", text.kind, key, example));
 }
 
@@ -31,7 +31,7 @@ Result<Meters> read_length(const KindText& text, std::string_view key) {
     Result<double> meters = parse_amount(*value, Dimension::length, fmt::format("{} of '{}'", key, text.kind));
     if (!meters) return pass_on(meters);
     if (!(*meters > 0.0))
-        return fail(Failure::usage, fmt::format("{} of '{}' must be greater than 0, not {}", key, text.kind, *value));
+        return fail("USE0106", fmt::format("{} of '{}' must be greater than 0, not {}", key, text.kind, *value));
     return Meters(*meters);
 }
 
@@ -48,7 +48,7 @@ Result<Radians> read_angle(const KindText& text, std::string_view key, std::stri
     const bool fits =
         (range.takes_least ? *angle >= least : *angle > least) && (range.takes_most ? *angle <= most : *angle < most);
     if (!fits)
-        return fail(Failure::usage, fmt::format("{} of '{}' must be {} {}deg and {} {}deg, not {}", key, text.kind,
+        return fail("USE0106", fmt::format("{} of '{}' must be {} {}deg and {} {}deg, not {}", key, text.kind,
                                                 range.takes_least ? "at least" : "greater than", range.least_deg,
                                                 range.takes_most ? "at most" : "less than", range.most_deg, *value));
     return Radians(*angle);
@@ -58,7 +58,7 @@ Result<bool> read_flag(const KindText& text, std::string_view key) {
     const KindText::Entry* const entry = entry_of(text, key);
     if (entry == nullptr) return false;
     if (entry->value)
-        return fail(Failure::usage, fmt::format("'{}' of '{}' takes no value", key, text.kind),
+        return fail("USE0107", fmt::format("'{}' of '{}' takes no value", key, text.kind),
                     fmt::format("write {} alone", key));
     return true;
 }
@@ -73,7 +73,7 @@ Result<void> read_mask(const KindText& text, std::string& file) {
     const KindText::Entry* const entry = entry_of(text, "mask");
     if (entry == nullptr) return {};
     if (!entry->value || entry->value->empty())
-        return fail(Failure::usage, fmt::format("mask of '{}' needs a file", text.kind), "write mask=lamp.ies");
+        return fail("USE0104", fmt::format("mask of '{}' needs a file", text.kind), "write mask=lamp.ies");
     file = *entry->value;
     return {};
 }
@@ -81,7 +81,7 @@ Result<void> read_mask(const KindText& text, std::string& file) {
 Result<double> read_factor(std::string_view value) {
     const std::optional<double> factor = parse_number(value);
     if (!factor || !(*factor > 0.0))
-        return fail(Failure::usage, fmt::format("size is a factor greater than 0, not '{}'", value));
+        return fail("USE0106", fmt::format("size is a factor greater than 0, not '{}'", value));
     return *factor;
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/media/detail/color_config.hpp>
@@ -58,13 +59,11 @@ Result<Entrance> entrance(const Config& config, const DisplayOptions& options, D
     if (!config.has_space("scene_linear"))
         return fail(Failure::unsupported, "the colour configuration has neither aces_interchange nor scene_linear",
                     "name its linear Rec.709 space as the source", options.config);
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.location.file = options.config;
-    warning.message = "the colour configuration has no role aces_interchange: linear Rec.709 pixels are taken for its "
-                      "scene_linear";
-    warning.hint = "name its linear Rec.709 space as the source";
-    diagnostics.push_back(std::move(warning));
+    diagnostics.push_back(
+        result_diagnostic("RES0107",
+                          "the colour configuration has no role aces_interchange: linear Rec.709 pixels are taken for "
+                          "its scene_linear",
+                          "name its linear Rec.709 space as the source", options.config));
     return Entrance{"scene_linear", false};
 }
 
@@ -90,7 +89,7 @@ Result<void> apply_rows(Image& image, const std::vector<const Processor*>& proce
 
 Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
     if (image.channels != 3 && image.channels != 4)
-        return fail(Failure::usage, fmt::format("a picture of {} channels has no display colours", image.channels),
+        return fail("USE0106", fmt::format("a picture of {} channels has no display colours", image.channels),
                     "the picture must be RGB or RGBA");
     if (image.pixels.size() != image.index(0, image.height))
         return fail(Failure::internal, "the picture's buffer is not of the picture's size");

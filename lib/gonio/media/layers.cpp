@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/media/layers.hpp>
 
 #include <fmt/format.h>
@@ -90,12 +91,9 @@ std::vector<std::string> layer_names(std::span<const std::string> names, std::sp
         std::string unique = plain;
         for (std::size_t count = 2; !taken.insert(unique).second; ++count)
             unique = fmt::format("{}_{}", plain, count);
-        if (unique != name) {
-            Diagnostic note;
-            note.severity = Severity::note;
-            note.message = fmt::format("the layer of '{}' is called {}", name, unique);
-            diagnostics.push_back(std::move(note));
-        }
+        if (unique != name)
+            diagnostics.push_back(
+                result_diagnostic("RES0204", fmt::format("the layer of '{}' is called {}", name, unique)));
         given.push_back(std::move(unique));
     }
     return given;

@@ -18,7 +18,7 @@ namespace {
 Result<void> all_have_values(const KindText& text) {
     for (const KindText::Entry& entry : text.entries)
         if (!entry.value)
-            return fail(Failure::usage, fmt::format("the key '{}' of '{}' needs a value", entry.key, text.kind));
+            return fail("USE0104", fmt::format("the key '{}' of '{}' needs a value", entry.key, text.kind));
     return {};
 }
 

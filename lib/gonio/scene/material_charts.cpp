@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/material_charts.hpp>
@@ -54,10 +55,9 @@ public:
 
 private:
     void say(std::string message) {
-        Diagnostic& diagnostic = found_.emplace_back();
-        diagnostic.severity = Severity::warning;
-        diagnostic.message = std::move(message);
-        diagnostic.hint = "from the artists' charts of Remember Me (2013); the value is used as given";
+        found_.push_back(
+            result_diagnostic("RES0108", std::move(message),
+                              "from the artists' charts of Remember Me (2013); the value is used as given"));
     }
 
     Diagnostics found_;

@@ -117,7 +117,7 @@ struct Setting {
             if (how == Answer::by_its_complement) {
                 const std::optional<double> number = parse_number(value);
                 if (!number || *number < 0.0 || *number > 1.0) {
-                    done = fail(Failure::usage, fmt::format("{} must be a number in [0, 1], not '{}'", name, value));
+                    done = fail("USE0106", fmt::format("{} must be a number in [0, 1], not '{}'", name, value));
                     return;
                 }
                 text = shortest(1.0 - *number);

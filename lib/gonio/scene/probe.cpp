@@ -1,3 +1,4 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/scene/probe.hpp>
@@ -81,7 +82,7 @@ Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const 
         const std::optional<glm::dvec3> toward =
             unit_vector(view.eye ? *view.eye - receivers[i].position : view.direction);
         if (!toward)
-            return view.eye ? fail(Failure::usage, fmt::format("the eye is at point {}", i + 1))
+            return view.eye ? fail("USE0106", fmt::format("the eye is at point {}", i + 1))
                             : fail("USE0106", "the view is zero or not finite");
         views.push_back(*toward);
     }
@@ -222,38 +223,35 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
 
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights) {
     Diagnostics diagnostics;
-    const auto say = [&](Severity severity, std::string message, std::string hint) {
-        Diagnostic& diagnostic = diagnostics.emplace_back();
-        diagnostic.severity = severity;
-        diagnostic.message = std::move(message);
-        diagnostic.hint = std::move(hint);
+    const auto say = [&](CodeOf<result_codes> code, std::string message, std::string hint) {
+        diagnostics.push_back(result_diagnostic(code, std::move(message), std::move(hint)));
     };
     if (remarks.on_light.count > 0)
-        say(Severity::warning,
+        say("RES0401",
             fmt::format("point {} lies on '{}', which has no size: it counts as 0 there{}",
                         remarks.on_light.receiver + 1, lights[remarks.on_light.light].name,
                         others(remarks.on_light.count)),
             {});
     if (remarks.inside.count > 0)
-        say(Severity::note,
+        say("RES0402",
             fmt::format("point {} lies inside '{}', which lights it from everywhere{}", remarks.inside.receiver + 1,
                         lights[remarks.inside.light].name, others(remarks.inside.count)),
             {});
     if (remarks.unseen.count > 0)
-        say(Severity::note,
+        say("RES0403",
             fmt::format("point {} is seen from below its surface, where its luminance is 0{}",
                         remarks.unseen.receiver + 1,
                         remarks.unseen.count > 1 ? fmt::format("; {} such points in total", remarks.unseen.count)
                                                  : std::string()),
             "the view points from the surface to the eye");
     if (remarks.at_ceiling.count > 0)
-        say(Severity::warning,
+        say("RES0203",
             fmt::format("the light of '{}' at point {} is limited to {} lx or cd/m2{}",
                         lights[remarks.at_ceiling.light].name, remarks.at_ceiling.receiver + 1,
                         shading::illuminance_ceiling, others(remarks.at_ceiling.count)),
             "use less light, or move it farther away");
     if (remarks.not_converged.count > 0)
-        say(Severity::warning,
+        say("RES0202",
             fmt::format("the requested error was not reached at point {} under '{}'{}",
                         remarks.not_converged.receiver + 1, lights[remarks.not_converged.light].name,
                         others(remarks.not_converged.count)),

@@ -21,9 +21,10 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
+// Not inlined: it does not depend on the material, and is compiled once for each light instead of once for each pair.
 template<class CoreLight>
-shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal, Vec view, double alpha,
-                                            IrradianceMethod method) {
+[[gnu::noinline]] shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal,
+                                                              Vec view, double alpha, IrradianceMethod method) {
     using shading::specular_by;
     using shading::SpecularMethod;
     switch (method) {

@@ -12,7 +12,7 @@ namespace gonio::detail {
 namespace {
 
 Unexpected outside(const KindText& text, std::string_view key, std::string_view value) {
-    return fail(Failure::usage, fmt::format("{} of '{}' must lie in [0, 1], not {}", key, text.kind, value));
+    return fail("USE0106", fmt::format("{} of '{}' must lie in [0, 1], not {}", key, text.kind, value));
 }
 
 } // namespace
@@ -21,7 +21,7 @@ Result<void> read_share(const KindText& text, std::string_view key, double& targ
     const std::string* value = text.value(key);
     if (value == nullptr) return {};
     const std::optional<double> number = parse_number(*value);
-    if (!number) return fail(Failure::usage, fmt::format("{} of '{}' is not a number: '{}'", key, text.kind, *value));
+    if (!number) return fail("USE0105", fmt::format("{} of '{}' is not a number: '{}'", key, text.kind, *value));
     if (*number < 0.0 || *number > 1.0) return outside(text, key, *value);
     target = *number;
     return {};
@@ -32,7 +32,7 @@ Result<void> read_color(const KindText& text, std::string_view key, glm::dvec3& 
     if (value == nullptr) return {};
     const Result<glm::dvec3> rgb = parse_rgb(*value);
     if (!rgb)
-        return fail(Failure::usage, fmt::format("{} of '{}' is not a colour: '{}'", key, text.kind, *value),
+        return fail("USE0105", fmt::format("{} of '{}' is not a colour: '{}'", key, text.kind, *value),
                     "write a number in [0, 1] or rgb(r,g,b)");
     for (int channel = 0; channel < 3; ++channel)
         if ((*rgb)[channel] > 1.0) return outside(text, key, *value);
@@ -42,7 +42,7 @@ Result<void> read_color(const KindText& text, std::string_view key, glm::dvec3& 
 
 Result<void> read_alpha(const KindText& text, std::string_view key, double& target) {
     if (text.value(key) != nullptr && text.value("roughness") != nullptr)
-        return fail(Failure::usage, fmt::format("'{}' is given both {} and roughness", text.kind, key),
+        return fail("USE0107", fmt::format("'{}' is given both {} and roughness", text.kind, key),
                     fmt::format("{} is the square of roughness", key));
     if (text.value("roughness") == nullptr) return read_share(text, key, target);
     double roughness = 0.0;

@@ -46,15 +46,15 @@ std::vector<std::string_view> surface_names(const Stage& stage) {
 
 Result<void> check_camera(const Stage& stage, const Camera& camera) {
     const glm::dvec3 view = camera.target - camera.position;
-    if (view == glm::dvec3(0.0)) return fail(Failure::usage, "the camera must not be at its own target");
+    if (view == glm::dvec3(0.0)) return fail("USE0106", "the camera must not be at its own target");
     const glm::dvec3 across = glm::cross(glm::normalize(view), glm::normalize(camera.up));
     if (is_chosen(camera.up) && glm::length(across) < 1e-6)
-        return fail(Failure::usage, "the camera looks along its own up direction");
+        return fail("USE0106", "the camera looks along its own up direction");
     for (const Surface& surface : stage.surfaces) {
         if (!hides(surface.geometry, camera.position)) continue;
         const glm::dvec3& at = camera.position;
         const bool is_plane = std::holds_alternative<Plane>(surface.geometry);
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("the camera at {:g},{:g},{:g} is {} '{}'", at.x, at.y, at.z, is_plane ? "behind" : "in",
                                 surface.name),
                     is_plane ? "a plane is seen from its lit side only" : "a solid is seen from outside only");

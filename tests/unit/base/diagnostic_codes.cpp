@@ -1,6 +1,7 @@
 // The registry of diagnostic codes, and that every error has one of them.
 #include <gonio/base/codes/failure.hpp>
 #include <gonio/base/codes/profile.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/codes/rig.hpp>
 #include <gonio/base/codes/web.hpp>
 #include <gonio/base/diagnostic_codes.hpp>
@@ -29,7 +30,7 @@ TEST(DiagnosticCodes, AreFoundByTheirName) {
     for (const DiagnosticCode& code : diagnostic_codes())
         EXPECT_EQ(find_diagnostic_code(code.code), &code);
     EXPECT_EQ(diagnostic_codes().size(),
-              profile_codes.size() + web_codes.size() + rig_codes.size() + failure_codes.size());
+              profile_codes.size() + web_codes.size() + rig_codes.size() + result_codes.size() + failure_codes.size());
     for (const std::string_view none : {"", "IES9999", "ies0204", "IES020", "IES02040"})
         EXPECT_EQ(find_diagnostic_code(none), nullptr) << none;
 }

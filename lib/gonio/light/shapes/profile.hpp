@@ -16,7 +16,7 @@ struct ShapeTraits<ProfileShape> {
 
     // Of "ies" without its colon: with it, the rest is the file (parse_shape).
     static Result<ProfileShape> parse(const KindText&) {
-        return fail(Failure::usage, "'ies' needs a file", "write ies:lamp.ies");
+        return fail("USE0104", "'ies' needs a file", "write ies:lamp.ies");
     }
 
     static double largest(const ProfileShape&) { return 0.0; }

@@ -30,7 +30,7 @@ Result<bool> set_angles(SpotShape& spot, const Result<Radians>& inner, const Res
     if (!inner) return Unexpected(inner.error());
     if (!outer) return Unexpected(outer.error());
     if (inner->value > outer->value)
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("inner of 'spot', {}deg, is more than outer, {}deg", rounded(to_degrees(*inner)),
                                 rounded(to_degrees(*outer))),
                     "both are half angles from the axis");
@@ -64,7 +64,7 @@ Result<bool> set_beam(SpotShape& spot, const std::string& value) {
     const double inner_share = spot.outer.value > 0.0 ? spot.inner / spot.outer : 0.0;
     const double most = 2.0 * half_beam(with_outer(spot, widest, inner_share)).value;
     if (!(*beam > 0.0) || *beam > most)
-        return fail(Failure::usage,
+        return fail("USE0106",
                     fmt::format("beam of this 'spot' must be greater than 0deg and at most {}deg, not {}",
                                 rounded(to_degrees(Radians(most))), value),
                     "it is the full angle at half of the peak");
@@ -84,7 +84,7 @@ Result<SpotShape> ShapeTraits<SpotShape>::parse(const KindText& text) {
     constexpr std::array<std::string_view, 5> known{"outer", "cone", "inner", "falloff", "mask"};
     if (Result<void> only = only_keys(text, known); !only) return pass_on(only);
     if (text.value("cone") != nullptr && text.value("outer") != nullptr)
-        return fail(Failure::usage, "'spot' takes outer or cone, not both",
+        return fail("USE0107", "'spot' takes outer or cone, not both",
                     "outer is the half angle, cone the full one");
     SpotShape made;
     Result<Radians> outer = read_outer(text);
@@ -95,14 +95,14 @@ Result<SpotShape> ShapeTraits<SpotShape>::parse(const KindText& text) {
         if (!inner) return pass_on(inner);
         made.inner = Radians(*inner);
         if (!(*inner >= 0.0))
-            return fail(Failure::usage, fmt::format("inner of 'spot' must be at least 0deg, not {}", *inner_text));
+            return fail("USE0106", fmt::format("inner of 'spot' must be at least 0deg, not {}", *inner_text));
         if (*inner > made.outer.value)
-            return fail(Failure::usage,
+            return fail("USE0106",
                         fmt::format("inner of 'spot' must be at most its outer half angle of {}deg, not {}",
                                     rounded(to_degrees(made.outer)), *inner_text),
                         "inner is a half angle too");
     } else if (Result<bool> bare = read_flag(text, "inner"); bare && *bare) {
-        return fail(Failure::usage, "'spot' needs a value for inner", "for example inner=25deg");
+        return fail("USE0104", "'spot' needs a value for inner", "for example inner=25deg");
     }
     Result<void> read = read_key(text, std::get<2>(keys), made);
     if (read) read = read_mask(text, made.mask_file);

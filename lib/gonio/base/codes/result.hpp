@@ -1,0 +1,62 @@
+// Diagnostic codes about results: colours, outputs and units that are not quite what was asked for. None of them is an
+// error.
+#pragma once
+
+#include <gonio/base/diagnostic_codes.hpp>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace gonio {
+
+inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
+    {"RES0101", Severity::warning, Strict::same, "colour far from the Planckian locus",
+     "Beyond a Duv of 0.05 a colour temperature means little, according to the CIE. It is printed all the same."},
+    {"RES0102", Severity::warning, Strict::same, "colour without a temperature",
+     "The colour is outside the range in which colour temperature is defined. Its other values are printed."},
+    {"RES0103", Severity::warning, Strict::same, "spectrum that is too short",
+     "The spectrum does not cover 380 to 780 nm. It is taken as 0 outside its own range."},
+    {"RES0104", Severity::warning, Strict::same, "colour outside Rec.709",
+     "Lights have colours of linear Rec.709. The colour is moved into it at the same luminance."},
+    {"RES0105", Severity::warning, Strict::same, "several spectra",
+     "The profile has more than one spectrum, and a light has one colour: that of the first."},
+    {"RES0106", Severity::warning, Strict::same, "colour temperature that cannot be read",
+     "The profile states a colour temperature in words that gonio does not understand. The light is white."},
+    {"RES0107", Severity::warning, Strict::same, "colour configuration without an interchange role",
+     "The configuration does not say which of its spaces is ACES2065-1. Linear Rec.709 is taken for its scene_linear."},
+    {"RES0108", Severity::warning, Strict::same, "colour outside the artists' charts",
+     "Few real materials have such a colour, according to the charts of Remember Me (2013). The value is used as "
+     "given."},
+
+    {"RES0201", Severity::warning, Strict::same, "something that the target cannot store",
+     "The program that the file is for does not have this. The message states what is written instead."},
+    {"RES0202", Severity::warning, Strict::same, "error not reached",
+     "The evaluation of a light stopped at its limit of evaluations before it reached the requested error."},
+    {"RES0203", Severity::warning, Strict::same, "illuminance at its limit",
+     "The value is the greatest that gonio computes. The true value is higher."},
+    {"RES0204", Severity::note, Strict::same, "layer with another name",
+     "The name of the light is not the name of a layer yet: other characters are replaced, and equal names numbered."},
+    {"RES0205", Severity::warning, Strict::same, "names that differ only in case",
+     "On a file system that ignores case, one of the files replaces the other."},
+
+    {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
+     "By the convention of the program, the light does not emit what the number states in SI units."},
+    {"RES0302", Severity::note, Strict::same, "unit that the program does not use",
+     "The convention of the program does not cover this unit. The amount keeps its physical meaning."},
+
+    {"RES0401", Severity::warning, Strict::same, "point on a light without size",
+     "The illuminance at the position of a point light is infinite. The light counts as 0 there."},
+    {"RES0402", Severity::note, Strict::same, "point inside a light",
+     "The point is inside a luminous solid, which lights it from all sides."},
+    {"RES0403", Severity::note, Strict::same, "surface seen from below",
+     "The view comes from below the surface, where its luminance is 0."},
+});
+static_assert(in_order(result_codes));
+
+inline Diagnostic result_diagnostic(CodeOf<result_codes> code, std::string message, std::string hint = {},
+                                    std::string file = {}) {
+    return {std::string(code->code), code->severity, {std::move(file), 0, 0}, std::move(message), std::move(hint)};
+}
+
+} // namespace gonio
