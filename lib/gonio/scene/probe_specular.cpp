@@ -42,7 +42,8 @@ shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_cente
     }
 }
 
-// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
+// The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
+// the receiver.
 shading::SphereLight<double> as_sphere(const shading::SunLight<double>& sun) {
     return {sun.toward, sun.luminance, std::min(sun.sine, 1.0 - 1e-12), 0.0};
 }
