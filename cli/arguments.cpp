@@ -19,7 +19,7 @@ std::vector<const Option*> options_of(const Command& command) {
     return all;
 }
 
-// The sentence for what CLI11 refused.
+// The message for what CLI11 refused.
 Unexpected refused(const Command& command, const CLI::ParseError& error, const CLI::App& app) {
     const std::string see = fmt::format("see 'gonio {} --help'", command.name);
     for (const std::string& word : app.remaining()) {
@@ -33,7 +33,7 @@ Unexpected refused(const Command& command, const CLI::ParseError& error, const C
         return fail("USE0102", fmt::format("unknown option '{}'", bare),
                     guess.empty() ? see : fmt::format("did you mean '{}'?", guess));
     }
-    // CLI11 says "--shape: 1 required TEXT missing".
+    // The text by CLI11 is "--shape: 1 required TEXT missing".
     const std::string_view said = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return fail("USE0104", fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
@@ -77,7 +77,7 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
     }
     app.add_option("words", arguments.positional_)->expected(-1);
 
-    // CLI11 takes the words in reverse.
+    // CLI11 takes the words in reverse order.
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     try {
         app.parse(std::move(reversed));

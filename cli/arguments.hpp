@@ -1,4 +1,4 @@
-// The parsed words behind a command's name.
+// The parsed words after a command's name.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -15,16 +15,16 @@ namespace gonio::cli {
 
 class Arguments {
 public:
-    // Fails (usage) on an unknown option (naming the nearest) and on an option without its value.
+    // Fails (usage) on an unknown option (the error names the nearest one) and on an option without its value.
     static Result<Arguments> parse(const Command& command, std::span<char* const> words);
 
-    // Whether a switch or option was given, by its last name: "--json".
+    // Whether a switch or option was given, by its last spelling: "--json".
     bool has(std::string_view name) const;
 
-    // The value of an option; the last one where it was repeated.
+    // The value of an option; the last one if it was repeated.
     std::optional<std::string> value(std::string_view name) const;
 
-    // All values of an option in their order.
+    // All values of an option, in their order.
     std::vector<std::string> values(std::string_view name) const;
 
     const std::vector<std::string>& positional() const { return positional_; }

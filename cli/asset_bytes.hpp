@@ -1,4 +1,4 @@
-// What a file of an asset holds, pictures encoded.
+// The contents of a file of an asset, with pictures encoded.
 #pragma once
 
 #include <gonio/asset/target.hpp>

@@ -14,7 +14,7 @@ namespace gonio::cli {
 
 namespace {
 
-// Takes outcomes in any order and says them in the order of the inputs.
+// Takes outcomes in any order and prints them in the order of the inputs.
 class Narrator {
 public:
     Narrator(const Batch& batch, ReportKind kind, Console& console)
@@ -62,7 +62,7 @@ private:
             ++failed_;
             name_input(*outcome.error, input);
             status_ = worse(status_, console_.fail(*outcome.error));
-            // A file that could not be read still has its place in a report of several.
+            // A file that could not be read still has its entry in a report of several.
             outcome.report = {{"schema", batch_.schema},
                               {"file", input},
                               {"diagnostics", diagnostics_json(outcome.error->diagnostics)}};
@@ -77,7 +77,7 @@ private:
         if (kind_ == ReportKind::json) reports_.push_back(std::move(outcome.report));
     }
 
-    // In a batch a message without a file would not tell which input it is about.
+    // In a batch, a message without a file name would not show which input it is about.
     void name_input(Error& error, const std::string& input) const {
         if (batch_.inputs.size() == 1) return;
         for (Diagnostic& diagnostic : error.diagnostics)
@@ -89,8 +89,8 @@ private:
     Console& console_;
     std::mutex mutex_;
     Progress progress_;
-    std::vector<std::optional<Outcome>> waiting_; // done, and not yet said
-    std::size_t next_ = 0;                        // the input whose turn it is
+    std::vector<std::optional<Outcome>> waiting_; // done, but not yet printed
+    std::size_t next_ = 0;                        // the input to print next
     std::size_t taken_ = 0;
     std::size_t failed_ = 0;
     std::size_t unchanged_ = 0;
@@ -107,7 +107,7 @@ ReportKind report_kind(const Arguments& arguments) {
 
 int run_batch(const Batch& batch, ReportKind kind, Console& console, const std::function<Outcome(std::size_t)>& work) {
     Narrator narrator(batch, kind, console);
-    // What one input throws is its error, and the others go on.
+    // An exception from one input is the error of that input; the others continue.
     const auto outcome_of = [&](std::size_t index) {
         try {
             return work(index);

@@ -29,7 +29,7 @@ Result<Shard> parse_shard(const std::string& text) {
     return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
 }
 
-// Lists what is whole and what failed, in the order of the inputs.
+// Lists complete assets and failed ones, in the order of the inputs.
 Result<void> write_manifest(const Catalogue& catalogue, const std::string& recipe, const Batch& batch,
                             std::vector<ManifestAsset> assets) {
     Manifest manifest;

@@ -1,4 +1,4 @@
-// Catalogues: many inputs made into files, the whole or a shard of them, with a manifest of what is whole.
+// Catalogues: many inputs made into files, all of them or a shard, with a manifest of the complete assets.
 #pragma once
 
 #include <gonio/asset/manifest.hpp>
@@ -32,24 +32,24 @@ struct Catalogue {
 
 Result<Catalogue> catalogue_of(const Arguments& arguments);
 
-// All inputs without a shard.
+// All inputs if there is no shard.
 Share share_of(const Catalogue& catalogue);
 
-// What became of one input.
+// The outcome of one input.
 // NOLINTNEXTLINE(bugprone-exception-escape): as of Outcome, which it holds
 struct Made {
     Outcome outcome;
-    ManifestAsset asset; // without files: nothing was made of it
+    ManifestAsset asset; // without files: nothing was made
 };
 
-// run_batch(), and the manifest if one is wanted. `recipe`: the options that everything was made with.
+// run_batch(), and the manifest if requested. `recipe`: the options that everything was made with.
 int run_catalogue(const Batch& batch, const Catalogue& catalogue, const std::string& recipe, ReportKind kind,
                   Console& console, const std::function<Result<Made>(std::size_t)>& work);
 
-// --merge: the manifests that are named, as that of the whole, to -o. Returns the exit status.
+// --merge: merges the named manifests into one manifest of the whole, written to -o. Returns the exit status.
 Result<int> merge_manifests(const Arguments& arguments, Console& console);
 
-// A file that is there, and the hash of its bytes.
+// An existing file, and the hash of its bytes.
 Result<ManifestFile> hashed(const std::string& file);
 
 } // namespace gonio::cli

@@ -1,5 +1,5 @@
-// What a command of the tool is: its description, from which help, completion and the option parser are made, and the
-// function that runs it. A command's description and code stand in commands/<name>.cpp.
+// A command of the tool: its description, from which help, completion and the option parser are made, and the function
+// that runs it. The description and code of a command are in commands/<name>.cpp.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct Option {
     std::string_view names; // "-o,--output"; the last one is its name in Arguments
     std::string_view value; // "FILE"; empty for a switch
     std::string_view help;
-    std::string_view list = {}; // the list of `gonio list` that holds the possible values, for completion
+    std::string_view list = {}; // the list of `gonio list` with the possible values, for completion
 };
 
 struct OptionGroup {
@@ -30,18 +30,18 @@ struct Example {
 struct Command {
     std::string_view name;
     std::string_view summary;   // one line, no full stop
-    std::string_view usage;     // what follows the name: "FILE… [options]"
+    std::string_view usage;     // the text after the name: "FILE… [options]"
     std::string_view arguments; // lines about the positional arguments; may be empty
     std::span<const OptionGroup> groups;
     std::span<const Example> examples;
     int (*run)(const Arguments&, Console&); // returns the exit status
-    bool color_is_of_light = false;         // --color takes a light's colour besides auto, always and never
+    bool color_is_of_light = false;         // --color takes a light's colour as well as auto, always and never
 };
 
 // Every command, in the order of the overview.
 std::span<const Command* const> commands();
 
-// nullptr when there is none of that name.
+// nullptr if there is no command of that name.
 const Command* find_command(std::string_view name);
 
 } // namespace gonio::cli

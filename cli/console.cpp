@@ -13,11 +13,11 @@ namespace gonio::cli {
 namespace {
 
 void write_error_line(const std::string& text) {
-    // Nowhere is left to report a failure of standard error.
+    // If writing to stderr fails, there is nowhere left to report it.
     (void)std::fputs((text + "\n").c_str(), stderr);
 }
 
-// Colours the word of the severity, as compilers do.
+// Colours the severity word, as compilers do.
 std::string colored(std::string text, Severity severity) {
     const char* const code = severity == Severity::error ? "1;31" : severity == Severity::warning ? "1;35" : "1;36";
     const std::string word = to_text(severity);
@@ -48,7 +48,7 @@ void Console::remark(std::string_view text) const {
 }
 
 int Console::fail(const Error& error) const {
-    // Of an input that is refused only the reason matters; reports in JSON carry everything that was noticed.
+    // For a refused input only the errors are printed; reports in JSON carry all diagnostics.
     for (const Diagnostic& diagnostic : error.diagnostics)
         if (diagnostic.severity == Severity::error) say(diagnostic);
     return static_cast<int>(error.failure);

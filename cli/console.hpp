@@ -1,5 +1,5 @@
-// What a command says: results to standard output, collected and written in one piece (a batch: a piece for
-// each input), diagnostics to standard error.
+// The output of a command: results to stdout, collected and written in one piece (in a batch: one piece for each
+// input), diagnostics to stderr.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -14,32 +14,32 @@ public:
     // Adds to the result.
     void print(std::string_view text) { output_ += text; }
 
-    // Writes a diagnostic to standard error; notes and warnings only unless quiet.
+    // Writes a diagnostic to stderr; notes and warnings only if not quiet.
     void say(const Diagnostic& diagnostic) const;
     void say(const Diagnostics& diagnostics) const;
 
-    // One line to standard error, unless quiet.
+    // One line to stderr, unless quiet.
     void note(std::string_view text) const;
 
-    // One line to standard error when verbose.
+    // One line to stderr if verbose.
     void remark(std::string_view text) const;
 
-    // Says why, and returns the exit status of the failure.
+    // Prints the error, and returns the exit status of the failure.
     int fail(const Error& error) const;
 
-    // Writes out what was printed since the last time; returns `status`, or 3 where that is higher and the result could
-    // not be written, which is said once.
+    // Writes out everything printed since the last call. Returns `status`, or 3 if that is higher and the result could
+    // not be written; this failure is reported once.
     int flush(int status);
 
     void set_quiet(bool quiet) { quiet_ = quiet; }
     void set_verbose(bool verbose) { verbose_ = verbose; }
     void set_color(bool color) { color_ = color; }
 
-    // Whether standard output is a terminal.
+    // Whether stdout is a terminal.
     static bool output_is_terminal();
     static bool errors_are_terminal();
 
-    // Whether a progress bar would be seen and is not unwelcome.
+    // Whether a progress bar would be visible and is wanted.
     bool shows_progress() const { return !quiet_ && errors_are_terminal(); }
 
 private:

@@ -13,7 +13,7 @@ volatile std::sig_atomic_t was_interrupted = 0;
 extern "C" void end_cleanly(int signal) {
     remove_temporary_files();
     (void)std::signal(signal, SIG_DFL);
-    (void)std::raise(signal); // held back until this handler returns
+    (void)std::raise(signal); // blocked until this handler returns
 }
 
 extern "C" void note_interrupt(int /*signal*/) {
@@ -21,7 +21,7 @@ extern "C" void note_interrupt(int /*signal*/) {
     (void)std::signal(SIGINT, end_cleanly);
 }
 
-// Who started the tool with the signal ignored (nohup, a shell's background job) wants it ignored.
+// If the tool was started with the signal ignored (nohup, a shell's background job), it stays ignored.
 void handle(int signal, void (*handler)(int)) {
     if (std::signal(signal, handler) == SIG_IGN) (void)std::signal(signal, SIG_IGN);
 }

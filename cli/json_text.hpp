@@ -13,7 +13,7 @@ namespace gonio::cli {
 
 using Json = nlohmann::ordered_json;
 
-// A number that is there, or null. Not finite counts as not there: JSON has no such numbers.
+// The number, or null if there is none or it is not finite: JSON has no such numbers.
 inline Json number_or_null(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -31,7 +31,7 @@ inline Json diagnostics_json(const Diagnostics& diagnostics) {
     return list;
 }
 
-// Text of a file need not be UTF-8: what is not becomes a replacement character instead of a failure.
+// Text from a file need not be UTF-8: invalid bytes become replacement characters instead of a failure.
 inline std::string dump(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }

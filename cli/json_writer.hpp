@@ -1,5 +1,5 @@
-// A JSON object whose long array is written piece by piece, so that a report of a million points is never held as a
-// tree. What comes out is what dump() of the whole would give.
+// A JSON object with a long array that is written piece by piece, so that a report of a million points is never held as
+// a tree. The output is the same as dump() of the whole.
 #pragma once
 
 #include "console.hpp"
@@ -12,7 +12,7 @@ namespace gonio::cli {
 
 class JsonWriter {
 public:
-    // `pretty`: two spaces a level; else one line.
+    // `pretty`: two spaces per level; else one line.
     JsonWriter(Console& console, bool pretty) : console_(console), pretty_(pretty) { console_.print("{"); }
 
     void member(std::string_view key, const Json& value) {
@@ -52,7 +52,7 @@ private:
         if (pretty_) console_.print("\n" + std::string(2 * level, ' '));
     }
 
-    // Newlines in a dump are only those between its values: in strings they are escaped.
+    // All newlines in a dump are between values: in strings they are escaped.
     std::string text(const Json& value, std::size_t level) const {
         std::string dumped = value.dump(pretty_ ? 2 : -1, ' ', false, Json::error_handler_t::replace);
         if (!pretty_) return dumped;

@@ -21,7 +21,7 @@ struct NamedList {
 
 std::span<const NamedList> named_lists();
 
-// nullptr when there is none of that name.
+// nullptr if there is no list of that name.
 const NamedList* find_list(std::string_view name);
 
 } // namespace gonio::cli

@@ -1,4 +1,4 @@
-// gonio: the command-line tool. Finds the command, parses only its options, runs it, writes what it said.
+// gonio: the command-line tool. Finds the command, parses only its options, runs it and writes its output.
 #include <gonio/base/file.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/named.hpp>
@@ -33,8 +33,8 @@ int unknown_command(std::string_view name, Console& console) {
             .value());
 }
 
-// Whether diagnostics are coloured: asked for, or a terminal is there and NO_COLOR is not set (no-color.org).
-// Commands that place a light use the same option for the light's colour, so they let other words through.
+// Whether diagnostics are coloured: if requested, or if stderr is a terminal and NO_COLOR is not set (no-color.org).
+// Commands that place a light use the same option for the light's colour, so they accept other words too.
 Result<bool> colored(const Command& command, const Arguments& arguments) {
     const std::string when = arguments.value("--color").value_or("auto");
     if (when == "always") return true;

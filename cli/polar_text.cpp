@@ -12,7 +12,8 @@ namespace gonio::cli {
 std::string polar_text(const Web& web, int columns, int rows) {
     const double top = peak(web).intensity.value;
     if (!(top > 0.0)) return {};
-    // A braille character is two dots wide and four high (Unicode block 2800), about as wide as it is high per dot.
+    // A braille character is two dots wide and four high (Unicode block 2800), so its dots are about equally far apart
+    // in both directions.
     const int width = 2 * columns;
     const int height = 4 * rows;
     std::vector<unsigned char> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);

@@ -23,7 +23,7 @@ void Progress::show(std::size_t done, std::string_view latest) {
     last_ms_ = now_ms;
     drawn_ = true;
     const std::size_t filled = bar_width * done / total_;
-    // The end of a path tells files apart, its beginning rarely does.
+    // The end of a path distinguishes files; its beginning rarely does.
     if (latest.size() > name_width) latest.remove_prefix(latest.size() - name_width);
     const std::string line = fmt::format("\r\x1b[K[{}{}] {}/{} {}", std::string(filled, '#'),
                                          std::string(bar_width - filled, '.'), done, total_, latest);

@@ -1,4 +1,4 @@
-// A progress bar on standard error, for work that takes over a second. One thread at a time.
+// A progress bar on stderr, for work that takes over a second. One thread at a time.
 #pragma once
 
 #include "stopwatch.hpp"
@@ -10,13 +10,13 @@ namespace gonio::cli {
 
 class Progress {
 public:
-    // `wanted`: whether somebody would see it.
+    // `wanted`: whether the bar would be visible.
     Progress(std::size_t total, bool wanted) : total_(total), wanted_(wanted) {}
 
-    // Redraws the bar, at most ten times a second: so many are done, this one last.
+    // Redraws the bar, at most ten times per second: `done` items are finished, `latest` is the last of them.
     void show(std::size_t done, std::string_view latest);
 
-    // Takes the bar away, so that a message can be written.
+    // Removes the bar, so that a message can be written.
     void clear();
 
 private:

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh checkout on Debian 12 to a first picture: installs what is missing, builds the tool, lights a floor.
+# From a fresh checkout on Debian 12 to a first picture: installs missing packages, builds the tool, lights a floor.
 #
 #   cli/quickstart.sh [OUT.png]
 set -euo pipefail
@@ -10,7 +10,7 @@ out=${1:-$build/quickstart.png}
 
 bash "$root/cli/install-dependencies.sh"
 
-# The folder of tests/run.sh, which builds on what is here. A folder that is configured stays as it is.
+# The build folder of tests/run.sh, which continues from this build. A configured folder is left as it is.
 cd "$root"
 [[ -f $build/build.ninja ]] || cmake --preset release -DBUILD_TESTING=OFF > /dev/null
 cmake --build --preset release --target gonio-tool

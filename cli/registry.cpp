@@ -25,7 +25,7 @@ extern const Command help_command;
 extern const Command completion_command;
 extern const Command version_command;
 
-// One a line, so that two changes to the list do not touch the same one.
+// One per line, so that two changes to the list do not touch the same line.
 // clang-format off
 static constexpr std::array all{
     &units_command,

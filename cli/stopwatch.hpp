@@ -1,4 +1,4 @@
-// Elapsed time for what --verbose says; no result depends on it.
+// Elapsed time for the output of --verbose; no result depends on it.
 #pragma once
 
 #include <chrono>

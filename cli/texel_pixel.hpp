@@ -1,4 +1,4 @@
-// What a texel is, and a file's pixel of the same numbers.
+// The type of a texel, and the file pixel that stores the same numbers.
 #pragma once
 
 #include <gonio/bake/texture.hpp>

@@ -1,5 +1,5 @@
-// What an exception means that reaches the tool: nothing in gonio throws across its interface, so it is memory that ran
-// out, or an internal error.
+// The meaning of an exception that reaches the tool. Nothing in gonio throws across its interface, so the cause is lack
+// of memory or an internal error.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -8,9 +8,9 @@
 
 namespace gonio::cli {
 
-// Of the exception at hand: to be called in a catch block. `input`: the file that was being worked on, if it was one.
-// Out of memory is unsupported (5) and not internal (70): the input is fine, and it is more than this machine, or the
-// limit that was set on it, can work on.
+// For the current exception: call it in a catch block. `input`: the file that was being processed, if any. Out of
+// memory is unsupported (5) and not internal (70): the input is valid, but needs more memory than this machine or its
+// limits allow.
 Error unexpected_error(std::string input = {});
 
 } // namespace gonio::cli

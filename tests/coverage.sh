@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# How much of the library the tests run: builds tests and tool with clang's coverage into build/coverage, runs ctest, and
-# prints the lines covered of each room of lib/, in total, and of each file below 80 %.
+# How much of the library the tests run: builds tests and tool with clang's coverage into build/coverage, runs ctest,
+# and prints the covered lines of each room of lib/, in total, and of each file below 80 %.
 #
 #   bash tests/coverage.sh              fails below 90 % in total, or when a test fails
 #   bash tests/coverage.sh --report     prints again what the last run gave
 #
-# GONIO_COVERAGE_LEAST (90) is the bound. Kernels of instruction sets that this machine cannot run are left out, as are
+# GONIO_COVERAGE_LEAST (90) is the limit. Kernels of instruction sets that this machine cannot run are left out, as are
 # programs that generate committed data. Needs clang-14 and llvm-14.
 set -euo pipefail
 
@@ -18,11 +18,11 @@ if [[ ${1:-} != --report ]]; then
     cmake --preset coverage > /dev/null
     cmake --build --preset coverage --parallel "$(nproc)"
     rm -rf "$build/profiles"
-    # %m: one file for each program and module, into which all its runs are added.
+    # %m: one file for each program and module, which collects all its runs.
     export LLVM_PROFILE_FILE="$PWD/$build/profiles/%4m.profraw"
-    # The limits that these tests set also hit the files that the counts are written to: they count, and may fail.
+    # The limits that these tests set also apply to the files with the counts: the tests count, but may fail.
     limited='^(golden\.(bake-batch|outputs|overflow|pictures)|system\..*)$'
-    # An installed archive with counters does not link without clang's runtime.
+    # An installed archive with coverage counters does not link without clang's runtime.
     ctest --test-dir "$build" --parallel "$(nproc)" --output-on-failure --no-tests=error \
         -E "$limited|^consumer\." || failed=1
     ctest --test-dir "$build" --parallel "$(nproc)" -R "$limited" > /dev/null || true

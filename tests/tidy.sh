@@ -5,16 +5,17 @@
 #   bash tests/tidy.sh --all      every file (half an hour on two cores), with clang's analyzer, which takes two fifths of it
 #   bash tests/tidy.sh FILE…      these
 #
-# The last landed state is $GONIO_TIDY_SINCE; else origin/main, where the checkout is ahead of it; else the newest commit
-# that is three hours older than HEAD. A changed header is read through its own source, or else through the first file that
-# includes it, and a template of kernels as it was written for AVX2 or NEON. Where there is no history, every file is read.
+# The last landed state is $GONIO_TIDY_SINCE; else origin/main, if the checkout is ahead of it; else the newest commit
+# that is three hours older than HEAD. A changed header is checked through its own source, or else through the first
+# file that includes it, and a template of kernels as the file written for AVX2 or NEON. Without history, every file is
+# checked.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 build=build/tidy
 
-# Without precompiled headers, which are g++'s, and which would hide a missing #include.
+# Without precompiled headers: they are g++'s, and would hide a missing #include.
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=OFF \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 
@@ -33,14 +34,14 @@ landed() {
     base=$(git rev-list -1 --before=$(($(git show -s --format=%ct HEAD) - 3 * 3600)) HEAD)
     echo "$base"
 }
-# What CMake wrote from a template of kernels, for the set that every machine of its kind has a compiler for.
+# The file that CMake wrote from a template of kernels, for a set that every compiler for this kind of machine supports.
 written() { # TEMPLATE
     local stem=$build/${1%.cpp.in} set
     for set in avx2 neon; do
         if [[ -f ${stem}_$set.cpp ]]; then echo "${stem}_$set.cpp"; return; fi
     done
 }
-# The source that reads a header: its own, or the first that includes it.
+# The source that includes a header: its own, or the first that includes it.
 reader() { # HEADER
     local own=${1%.hpp}.cpp template
     if [[ -f $own ]]; then echo "$own"; return; fi
@@ -72,7 +73,7 @@ else
     done < <(git diff --name-only --diff-filter=d "$since" -- lib cli; git ls-files --others --exclude-standard -- lib cli)
 fi
 
-# Files of no target (another machine's kernels) have no flags to be read with.
+# Files of no target (another machine's kernels) have no compile flags.
 known=()
 while IFS= read -r file; do
     if grep -qF "\"file\": \"$root/$file\"" "$build/compile_commands.json"; then known+=("$file"); fi
@@ -80,7 +81,7 @@ done < <(((${#files[@]} == 0)) || printf '%s\n' "${files[@]}" | sort -u)
 echo "${#known[@]} files"
 ((${#known[@]})) || exit 0
 
-# What clang-tidy says about one file is kept together, and shown only when there is something.
+# The output of clang-tidy for one file is collected, and shown only if there is any.
 tidy_one() { # FILE
     local said status=0
     said=$(clang-tidy-14 --quiet ${checks:+"--checks=$checks"} --extra-arg=-Wno-unknown-warning-option -p "$build" "$1" \

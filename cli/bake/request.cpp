@@ -22,7 +22,7 @@ Result<int> parse_texels(const std::string& text, const char* option) {
     return static_cast<int>(*number);
 }
 
-// The options of the gnomonic layout, which the others refuse.
+// The options of the gnomonic layout; the other layouts refuse them.
 Result<void> parse_plane(const Arguments& arguments, BakeOptions& bake) {
     for (const char* option : {"--cone", "--border"})
         if (arguments.value(option) && bake.layout != Layout::gnomonic)

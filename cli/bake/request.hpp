@@ -1,4 +1,4 @@
-// What `gonio bake` is asked: a layout or an engine, a size or an error, how texels are stored, and what goes where.
+// The request of `gonio bake`: a layout or an engine, a size or an error, how texels are stored, and the output files.
 #pragma once
 
 #include <gonio/bake/bake.hpp>
@@ -33,7 +33,7 @@ inline constexpr std::array bake_options{
     Option{"--no-skip", "", "evaluate every texel, mirrored and dark ones too; the texture is the same"},
 };
 
-// --max-error: candela, or a share of each profile's peak.
+// --max-error: in candela, or as a fraction of each profile's peak.
 struct ErrorLimit {
     double value = 0.0;
     bool of_peak = false;
@@ -42,7 +42,7 @@ struct ErrorLimit {
 struct BakeRequest {
     BakeOptions bake;
     const Engine* engine = nullptr;
-    std::optional<ErrorLimit> max_error; // --size auto
+    std::optional<ErrorLimit> max_error; // for --size auto
     std::optional<media::Pixel> pixel;
     ProfileInputOptions input;
     std::optional<std::string> sidecar;

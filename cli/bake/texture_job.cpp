@@ -46,7 +46,7 @@ int channels_of(const BakeRequest& request) {
     return request.engine != nullptr ? request.engine->channels : 1;
 }
 
-// As asked, or the finest that the format has.
+// The requested type, or the finest that the format has.
 Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeRequest& request) {
     const bool holds_floats = has_pixel(format, media::Pixel::float32);
     const media::Pixel pixel = request.pixel.value_or(holds_floats ? media::Pixel::float32 : format.pixels.front());
@@ -54,7 +54,7 @@ Result<media::Pixel> pixel_of(const media::ImageFormat& format, const BakeReques
         return fail("USE0107", fmt::format("{} cannot store {} pixels", format.title, media::to_text(pixel)),
                     "write .exr for float and half, .png or .tif for uint16 and uint8");
     const bool integers = pixel == media::Pixel::uint8 || pixel == media::Pixel::uint16;
-    // An integer texture of candela would be white all over.
+    // An integer texture of candela would be white everywhere.
     if (integers && request.bake.normalization != Normalization::peak)
         return fail(
             "USE0107",
@@ -113,14 +113,14 @@ std::string stats_line(const std::string& input, const Texture& texture, double 
                        100.0 * left_out / std::max(1.0, static_cast<double>(texture.texels)), read_ms, bake_ms);
 }
 
-// What the texture's file holds is what its sidecar says: another one may have been killed between the two, or have
+// Whether the picture matches its sidecar. Another gonio may have been killed between writing the two, or may have
 // written at the same time.
 bool holds(const std::string& picture, const FileRecord& record) {
     const Result<std::string> bytes = read_file(picture, limit("output-bytes"));
     return bytes && name_of(picture) == record.file && matches(record, *bytes);
 }
 
-// What would be replaced without having been asked for; plan_outputs has looked at the output's own name.
+// Refuses to replace files without --overwrite; plan_outputs has already checked the output's own name.
 Result<void> refuse_existing(const Arguments& arguments, const TextureJob& job) {
     if (!arguments.has("--output-dir") || arguments.has("--overwrite") || arguments.has("--update")) return {};
     for (const std::string& file : job.pictures)
@@ -165,7 +165,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
             if (Result<void> free = in_use.take(picture); !free) return pass_on(free);
         if (job.sidecar)
             if (Result<void> free = in_use.take(*job.sidecar); !free) return pass_on(free);
-        // With a sidecar the contents decide, not the time of day; see is_up_to_date.
+        // With a sidecar, contents decide and not modification times; see is_up_to_date.
         if (job.files.skip && !job.sidecar) continue;
         if (const Result<void> free = refuse_existing(arguments, job); !free) return Unexpected(free.error());
         jobs.push_back(std::move(job));
@@ -215,7 +215,7 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
         description.files.push_back(file_record(name_of(job.pictures[i]), *bytes));
         files.push_back({job.pictures[i], std::move(*bytes)});
     }
-    const std::string sidecar = sidecar_of(); // with what the pictures are, which they cannot say of themselves
+    const std::string sidecar = sidecar_of(); // describes the pictures, which cannot describe themselves
     if (job.sidecar) files.push_back({*job.sidecar, sidecar});
     if (Result<void> written = write_outputs(files); !written) return pass_on(written);
 

@@ -1,4 +1,4 @@
-// One texture to make: from where, to which files, whether it is there already, and the making.
+// One texture to make: its input, its files, whether they are up to date, and how it is made.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -20,23 +20,22 @@ struct TextureJob {
     const media::ImageFormat* format = nullptr;
     media::Pixel pixel = media::Pixel::float32;
     std::vector<std::string> pictures;  // the output, or the six faces of a cube
-    std::optional<std::string> sidecar; // nothing: none is written
-    std::string recipe;                 // all that the texels depend on but the input's bytes
+    std::optional<std::string> sidecar; // empty: none is written
+    std::string recipe;                 // everything except the input's bytes that the texels depend on
 };
 
 // Fails (usage, unsupported) before any work is done: on outputs that collide, exist or are inputs, on a folder that is
-// none, and on what the format cannot hold or the layout cannot have.
+// not one, and on anything the format cannot store or the layout does not support.
 Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const BakeRequest& request,
                                               const std::vector<std::string>& inputs);
 
-// Whether the files are there, hold what the sidecar says, and were made of the same bytes by the same recipe: what -u
-// asks.
+// Whether the files exist, match the sidecar, and were made from the same bytes by the same recipe (for -u).
 bool is_up_to_date(const TextureJob& job);
 
-// Bakes and writes; where one of the files cannot be written, all are what they were.
+// Bakes and writes. If one of the files cannot be written, all files stay as they were.
 Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
 
-// What is there already, for a report and a manifest.
+// Describes the existing files, for a report and a manifest.
 Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
 
 } // namespace gonio::cli

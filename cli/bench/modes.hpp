@@ -1,4 +1,4 @@
-// What `gonio bench` does beside its tables.
+// The modes of `gonio bench` other than its tables.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -14,10 +14,10 @@ namespace gonio::cli {
 // --stress: returns the exit status.
 Result<int> bench_stress(const Arguments& arguments, Console& console);
 
-// --scaling: the same.
+// --scaling: returns the exit status.
 Result<int> bench_scaling(const Arguments& arguments, Console& console);
 
-// Fails (usage) where one of `options` is given beside `mode`, which has no use for it.
+// Fails (usage) if one of `options` is given together with `mode`, which does not use it.
 Result<void> refuse_beside(std::string_view mode, std::span<const std::string_view> options,
                            const Arguments& arguments);
 

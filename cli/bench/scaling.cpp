@@ -41,7 +41,7 @@ std::string text_of(const Grown& grown) {
     for (const measure::ScalingCurve& curve : grown.curves) {
         text += fmt::format("  {}\n", curve.name);
         for (const measure::ScalingPoint& point : curve.points) {
-            // More threads are to take less time, more of anything else as much for each.
+            // More threads should take less time; more of anything else should take the same time for each item.
             const double first_ns = curve.points.front().timing.lowest_ns;
             const std::string each = grown.scaling->size == "threads"
                                          ? rounded(first_ns / point.timing.lowest_ns, 3) + " times as fast"

@@ -26,7 +26,7 @@ std::string error_text(double error) {
     return std::isfinite(error) ? fmt::format("{:.1e}", error) : "no value";
 }
 
-// Three digits: no clock and no machine is steadier than that.
+// Three digits: no clock and no machine is more repeatable than that.
 std::string ns_text(const Standing& row) {
     return row.time ? rounded(row.time->timing.lowest_ns, 3) : "unresolved";
 }
@@ -79,7 +79,7 @@ LogLogPanel panel_of(const Standings& standings) {
         if (series == panel.series.end()) series = panel.series.insert(series, {row.method, {}, false});
         MarkedPoint point{row.time->timing.lowest_ns, row.error.median, mark_of(row.code), row.on_front, {}};
         if (row.on_front) {
-            // The fastest of those of a method that are as close.
+            // Among points of one method with similar error, only the fastest is labelled.
             const bool another = std::any_of(standings.rows.begin(), standings.rows.end(), [&](const Standing& other) {
                 return other.method == row.method && other.on_front && other.time &&
                        other.time->timing.lowest_ns < row.time->timing.lowest_ns &&

@@ -1,4 +1,4 @@
-// What `gonio bench` says of contests, in words, Markdown, CSV, JSON and as a chart.
+// How `gonio bench` reports comparisons: in words, Markdown, CSV, JSON and as a chart.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -25,7 +25,7 @@ struct BenchRun {
 // "gonio 0.1.0 (b23e719f3a50; g++ 12.2.0, optimised) on AMD EPYC, 2 threads, avx512; seed 1, quick".
 std::string run_text(const BenchRun& run);
 
-// One contest's rows.
+// The rows of one comparison.
 std::string standings_text(const measure::Standings& standings);
 std::string standings_markdown(const measure::Standings& standings);
 std::string standings_csv_header();
@@ -37,10 +37,10 @@ std::string verdict_text(const measure::Standings& standings);
 std::string summary_text(std::span<const measure::Standings> all);
 Json standings_json(const measure::Standings& standings);
 
-// schema, tool, machine, seed: the members that stand before the contests.
+// schema, tool, machine, seed: the members before the comparisons.
 Json run_json(const BenchRun& run);
 
-// Error against time, a panel for each contest. Fails where no row has both.
+// Error against time, with a panel for each comparison. Fails if no row has both.
 Result<std::string> standings_chart(std::span<const measure::Standings> all, const BenchRun& run);
 
 } // namespace gonio::cli

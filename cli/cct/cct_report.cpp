@@ -12,7 +12,7 @@ namespace gonio::cli {
 
 namespace {
 
-// Six decimals, and no minus before a zero.
+// Six decimals, and no minus sign on a zero.
 std::string fixed(double value, int decimals = 6) {
     const double scale = std::pow(10.0, decimals);
     if (std::abs(value) * scale < 0.5) value = 0.0;
@@ -31,7 +31,7 @@ Json vector_json(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-// Cells in columns as wide as their widest; all but the last.
+// Cells padded to the width of the widest in their column, except in the last column.
 using Rows = std::vector<std::vector<std::string>>;
 std::string aligned(const Rows& rows) {
     std::vector<std::size_t> width;
@@ -110,7 +110,7 @@ std::string block(const CctAnswer& answer, const CctRequest& request) {
     };
     text += answer.input + '\n';
     if (answer.cct) {
-        // A given temperature is said as it stands, a found one in as many digits as mean something.
+        // A given temperature is printed as it was given, a computed one with its significant digits.
         const bool given = answer.kind == CctKind::temperature;
         line("cct", fmt::format("{} K", given ? rounded(answer.cct->temperature.value, 12)
                                               : fixed(answer.cct->temperature.value, 2)));

@@ -9,8 +9,7 @@
 
 namespace gonio::cli {
 
-// Everything there is to say of one colour, or a table of several; where --versus is asked for, the methods follow
-// each.
+// Everything there is to report about one colour, or a table of several. With --versus, the methods follow each colour.
 std::string to_text(std::span<const CctAnswer> answers, const CctRequest& request);
 
 Json to_json(const CctAnswer& answer, const CctRequest& request);

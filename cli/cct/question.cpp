@@ -42,10 +42,10 @@ Result<std::vector<double>> numbers(std::string_view text, std::size_t count, st
 
 constexpr std::string_view primaries_prefix = "primaries:";
 
-// A space by name: built in, by primaries, or of the OpenColorIO configuration.
+// A space by name: built in, by primaries, or from the OpenColorIO configuration.
 Result<RgbSpace> space_of(const Arguments& arguments) {
     const std::string name = arguments.value("--space").value_or("rec709");
-    // A configuration that was named is asked for every space, so that none is ignored.
+    // A configuration given by --ocio is searched for every space, so it is never ignored.
     if (arguments.has("--ocio") && !arguments.has("--space"))
         return fail("USE0107", "--ocio needs a --space of that configuration", "for example --space scene_linear");
     const RgbSpace* const known = find_rgb_space(name);
@@ -58,12 +58,12 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
         const std::vector<double>& v = *xy;
         return rgb_space_of("primaries", {v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]});
     }
-    // The library never reads the environment; the tool hands $OCIO on.
+    // The library never reads the environment; the tool passes $OCIO on.
     const char* const environment = std::getenv("OCIO");
     const std::string config = arguments.value("--ocio").value_or(environment == nullptr ? "" : environment);
     Result<media::SceneLinearSpace> space = media::scene_linear_space(name, config);
     if (!space) {
-        // A mistyped name of a built-in space is more likely than a configuration that nobody has named.
+        // If no configuration was given, a mistyped name of a built-in space is the more likely mistake.
         if (config.empty() && space.error().failure == Failure::usage) {
             const std::string_view guess = nearest(name, names_of(rgb_spaces()));
             error_hint(space.error(), guess.empty() ? std::string("'gonio list spaces' names those built in; others "
@@ -83,7 +83,7 @@ Result<T> choose(const Arguments& arguments, std::string_view option, std::strin
     return find_value(what, *text, choices);
 }
 
-// A colour that has been found; what the space makes of it is filled in.
+// An answer for a chromaticity that is known; fills in its colour in the requested space.
 CctAnswer in_space(std::string input, CctKind kind, Uv at, const CctRequest& request) {
     CctAnswer answer;
     answer.input = std::move(input);
@@ -121,7 +121,7 @@ Result<void> compare_temperatures(const CctRequest& request, CctAnswer& answer) 
     return {};
 }
 
-// The answer to a chromaticity, whose temperature is asked for.
+// The answer for a chromaticity: its correlated colour temperature.
 Result<std::vector<CctAnswer>> nearest_black_body(std::string input, CctKind kind, Uv at, const CctRequest& request) {
     if (request.duv) return fail("USE0107", fmt::format("'{}' already has a Duv", input), "leave --duv and --tint out");
     Result<Cct> cct = exact_cct(at);
@@ -254,7 +254,7 @@ Result<std::vector<CctAnswer>> answer_value(const std::string& value, const CctR
     answer.locus = request.locus_name;
     answer.cct = *cct;
     if (request.locus != Locus::planckian) {
-        // The temperature is the name of the illuminant; how far it is from a black body is what there is.
+        // The temperature only names the illuminant; the distance from a black body is computed.
         if (Result<Cct> found = exact_cct(*at)) answer.cct->duv = found->duv;
     } else if (cct->duv == 0.0) {
         answer.blackbody = blackbody_efficacy(cct->temperature);

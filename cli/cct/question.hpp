@@ -1,4 +1,4 @@
-// What `gonio cct` is asked: values, chromaticities and spectra, and the space that their colours are wanted in.
+// The request of `gonio cct`: values, chromaticities and spectra, and the space for their colours.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -20,7 +20,7 @@ namespace gonio::cli {
 struct CctRequest {
     Locus locus = Locus::planckian;
     std::string_view locus_name;
-    std::optional<double> duv; // of every temperature that has none of its own
+    std::optional<double> duv; // for every temperature given without a Duv
     RgbSpace space;
     Gamut gamut = Gamut::keep;
     Normalize normalize = Normalize::luminance;
@@ -28,33 +28,33 @@ struct CctRequest {
     std::optional<std::string> versus;
 };
 
-// Where a chromaticity comes from.
+// How a chromaticity was given.
 enum class CctKind { temperature, chromaticity, rgb, spectrum };
 
 struct CctVersus {
     std::string_view method;
     std::string_view source;
     bool in_range = true;
-    double cct_k = 0.0;                 // NaN where there is none
-    double duv = 0.0;                   // as cct_k; of a temperature's method
-    std::optional<ColorError> of_color; // of a temperature's method
+    double cct_k = 0.0;                 // NaN if the method gives none
+    double duv = 0.0;                   // as cct_k; for methods that find a temperature
+    std::optional<ColorError> of_color; // for methods that take a temperature
 };
 
 struct CctAnswer {
     std::string input;
     CctKind kind = CctKind::temperature;
-    std::optional<Cct> cct; // nothing for a spectrum too far from the locus
+    std::optional<Cct> cct; // empty for a spectrum too far from the locus
     Uv at;
     SpaceColor color;
     std::string_view locus;
-    std::optional<BlackbodyEfficacy> blackbody; // of a temperature on the Planckian locus itself
+    std::optional<BlackbodyEfficacy> blackbody; // for a temperature on the Planckian locus itself
     std::optional<Nits> blackbody_luminance;
     std::optional<SpectrumColor> spectrum;
     std::vector<CctVersus> versus;
     Diagnostics diagnostics;
 };
 
-// The options; opens OpenColorIO only for a space that is not built in.
+// Reads the options; opens OpenColorIO only for a space that is not built in.
 Result<CctRequest> cct_request(const Arguments& arguments);
 
 // "2700K", "2700K/0.003", "2000K:10000K:100K" (and their names with --duv), or an illuminant: the values that a word

@@ -26,11 +26,11 @@ constexpr double number_px = 12.0;
 constexpr Ink numbers_ink = ink(0xdcdcdc);
 
 struct Label {
-    double x = 0.0; // in the picture
+    double x = 0.0; // position in the picture
     std::string text;
 };
 
-// Round temperatures where the answers are a range of them, else the inputs in the middles of their columns, those that
+// Round temperatures if the answers are a range of them, else the inputs in the middle of their columns, as far as they
 // fit.
 std::vector<Label> scale_labels(std::span<const CctAnswer> answers, int width) {
     std::vector<Label> labels;
@@ -79,7 +79,7 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
                     "use a larger -s");
     Image image(size.width, size.height, 3);
     std::vector<glm::dvec3> column(rows);
-    std::size_t done = answers.size(); // the answer that `column` holds
+    std::size_t done = answers.size(); // the answer in `column`
     for (std::size_t x = 0; x < width; ++x) {
         const std::size_t i = x * answers.size() / width;
         if (i != done) {
@@ -90,7 +90,7 @@ Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& reques
             done = i;
         }
         for (std::size_t y = 0; y < height; ++y) {
-            // The colour itself takes half, the methods share the rest.
+            // The colour itself takes half, the methods share the other half.
             const std::size_t below = height / 2;
             const std::size_t row = rows == 1 || y < below ? 0 : 1 + (y - below) * (rows - 1) / (height - below);
             for (int c = 0; c < 3; ++c)

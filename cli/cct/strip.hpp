@@ -1,4 +1,4 @@
-// The picture of `gonio cct -o`: colours side by side, and below them what other methods make of them.
+// The picture of `gonio cct -o`: colours side by side, and below them the colours by other methods.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -11,15 +11,16 @@
 
 namespace gonio::cli {
 
-// Columns in the order of the answers, all of one width to a pixel; the upper part is the colour, one row below it for
-// each method of --versus. Linear: RGB of the space that was asked for, as reported. Else linear Rec.709 for a display:
-// clipped to its gamut, the greatest component 1. Fails (usage) on a size of fewer pixels than colours or methods.
+// Columns in the order of the answers, equally wide to within a pixel. The upper part is the colour; below it there is
+// one row for each method of --versus. Linear: RGB of the requested space, as reported. Otherwise linear Rec.709 for a
+// display: clipped to its gamut, with the greatest component 1. Fails (usage) on a size with fewer pixels than colours
+// or methods.
 Result<Image> strip(std::span<const CctAnswer> answers, const CctRequest& request, PixelSize size, bool for_display);
 
-// The height of the scale below a strip of that size; 0 where there is no room for numbers.
+// The height of the scale below a strip of that size; 0 if there is no room for numbers.
 int strip_scale_px(PixelSize size);
 
-// A strip as a display shows it, with a scale below (temperatures, or the names of the inputs) and the names of the
+// A strip as a display shows it, with a scale below it (temperatures, or the names of the inputs) and the names of the
 // methods on their rows.
 Image with_scale(const Image& strip, std::span<const CctAnswer> answers, int scale_px);
 

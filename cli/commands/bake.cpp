@@ -71,7 +71,7 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     for (const TextureJob& job : *jobs)
         names.push_back(job.files.input);
     const unsigned threads = request->bake.threads;
-    // Threads work on different profiles, or together on the only one.
+    // Threads work on different profiles, or together on a single one.
     if (names.size() > 1) request->bake.threads = 1;
     return run_catalogue({names, "gonio.bake/1", "baked", threads}, request->catalogue,
                          jobs->empty() ? std::string() : jobs->front().recipe, kind, console, [&](std::size_t index) {

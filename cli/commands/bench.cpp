@@ -159,7 +159,7 @@ Result<std::string> file_bytes(const std::string& extension, const std::vector<S
     return text;
 }
 
-// Says a table as soon as it is there, in the forms that allow it.
+// Prints a table as soon as it is complete, in the forms that allow it.
 void say(const Standings& standings, const Request& request, const BenchRun& run, Console& console) {
     if (request.chart_to_standard_output) return;
     switch (request.form) {
@@ -189,7 +189,7 @@ struct Turn {
     measure::ContestMaker maker;
 };
 
-// Measures contest after contest until all are done or Ctrl-C is pressed.
+// Measures one comparison after another until all are done or Ctrl-C is pressed.
 Result<std::vector<Standings>> measure_all(const Request& request, BenchRun& run, Console& console, int& status) {
     std::vector<Turn> turns;
     for (const measure::Suite* suite : request.suites)

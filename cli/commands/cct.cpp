@@ -64,7 +64,7 @@ constexpr std::array examples{
 
 struct Question {
     std::string text;
-    std::uint32_t line = 0; // of standard input
+    std::uint32_t line = 0; // of stdin
     Result<std::vector<CctAnswer>> (*answer)(const std::string&, const CctRequest&) = nullptr;
 };
 
@@ -122,7 +122,7 @@ Result<void> draw(std::span<const CctAnswer> answers, const CctRequest& request,
     Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), output);
     if (!format) return pass_on(format);
     const bool linear = has_pixel(**format, media::Pixel::float32);
-    // Numbers are for people: a file of floats is colours alone.
+    // Labels are for people: a file of floats contains only colours.
     const int scale_px = linear || arguments.has("--no-scale") ? 0 : strip_scale_px(size);
     Result<Image> image = strip(answers, request, {size.width, size.height - scale_px}, !linear);
     if (!image) return pass_on(image);

@@ -41,7 +41,7 @@ struct Checked {
     int notes = 0;
 };
 
-// What resolving says again of what a reader has said with a place.
+// A diagnostic of resolving that repeats one of the reader, which has a location.
 struct Repetition {
     WebCode again;
     ProfileCode said;
@@ -78,7 +78,7 @@ Checked unreadable(const Error& error) {
     return checked;
 }
 
-// What strict reading calls an error can mostly be read all the same: only what nobody can read is unreadable.
+// Most files that strict reading refuses can still be read; only a file that lenient reading refuses is unreadable.
 Checked check(const std::string& bytes, const std::string& file, const ProfileInputOptions& options) {
     ReadOptions read = options.read;
     if (file != "-") read.read_beside = reader_beside(file);

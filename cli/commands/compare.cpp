@@ -43,7 +43,7 @@ struct Report {
 
     bool equal() const { return difference.relative <= rtol; }
     double flux_difference_lm() const { return b.flux_lm - a.flux_lm; }
-    // Of the greater flux; nothing between two dark webs.
+    // Relative to the greater flux; empty for two dark webs.
     std::optional<double> flux_relative() const {
         const double most = std::max(std::abs(a.flux_lm), std::abs(b.flux_lm));
         return most > 0.0 ? std::optional(flux_difference_lm() / most) : std::nullopt;

@@ -21,7 +21,7 @@ constexpr std::array examples{
     Example{"gonio completion fish > ~/.config/fish/completions/gonio.fish", "completion in every new fish"},
 };
 
-// The names of a list that can stand on a command line as they are: "point", and "sphere:" of "sphere:r=LENGTH".
+// The names of a list in the form that can be typed: "point", and "sphere:" for "sphere:r=LENGTH".
 std::string words_of(std::string_view list_name) {
     std::string words;
     const NamedList* list = find_list(list_name);
@@ -92,7 +92,7 @@ complete -o filenames -F _gonio gonio
                        values, options);
 }
 
-// Text between single quotes of zsh and fish.
+// Escapes text for single quotes in zsh and fish.
 std::string in_single_quotes(std::string_view text) {
     std::string out;
     for (const char c : text)
@@ -119,7 +119,7 @@ std::string fish_script() {
     return script;
 }
 
-// zsh runs the bash function through its own emulation of it.
+// zsh runs the bash function through its emulation of bash completion.
 std::string zsh_script() {
     return "#compdef gonio\nautoload -U +X bashcompinit && bashcompinit\n" + bash_script();
 }

@@ -61,7 +61,7 @@ struct Converted {
     Diagnostics diagnostics;
 };
 
-// Reads, converts, writes, and reads what was written again: the error that is reported is that of the bytes.
+// Reads, converts, writes, and reads the written bytes again: the reported error is that of the bytes.
 Result<Converted> convert(const Job& job, const Request& request) {
     const auto& [target, input, compact] = request;
     Result<LoadedProfile> loaded = load(job.input, input);

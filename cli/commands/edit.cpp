@@ -46,7 +46,7 @@ constexpr std::array examples{
     Example{"gonio edit up.ies down.ies --sum -o both.ies", "two lights in one"},
 };
 
-// What changes have cost so far.
+// The accumulated cost of the edits so far.
 struct Cost {
     double max_error_cd = 0.0;
     double flux_error_lm = 0.0;
@@ -61,7 +61,7 @@ struct Cost {
 Result<double> angle_deg(std::string_view text, std::string_view option) {
     Result<double> angle = parse_amount(text, Dimension::angle, option);
     if (!angle) return pass_on(angle);
-    // 90deg is 90, not what comes back from radians.
+    // 90deg is exactly 90, not the result of converting from radians.
     const double deg = to_degrees(Radians(*angle));
     return std::abs(deg - std::round(deg * 1e6) * 1e-6) < 1e-10 ? std::round(deg * 1e6) * 1e-6 : deg;
 }
@@ -180,7 +180,7 @@ Result<Luminaire> scale(Luminaire luminaire, const Arguments& arguments) {
     return luminaire;
 }
 
-// The weights of the inputs, and a complaint where the options and their number do not fit.
+// The weights of the inputs. Fails if the options do not fit the number of inputs.
 Result<std::vector<double>> weights_for(const Arguments& arguments, std::size_t inputs) {
     const auto blend = arguments.value("--blend");
     if (blend && arguments.has("--sum"))

@@ -24,7 +24,7 @@ constexpr std::array groups{OptionGroup{"output", explain_options}, json_group, 
 constexpr std::array examples{Example{"gonio explain IES0204", "what this diagnostic means and what to do"},
                               Example{"gonio explain --markdown > CODES.md", "all codes, as a page"}};
 
-// "error with --strict", "only with --strict"; empty: the same.
+// "error with --strict", "only with --strict"; empty: no difference.
 std::string_view strictness(const DiagnosticCode& entry) {
     if (entry.strict == Strict::only) return "only with --strict";
     return entry.strict == Strict::error ? "error with --strict" : "";

@@ -39,7 +39,7 @@ constexpr std::array examples{
             "a catalogue; assets that are up to date are skipped"},
 };
 
-// Two inputs of one name would write the same files.
+// Two inputs with the same name would write the same files.
 Result<void> distinct(const std::vector<std::string>& inputs) {
     std::map<std::string, std::string> taken;
     for (const std::string& input : inputs) {
@@ -60,7 +60,7 @@ std::vector<std::string> shared_out(const std::vector<std::string>& inputs, Shar
     return chosen;
 }
 
-// A README of someone else stays as it is.
+// A README written by someone else is left as it is.
 Result<void> write_readme(const std::string& file, const Target& target, const Console& console) {
     const std::string text = target_readme(target);
     const Result<std::string> there = file_exists(file) ? read_file(file) : Result<std::string>(std::string());

@@ -36,13 +36,13 @@ constexpr std::array examples{
 struct Lamp {
     int count = 1;
     std::string type;
-    std::optional<double> flux_lm; // of the set
+    std::optional<double> flux_lm; // of the lamp set
     std::optional<double> cct_k;
     std::string cri;
     std::optional<double> input_w;
 };
 
-// Everything that is reported of a profile, in the order of the report.
+// Everything that is reported about a profile, in the order of the report.
 struct Facts {
     std::string file;
     const char* format = "";
@@ -82,7 +82,7 @@ struct Facts {
     }
 };
 
-// The number that a text begins with: "3000K" is 3000. Nothing for "nw".
+// The number at the start of a text: "3000K" is 3000. Empty for "nw".
 std::optional<double> leading_number(std::string_view text) {
     while (text.starts_with(' '))
         text.remove_prefix(1);
@@ -152,7 +152,7 @@ std::optional<int> nema_of(const std::optional<double>& field_deg) {
     return field_deg ? std::optional(nema_type(degrees(*field_deg))) : std::nullopt;
 }
 
-// What only the report in JSON shows costs more than all the rest, and is left out of the one in words.
+// The facts that only the JSON report shows cost more than all the others, so the report in words skips them.
 Facts facts_of(const std::string& file, const LoadedProfile& loaded, const ResolveOptions& options, ReportKind kind) {
     Facts facts;
     facts.file = file;

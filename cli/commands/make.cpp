@@ -60,7 +60,7 @@ constexpr std::array examples{
     Example{"gonio make csv:table.csv -o lamp.ies", "a table of candela from a spreadsheet"},
 };
 
-// A spot is the library's own shape of lights.
+// A spot is parsed as the light shape of the library.
 Result<AuthoredShape> shape_of(const std::string& text) {
     if (!text.starts_with("spot:")) {
         Result<AuthoredShape> shape = parse_authored(text);
@@ -101,7 +101,7 @@ Result<Photometry> type_of(const Arguments& arguments) {
 struct OpeningKind {
     std::string_view name;
     OpeningShape shape;
-    std::array<std::string_view, 3> keys; // width, length, height; "d" fills every size it stands for
+    std::array<std::string_view, 3> keys; // width, length, height; "d" fills every size it is given for
 };
 
 constexpr std::array opening_kinds{
@@ -150,7 +150,7 @@ Result<ProfileHeader> header_for(const Arguments& arguments, const std::string& 
             return fail("USE0105", fmt::format("'{}' is not a keyword", text), "write --keyword NAME=TEXT");
         header.keywords.push_back({text.substr(0, equals), text.substr(equals + 1)});
     }
-    // What the standard requires and a formula has not.
+    // Adds what the standard requires and a formula does not have.
     const auto add_missing = [&](std::string_view name, std::string_view text) {
         if (keyword_text(header, name).empty()) set_keyword(header, name, text);
     };

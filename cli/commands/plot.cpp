@@ -106,7 +106,7 @@ Result<Request> parse(const Arguments& arguments) {
     return request;
 }
 
-// A file's name without its folder: a label has little room.
+// The file name without its folder: a label has little room.
 std::string label_of(const std::string& file) {
     if (file == "-") return "stdin";
     return file.substr(file.rfind('/') + 1);
@@ -124,7 +124,7 @@ Result<void> draw(std::span<const PlottedWeb> webs, const Request& request, cons
     return write_page(request.diagram->draw(webs, request.plot), request, output);
 }
 
-// SVG, or a picture format that --to or the output's name tells.
+// SVG, or a picture format given by --to or by the output's name.
 Result<void> read_format(const Arguments& arguments, Request& request) {
     const auto named = arguments.value("--to");
     const std::string output = arguments.value("--output").value_or("");
@@ -145,7 +145,7 @@ Result<void> read_format(const Arguments& arguments, Request& request) {
     return {};
 }
 
-// All profiles over each other in one diagram: one that cannot be read would be missing, so nothing is drawn then.
+// All profiles in one diagram. If one cannot be read, nothing is drawn, because that one would be missing.
 Result<int> draw_together(const std::vector<std::string>& files, const Request& request, const std::string& output,
                           Console& console) {
     std::vector<LoadedProfile> profiles;

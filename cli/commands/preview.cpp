@@ -74,7 +74,7 @@ constexpr std::array examples{
     Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
 };
 
-// What a look other than beauty shows, in lux or cd/m².
+// The values that a display mode other than beauty shows, in lux or cd/m².
 Json values_json(const LookRequest& look, const EncodedPicture& picture) {
     Json values{{"quantity", to_text(look.quantity)},
                 {"unit", look.quantity == PictureQuantity::illuminance ? "lx" : "cd/m2"},
@@ -111,7 +111,7 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     return report;
 }
 
-// By the method reference in passes, else at once.
+// In passes with the method reference, else in one go.
 Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const Light> lights,
                                   const Console& console) {
     if (request.render.method == IrradianceMethod::reference) return refine(request, lights, console);
@@ -131,7 +131,7 @@ Json names_of(std::span<const OutputFile> files) {
     return names_in(files);
 }
 
-// Appends the files of the scene, and says what it cannot hold.
+// Appends the files of the scene, and reports anything the scene format cannot store.
 Result<void> add_export(const PreviewRequest& request, const std::vector<Light>& lights, std::optional<Nits> white,
                         Console& console, Diagnostics& diagnostics, std::vector<OutputFile>& files) {
     Result<ExportedScene> exported = export_scene(request, lights, white);
@@ -144,7 +144,7 @@ Result<void> add_export(const PreviewRequest& request, const std::vector<Light>&
 
 Result<int> export_alone(const PreviewRequest& request, const std::vector<Light>& lights, Diagnostics diagnostics,
                          const Arguments& arguments, Console& console) {
-    std::optional<Nits> white; // of an exposure that follows from the picture nothing is known without it
+    std::optional<Nits> white; // an automatic exposure follows from the picture, so without one it is unknown
     if (request.exposure.mode != ExposureMode::automatic) white = white_luminance(request.exposure.ev);
     std::vector<OutputFile> files;
     Result<void> done = add_export(request, lights, white, console, diagnostics, files);
@@ -225,7 +225,7 @@ Result<int> preview(const Arguments& arguments, Console& console) {
         if (arguments.has("--stats")) report["stats"] = stats_json(stats, render_ms);
         console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     } else if (arguments.has("--stats")) {
-        // Beside a picture on standard output they go where remarks go.
+        // If the picture goes to stdout, the statistics go to stderr.
         const std::string text = stats_text(stats, render_ms);
         if (request->output == "-")
             console.note(text);

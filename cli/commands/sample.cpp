@@ -42,7 +42,7 @@ Result<Direction> parse_direction(std::string_view text) {
     return fail("USE0105", fmt::format("'{}' is not a direction", text), "write C,GAMMA in degrees, for example 90,30");
 }
 
-// One direction a line; empty lines are skipped.
+// One direction per line; empty lines are skipped.
 Result<std::vector<Direction>> read_directions() {
     Result<std::string> text = read_standard_input();
     if (!text) return pass_on(text);

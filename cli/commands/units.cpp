@@ -52,7 +52,7 @@ Form form_of(const Arguments& arguments) {
     return arguments.has("--json") ? Form::json : Form::words;
 }
 
-// One row, answered and written; the report of --json goes to `reports`.
+// Answers and prints one row; the report of --json goes to `reports`.
 Result<void> tell(std::string_view row, const UnitsRequest& request, Form form, Console& console, Json& reports) {
     Json report;
     Diagnostics diagnostics;
@@ -81,7 +81,7 @@ Result<void> tell(std::string_view row, const UnitsRequest& request, Form form, 
     return {};
 }
 
-// Rows of standard input: a bad one is said with its line and does not stop the rest.
+// Rows of stdin: a bad row is reported with its line number and does not stop the others.
 int tell_rows(std::string_view text, const UnitsRequest& request, Form form, Console& console, Json& reports) {
     int status = 0;
     std::size_t rows = 0;

@@ -23,15 +23,15 @@ namespace gonio::cli {
 
 namespace {
 
-// An input by its bytes, which are enough to know whether anything is to be made of it.
+// An input by its bytes, which are enough to decide whether its files are up to date.
 struct Source {
     std::string name;
-    ManifestFile input; // with the hash of all that the input names
+    ManifestFile input; // with the hash of all files that the input names
     std::string bytes;
-    std::optional<Rig> rig; // nothing: a profile
+    std::optional<Rig> rig; // empty: a profile
 };
 
-// What is to be written of it.
+// What is to be written from it.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving Json and variants is noexcept, and throws nothing
 struct Content {
     std::string description; // for people
@@ -73,7 +73,7 @@ Result<Content> content_of_profile(const Source& source, const ImportRequest& re
     return content;
 }
 
-// Of a rig's bytes, the colours that it resolves to and the bytes of all files that it names.
+// Hashes a rig's bytes, its resolved colours and the bytes of all files that it names.
 Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
     std::string all = sha256(bytes);
     for (const LightDescription& light : rig.lights)
@@ -144,7 +144,7 @@ Result<LightScene> scene_of(const Source& source, const Content& content, const 
     return light_scene(target, content.lights, options);
 }
 
-// What a target's writer could not say, for the people who get the files.
+// What a target's format cannot store, for the people who get the files.
 std::string losses_readme(const Source& source, const Target& target, const std::vector<std::string>& instead) {
     std::string text =
         fmt::format("{} for {}: what it does instead of what it cannot hold.\n\n", source.name, target.name);
@@ -157,10 +157,10 @@ struct Written {
     const Target* target = nullptr;
     bool unchanged = false;
     AssetRecord record;
-    std::vector<ManifestFile> files; // with their folder
+    std::vector<ManifestFile> files; // with their folders
 };
 
-// What is there already, of the same source by the same recipe.
+// The existing files, if they were made from the same source by the same recipe.
 std::optional<Written> found(const Source& source, const Target& target, const ImportRequest& request) {
     const std::string folder = folder_of(request, target) + "/";
     const std::string record_file = folder + asset_record_name(source.name);
@@ -218,7 +218,7 @@ Result<Written> made(const Source& source, const Content& content, const Target&
     return written;
 }
 
-// What is there already of each target, nothing where it is to be made.
+// The up-to-date files of each target; empty where they have to be made.
 std::vector<std::optional<Written>> found_of_all(const Source& source, const ImportRequest& request) {
     std::vector<std::optional<Written>> all;
     for (const Target* target : request.targets)
@@ -226,7 +226,7 @@ std::vector<std::optional<Written>> found_of_all(const Source& source, const Imp
     return all;
 }
 
-// That no output is an input, a file that the rig names, or the manifest.
+// Checks that no output is an input, a file that the rig names, or the manifest.
 Result<void> check_free(const std::vector<OutputFile>& outputs, const Source& source, const ImportRequest& request,
                         const FilesInUse& inputs) {
     FilesInUse taken(source.rig ? source.rig->files : std::vector<std::string>());
@@ -240,7 +240,7 @@ Result<void> check_free(const std::vector<OutputFile>& outputs, const Source& so
     return {};
 }
 
-// Adds what is missing. All bytes of all targets first, then the files: what cannot be made leaves nothing behind.
+// Adds what is missing. Makes all bytes of all targets before it writes a file: a failure leaves nothing behind.
 Result<std::vector<Written>> write_targets(const Source& source, const Content& content, const ImportRequest& request,
                                            const FilesInUse& inputs, std::vector<std::optional<Written>> there) {
     std::vector<Written> all;
@@ -285,7 +285,7 @@ Result<Made> import_one(const std::string& file, const ImportRequest& request, c
     if (!source) return pass_on(source);
     std::vector<std::optional<Written>> there = found_of_all(*source, request);
     const bool complete = std::all_of(there.begin(), there.end(), [](const auto& written) { return !!written; });
-    // Only a report speaks of the light of what is up to date.
+    // If everything is up to date, only a report needs the light.
     Content content;
     if (!complete || kind != ReportKind::words) {
         Result<Content> read = content_of(*source, request);

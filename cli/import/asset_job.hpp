@@ -1,4 +1,4 @@
-// One input of import, a profile or a rig, as the files of every target.
+// One input of import, a profile or a rig, and its files for every target.
 #pragma once
 
 #include <gonio/base/result.hpp>

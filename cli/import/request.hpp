@@ -1,4 +1,4 @@
-// What `gonio import` is asked: for which targets, which folder, which light.
+// The request of `gonio import`: the targets, the folder, the light.
 #pragma once
 
 #include <gonio/asset/measured_light.hpp>
@@ -45,13 +45,14 @@ struct ImportRequest {
     bool update = false;
 };
 
-// Fails (usage, io) on what cannot be meant, and on a unit that one of the targets has not, before anything is written.
+// Fails (usage, io) on options that make no sense, and on a unit that one of the targets does not have, before anything
+// is written.
 Result<ImportRequest> parse_import(const Arguments& arguments);
 
 // DIR/TARGET.
 std::string folder_of(const ImportRequest& request, const Target& target);
 
-// All that the files depend on but the inputs' bytes.
+// Everything except the inputs' bytes that the files depend on.
 std::string recipe_of(const ImportRequest& request);
 
 } // namespace gonio::cli

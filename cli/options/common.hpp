@@ -1,5 +1,4 @@
-// Options that every command has, and those of every command that reports or works on
-// several threads.
+// Options of every command, and options of every command that reports or works on several threads.
 #pragma once
 
 #include "../command.hpp"
@@ -17,7 +16,7 @@ inline constexpr std::array common_options{
 
 inline constexpr OptionGroup common_group{"common options", common_options};
 
-// Of commands whose own --color is a light's colour.
+// For commands that use --color for a light's colour.
 inline constexpr std::array light_common_options{
     Option{"-q,--quiet", "", "print no warnings, notes or progress"},
     Option{"-v,--verbose", "", "print the steps and how long they take"},

@@ -1,7 +1,7 @@
 // The files of a command, so that no output destroys an input or another output.
 //
-// Files are the same by what they are (device and inode), not by what they are called: "a", "./a", a hard link and a
-// symbolic link to it are one. Devices and pipes may be read and written by several.
+// Files are compared by device and inode, not by name: "a", "./a", a hard link and a symbolic link to it are the same
+// file. Devices and pipes may be read and written several times.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -14,13 +14,13 @@ namespace gonio::cli {
 
 class FilesInUse {
 public:
-    // "-" is standard input.
+    // "-" is stdin.
     explicit FilesInUse(std::span<const std::string> inputs);
 
-    // Fails (usage) where the output is an input.
+    // Fails (usage) if the output is an input.
     Result<void> check(const std::string& output) const;
 
-    // As check(), and where it is an output that was taken before, standard output ("-") included; takes it.
+    // As check(), and also fails if the output was taken before, stdout ("-") included; then takes it.
     Result<void> take(const std::string& output);
 
 private:

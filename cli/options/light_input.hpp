@@ -1,4 +1,4 @@
-// One light from the command line: a profile, or a shape, with its amount, colour and place.
+// One light from the command line: a profile, or a shape, with its amount, colour and position.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -29,22 +29,21 @@ inline constexpr std::array light_options{
 
 inline constexpr OptionGroup light_group{"light", light_options};
 
-// Whether a --color is when diagnostics are coloured, and not a light's colour.
+// Whether the value of --color says when diagnostics are coloured, and is not a light's colour.
 bool is_about_messages(std::string_view color);
 
-// The light of the positional FILE or --shape. Reads no profile; what there is to say of the colour goes to
-// `diagnostics`. Fails (usage) when there is none or both, and on what the
-// options cannot mean.
+// The light of the positional FILE or --shape. Reads no profile; remarks about the colour go to `diagnostics`. Fails
+// (usage) if there is neither or both, and on option values that make no sense.
 Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics);
 
 // The files that a light's shape names: its profile or its mask.
 std::vector<std::string> files_of(const Shape& shape);
 
-// The file of a colour spectrum:FILE; nothing for any other colour.
+// The file of a colour spectrum:FILE; empty for any other colour.
 std::vector<std::string> files_of_color(const std::string& color);
 
-// The first of light_options, other than a --color that is about messages, that is given: "--shape"; empty for none.
+// The first given option of light_options, except a --color about messages: "--shape"; empty for none.
 std::string_view given_light_option(const Arguments& arguments);
 
 } // namespace gonio::cli

@@ -61,7 +61,7 @@ Result<void> write_outputs(const std::vector<OutputFile>& files) {
         if (file.name == "-") continue;
         if (Result<void> added = set.add(file.name, file.bytes); !added) return added;
     }
-    // Nothing takes back what went to standard output: it goes when all else is there but the names.
+    // Output to stdout cannot be undone, so it is written after all files are complete except for their names.
     for (const OutputFile& file : files) {
         if (file.name != "-") continue;
         if (Result<void> written = write_standard_output(file.bytes); !written) return written;

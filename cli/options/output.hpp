@@ -1,4 +1,4 @@
-// Where results of a file-writing command go: -o FILE for one, -O DIR for many.
+// Where a command that writes files puts its results: -o FILE for one, -O DIR for many.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -40,49 +40,49 @@ inline constexpr OptionGroup output_group{"output", output_options};
 
 bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
 
-// The format that --to names, else the one that the output's name tells. Fails (usage) when neither does.
+// The format named by --to, else the one that the output's name implies. Fails (usage) if neither gives a format.
 Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output);
 
-// A picture of three display-encoded channels as bytes of a format that has 8 bits a channel.
+// A picture of three display-encoded channels as bytes of a format with 8 bits per channel.
 Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format);
 
-// --durable: whether what is written from now on is flushed to the disk before it takes its name.
+// --durable: whether files written from now on are flushed to the disk before they get their names.
 void set_durable_outputs(bool durable);
 
-// To the file, or to standard output for "-".
+// To the file, or to stdout for "-".
 Result<void> write_output(const std::string& output, std::string_view bytes);
 
 struct OutputFile {
-    std::string name; // "-" is standard output
+    std::string name; // "-" is stdout
     std::string bytes;
 };
 
-// All of them or none (FileSet): after a failure every file is what it was.
+// Writes all of them or none (FileSet): after a failure every file is as it was before.
 Result<void> write_outputs(const std::vector<OutputFile>& files);
 
-// A warning for every two outputs whose names are one on a file system that does not tell upper from lower case.
+// A warning for every two outputs with names that are the same on a file system that ignores case.
 Diagnostics names_that_differ_by_case(std::span<const std::string> outputs);
 
-// The refusal of an output (a "picture", a "profile") and a report that would both go to standard output.
+// The error for an output (a "picture", a "profile") and a report that would both go to stdout.
 Unexpected both_to_standard_output(std::string_view what = "picture");
 
-// One input and the output that is made of it.
+// One input and the output made from it.
 struct Job {
     std::string input;
-    std::string output; // "-" is standard output
-    std::string name;   // as reports name it: as -o does, or within the folder of -O
+    std::string output; // "-" is stdout
+    std::string name;   // the name in reports: as given to -o, or within the folder of -O
     bool skip = false;  // -u: the output is up to date
 };
 
-// Of all inputs every step-th, from `first` on.
+// Every step-th input, starting at `first`.
 struct Share {
     std::size_t first = 0;
     std::size_t step = 1;
 };
 
-// Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) when -o and -O are both or
-// neither given, -o stands beside several inputs, two inputs (of all) would write the same output, an output is one of
-// the inputs, or an output exists and may not be replaced; (io) when -O names no folder.
+// Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) if both or neither of -o
+// and -O are given, if -o is given with several inputs, if two inputs (of all) would write the same output, if an
+// output is one of the inputs, or if an output exists and may not be replaced; (io) if -O is not a folder.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
                                       std::string_view extension, Share share = {});
 

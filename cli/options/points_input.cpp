@@ -79,7 +79,7 @@ Result<Columns> read_header(const std::vector<Field>& fields, const std::string&
     return columns;
 }
 
-// Unless the text is `known` to be a table of points it may be any file, of which nothing is to be told.
+// Unless the text is `known` to be a table of points it may be any file, and a message must not quote its contents.
 Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& columns, const std::string& source,
                           std::uint32_t line, const glm::dvec3& default_normal, bool known) {
     if (!columns.named && fields.size() != 3 && fields.size() != 6)

@@ -24,7 +24,7 @@ inline constexpr std::array points_options{
 
 inline constexpr OptionGroup points_group{"points", points_options};
 
-// At most this many points of one run.
+// The largest number of points in one run.
 inline constexpr std::size_t max_points = limit("points").value;
 
 struct GridSize {
@@ -33,7 +33,7 @@ struct GridSize {
 };
 
 struct Points {
-    std::vector<Receiver> receivers; // of a grid: along U first
+    std::vector<Receiver> receivers; // of a grid: first along U
     std::optional<GridSize> grid;
 };
 
@@ -41,8 +41,8 @@ struct Points {
 // line and column) on the file.
 Result<Points> points_input(const Arguments& arguments);
 
-// Points of CSV text that `source` names in messages. The first line may name columns: x, y, z, and nx, ny, nz or none
-// of them, in any order, among others that are left alone. Empty lines and lines that begin with # are left out.
+// Points of CSV text that messages call `source`. The first line may name columns: x, y, z, and all or none of nx, ny,
+// nz, in any order; other columns are ignored. Empty lines and lines that start with # are skipped.
 Result<std::vector<Receiver>> parse_points(std::string_view text, const std::string& source,
                                            const glm::dvec3& default_normal);
 

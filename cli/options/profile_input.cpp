@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml", "tm33"};
 
-// Much is written as XML. A file that cannot be read is kept: reading it says why.
+// Many formats are XML. A file that cannot be read is kept: reading it reports why.
 bool is_other_xml(const std::string& file) {
     constexpr std::size_t looked_at = 8192;
     if (!ends_with_any_case(file, ".xml")) return false;

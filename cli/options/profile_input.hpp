@@ -32,15 +32,15 @@ struct ProfileInputOptions {
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
 
-// What of it is not the default, for a recipe: " strict lamp-set=2 tilt=30deg"; else empty.
+// The options that differ from the defaults, for a recipe: " strict lamp-set=2 tilt=30deg"; else empty.
 std::string recipe_of(const ProfileInputOptions& options);
 
-// The positional words with every @LIST replaced by the file names it holds, one a line, and every folder by the
-// profiles below it, sorted by name; XML that is no TM-33 is left out there. Fails (io) when a list or a folder cannot
-// be read and (usage) when there is no word at all, or no profile in a folder.
+// The positional words with every @LIST replaced by the file names in it, one per line, and every folder by the
+// profiles below it, sorted by name; XML files in a folder that are not TM-33 are left out. Fails (io) if a list or a
+// folder cannot be read and (usage) if there is no word at all, or no profile in a folder.
 Result<std::vector<std::string>> input_files(const Arguments& arguments);
 
-// A file with its bytes, as read and as resolved; "-" is standard input.
+// A file with its bytes, as read and as resolved; "-" is stdin.
 struct LoadedProfile {
     std::string bytes;
     Profile profile;
@@ -50,7 +50,7 @@ struct LoadedProfile {
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options);
 
-// The same of a file's bytes that were read already.
+// The same for a file's bytes that were read already.
 Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, const ProfileInputOptions& options);
 
 } // namespace gonio::cli

@@ -24,7 +24,8 @@ inline constexpr std::array profile_output_options{
 
 inline constexpr OptionGroup profile_output_group{"output", profile_output_options};
 
-// What --to, --dialect or the output's name ask for. Fails (usage) where none of them tells, and where they disagree.
+// The target given by --to, --dialect or the output's name. Fails (usage) if none of them gives a target, and if they
+// disagree.
 Result<ProfileTarget> profile_target(const Arguments& arguments, const std::string& output);
 
 struct ProfileOutput {
@@ -32,19 +33,19 @@ struct ProfileOutput {
     ProfileTarget target = ProfileTarget::lm63_2002;
 };
 
-// Fails (usage) without -o, on an unknown format or dialect, and where neither --to nor the name tells the format.
+// Fails (usage) without -o, on an unknown format or dialect, and if neither --to nor the name gives the format.
 Result<ProfileOutput> profile_output(const Arguments& arguments);
 
-// What was written, as it reads back.
+// The written profile, as it reads back.
 struct WrittenProfile {
     double flux_lm = 0.0;
     double peak_cd = 0.0;
     double max_error_cd = 0.0; // of the bytes, against the luminaire
-    Diagnostics diagnostics;   // what the format cannot hold
+    Diagnostics diagnostics;   // anything the format cannot store
 };
 
-// Writes the luminaire. Fails (io) where the file cannot be written, as to_profile() does, and (internal) where the
-// bytes cannot be read again.
+// Writes the luminaire. Fails (io) if the file cannot be written, as to_profile() does, and (internal) if the bytes
+// cannot be read again.
 Result<WrittenProfile> write_luminaire(const Luminaire& luminaire, const ProfileOutput& output);
 
 } // namespace gonio::cli

@@ -22,21 +22,21 @@ inline constexpr std::array rig_options{
     Option{"--allow-outside", "", "let the rig name pipes and files outside its folder"},
 };
 
-// What a rig may name. `arguments` must be of a command that has --allow-outside.
+// The files that a rig may name. `arguments` must be those of a command that has --allow-outside.
 RigReadOptions rig_read_options(const Arguments& arguments);
 
 struct LightsInput {
-    std::string rig_file; // empty: one light by options
+    std::string rig_file; // empty: one light from options
     Rig rig;
-    std::vector<std::string> files; // that all this is read from
+    std::vector<std::string> files; // every file that was read for the lights
 };
 
-// Of --rig, or of the positional FILE or --shape, which then hangs at the placement. Reads the rig and its
-// profiles, but not the profile of one light. Fails (usage) when a rig and a light are both given, and as
+// The lights of --rig, or the light of the positional FILE or --shape, which is placed at `placement`. Reads the rig
+// and its profiles, but not the profile of a single light. Fails (usage) if a rig and a light are both given, and as
 // read_rig_file and light_input do.
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement, Diagnostics& diagnostics);
 
-// Resolved, in order; messages name the rig's JSON path where there is a rig.
+// The resolved lights, in order; messages name the rig's JSON path if there is a rig.
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads);
 
 } // namespace gonio::cli

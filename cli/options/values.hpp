@@ -26,16 +26,16 @@ Result<PixelSize> parse_size(std::string_view text);
 // "1,2.5,-3".
 Result<glm::dvec3> parse_vector(std::string_view text, std::string_view what);
 
-// "1000", "1e8": a whole number from 0 to 2⁵³, or any of 64 bits where only digits are written.
+// "1000", "1e8": a whole number from 0 to 2⁵³, or any 64-bit number if it is written with digits only.
 Result<std::uint64_t> whole_number(std::string_view text, std::string_view what);
 
-// -j N: 0 = all processors, when not given too.
+// -j N: 0 = all processors; the default is 0 too.
 Result<unsigned> thread_count(const Arguments& arguments);
 
-// --simd NAME; the best there is when not given. Fails (unsupported) on a set that this machine does not have.
+// --simd NAME; the best available set by default. Fails (unsupported) on a set that this machine does not have.
 Result<simd::InstructionSet> instruction_set(const Arguments& arguments);
 
-// --error E of the method reference, nothing when not given. Fails (usage) without that method.
+// --error E of the method reference, empty if not given. Fails (usage) without that method.
 Result<std::optional<double>> reference_error(const Arguments& arguments, bool by_reference);
 
 } // namespace gonio::cli

@@ -52,7 +52,7 @@ Result<std::vector<LightDescription>> described(const Arguments& arguments) {
     return lights;
 }
 
-// The diagram must not replace what it is drawn from.
+// The diagram must not replace a file that it is drawn from.
 Result<void> check_free(const Arguments& arguments, std::span<const LightDescription> lights) {
     std::vector<std::string> inputs;
     for (const LightDescription& light : lights)

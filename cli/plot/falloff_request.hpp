@@ -19,12 +19,12 @@ inline constexpr std::array falloff_options{
     Option{"--distance", "FROM:TO", "range of the distance axis (0.1m:20m)"},
 };
 
-// Only falloff takes these options. Fails (usage) naming the first that is given.
+// Only falloff takes these options. Fails (usage) and names the first one given.
 Result<void> no_falloff_options(const Arguments& arguments);
 
 Result<FalloffOptions> read_falloff(const Arguments& arguments);
 
-// The profiles that are named, then the shapes, resolved.
+// The given profiles, then the shapes, resolved.
 Result<std::vector<PlottedLight>> falloff_lights(const Arguments& arguments, Diagnostics& diagnostics);
 
 } // namespace gonio::cli

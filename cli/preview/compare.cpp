@@ -38,14 +38,14 @@ struct Compared {
     IrradianceMethod method = IrradianceMethod::exact;
     Image rgb_nt;
     Image nt;
-    Image difference_nt; // from the first; empty of the first
+    Image difference_nt; // from the first method; empty for the first
     measure::PictureError error;
 };
 
 struct Comparison {
-    std::vector<Compared> methods; // the one to measure by first
-    Ev100 exposure;                // of the first
-    ValueScale scale;              // of all differences, even about 0
+    std::vector<Compared> methods; // first the one that the others are measured against
+    Ev100 exposure;                // of the first method
+    ValueScale scale;              // of all differences, symmetric about 0
     ScaleUse use;
 };
 
@@ -64,7 +64,8 @@ Image difference(const Image& values, const Image& truth) {
     return result;
 }
 
-// Round ends that hold 98 of 100 differences of all methods: a highlight that is missed leaves the rest its colours.
+// Round limits that contain 98 of 100 differences of all methods, so that one missed highlight does not use up the
+// colour range.
 void scale_differences(Comparison& comparison) {
     Image sizes;
     sizes.channels = 1;
@@ -120,7 +121,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
     return comparison;
 }
 
-// Everything as it was computed: the first method without a name too, for programs that know no layers.
+// All values as computed, with the first method also as the unnamed layer for programs that do not know layers.
 Result<std::string> as_layers(const Comparison& comparison) {
     const Image& first = comparison.methods.front().rgb_nt;
     Result<media::LayeredImage> layered =
@@ -146,7 +147,7 @@ std::vector<std::array<float, 3>> ramp() {
     return colors;
 }
 
-// A tile whose picture is exposed, but not yet developed.
+// A tile with its picture exposed, but not yet developed.
 SheetTile tile_of(const Compared& compared, double mean_nt, Ev100 exposure) {
     SheetTile tile;
     tile.name = name_of(compared);
@@ -327,7 +328,7 @@ Result<int> preview_compare(const Arguments& arguments, Console& console) {
     std::string text;
     for (std::size_t i = 1; i < comparison->methods.size(); ++i)
         text += error_text(comparison->methods[i], comparison->methods.front());
-    // Beside a picture on standard output they go where remarks go.
+    // If the picture goes to stdout, the figures go to stderr.
     if (request->output == "-")
         console.note(text);
     else

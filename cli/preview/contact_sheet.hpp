@@ -1,4 +1,4 @@
-// What every sheet of `gonio preview` shares: the size of its tiles, their display transform, the file.
+// Shared by all sheets of `gonio preview`: the size of the tiles, their display transform, the file.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -25,20 +25,21 @@ inline constexpr std::array contact_sheet_options{
     Option{"--title", "TEXT", "title of the sheet"},
 };
 
-// Fails (usage) on an option of sheets.
+// Fails (usage) if an option for sheets is given.
 Result<void> no_sheet_options(const Arguments& arguments);
 
-// -s (else `usual`) for each tile's picture, --columns and --title. Fails (usage) on what they cannot mean.
+// Reads -s (default `usual`) for each tile's picture, --columns and --title. Fails (usage) on values that make no
+// sense.
 Result<SheetOptions> read_sheet_options(const Arguments& arguments, const PreviewRequest& request, PixelSize usual);
 
-// Fails (usage) on a format of light, which cannot hold labels.
+// Fails (usage) on a format of light values, which cannot hold labels.
 Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hint = "write .png or .jpg");
 
-// Fails (usage) where so many tiles ("profiles") make too large a picture.
+// Fails (usage) if this number of tiles ("profiles") makes too large a picture.
 Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what);
 
-// Exposed linear pictures of tiles through the display transform, all together: to set one up costs as much as to
-// apply it. Those that are empty stay empty.
+// Puts the exposed linear pictures of all tiles through the display transform together, because setting up a transform
+// costs as much as applying it. Empty pictures stay empty.
 Result<void> develop_tiles(std::vector<SheetTile>& tiles, const PreviewRequest& request, const Console& console);
 
 } // namespace gonio::cli

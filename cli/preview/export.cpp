@@ -13,7 +13,7 @@ namespace gonio::cli {
 
 namespace {
 
-// With its '/', or nothing.
+// With its trailing '/', or empty.
 std::string folder_of(const std::string& file) {
     return file.substr(0, file.rfind('/') + 1);
 }

@@ -1,4 +1,4 @@
-// `gonio preview --export`: what is rendered, as a scene of other renderers.
+// `gonio preview --export`: the rendered scene in the formats of other renderers.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -21,15 +21,15 @@ inline constexpr std::array preview_export_options{
            "or .py (Blender), with the files that they need; renders a picture only with -o"},
 };
 
-// Fails (usage) on a name that tells no format, and on a folder or standard output.
+// Fails (usage) on a name that implies no format, and on a folder or stdout.
 Result<void> check_export(const std::string& file);
 
 struct ExportedScene {
     std::vector<OutputFile> files; // the scene first
-    Diagnostics diagnostics;       // what its format cannot hold, with what it does instead
+    Diagnostics diagnostics;       // anything its format cannot store, with the replacement
 };
 
-// `white`: the luminance that the picture shows as 1, where that is known.
+// `white`: the luminance that the picture shows as 1, if it is known.
 Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<const Light> lights,
                                    std::optional<Nits> white);
 

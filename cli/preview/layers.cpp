@@ -33,7 +33,7 @@ struct LayerChoice {
     bool parts = false;
     bool illuminance = false;
 
-    // With an ambient sky, which counts as a light.
+    // An ambient sky counts as a light.
     std::size_t channels(std::size_t light_count) const {
         const std::size_t each = lights ? (illuminance ? 4U : 3U) : 0U;
         return 3U + (parts ? 9U : 0U) + (illuminance ? 1U : 0U) + each * light_count;
@@ -77,7 +77,7 @@ Result<void> fits_layers(const Arguments& arguments, const PreviewRequest& reque
     return no_sheet_options(arguments);
 }
 
-// Of all, before anything is rendered; the most lights of this size are said.
+// Space for all layers, before anything is rendered; the error names how many lights fit at this size.
 Result<media::LayeredImage> room_for(const LayerChoice& choice, const PreviewRequest& request, std::size_t lights) {
     const RenderOptions& size = request.render;
     Result<media::LayeredImage> layered = media::LayeredImage::create(size.width, size.height, choice.channels(lights));
@@ -123,7 +123,7 @@ public:
     const Json& layers_json() const { return layers_; }
 
 private:
-    // What is not a light's comes first, since it says how many layers there are.
+    // First renders what belongs to no light, because the number of layers depends on it.
     Result<void> begin(const RenderOptions& options) {
         if (choice_.lights) {
             Result<Rendering> unlit = render_unlit(request_.stage, lights_, request_.stage.camera, options);
@@ -181,7 +181,7 @@ private:
                 wanted.push_back("illuminance-" + name);
             std::vector<std::string_view> taken(names.begin(), names.end());
             taken.insert(taken.end(), own_names.begin(), own_names.end());
-            Diagnostics obvious; // that of its light is said
+            Diagnostics obvious; // the same as for the light's own layer
             lux_names = media::layer_names(wanted, taken, obvious);
         }
         if (has_sky_) {

@@ -1,4 +1,4 @@
-// `gonio preview --aov`: what a picture is the sum of, as layers of one OpenEXR file.
+// `gonio preview --aov`: the contributions that add up to a picture, as layers of one OpenEXR file.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -28,7 +28,8 @@ inline constexpr std::array layer_kinds{
     LayerKind{"illuminance", "lx on what is seen; with lights, also from each light"},
 };
 
-// The picture itself has no layer's name (R, G, B): programs that know no layers show it. Returns the exit status.
+// The picture itself has no layer name (R, G, B), so that programs that do not know layers show it. Returns the exit
+// status.
 Result<int> preview_layers(const Arguments& arguments, Console& console);
 
 } // namespace gonio::cli

@@ -26,7 +26,7 @@ Result<PictureQuantity> parse_quantity(const std::string& text) {
     return find_value("quantity", text, quantities);
 }
 
-// The unit decides the quantity where none is named.
+// The unit determines the quantity if none is named.
 Result<void> read_quantity(const Arguments& arguments, LookRequest& request) {
     if (request.look == Look::luminance) request.quantity = PictureQuantity::luminance;
     const auto named = arguments.value("--quantity");
@@ -108,7 +108,7 @@ Result<void> read_levels(std::string_view text, LookRequest& request) {
     return {};
 }
 
-// An option that the look would not heed is a misunderstanding.
+// An option that the display mode would ignore is an error.
 Result<void> only_useful(const Arguments& arguments, Look look) {
     struct Use {
         std::string_view option;
@@ -191,7 +191,7 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
         request.mode = ExposureMode::ev;
         request.ev = Ev100(*ev);
     }
-    constexpr double most = 100.0; // 1.5e30 cd/m² for white; a picture holds less
+    constexpr double most = 100.0; // white is 1.5e30 cd/m² then; a picture holds less
     if (!(std::abs(request.ev.value) <= most))
         return fail("USE0106", fmt::format("--exposure {} is out of range", text),
                     fmt::format("it must lie between -{0}ev and {0}ev", most));

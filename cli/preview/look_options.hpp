@@ -1,4 +1,4 @@
-// How `gonio preview` shows what was rendered: the look with its scale, and the exposure.
+// How `gonio preview` shows the rendered picture: the display mode with its scale, and the exposure.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -38,23 +38,23 @@ inline constexpr std::array preview_exposure_options{
 struct LookRequest {
     Look look = Look::beauty;
     PictureQuantity quantity = PictureQuantity::illuminance;
-    const Unit* unit = nullptr; // of the legend
+    const Unit* unit = nullptr; // unit of the legend
     bool logarithmic = true;
-    std::optional<ValueScale> scale; // round where nothing is given
+    std::optional<ValueScale> scale; // round limits if not given
     const Palette* palette = nullptr;
     std::vector<double> levels; // in base units; empty: round ones
     bool legend = true;
 };
 
-// Fails (usage) on what the options cannot mean, on options that the look has no use for, and on a format that cannot
-// hold what was asked.
+// Fails (usage) on option values that make no sense, on options that the display mode does not use, and on a format
+// that cannot store the result.
 Result<LookRequest> read_look(const Arguments& arguments, const media::ImageFormat& format);
 
 enum class ExposureMode { automatic, ev, card };
 
 struct ExposureRequest {
     ExposureMode mode = ExposureMode::automatic;
-    Ev100 ev; // where not automatic
+    Ev100 ev; // if not automatic
     ToneMap tone_map = ToneMap::none;
 
     Ev100 of(const Rendering& rendering) const;

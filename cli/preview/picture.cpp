@@ -49,7 +49,7 @@ std::vector<std::array<float, 3>> colors_of(const Image& row) {
     return colors;
 }
 
-// A row of pixels with the values of a scale from its low end to its high one.
+// A row of pixels with the values of a scale, from its low end to its high end.
 Image scale_row(const ValueScale& scale) {
     Image row(ramp_colors, 1, 1);
     for (int x = 0; x < ramp_colors; ++x)
@@ -178,7 +178,7 @@ private:
     const PreviewRequest& request_;
     std::span<const Light> lights_;
     const Console& console_;
-    Image values_; // of other looks than beauty
+    Image values_; // for display modes other than beauty
     EncodedPicture picture_;
 };
 
@@ -196,7 +196,7 @@ Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const C
 }
 
 void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
-    // What a surface makes of the ceiling, down to an albedo of 1e-9; the sun's disk has 1.6e9 cd/m².
+    // A surface with an albedo of 1e-9 or more reaches this at the ceiling; the sun's disk has 1.6e9 cd/m².
     constexpr float suspicious_nt = 1e20F;
     const float greatest = std::accumulate(luminance_nt.pixels.begin(), luminance_nt.pixels.end(), 0.0F,
                                            [](float a, float b) { return std::max(a, b); });

@@ -1,4 +1,4 @@
-// From what was rendered to the bytes of a picture file.
+// From the rendering to the bytes of a picture file.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -17,23 +17,23 @@ namespace gonio::cli {
 struct EncodedPicture {
     std::string bytes;
     int width = 0;  // of the file, with its legend
-    Ev100 exposure; // which it was exposed by; of a picture of numbers the one that would be
-    // Of other looks than beauty.
+    Ev100 exposure; // the exposure used; for a picture of numbers the one that would be used
+    // For display modes other than beauty.
     ScaleUse use;
     std::optional<ValueScale> scale; // falsecolour, luminance
     std::vector<double> levels;      // isolux, in base units
 };
 
-// An exposed linear picture as display-encoded values, by the view or the tone map that is asked for.
+// Converts an exposed linear picture to display-encoded values, by the selected view or tone map.
 Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console);
 
-// Integer formats: exposed, through the display transform, as the look that is asked for. Float formats: linear Rec.709
-// in cd/m², or one channel Y of the look's quantity in lux or cd/m².
+// Integer formats: exposed, through the display transform, in the selected display mode. Float formats: linear Rec.709
+// in cd/m², or one channel Y with the display mode's quantity in lux or cd/m².
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                                       const Console& console);
 
-// A warning where numbers of the picture may have been cut at shading::illuminance_ceiling. For pictures that keep
-// them.
+// A warning if numbers of the picture may have been clipped at shading::illuminance_ceiling. For pictures that store
+// numbers.
 void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics);
 
 } // namespace gonio::cli

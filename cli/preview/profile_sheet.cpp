@@ -28,8 +28,8 @@ namespace {
 
 constexpr PixelSize usual_size{176, 132};
 
-// What a profile's tile is made of. The picture is exposed and linear until all of them go through the display
-// transform together.
+// The contents of a profile's tile. The picture is exposed and linear until all tiles go through the display transform
+// together.
 struct Thumbnail {
     SheetTile tile;
     Ev100 exposure;
@@ -68,7 +68,7 @@ std::string beam_text(const Web& web) {
     return along == across ? "beam " + along : fmt::format("beam {} × {}", along, across);
 }
 
-// Renders one profile where the stage hangs its light.
+// Renders one profile at the position of the stage's light.
 Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& request, const SheetOptions& options,
                                Outcome& outcome) {
     Result<LoadedProfile> loaded = load(file, {});
@@ -131,7 +131,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
         run_batch({*files, "gonio.preview/1", "shown", request->render.threads}, kind, console, [&](std::size_t index) {
             const std::string& file = (*files)[index];
             Outcome outcome;
-            tiles[index].fault = "not shown"; // what stays if this one throws
+            tiles[index].fault = "not shown"; // kept if thumbnail_of throws
             Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);

@@ -16,8 +16,8 @@ inline constexpr std::array preview_sheet_options{
            "show FILE… (folders and @LIST too) as labelled thumbnails: floor, polar diagram, lm, cd, beam"},
 };
 
-// Returns the exit status: the worst of all profiles. One that cannot be read has a tile that says so. -s is the size
-// of each tile's picture. Fails (usage) on what a sheet has no use for, before a profile is read.
+// Returns the exit status: the worst of all profiles. A profile that cannot be read gets a tile with the error. -s is
+// the size of each tile's picture. Fails (usage) on options that a sheet does not use, before a profile is read.
 Result<int> preview_sheet(const Arguments& arguments, Console& console);
 
 } // namespace gonio::cli

@@ -20,7 +20,7 @@ namespace gonio::cli {
 namespace {
 
 constexpr double standard_error = 0.01;
-constexpr std::size_t least_passes = 8; // before the estimate of the error is believed
+constexpr std::size_t least_passes = 8; // before the error estimate is trusted
 
 // "1%" or "0.01".
 Result<double> parse_error(std::string_view text) {
@@ -85,7 +85,7 @@ Result<RefinedPicture> refine(const PreviewRequest& request, std::span<const Lig
     const Stopwatch watch;
     constexpr std::size_t steps = 1000;
     Progress progress(steps, console.shows_progress());
-    // A picture is better than none: the first pass is not ended by the clock.
+    // Any picture is better than none: the time limit does not end the first pass.
     const auto is_over = [&] { return budget.milliseconds && watch.milliseconds() >= *budget.milliseconds; };
     RefinedPicture refined;
     bool good = false;
@@ -94,7 +94,7 @@ Result<RefinedPicture> refine(const PreviewRequest& request, std::span<const Lig
         refined.error_estimate = picture->error_estimate();
         good = budget.relative_error && picture->passes() >= least_passes &&
                refined.error_estimate <= *budget.relative_error;
-        // Noise falls at least with the root of the passes.
+        // Noise falls at least with the square root of the number of passes.
         double done = budget.relative_error && refined.error_estimate > 0.0
                           ? std::min(*budget.relative_error / refined.error_estimate, 1.0)
                           : 0.0;

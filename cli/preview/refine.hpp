@@ -1,4 +1,5 @@
-// The method reference of one picture: passes, until it is good enough, its time is over or Ctrl-C ends it.
+// One picture by the method reference: passes are added until the error is reached, the time is over or Ctrl-C is
+// pressed.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -20,8 +21,8 @@ struct ReferenceBudget {
     std::optional<double> milliseconds;
 };
 
-// --error and --time; an error of 1 % where neither is given. Fails (usage) on budgets of nothing and without the
-// method reference.
+// --error and --time; an error of 1 % if neither is given. Fails (usage) on a budget of zero and without the method
+// reference.
 Result<ReferenceBudget> reference_budget(const Arguments& arguments, bool by_reference);
 
 struct RefinedPicture {
@@ -31,7 +32,7 @@ struct RefinedPicture {
     bool interrupted = false;
 };
 
-// Fails as render(). With a bar on a terminal; one line says what came of it where the budget's error was not reached.
+// Fails as render(). Shows a progress bar on a terminal; prints one line if the budget's error was not reached.
 Result<RefinedPicture> refine(const PreviewRequest& request, std::span<const Light> lights, const Console& console);
 
 } // namespace gonio::cli

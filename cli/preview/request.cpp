@@ -55,7 +55,7 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
         if (!sky) return pass_on(sky);
         request.render.sky = *sky;
     }
-    // The library never reads the environment; the tool hands $OCIO on.
+    // The library never reads the environment; the tool passes $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
     request.display.display = arguments.value("--display").value_or("");
@@ -92,7 +92,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
         *method == IrradianceMethod::reference ||
         std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference) != 0;
     if (!is_one_picture(arguments)) {
-        // Pictures that are to be compared, summed or put beside each other have no noise: by quadrature.
+        // Pictures that are compared, summed or shown side by side are computed by quadrature, without noise.
         Result<std::optional<double>> error = reference_error(arguments, by_reference);
         if (!error) return pass_on(error);
         if (*error) request.render.goal.relative_error = **error;
@@ -106,7 +106,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
-// An exported scene says the exposure too; what else is said of a picture means nothing.
+// An exported scene includes the exposure too; all other picture options are refused.
 Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& request) {
     for (const std::string_view option : {"--look", "--to", "--stats", "--ticks", "--tone-map"})
         if (arguments.has(option))
@@ -124,7 +124,7 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
         if (!arguments.has("--sweep"))
             return fail("USE0107", "-O is only for --sweep", "use -o FILE, for example -o lamp.png");
         if (output) return fail("USE0107", "-o and -O are both given", "-o writes a sheet, -O a file for each picture");
-        output = "picture.png"; // unless --to says otherwise
+        output = "picture.png"; // unless --to names another format
     }
     request.export_file = arguments.value("--export").value_or("");
     if (arguments.has("--export"))
@@ -169,7 +169,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     if (read) read = read_method(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
-    // Lines would be read as numbers.
+    // Tick lines would be read as values.
     if (arguments.has("--ticks") && request.look.look != Look::beauty && request.look.look != Look::isolux)
         return fail("USE0107", "--ticks cannot be drawn into a picture of values",
                     "add --look isolux, or leave --look out");

@@ -1,4 +1,4 @@
-// What `gonio preview` is asked: lights on a stage, seen by a camera, as a picture.
+// The request of `gonio preview`: lights on a stage, seen by a camera, as a picture.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -68,17 +68,17 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    std::vector<IrradianceMethod> compared; // of --compare, the one to measure by first; else empty
-    std::string output;                     // empty: no picture, but a scene to export
+    std::vector<IrradianceMethod> compared; // of --compare, with the baseline first; else empty
+    std::string output;                     // empty: no picture, only an exported scene
     std::string export_file;                // empty: none
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };
 
-// All but the lights: a picture on a stage.
+// Everything except the lights: a picture on a stage.
 Result<PreviewRequest> parse_without_lights(const Arguments& arguments);
 
-// Everything but the files is checked first: a mistake is told before a large rig is read.
+// Checks everything except the files first: a mistake is reported before a large rig is read.
 Result<PreviewRequest> parse_preview(const Arguments& arguments);
 
 } // namespace gonio::cli

@@ -1,4 +1,4 @@
-// The stage of `gonio preview`: by name or from a rig, with materials and a camera of one's own.
+// The stage of `gonio preview`: by name or from a rig, with optional materials and an optional camera.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -24,15 +24,15 @@ inline constexpr std::array preview_stage_options{
     Option{"--ticks", "", "draw a thin dark line at every metre of floors and walls"},
 };
 
-// The full vertical angle. Fails (usage) on what is no angle between 0 and 180 degrees.
+// The full vertical angle. Fails (usage) unless it is an angle between 0 and 180 degrees.
 Result<void> read_field_of_view(const std::string& text, Camera& camera);
 
-// The stage that --stage names, floor where it is not given. A light that is not placed hangs where this stage says.
+// The stage of --stage, by default floor. A light without a position is placed where this stage says.
 Result<Stage> named_stage(const Arguments& arguments);
 
-// That stage, or the rig's where --stage is not given, with the rig's camera and materials and then those of the
-// options. What there is to say of materials goes to `diagnostics`. Fails (usage) on what the stage has not and as
-// check_camera does.
+// The stage of --stage, or the rig's stage if --stage is not given, with the rig's camera and materials and then those
+// of the options. Remarks about materials go to `diagnostics`. Fails (usage) on anything that the stage does not have
+// and as check_camera does.
 Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics);
 
 } // namespace gonio::cli

@@ -1,4 +1,4 @@
-// What a rendering skipped and what that saved, for people and for programs.
+// How much of a rendering was skipped and how much that saved, for people and for programs.
 #pragma once
 
 #include <gonio/preview/render_stats.hpp>
@@ -9,7 +9,7 @@
 
 namespace gonio::cli {
 
-// `milliseconds` is what the rendering took.
+// `milliseconds`: how long the rendering took.
 std::string stats_text(const RenderStats& stats, double milliseconds);
 Json stats_json(const RenderStats& stats, double milliseconds);
 

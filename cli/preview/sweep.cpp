@@ -27,7 +27,7 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
     Result<void> made =
         sweeper.render_all(options.picture_width_px, options.picture_height_px, [&](Cell cell, std::size_t index) {
             SheetTile& tile = tiles[index];
-            // A line for each of two values, which one line has no room for.
+            // With two axes each value gets its own line, because both do not fit on one.
             const Sweep& sweep = sweeper.sweep();
             tile.name = sweep.axes[0].label(sweep.value_of(index, 0));
             tile.facts = {sweep.axes.size() == 2 ? sweep.axes[1].label(sweep.value_of(index, 1))

@@ -1,4 +1,4 @@
-// `gonio preview --sweep`: the same picture with one value, or two, that change.
+// `gonio preview --sweep`: the same picture with one or two values that vary.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -20,9 +20,9 @@ inline constexpr std::array preview_sweep_options{
     Option{"--overwrite", "", "with -O: replace existing files"},
 };
 
-// A labelled sheet (-o) or files (-O), each equal to the picture of a light or stage that is written with the value,
-// under the exposure of the first unless that is what changes. The method reference integrates by quadrature here,
-// without the noise of its passes. Returns the exit status.
+// A labelled sheet (-o) or files (-O). Each picture is the same as that of a light or stage with the value written in
+// it, at the exposure of the first picture unless the exposure itself varies. Here the method reference integrates by
+// quadrature, without the noise of its passes. Returns the exit status.
 Result<int> preview_sweep(const Arguments& arguments, Console& console);
 
 } // namespace gonio::cli

@@ -23,7 +23,7 @@ constexpr int shown_digits = 4;
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> short_names{
     {{"r", "radius"}, {"w", "width"}, {"l", "length"}, {"metal", "metallic"}, {"colour", "color"}, {"z", "height"}}};
 
-// A number and what follows it.
+// A number and the text after it.
 struct Quantity {
     double number = 0.0;
     std::string_view unit;
@@ -111,7 +111,7 @@ private:
     }
 
     Result<void> read_range(std::size_t begin) {
-        // An exposure may be anchored in lux: each value is.
+        // An exposure may be given in lux; then every value of the range is in lux.
         constexpr std::string_view card = "lux:";
         std::string prefix;
         if (axis_.key == "exposure" && text_.substr(begin).starts_with(card)) {
@@ -157,7 +157,7 @@ private:
         return {};
     }
 
-    // The number of `to` in the unit of `from`.
+    // The number of `to`, converted to the unit of `from`.
     Result<double> same_unit(const Quantity& from, const Quantity& to, std::size_t at) const {
         if (from.unit == to.unit) return to.number;
         if (from.unit.empty() || to.unit.empty())

@@ -16,7 +16,7 @@ namespace gonio::cli {
 
 namespace {
 
-// "03-cct-2000K.png": in their order by name, and plain enough for every file system.
+// "03-cct-2000K.png": sorts in order by name, and is valid on every file system.
 std::string file_of(const Sweep& sweep, std::size_t cell, const std::string& folder, std::string_view extension) {
     std::string name;
     for (std::size_t a = 0; a < sweep.axes.size(); ++a)

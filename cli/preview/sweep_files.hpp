@@ -12,7 +12,7 @@
 
 namespace gonio::cli {
 
-// Where the cells go, in their order, below -O. Fails (io) without such a folder and (usage) on a file that exists,
+// The files of the cells, in order, below -O. Fails (io) if there is no such folder and (usage) on a file that exists,
 // unless --overwrite is given.
 Result<std::vector<std::string>> plan_sweep_files(const Arguments& arguments, const Sweeper& sweeper);
 

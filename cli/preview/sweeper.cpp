@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t most_cells = limit("sweep-pictures").value;
 
-// The lights whose name is asked for, or all.
+// Sets the lights of the axis's target name, or all lights.
 Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<LightDescription>& lights,
                         Diagnostics& diagnostics) {
     bool has_name = axis.target.empty();
@@ -55,7 +55,7 @@ Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<Li
                             fmt::join(parameters_of(*first), ", ")));
 }
 
-// The surfaces that are asked for, or what the stage is there to show.
+// Sets the surfaces of the axis's target name, or the subjects of the stage.
 Result<bool> set_materials(const SweepAxis& axis, std::size_t value, Stage& stage) {
     bool was_set = false;
     const Surface* met = nullptr;
@@ -94,7 +94,7 @@ bool contains(const Names& names, std::string_view name) {
     return std::any_of(std::begin(names), std::end(names), [&](const auto& known) { return known.name == name; });
 }
 
-// What a cell is rendered from.
+// The request that renders a cell.
 Result<PreviewRequest> cell_request(const PreviewRequest& request, const Sweep& sweep, std::size_t cell,
                                     Diagnostics& diagnostics) {
     PreviewRequest of_cell = request;
@@ -117,7 +117,7 @@ Result<PreviewRequest> cell_request(const PreviewRequest& request, const Sweep& 
     return of_cell;
 }
 
-// What was said already is not said again for each cell.
+// A diagnostic that was already reported is not repeated for each cell.
 void add_new(const Diagnostics& from, Diagnostics& to) {
     for (const Diagnostic& diagnostic : from) {
         const bool known = std::any_of(to.begin(), to.end(), [&](const Diagnostic& other) {
@@ -185,7 +185,7 @@ Result<void> Sweeper::prepare() {
     request_.lights.rig.diagnostics.clear();
     for (LightDescription& light : request_.lights.rig.lights)
         if (Result<void> loaded = load_profile(light.shape, diagnostics_); !loaded) return loaded;
-    // A value does not depend on those of the other axis, but for one spot's two angles.
+    // Every cell is tried: a value does not depend on the other axis, except for the two angles of a spot.
     for (std::size_t cell = 0; cell < sweep_.cells(); ++cell) {
         Diagnostics noticed;
         const Result<PreviewRequest> tried = cell_request(request_, sweep_, cell, noticed);

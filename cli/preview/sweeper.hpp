@@ -1,4 +1,4 @@
-// The cells of a sweep: what each is rendered from, and its picture.
+// The cells of a sweep: the inputs of each, and its picture.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -24,12 +24,12 @@ struct Sweep {
     std::vector<SweepAxis> axes; // the first runs across, the second down
 
     std::size_t cells() const;
-    // Which value of an axis a cell has.
+    // The index of the value that a cell has on an axis.
     std::size_t value_of(std::size_t cell, std::size_t axis) const;
     std::string label(std::size_t cell) const;
 };
 
-// One axis or two, of at most 1024 cells.
+// One or two axes, with at most 1024 cells.
 Result<Sweep> read_sweep(const Arguments& arguments);
 
 struct Cell {
@@ -44,10 +44,10 @@ class Sweeper {
 public:
     Sweeper(PreviewRequest request, Sweep sweep, Console& console);
 
-    // Reads every profile once, and tries every value, so that a mistake is told before anything is rendered.
+    // Reads every profile once, and tries every value, so that a mistake is reported before anything is rendered.
     Result<void> prepare();
 
-    // Hands over the cells one by one, the shared exposure being that of the first.
+    // Hands over the cells one by one; a shared exposure is that of the first cell.
     Result<void> render_all(int width, int height, const std::function<Result<void>(Cell, std::size_t)>& use);
 
     const PreviewRequest& request() const { return request_; }

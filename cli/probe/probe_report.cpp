@@ -16,14 +16,14 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::size_t points_listed = 100; // as text; more are summed up
+constexpr std::size_t points_listed = 100; // as text; more are summarised
 constexpr std::size_t lights_listed = 32;
 
 double relative_error(double value, double truth) {
     return value == truth ? 0.0 : (value - truth) / truth;
 }
 
-// What is compared: the luminance where one is asked for, else the illuminance.
+// The compared value: the luminance if requested, else the illuminance.
 double compared(const ProbeResult& result, std::size_t i) {
     return result.luminance.empty() ? result.illuminance_lx[i] : result.luminance[i].total().value;
 }
@@ -38,12 +38,12 @@ Json vector_json(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
-// One of the methods compared at a point, beside the first of them.
+// One of the compared methods at a point, relative to the first of them.
 Json method_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t m, std::size_t i) {
     const ProbeResult& truth = stretch.by_method.front();
     const ProbeResult& result = stretch.by_method[m];
     const double lx = result.illuminance_lx[i];
-    // The ratio to darkness is not a number.
+    // A ratio to zero is not a number.
     Json json{{"method", to_text(request.methods[m])},
               {"illuminance_lx", lx},
               {"error_lx", lx - truth.illuminance_lx[i]},
@@ -102,7 +102,7 @@ std::string luminance_text(const ProbeLuminance& nt) {
                        rounded(nt.specular.value));
 }
 
-// Heading and width of the column of a method in a comparison.
+// Heading and width of a method's column in a comparison.
 std::string method_column(const ProbeRequest& request, std::size_t m) {
     return fmt::format("{} {}", to_text(request.methods[m]), request.options.view ? "nt" : "lx");
 }

@@ -1,4 +1,4 @@
-// What `gonio probe` prints: a line or an object for each point as it is computed, and what sums them up.
+// The output of `gonio probe`: a line or an object for each point as soon as it is computed, and a summary.
 #pragma once
 
 #include <gonio/scene/probe.hpp>
@@ -15,7 +15,7 @@
 
 namespace gonio::cli {
 
-// Results of a stretch of the points by every method.
+// The results for a run of points by every method.
 struct ProbeStretch {
     std::size_t first = 0;
     std::span<const Receiver> receivers;
@@ -26,10 +26,11 @@ class ProbeReport {
 public:
     ProbeReport(const ProbeRequest& request, Console& console);
 
-    // Whether the share of each light is told.
+    // Whether the contribution of each light is printed.
     bool wants_parts() const;
 
-    // Once before the first stretch, for each in order, and once after the last; `diagnostics` gets what was odd.
+    // Call begin() once before the first stretch, add() for each stretch in order, and end() once after the last;
+    // `diagnostics` gets the remarks.
     void begin();
     void add(const ProbeStretch& stretch);
     void end(Diagnostics& diagnostics);
@@ -38,7 +39,7 @@ private:
     bool listed() const; // a line for each point, not a summary
     bool lights_listed_too() const;
 
-    // The largest error that the quadrature leaves open, relative to its value.
+    // Keeps the largest error estimate of the quadrature, relative to its value.
     void note_error(const ProbeResult& result);
 
     bool estimated() const;
@@ -52,7 +53,7 @@ private:
     Json grid_json() const;
 
     struct Worst {
-        double error = 0.0; // the largest in size, signed
+        double error = 0.0; // the largest absolute error, with its sign
         std::size_t point = 0;
     };
 
@@ -64,7 +65,7 @@ private:
     Console& console_;
     std::optional<JsonWriter> json_;
     std::vector<std::vector<double>> values_; // of each method, for the summary
-    double largest_error_ = 0.0;              // relative, of `reference`
+    double largest_error_ = 0.0;              // relative, of the method reference
     ProbeRemarks remarks_;
 };
 

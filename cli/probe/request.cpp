@@ -43,7 +43,7 @@ Result<void> read_methods(const Arguments& arguments, ProbeRequest& request) {
     if (compare && method)
         return fail("USE0107", "--method and --compare are both given", "name every method in --compare");
     request.compare = compare.has_value();
-    // Of luminance the quadrature is the truth, of illuminance the closed forms are.
+    // The reference value is the quadrature for luminance, and the closed form for illuminance.
     if (request.compare)
         request.methods.push_back(arguments.has("--view") ? IrradianceMethod::reference : IrradianceMethod::exact);
     Result<std::vector<IrradianceMethod>> named = method_list(compare ? *compare : method.value_or("exact"));

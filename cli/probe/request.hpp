@@ -1,4 +1,4 @@
-// What `gonio probe` is asked: lights, points, methods, and how the answer is written.
+// The request of `gonio probe`: lights, points, methods, and the form of the answer.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -33,17 +33,17 @@ inline constexpr std::array probe_report_options{
 enum class ProbeForm { text, json, json_line, csv };
 
 struct ProbeRequest {
-    std::string rig; // empty: one light by options
+    std::string rig; // empty: one light from options
     std::vector<Light> lights;
     Diagnostics diagnostics;
     Points points;
-    std::vector<IrradianceMethod> methods; // one, or those compared; then the true one first
+    std::vector<IrradianceMethod> methods; // one, or those compared, with the reference first
     bool compare = false;
     ProbeOptions options;
     ProbeForm form = ProbeForm::text;
 };
 
-// Everything but the files is checked first: a mistake is told before a large rig is read.
+// Checks everything except the files first: a mistake is reported before a large rig is read.
 Result<ProbeRequest> parse_probe(const Arguments& arguments);
 
 } // namespace gonio::cli

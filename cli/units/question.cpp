@@ -12,7 +12,7 @@ namespace gonio::cli {
 
 namespace {
 
-// What there is to say about a shape when nothing was asked for.
+// The default units for a shape.
 std::vector<std::string> usual_units(const Shape& shape) {
     switch (class_of(shape)) {
     case ShapeClass::punctual:
@@ -39,7 +39,7 @@ bool is_luminance(Dimension dimension) {
     return dimension == Dimension::luminance || dimension == Dimension::luminance_ev;
 }
 
-// A luminance of what has no area is that of the assumed shape with the same flux.
+// For a shape without an area, a luminance is that of the assumed shape with the same flux.
 bool takes_assumed(const Shape& shape, const UnitsRequest& request, Dimension dimension) {
     return request.assumed && is_luminance(dimension) && class_of(shape) == ShapeClass::punctual;
 }
@@ -60,7 +60,7 @@ Result<double> express_as(const Shape& shape, const Emission& emitted, const Pho
     return express(*request.assumed, *assumed, unit, steps);
 }
 
-// The row's value and shape, read and loaded, with nothing computed yet.
+// Reads the row's value and shape and loads files; computes nothing yet.
 Result<UnitsAnswer> read_row(std::string_view row, const UnitsRequest& request) {
     UnitsAnswer read;
     const std::size_t comma = row.find(',');
@@ -86,7 +86,7 @@ Result<std::vector<PhotometricUnit>> wanted_units(const UnitsRequest& request, c
     return units;
 }
 
-// What the policy does to the flux is not what the number says: worth a warning.
+// A warning if the policy emits a flux other than the value says.
 void warn(const Policy& policy, const PolicyMeaning& meaning, const std::string& value, Diagnostics& diagnostics) {
     if (!meaning.own)
         diagnostics.push_back(result_diagnostic(

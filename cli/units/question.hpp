@@ -1,4 +1,4 @@
-// What `gonio units` is asked: one value and shape, and the units that are wanted.
+// The request of `gonio units`: one value and shape, and the wanted units.
 #pragma once
 
 #include <gonio/light/photometry.hpp>
@@ -13,12 +13,12 @@
 
 namespace gonio::cli {
 
-// What all rows of a batch share.
+// Shared by all rows of a batch.
 struct UnitsRequest {
-    std::string shape = "point"; // of rows that name none
+    std::string shape = "point"; // for rows that name none
     std::vector<std::string> wanted;
     const Policy* policy = nullptr; // nullptr: all of them, as a table
-    std::optional<Shape> assumed;   // for luminances of what has no area
+    std::optional<Shape> assumed;   // for luminances of shapes without an area
     std::optional<PhotometricValue> solve;
     bool explain = false;
 };
@@ -30,7 +30,7 @@ struct Answer {
     double number = 0.0;
 };
 
-// What a row came to.
+// The answer to one row.
 struct UnitsAnswer {
     std::string value_text;
     std::string shape_text;
@@ -43,8 +43,8 @@ struct UnitsAnswer {
 
     // --solve
     std::optional<Meters> distance;      // at which the light gives the illuminance
-    std::optional<double> needed_lumens; // that give it at the distance that was named
-    std::optional<double> needed_factor; // on the value
+    std::optional<double> needed_lumens; // for the illuminance at the given distance
+    std::optional<double> needed_factor; // to multiply the value by
 };
 
 // "800lm" or "800lm,sphere:r=3cm".
@@ -53,7 +53,7 @@ Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request);
 // What one program makes of the value.
 struct PolicyRow {
     const Policy* policy = nullptr;
-    std::string lacks; // why there is no such light; empty: there is one
+    std::string lacks; // why this program has no such light; empty: it has one
     PolicyMeaning meaning;
     std::vector<Answer> answers; // physical
 };

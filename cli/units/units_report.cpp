@@ -13,14 +13,14 @@ namespace gonio::cli {
 
 namespace {
 
-// The shortest degrees that are this angle: 40, where converting back gives 40.00000000000001.
+// The shortest decimal number of degrees for this angle: 40, where converting back gives 40.00000000000001.
 double tidy_degrees(Radians angle) {
     const double exact = to_degrees(angle);
     const double tidy = parse_number(rounded(exact, 15)).value_or(exact);
     return degrees(tidy) == angle ? tidy : exact;
 }
 
-// A value of a shape's grammar under its key with the unit: "r_m", "outer_deg", "two_sided".
+// Writes a value of a shape's grammar under its key with the unit: "r_m", "outer_deg", "two_sided".
 struct DescribeValue {
     Json& json;
     std::string key;
@@ -79,7 +79,7 @@ Json question_json(const UnitsAnswer& answer, std::string_view policy) {
             {"policy", policy}};
 }
 
-// Quoted where a comma or a quote would break the row (RFC 4180).
+// Quoted if a comma or a quote would break the row (RFC 4180).
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -88,13 +88,13 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
-// Characters as a terminal counts them: all but the continuation bytes of UTF-8.
+// The number of characters as a terminal counts them: all bytes except continuation bytes of UTF-8.
 std::size_t width_of(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
-// Columns as wide as their widest cell; the last one ends where its text does.
+// Columns as wide as their widest cell; the last column is not padded.
 std::string aligned(const std::vector<std::vector<std::string>>& lines) {
     std::vector<std::size_t> widths;
     for (const std::vector<std::string>& line : lines)

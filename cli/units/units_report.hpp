@@ -12,11 +12,11 @@ namespace gonio::cli {
 std::string to_text(const UnitsAnswer& answer, bool explain);
 Json to_json(const UnitsAnswer& answer, bool explain);
 
-// A line for each policy.
+// One line for each policy.
 std::string to_text(const PolicyTable& table);
 Json to_json(const PolicyTable& table);
 
-// Comma-separated: the row as asked, then a column for each wanted unit. The head takes its columns from `wanted`.
+// Comma-separated: the row as given, then a column for each wanted unit. The heading takes its columns from `wanted`.
 std::string csv_head(std::span<const std::string> wanted);
 std::string csv_line(const UnitsAnswer& answer);
 

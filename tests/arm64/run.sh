@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cross-compiles the library for arm64 and runs the tests of its kernels under qemu-user: NEON against the scalar sets and
-# double. Needs g++-aarch64-linux-gnu and qemu-user, and the packages that `bash tests/run.sh` installs.
+# Cross-compiles the library for arm64 and runs the tests of its kernels under qemu-user: NEON against the scalar sets
+# and double. Needs g++-aarch64-linux-gnu and qemu-user, and the packages that `bash tests/run.sh` installs.
 #
 #   bash tests/arm64/run.sh [GTEST_FILTER]
 set -euo pipefail
@@ -13,7 +13,7 @@ done
 [[ -d /usr/src/googletest/googletest ]] || { echo 'the source of GoogleTest is missing: apt-get install libgtest-dev' >&2; exit 2; }
 
 build=build/arm64
-# Headers of libraries are the same on every machine; those of the C library are the cross compiler's own.
+# The headers of libraries are the same on every machine; the C library's headers come with the cross compiler.
 headers='-idirafter /usr/include'
 host=$(g++ -print-multiarch)
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
@@ -21,7 +21,7 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
     "-DCMAKE_CXX_FLAGS=$headers" "-DCMAKE_PREFIX_PATH=/usr/lib/$host/cmake;/usr/share" > /dev/null
 cmake --build "$build" --parallel "$(nproc)" --target gonio gonio-measure
 
-# The tests of what is compiled for an instruction set, and of the arithmetic below it.
+# The tests of code that is compiled for an instruction set, and of the arithmetic below it.
 tests=(simd/dispatch_test simd/math_test shading/kernels_test shading/area_kernels_test shading/ellipse_test)
 compile() { # SOURCE OBJECT
     aarch64-linux-gnu-g++ -std=c++20 -O1 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -idirafter /usr/include \

@@ -1,9 +1,8 @@
-// Google Benchmark of disk, rectangle and tube: every method, one instruction set beside the other.
+// Google Benchmark of disk, rectangle and tube: every method, with all instruction sets side by side.
 //
-// How to read it: times swing with the machine, ratios within one run hold. The baselines are the `exact/scalar` row of
-// the same shape and poses (the plain float code, compiled for the least processor), and `rectangle/…/frostbite` of the
-// same instruction set.
-// `items_per_second` counts surface points.
+// How to read it: times vary with the machine; ratios within one run are stable. The baselines are the `exact/scalar`
+// row of the same shape and poses (the plain float code, compiled for the minimum processor), and
+// `rectangle/…/frostbite` of the same instruction set. `items_per_second` counts surface points.
 #include <gonio/measure/area_methods.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/simd/dispatch.hpp>
@@ -23,7 +22,7 @@ using Kind = shading::LightConstants::Kind;
 using measure::AreaCases;
 using measure::Stratum;
 
-constexpr std::size_t points = 4096; // stays in the second-level cache
+constexpr std::size_t points = 4096; // fits in the second-level cache
 
 void run(benchmark::State& state, const measure::AreaMethod& method, const AreaCases& cases) {
     std::vector<float> lx(cases.size());

@@ -1,10 +1,10 @@
 // Google Benchmark of bake_texture, on one thread.
 //
-// How to read it: times swing with the machine, ratios within one run hold. The web has 24 planes by 37 γ, without any
-// symmetry and with light all over, so nothing is skipped unless a row says so; every row makes a whole texture with
-// its totals and errors. The baseline is `lookup`: the web's bilinear interpolant at the centre of each texel of a
-// latlong texture and nothing else, what other programs bake; of the same size, or of 1024 × 512 for other layouts. The
-// table at the end divides; `items_per_second` counts texels.
+// How to read it: times vary with the machine; ratios within one run are stable. The web has 24 planes by 37 γ, without
+// any symmetry and with light everywhere, so nothing is skipped unless a row says so; every row makes a whole texture
+// with its totals and errors. The baseline is `lookup`: the web's bilinear interpolant at the centre of each texel of a
+// latlong texture and nothing else, which is what other programs bake; of the same size, or of 1024 × 512 for other
+// layouts. The table at the end shows the ratios; `items_per_second` counts texels.
 #include <gonio/bake/bake.hpp>
 
 #include <benchmark/benchmark.h>
@@ -69,7 +69,7 @@ void bake(benchmark::State& state, const Web& web, const BakeOptions& options) {
     state.SetItemsProcessed(state.iterations() * options.width * options.height);
 }
 
-// Prints how much faster than the look-up each row is, texel by texel, behind the rows.
+// After the rows, prints how much faster than the look-up each row is, per texel.
 class Ratios : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override {

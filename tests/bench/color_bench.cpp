@@ -1,8 +1,8 @@
-// Google Benchmark of colour temperatures: the batch kernels beside Krystek's formula, the 1 nm sum, and the inverse
-// beside Newton on that sum.
+// Google Benchmark of colour temperatures: the batch kernels against Krystek's formula and the 1 nm sum, and the
+// inverse against Newton's method on that sum.
 //
-// How to read it: times swing with the machine, ratios within one run hold. Divide by the `krystek` row of the same
-// instruction set (it is written as its paper has it: two quotients, then the projection), by `sum/1nm`, or by
+// How to read it: times vary with the machine; ratios within one run are stable. Divide by the `krystek` row of the
+// same instruction set (written as in its paper: two quotients, then the projection), by `sum/1nm`, or by
 // `inverse/newton-on-sum`. `items_per_second` counts values.
 #include <gonio/color/kernels.hpp>
 #include <gonio/color/planckian.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace gonio;
 
-constexpr std::size_t values = 4096; // stays in the second-level cache
+constexpr std::size_t values = 4096; // fits in the second-level cache
 
 struct Arrays {
     std::vector<float> kelvin;

@@ -1,5 +1,5 @@
-// Prints the tables of lib/gonio/color/MEASURED.md, measured now, in Markdown: error and time of every way to take the
-// colour of a temperature, and the temperature of a colour.
+// Prints the tables of lib/gonio/color/MEASURED.md, measured now, in Markdown: error and time of every method that
+// finds the colour of a temperature, or the temperature of a colour.
 //
 //   gonio-color-table
 #include <gonio/measure/color_methods.hpp>
@@ -29,7 +29,7 @@ int main() {
     const Result<std::vector<measure::CctMeasurement>> backward = measure::compare_cct_methods(options);
     if (!backward) return refuse(backward.error());
 
-    // Times are the fastest sample: other programs of the machine only ever take time away.
+    // Times are the fastest sample: other programs on the machine can only make samples slower.
     const double sum = forward->front().timing.lowest_ns;
     (void)std::printf("| method | code | range [K] | worst Δu'v' (at K) | rms | 2000–10000 K | Y at 2700 K | ns each | "
                       "the sum takes | of Krystek's time |\n|---|---|---|---|---|---|---|---|---|---|\n");

@@ -1,8 +1,8 @@
-// The share of light that each material gives back, by roughness and view: the tables of lib/gonio/shading/MEASURED.md.
+// The albedo of each material, by roughness and view: the tables of lib/gonio/shading/MEASURED.md.
 //
 //   gonio-furnace-table
 //
-// Base colour and albedo are 1, f0 of dielectrics 0.04; n·v across.
+// Base colour and albedo are 1, f0 of dielectrics 0.04; the columns are n·v.
 #include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
 
@@ -50,7 +50,7 @@ int main() {
         auto material = shading::frostbite_material(white, 1.0 - r, 0.0, 0.5);
         material.f0 = {0.0, 0.0, 0.0};
         material.f90 = 0.0;
-        material.alpha = 1.0; // no lobe for the quadrature to look for
+        material.alpha = 1.0; // avoids a narrow lobe that the quadrature would have to find
         return material;
     });
     table("UE4", "roughness", [](double r) { return shading::ue4_material(white, 0.0, r, 0.5, 1.0); });

@@ -1,7 +1,7 @@
-// A seeded rig of many small lights over a square: what a renderer's culling is measured by.
+// A seeded rig of many small lights over a square, for measuring a renderer's culling.
 //
-// Half of the lights are spots, half of them profiles of this project, all of 5 to 60 cd, hung 2.5 to 5 m high and
-// aimed within 20° of the nadir: a park lit to a few lux. Each has the range at which it leaves 0.1 lx.
+// Half of the lights are spots, the other half use profiles of this project; all have 5 to 60 cd, are 2.5 to 5 m high
+// and aimed within 20° of the nadir: a park lit to a few lux. The range of each light is where it falls to 0.1 lx.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,8 +15,8 @@
 
 namespace gonio::bench {
 
-// A rig file of schema gonio.rig/1 whose profiles are files of `profiles_folder`. The same text for the same arguments
-// on every machine.
+// A rig file of schema gonio.rig/1 with profiles from `profiles_folder`. The same arguments give the same text on every
+// machine.
 inline std::string many_lights(std::size_t count, double side_m, const std::string& profiles_folder,
                                unsigned seed = 1) {
     std::mt19937 generator(seed);

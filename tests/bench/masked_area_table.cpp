@@ -1,5 +1,5 @@
-// What the fast way to take a light with a size behind a mask costs: the mask towards the receiver from the light's
-// centre, times the closed form of the bare light; against quadrature. Argument: a profile for the mask.
+// The error of the fast method for a light with a size behind a mask (the mask towards the receiver from the light's
+// centre, times the closed form of the unmasked light), against quadrature. Argument: a profile for the mask.
 #include <gonio/scene/probe.hpp>
 
 #include "../unit/scene/reference_cases.hpp"
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     constexpr std::array shapes{"sphere:r=0.5m", "disk:r=0.5m", "rect:w=1m,h=1m", "tube:r=5cm,l=0.9m"};
-    constexpr std::array<double, 7> distances{0.75, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}; // of the size of 1 m
+    constexpr std::array<double, 7> distances{0.75, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0}; // in sizes, 1 m each
     std::printf("| distance over size |");
     for (const char* shape : shapes)
         std::printf(" %.*s |", static_cast<int>(std::string_view(shape).find(':')), shape);
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
             measure::Random random(5);
             std::vector<double> errors;
             std::vector<Receiver> receivers;
-            // Below the light, within 60° of its direction, turned to it by up to 60°.
+            // Below the light, within 60° of its direction, tilted from facing it by up to 60°.
             while (receivers.size() < 300) {
                 const glm::dvec3 away = test::random_direction(random);
                 const glm::dvec3 normal = test::random_direction(random);

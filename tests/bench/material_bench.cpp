@@ -1,9 +1,9 @@
-// Google Benchmark of the materials under a point light, one instruction set beside the other; and of Frostbite on a
+// Google Benchmark of the materials under a point light, with all instruction sets side by side; and of Frostbite on a
 // floor under each light with a size.
 //
-// How to read it: times swing with the machine, ratios within one run hold. The baseline is the `frostbite` row of the
-// same set; divide its time by another row's. Under a light with a size it is that light's `representative-point`.
-// `items_per_second` counts surface points.
+// How to read it: times vary with the machine; ratios within one run are stable. The baseline is the `frostbite` row of
+// the same instruction set; divide its time by another row's. For a light with a size the baseline is that light's
+// `representative-point`. `items_per_second` counts surface points.
 #include <gonio/measure/sphere_cases.hpp>
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/material.hpp>
@@ -22,7 +22,7 @@ namespace {
 using namespace gonio;
 using measure::SphereCases;
 
-constexpr std::size_t points = 4096; // stays in the second-level cache
+constexpr std::size_t points = 4096; // fits in the second-level cache
 
 void shade(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases, const Material& kind) {
     std::vector<float> rgb(3 * cases.size());

@@ -1,11 +1,11 @@
-// Google Benchmark of the profile readers, over files held in memory, on one thread.
+// Google Benchmark of the profile readers, over files in memory, on one thread.
 //
-// How to read it: times swing with the machine, ratios within one run hold. The baseline of each group is `strtod`: the
-// C library's conversion over the number sections of the same files and nothing else, which most readers of these
-// formats pay. `fast_float` is that library over the same sections, the ceiling of a reader that converts so. `read` is
-// read_profile, `resolve` the same and resolve_web behind it, which takes the
-// table over. Memory is the allocator's own affair, pages that it fetches anew included. The table at the end divides;
-// rates count whole files.
+// How to read it: times vary with the machine; ratios within one run are stable. The baseline of each group is
+// `strtod`: the C library's conversion over the number sections of the same files and nothing else, the cost that most
+// readers of these formats have. `fast_float` is that library over the same sections, the upper limit for a reader that
+// uses it. `read` is read_profile; `resolve` is read_profile followed by resolve_web, which takes over the table.
+// Memory management is left to the allocator, including pages that it fetches again. The table at the end shows the
+// ratios; rates count whole files.
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/resolve.hpp>
@@ -43,7 +43,7 @@ std::size_t behind_lines(std::string_view bytes, std::size_t count) {
     return at;
 }
 
-// Behind the TILT line of LM-63; behind the lamp sets of EULUMDAT, from where every line is one number.
+// After the TILT line of LM-63; after the lamp sets of EULUMDAT, where every line is one number.
 std::size_t number_section(const File& file, const Profile& profile) {
     if (const auto* ldt = std::get_if<LdtFile>(&profile.file))
         return behind_lines(file.bytes, 26 + 6 * ldt->lamp_sets.size());
@@ -137,7 +137,7 @@ void read_and_resolve(benchmark::State& state, const Files& files) {
     state.SetBytesProcessed(state.iterations() * bytes_of(files));
 }
 
-// Prints what the rows are to one another, behind them.
+// Prints the ratios of the rows after them.
 class Ratios : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override {

@@ -1,11 +1,11 @@
-// How far the preview's pictures are from the truth: every stage × light × material, `exact` against the same picture
-// by `reference`. In Markdown, for MEASURED.md of preview/.
+// The error of the preview's pictures: every stage × light × material, `exact` against the same picture by `reference`.
+// In Markdown, for MEASURED.md of preview/.
 //
 //   gonio-preview-accuracy [WIDTH]
 //
-// Each error is the mean of |value − truth| over the mean of the truth, over the pixels in which a surface is seen. The
-// diffuse materials have no highlight at all, the others nothing else. Without an argument pictures are 16 pixels wide;
-// some minutes.
+// Each error is the mean of |value − truth| over the mean of the truth, over the pixels that show a surface. The
+// diffuse materials have no highlight at all; the others have only a highlight. Without an argument pictures are 16
+// pixels wide; takes some minutes.
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/stage.hpp>
 
@@ -48,7 +48,7 @@ Deviation error_of(Stage stage, const Light& light, const char* material, Render
     const Rendering truth = render(stage, {&light, 1}, stage.camera, options).value();
     Deviation error;
     for (std::size_t i = 0; i < truth.illuminance_lx.pixels.size(); ++i) {
-        if (!(truth.illuminance_lx.pixels[i] > 0.0F)) continue; // the light itself, or nothing
+        if (!(truth.illuminance_lx.pixels[i] > 0.0F)) continue; // the light itself, or background
         const double expected = truth.luminance_nt.pixels[3 * i];
         error.add({std::abs(picture.luminance_nt.pixels[3 * i] - expected), expected});
     }

@@ -1,10 +1,10 @@
-// Google Benchmark of the preview's renderer; CPU time of all threads together is what `process_time` counts.
+// Google Benchmark of the preview's renderer; `process_time` is the CPU time of all threads together.
 //
-// How to read it: times swing with the machine, ratios within one run hold. Baselines: `…/whole` is the picture of the
-// same name without skipping (--no-skip); `pixels` the smallest picture, `lights` the smallest rig; `shadows/…/off` the
-// picture of the same name without shadows.
+// How to read it: times vary with the machine; ratios within one run are stable. Baselines: `…/whole` is the picture of
+// the same name without skipping (--no-skip); `pixels` is the smallest picture, `lights` the smallest rig;
+// `shadows/…/off` is the picture of the same name without shadows.
 //   gonio-bench-preview                     everything
-//   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, of 100 m a side
+//   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, with a side of 100 m
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_set.hpp>
 #include <gonio/preview/render.hpp>
@@ -45,7 +45,7 @@ Stage floor_with(const char* material) {
     return stage;
 }
 
-// The square of the rigs, seen whole from above its edge.
+// The square of the rigs, seen completely from above its edge.
 Stage square(double side_m) {
     Stage stage;
     stage.surfaces.push_back({"ground", Plane{}, parse_material("frostbite:base=0.4,smoothness=0.4").value()});
@@ -106,7 +106,7 @@ void add_all() {
     const auto rig = [](std::size_t count, double side_m) {
         return lights_of(bench::many_lights(count, side_m, profiles_folder));
     };
-    // As many to the square metre, and ever more of them.
+    // A constant density per square metre, with more and more lights.
     for (const std::size_t count : {10UL, 100UL, 1000UL, 10000UL}) {
         const double side_m = 100.0 * std::sqrt(static_cast<double>(count) / 1000.0);
         add("lights/spread/" + std::to_string(count), {square(100.0), rig(count, side_m), sized(640, 360)});

@@ -1,5 +1,6 @@
-// Whether the reference integrator's estimate of its own error holds: 1000 seeded cases, each asked for several errors,
-// against the same integral converged far more. Arguments: the number of cases (1000) and a seed (1).
+// Whether the reference integrator's estimate of its own error holds: 1000 seeded cases, each computed with several
+// requested errors, against the same integral at much higher convergence. Arguments: the number of cases (1000) and a
+// seed (1).
 #include <gonio/scene/reference.hpp>
 
 #include "../unit/scene/reference_cases.hpp"
@@ -19,16 +20,16 @@ using namespace gonio;
 struct Tally {
     std::size_t asked = 0;
     std::size_t broken = 0; // |value − truth| > estimate
-    std::size_t missed = 0; // |value − truth| > what was asked for
+    std::size_t missed = 0; // |value − truth| > requested error
     std::size_t not_converged = 0;
     std::size_t evaluations = 0;
     std::size_t most_evaluations = 0;
-    double worst_share = 0.0;  // of the error in the estimate
-    std::vector<double> error; // over what was asked for
+    double worst_share = 0.0;  // error as a fraction of the estimate
+    std::vector<double> error; // as a fraction of the requested error
 
     void add(const ReferenceValue& value, double truth, double goal) {
         ++asked;
-        // What doubles leave open: the estimate of the truth itself is as small.
+        // The limit of double precision: the estimate of the truth itself is as small.
         const double slack = 1e-12 * std::abs(truth);
         const double off = std::max(std::abs(value.value - truth) - slack, 0.0);
         if (off > value.error_estimate) ++broken;
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
                 std::printf("case %u: the truth is known to %.1e only\n", i, t->error_estimate / t->value);
             }
         for (std::size_t g = 0; g < goals.size(); ++g) {
-            const std::clock_t start = std::clock(); // of the processor: others may be at work
+            const std::clock_t start = std::clock(); // CPU time: other programs may be running
             const ReferenceLuminance value =
                 reference_luminance(c.light, origin, c.normal, c.view, c.material, {goals[g], 4'000'000});
             seconds[g] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

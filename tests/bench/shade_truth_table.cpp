@@ -1,10 +1,10 @@
-// How far pictures of lights with a size are from the truth: the formulas of shading/shade.hpp against the reference
-// integrator, over points of a floor below the light and of a wall beside it. In Markdown, for MEASURED.md of shading/.
+// The error of pictures of lights with a size: the formulas of shading/shade.hpp against the reference integrator, over
+// points of a floor below the light and of a wall beside it. In Markdown, for MEASURED.md of shading/.
 //
 //   gonio-shade-truth-table [POINTS_ALONG_A_SIDE]
 //
-// Each error is the mean of |value − truth| over the mean of the truth: what an eye makes of a whole picture. The last
-// row is over all but the sun. Without arguments 12 points a side; about a minute.
+// Each error is the mean of |value − truth| over the mean of the truth: the error as seen over a whole picture. The
+// last row is over all lights except the sun. Without arguments 12 points per side; takes about a minute.
 #include <gonio/light/light.hpp>
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
@@ -39,8 +39,7 @@ shading::vec3<double> vec(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-// A floor of 6 m by 6 m below the origin's axis, seen from 4 m aside at the height of an eye, or a wall of the same
-// size.
+// A floor of 6 m by 6 m below the origin's axis, seen from 4 m away at eye height, or a wall of the same size.
 Point point_of(bool wall, double x, double y) {
     Point point;
     point.position = wall ? glm::dvec3(6.0 * x - 3.0, 1.0, 3.0 * y) : glm::dvec3(6.0 * x - 3.0, 6.0 * y - 3.0, 0.0);
@@ -142,7 +141,7 @@ int main(int argc, char** argv) {
                     errors.truth_specular += truth.specular.value;
                 }
                 errors.print(wall ? "wall" : "floor", shape, text);
-                if (!std::holds_alternative<SunShape>(*parsed)) all += errors; // it outshines them
+                if (!std::holds_alternative<SunShape>(*parsed)) all += errors; // the sun outshines the others
             }
     all.print("all", "", "");
     return 0;

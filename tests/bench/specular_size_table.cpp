@@ -1,11 +1,11 @@
-// Prints the table of ltc by the light's size against the lobe in MEASURED.md of shading/: its relative error beside
-// those of what it is made of and of one direction, in Markdown.
+// Prints the table in MEASURED.md of shading/ for ltc by the light's size relative to the lobe: its relative error next
+// to the errors of its components and of a single direction, in Markdown.
 //
 //   gonio-specular-size-table [CASES_PER_SHAPE [SEED]]
 //
-// Size is the light's radius over its distance where the lobe is a cosine (LtcLobe), 1 as large as the lobe itself.
-// Each cell: median / 95 % of the relative errors where the luminance is above 1e-6 of the light's / mean error over
-// mean truth.
+// Size is the light's radius over its distance in the space where the lobe is a cosine (LtcLobe); 1 is as large as the
+// lobe itself. Each cell: median / 95 % of the relative errors where the luminance is above 1e-6 of the light's / mean
+// error over mean truth.
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/shading/packet.hpp>

@@ -1,7 +1,7 @@
-// Google Benchmark of the sphere kernels, one instruction set beside the other.
+// Google Benchmark of the sphere kernels, with all instruction sets side by side.
 //
-// How to read it: times swing with the machine, ratios within one run hold. The baseline is the `scalar` row of the
-// same group (the plain float code, compiled for the least processor); divide its time by another row's.
+// How to read it: times vary with the machine; ratios within one run are stable. The baseline is the `scalar` row of
+// the same group (the plain float code, compiled for the minimum processor); divide its time by another row's.
 // `items_per_second` counts surface points.
 #include <gonio/measure/sphere_cases.hpp>
 #include <gonio/measure/sphere_methods.hpp>
@@ -23,7 +23,7 @@ using measure::Stratum;
 using shading::LightConstants;
 using shading::MaterialConstants;
 
-constexpr std::size_t points = 4096; // stays in the second-level cache
+constexpr std::size_t points = 4096; // fits in the second-level cache
 
 void irradiance(benchmark::State& state, const shading::Kernels& kernels, const SphereCases& cases) {
     std::vector<float> lx(cases.size());

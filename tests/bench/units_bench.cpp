@@ -1,5 +1,5 @@
-// Conversions per second of the library: value to emission to another unit, for each shape, next to the same conversion
-// with its shape's constants prepared once, and to the bare arithmetic of a point light, which is the baseline.
+// Conversions per second: value to emission to another unit, for each shape, next to the same conversion with the
+// shape's constants prepared once, and to the bare arithmetic of a point light, which is the baseline.
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/photometry.hpp>
 

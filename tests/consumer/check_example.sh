@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether the first block of C++ in a page is the program, but for its first line.
+# Checks that the first block of C++ in a page is the program, except for the program's first line.
 #
 #   tests/consumer/check_example.sh PAGE PROGRAM
 set -euo pipefail

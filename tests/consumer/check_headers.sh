@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compiles every installed header by itself, with no other headers of gonio in reach.
+# Compiles every installed header separately, with no other headers of gonio available.
 #
 #   check_headers.sh COMPILER INCLUDE_FOLDER
 set -euo pipefail

@@ -1,4 +1,4 @@
-// What every fuzz target asks of a reader.
+// The requirements of every fuzz target on a reader.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -15,7 +15,7 @@ inline void require(bool holds) {
     if (!holds) std::abort();
 }
 
-// A refusal has one reason: a sentence, of severity error, said last. An internal error is not an answer to any input.
+// A refusal has one reason: a message with severity error, reported last. An internal error is never a valid answer.
 inline void require_reason(const Error& error) {
     const Diagnostics& said = error.diagnostics;
     const auto is_error = [](const Diagnostic& one) { return one.severity == Severity::error; };
@@ -30,7 +30,7 @@ inline bool same_words(const Error& a, const Error& b) {
                       [](const Diagnostic& x, const Diagnostic& y) { return to_text(x) == to_text(y); });
 }
 
-// Reads twice: both agree in what they say, or in what `same` compares. The first of them.
+// Reads twice and checks that both agree: in their errors, or in what `same` compares. Returns the first result.
 template<class Read, class Same>
 auto read_twice(const Read& read, const Same& same) {
     auto first = read();
@@ -50,7 +50,7 @@ inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-// Takes the first byte of `text` off: the choice among `count` readers. Letters from 'a' on, so that seeds can be read.
+// Removes the first byte of `text`: the choice among `count` readers. Letters from 'a' on, so that seeds are readable.
 inline std::size_t take_choice(std::string_view& text, std::size_t count) {
     const auto byte = static_cast<unsigned char>(text.front());
     text.remove_prefix(1);

@@ -1,5 +1,6 @@
-// libFuzzer: whatever the bytes, the LM-63 reader neither crashes nor allocates what was only announced, strict reads
-// nothing that tolerant does not, and what was read is the same after writing and reading it again.
+// libFuzzer: for any bytes, the LM-63 reader does not crash and allocates no memory for numbers that are only
+// announced; strict reading accepts nothing that tolerant reading refuses; and the result is the same after writing and
+// reading it again.
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
@@ -24,6 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string written = write_ies(std::get<IesFile>(read->file));
     const Result<Profile> again = read_profile(written, "fuzz", {ProfileFormat::ies, false});
     if (!again || !test::equal(read->file, again->file)) std::abort();
-    static_cast<void>(read_profile(bytes, "fuzz.ies")); // the format recognised
+    static_cast<void>(read_profile(bytes, "fuzz.ies")); // recognises the format
     return 0;
 }

@@ -1,6 +1,6 @@
-// libFuzzer: whatever the bytes, what gonio wrote beside its outputs is no record or a sound one, which is the same
-// when it is written and read again. The first byte chooses: 'a' the record of an asset, 'b' the sidecar of a texture,
-// 'c' the manifest of a batch.
+// libFuzzer: for any bytes, a record that gonio writes beside its outputs is refused or is sound, and then it is the
+// same after writing and reading it again. The first byte selects: 'a' the record of an asset, 'b' the sidecar of a
+// texture, 'c' the manifest of a batch.
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/manifest.hpp>
 #include <gonio/asset/sidecar.hpp>
@@ -39,7 +39,7 @@ void check_sidecar(std::string_view text) {
     if (!record) return;
     require(record->source_sha256 == again->source_sha256 && record->recipe == again->recipe &&
             record->files == again->files);
-    // Both readers find the same source.
+    // Both readers return the same source.
     if (record->source_sha256.empty()) return;
     require(std::any_of(fields.begin(), fields.end(), [&](const SidecarField& field) {
         const std::string* const said = std::get_if<std::string>(&field.value);
@@ -57,7 +57,7 @@ void check_manifest(std::string_view text) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{2}}) {
         const Result<Manifest> whole = merged(std::span(parts).first(count));
         if (!whole) require_reason(whole.error());
-        // Twice the same assets or the same shard are not one batch.
+        // The same assets or the same shard twice do not make one batch.
         else
             require(count == 1 || (read->assets.empty() && !read->shard));
     }

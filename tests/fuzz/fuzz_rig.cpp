@@ -1,5 +1,6 @@
-// libFuzzer: whatever the bytes, the rig reader neither crashes nor allocates what was only announced; a failure is one
-// error that names the source; what was read resolves, or fails with an error, and is the same when read again.
+// libFuzzer: for any bytes, the rig reader does not crash and allocates no memory for items that are only announced; a
+// failure is one error that names the source; a rig that is read resolves or fails with an error, and is the same when
+// read again.
 #include <gonio/scene/rig.hpp>
 
 #include <cstdint>
@@ -21,7 +22,8 @@ void check_failure(const Error& error) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as text
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    // Files that lights name are looked for where there are none; their readers have targets of their own.
+    // Files that lights name are searched for in a folder that does not exist; their readers have their own fuzz
+    // targets.
     const std::string folder = "no such folder";
     Result<Rig> rig = read_rig(text, "fuzz.json", folder);
     if (!rig) {

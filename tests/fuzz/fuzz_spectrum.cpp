@@ -1,5 +1,5 @@
-// libFuzzer: whatever the bytes, a spectrum in CSV is refused with a reason or is sound: ascending, not negative, of a
-// colour with finite numbers.
+// libFuzzer: for any bytes, a spectrum in CSV is refused with a reason or is sound: ascending, not negative, and its
+// colour has finite numbers.
 #include <gonio/color/spectrum.hpp>
 
 #include <cmath>

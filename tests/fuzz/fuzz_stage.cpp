@@ -1,5 +1,5 @@
-// libFuzzer: whatever the bytes behind a rig's key "stage", they are refused with one reason, or give a stage that rays
-// meet soundly and that its camera can look at.
+// libFuzzer: any bytes for a rig's key "stage" are refused with one reason, or give a stage with sound ray
+// intersections and a valid camera.
 #include <gonio/scene/rig.hpp>
 
 #include "check.hpp"

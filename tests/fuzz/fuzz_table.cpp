@@ -1,6 +1,6 @@
-// libFuzzer: whatever the bytes, a table of numbers is refused with one reason that names its place, or is sound, and
-// the same when what was read is written and read again. The first byte chooses: 'a' a web in CSV (make csv:FILE), 'b'
-// points (--points FILE).
+// libFuzzer: for any bytes, a table of numbers is refused with one reason that names its place, or is sound and the
+// same after writing and reading it again. The first byte selects: 'a' a web in CSV (make csv:FILE), 'b' points
+// (--points FILE).
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/author_csv.hpp>
 

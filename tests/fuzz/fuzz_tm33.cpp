@@ -1,5 +1,5 @@
-// libFuzzer: whatever the bytes, the TM-33 reader neither crashes nor recurses without bound, strict reads nothing that
-// tolerant does not, and what was read is the same after writing and reading it again.
+// libFuzzer: for any bytes, the TM-33 reader does not crash or recurse without bound; strict reading accepts nothing
+// that tolerant reading refuses; and the result is the same after writing and reading it again.
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/profile/write.hpp>
@@ -27,12 +27,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string written = write_tm33(file);
     const Result<Profile> again = read_profile(written, "fuzz", {ProfileFormat::tm33, false});
     if (!again) std::abort();
-    // Writing puts counts right; all else is kept, and from then on everything is.
+    // Writing corrects counts and keeps everything else; from then on everything is kept.
     const Tm33File& second = std::get<Tm33File>(again->file);
     if (second.emitters != file.emitters || second.header != file.header || second.goniometer != file.goniometer)
         std::abort();
     const Result<Profile> third = read_profile(write_tm33(second), "fuzz", {ProfileFormat::tm33, false});
     if (!third || !test::equal(third->file, again->file)) std::abort();
-    static_cast<void>(read_profile(bytes, "fuzz.xml")); // the format recognised
+    static_cast<void>(read_profile(bytes, "fuzz.xml")); // recognises the format
     return 0;
 }

@@ -1,6 +1,6 @@
-// libFuzzer: whatever the words of a command line, they are refused with one reason or mean something sound, the same
-// each time, and the same when it is written and read again. The first byte chooses the reader. Files that words name
-// are not opened: their readers have targets of their own.
+// libFuzzer: any words of a command line are refused with one reason or have a sound meaning, the same each time, and
+// the same after writing and reading it again. The first byte selects the reader. Files that words name are not opened:
+// their readers have their own fuzz targets.
 #include <gonio/bake/layout.hpp>
 #include <gonio/bake/texture.hpp>
 #include <gonio/base/kind_text.hpp>
@@ -39,7 +39,7 @@ using namespace gonio::fuzz;
 
 constexpr auto alike = [](const auto&, const auto&) { return true; };
 
-// Of a spectrum and its file; what has it in it is left out.
+// Texts that contain a spectrum and its file are skipped.
 bool names_spectrum(std::string_view text) {
     return text.find("spectrum:") != std::string_view::npos;
 }
@@ -88,13 +88,13 @@ void shape(std::string_view text) {
     require(text.starts_with(kind_of(*read)));
 }
 
-// Whatever its keys, each holds a number or a colour in [0, 1].
+// Each key holds a number or a colour in [0, 1].
 void require_sound(const Material& read) {
     std::visit([]<class M>(const M& m) { for_each_key<M>([&](const auto& key) { require(share(m.*key.member)); }); },
                read);
 }
 
-// "KIND:key=value" and, behind a blank, a parameter to set: "roughness=0.3".
+// "KIND:key=value" and, after a blank, a parameter to set: "roughness=0.3".
 void material(std::string_view text) {
     const std::size_t blank = text.find(' ');
     const auto same = [](const Material& a, const Material& b) { return a.index() == b.index(); };
@@ -118,7 +118,7 @@ void color(std::string_view text) {
     for (const Diagnostic& said : diagnostics)
         require(said.severity != Severity::error && !said.message.empty());
     if (!read) return;
-    // Of luminance 1, and no channel negative.
+    // Luminance 1, and no negative channel.
     require(read->x >= 0.0 && read->y >= 0.0 && read->z >= 0.0);
     require(std::abs(glm::dot(*read, rec709_luminance) - 1.0) < 1e-9);
 }
@@ -240,7 +240,7 @@ void option_value(std::string_view text) {
         require(!axis->label(i).empty());
 }
 
-// The next byte names the command, lines are the words behind it.
+// The next byte selects the command; the lines are the words after it.
 void arguments(std::string_view text) {
     if (text.empty()) return;
     const std::span<const cli::Command* const> commands = cli::commands();
@@ -269,7 +269,7 @@ void arguments(std::string_view text) {
                    return a.has(option) == b.has(option) && a.values(option) == b.values(option);
                });
     };
-    // No more than that: CLI11 divides a cluster of short options ("-q1v" is "-q" and "-1v") as it sees fit.
+    // Nothing more is compared: CLI11 may split a cluster of short options ("-q1v" is "-q" and "-1v") in any way.
     (void)read_twice([&] { return parse(words); }, same);
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether every coefficient that the fit prints stands in the header.
+# Checks that every coefficient printed by the fit is in the header.
 #
 #   tests/generated/minimax.sh PROGRAM HEADER
 set -euo pipefail

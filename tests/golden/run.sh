@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Runs the commands of a transcript and compares what they print with what stands there.
+# Runs the commands of a transcript and compares their output with the output in the transcript.
 #
 #   tests/golden/run.sh GONIO FILE            fails and shows the difference
 #   tests/golden/run.sh GONIO FILE --update   rewrites FILE with what is printed now
 #
-# FILE is a transcript, or Markdown whose blocks fenced with ```console are transcripts. In a transcript a line
-# "$ COMMAND" is a command for bash; below it stand the lines of its standard output, then those of its standard error
-# behind "! ", then "[exit N]" where N is not 0. A line "% …" is a comment. Commands run one after the other in one new
-# folder that holds a copy of profiles/ (a link would lead rigs out of their folder), with the tool as `gonio`; its name
-# in the folder of the machine never shows.
+# FILE is a transcript, or Markdown in which blocks fenced with ```console are transcripts. In a transcript a line
+# "$ COMMAND" is a command for bash; below it are the lines of its stdout, then those of its stderr after "! ", then
+# "[exit N]" if N is not 0. A line "% …" is a comment. The commands run one after the other in one new folder that
+# contains a copy of profiles/ (a link would lead rigs out of their folder), with the tool as `gonio`; the real path of
+# the folder never appears.
 set -euo pipefail
 
 gonio=$(realpath "$1")
@@ -26,12 +26,12 @@ unset OCIO
 inside=0
 markdown=0
 [[ $file == *.md ]] && markdown=1
-skipping=0 # the old output of a command that has been run
+skipping=0 # skips the old output of a command that was run
 run() {
     local status=0
     (cd "$work/here" && bash -c "$1") > "$work/out" 2> "$work/err" < /dev/null || status=$?
     cat "$work/out"
-    # A last line without a newline would swallow what follows.
+    # Without this, a last line without a newline would absorb the next line.
     [[ -s $work/out && $(tail -c 1 "$work/out" | wc -l) -eq 0 ]] && echo
     sed 's/^/! /' "$work/err"
     ((status == 0)) || echo "[exit $status]"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What import and preview --export write, in the programs that it is for: three.js and Babylon.js and Khronos' glTF validator from npm, and
-# Blender where it is installed. Needs node, npm and their registry, so it is no part of the tests:
+# Loads the output of import and preview --export into its target programs: three.js, Babylon.js and Khronos' glTF
+# validator from npm, and Blender if it is installed. Needs node, npm and their registry, so it is not part of the
+# tests:
 #
 #   bash tests/import/run.sh build/release/cli/gonio
 set -euo pipefail
@@ -40,7 +41,7 @@ done | jq -s . > studio.points.json
 node scene_check.mjs three assets/threejs/studio.js < studio.points.json
 node scene_check.mjs babylon assets/babylon/studio.js < studio.points.json
 
-# Directions off the grid of texels, all around.
+# Directions off the texel grid, all around.
 directions() {
     for c in 0.3 31.7 77.5 90 121.25 179.9 203.6 270 299.4 359.9; do
         for gamma in 0.1 3.7 12.2 25 33.3 48.6 61.5 74.9 84.2 88.8 95.5 120.3 151.7 179.2; do echo "$c,$gamma"; done
@@ -69,7 +70,7 @@ if command -v blender > /dev/null; then
         "$gonio" probe "$here/../../profiles/$lamp.ies" --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > "$lamp.probe.csv"
         python3 "$here/compare_planes.py" "$lamp.csv" "$lamp.probe.csv"
     done
-    # A rig, by 1024 samples a pixel: its areas are noise, the tube, a mesh of many triangles, most of all.
+    # A rig, with 1024 samples per pixel: its area lights are noisy, most of all the tube, a mesh of many triangles.
     blender --background --factory-startup --python "$here/blender_plane.py" -- \
         assets/blender/studio.py studio.csv 1024 > blender.log 2>&1 || { cat blender.log; exit 1; }
     "$gonio" probe --rig "$here/studio.json" --allow-outside --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > studio.probe.csv

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What preview exports for Blender, rendered by Cycles, against preview's own pictures, shadows included. Opt-in: needs
-# Blender and python3-openimageio, and takes minutes on one core.
+# Scenes that preview exports for Blender, rendered by Cycles, against preview's own pictures, including shadows.
+# Opt-in: needs Blender and python3-openimageio, and takes minutes on one core.
 #
 #   bash tests/preview/run.sh GONIO [CASE…]
 set -euo pipefail
@@ -16,7 +16,7 @@ command -v blender > /dev/null || { echo 'Blender is not installed: skipped'; ex
 
 wanted=" $* "
 failed=0
-# NAME LIGHT_NT PREVIEW-OPTION…: pixels above LIGHT_NT are lights that are seen.
+# NAME LIGHT_NT PREVIEW-OPTION…: pixels above LIGHT_NT are visible lights.
 check() {
     local name=$1 light_nt=$2
     shift 2
@@ -31,11 +31,11 @@ check() {
         failed=1
 }
 
-matte() { # every surface of these names
+matte() { # all surfaces with these names
     local surface
     for surface in "$@"; do echo "--material $surface=lambert:albedo=0.5"; done
 }
-# A tube is a mesh of many triangles: noise.
+# A tube is a mesh of many triangles, and therefore noisy.
 # shellcheck disable=SC2046 # options are words
 {
     check sphere 300 --shape sphere:r=10cm --intensity 800lm --stage floor $(matte floor wall sphere)

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Looks for diagnostic codes that nothing says. That the source says no others, the compiler sees to.
+# Finds diagnostic codes that are never reported. The compiler ensures that the source uses no unknown codes.
 #
 #   codes_in_use.sh ROOT
 #
-# The general code of a failure, the first of its family, is not written out in the source: fail(Failure::usage, …).
+# The general code of a failure, the first of its family, does not appear in the source: fail(Failure::usage, …).
 set -euo pipefail
 
 cd "${1:?"usage: codes_in_use.sh ROOT"}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The check of codes has to find faults: a code that no source says, and a tree without any.
+# The check of codes must find faults: a code that no source uses, and a tree without codes.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

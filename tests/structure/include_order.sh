@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Reads every #include of a tree's lib/ and cli/ and says where one breaks the architecture.
+# Reads every #include of a tree's lib/ and cli/ and reports those that break the architecture.
 #
 #   include_order.sh ROOT        prints "file:line: what is wrong" for each, and fails when there is one
 #
-# A room includes itself and the rooms before it in `order`, and no other room's detail/; shading is built on base and
-# simd alone. Public headers
-# name no library but GLM and tl::expected; OpenImageIO and OpenColorIO belong to one module each; dlopen to one file;
-# nobody includes <iostream>, whose static constructors every start of the tool would pay for.
+# A room includes itself and the rooms before it in `order`, and no other room's detail/; shading uses only base and
+# simd. Public headers name no library but GLM and tl::expected; only one module each uses OpenImageIO and OpenColorIO;
+# only one file uses dlopen; no file includes <iostream>, because its static constructors would cost time at every start
+# of the tool.
 set -euo pipefail
 
 root=${1:?"usage: include_order.sh ROOT"}
@@ -20,7 +20,7 @@ mapfile -d '' files < <(find "${folders[@]}" -type f \
     LC_ALL=C sort -z)
 ((${#files[@]})) || { echo "$root has no source file" >&2; exit 2; }
 
-# The public headers; of a tree without a list, all outside detail/.
+# The public headers; if a tree has no list, all headers outside detail/.
 public_headers=
 [[ -f lib/cmake/public-headers.txt ]] && public_headers=$(tr '\n' ' ' < lib/cmake/public-headers.txt)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gives include_order.sh trees with one fault each, and expects it to name the place.
+# Runs include_order.sh on trees with one fault each, and expects it to report the place.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
@@ -16,7 +16,7 @@ start() {
     printf '#include <gonio/media/module.hpp>\n#include <CLI/CLI.hpp>\n' > "$tree/cli/main.cpp"
 }
 
-# fault FILE INCLUDE EXPECTED: one more include must be found, at its line, in these words.
+# fault FILE INCLUDE EXPECTED: one added include must be reported, at its line, with these words.
 fault() {
     start
     mkdir -p "$tree/$(dirname "$1")"
@@ -55,7 +55,7 @@ fault lib/gonio/web/a.cpp '#include <iostream>' 'includes <iostream>'
 fault cli/a.cpp '#include <iostream>' 'includes <iostream>'
 fault cli/a.cpp '#include <OpenImageIO/imageio.h>' 'includes OpenImageIO/imageio.h: OpenImageIO belongs'
 
-# Two faults are two lines, and a room nobody announced is one.
+# Two faults give two lines, and an unlisted room gives one.
 start
 mkdir -p "$tree/lib/gonio/attic"
 printf '#include <vector>\n' > "$tree/lib/gonio/attic/a.cpp"

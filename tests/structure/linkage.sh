@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether a program starts without OpenImageIO and OpenColorIO.
+# Checks that a program starts without OpenImageIO and OpenColorIO.
 #
 #   linkage.sh PROGRAM [ARGUMENT…]   fails when PROGRAM needs either, or when running it as given opens either
 set -euo pipefail

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether a media module exports its one function and nothing else.   module_exports.sh MODULE FUNCTION
+# Checks that a media module exports its one function and nothing else.   module_exports.sh MODULE FUNCTION
 set -euo pipefail
 module=${1:?"usage: module_exports.sh MODULE FUNCTION"}
 function=${2:?"usage: module_exports.sh MODULE FUNCTION"}

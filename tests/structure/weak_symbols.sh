@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Looks for symbols that could carry one instruction set's code into another's.
+# Finds symbols that could bring one instruction set's code into another's.
 #
 #   weak_symbols.sh BUILD_FOLDER
 #
 # An inline function or template that is compiled into kernels_avx2.cpp.o and into another object is weak in both, and
-# the linker keeps either: machine code with AVX may then run where there is none. So those objects may hold no weak or
-# unique symbol but gonio's own that carry their instruction set's tag type in their name. Fails when an object has
-# another, and when there is no such object at all.
+# the linker keeps either: code with AVX may then run on a machine without it. So those objects may contain no weak or
+# unique symbol except gonio's own that have their instruction set's tag type in their name. Fails if an object has
+# another one, and if there is no such object at all.
 set -euo pipefail
 
 build=${1:?"usage: weak_symbols.sh BUILD_FOLDER"}
@@ -20,10 +20,11 @@ while IFS= read -r -d '' object; do
     objects=$((objects + 1))
     while read -r type symbol; do
         [[ $type == [WVuwv] ]] || continue
-        # Of the compiler, without vector code: the pointer to the personality routine, clang's call of std::terminate.
+        # From the compiler, without vector code: the pointer to the personality routine, clang's call of
+        # std::terminate.
         [[ $symbol == DW.ref.__gxx_personality_v0 || $symbol == __clang_call_terminate ]] && continue
         symbols=$((symbols + 1))
-        # _ZN5gonio…, and the guards, tables and local statics of such names.
+        # _ZN5gonio…, and the guards, tables and local statics with such names.
         if [[ ! $symbol =~ ^_Z(GV|GR|T[VITS]|Z)*N[KVRO]*5gonio || $symbol != *"${#tag}$tag"* ]]; then
             printf '%s: %s %s\n' "$object" "$type" "$(c++filt "$symbol")"
             failures=$((failures + 1))

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gives weak_symbols.sh objects with and without a fault.   weak_symbols_self_test.sh COMPILER
+# Runs weak_symbols.sh on objects with and without a fault.   weak_symbols_self_test.sh COMPILER
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 compiler=${1:?"usage: weak_symbols_self_test.sh COMPILER"}

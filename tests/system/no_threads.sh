@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Where no thread can be made, numbers come out as ever, and a picture comes out or says at once why not.
+# If no thread can be created, numbers are the same as ever, and a picture is made or the tool reports at once why not.
 #
 #   tests/system/no_threads.sh GONIO MODULE…
 #
-# Needs root, which takes another user's number: no limit on processes binds root itself.
+# Needs root, which switches to another user: process limits do not apply to root itself.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -18,11 +18,11 @@ cp -L "$@" "$work" # modules are found beside the tool
 cp -rL "$root/profiles" "$work/here"
 chmod -R a+rX "$work"
 gonio=$work/$(basename "$1")
-user=$((60000 + $$ % 5000)) # nobody else's, whose processes would count
+user=$((60000 + $$ % 5000)) # a user without processes, since those would count
 chown "$user" "$work/here"
 cd "$work/here"
 
-# limited N COMMAND…: with at most N threads and processes; 124 where it takes longer than ten seconds.
+# limited N COMMAND…: with at most N threads and processes; 124 if it takes longer than ten seconds.
 limited() {
     local most=$1
     shift
@@ -75,7 +75,7 @@ for most in 1 2 3 4 5 6 7 8 9 12 64; do
         esac
     done
 done
-# Workers of a batch that load the module while others are still being started.
+# Workers of a batch that load the module while other workers are still being started.
 mkdir out
 chown "$user" out
 for most in 2 5 6 7 8 9 10 11 12 13 14 16 20; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One input of a batch that runs out of memory is one failed input: the others are read, and the closing line says so.
+# If one input of a batch runs out of memory, only that input fails: the others are read, and the final line reports it.
 #
 #   tests/system/out_of_memory.sh GONIO
 set -euo pipefail
@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 cp "$root"/profiles/downlight.ies first.ies
 cp "$root"/profiles/wall-washer.ies last.ies
-# 1801 by 4001 angles: 7 million values, 58 MB as doubles, in a file that is just within its limit.
+# 1801 by 4001 angles: 7 million values, 58 MB as doubles, in a file just within the size limit.
 {
     printf 'IESNA:LM-63-1995\nTILT=NONE\n1 -1 1 1801 4001 1 2 0 0 0\n1 1 0\n'
     seq 0 0.1 180

@@ -1,5 +1,5 @@
-// g++ 12.2 at -O2 and -O3 drops the rounding of two floats that sit side by side (its SLP pass fuses the conversions
-// away). The build turns that pass off; this pair shows whether it is.
+// g++ 12.2 at -O2 and -O3 drops the rounding of two adjacent floats (its SLP pass merges the conversions and removes
+// them). The build turns that pass off; this pair shows whether it is off.
 #include <gtest/gtest.h>
 
 #include <utility>

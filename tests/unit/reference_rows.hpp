@@ -1,4 +1,4 @@
-// The stored values of tests/reference/: rows of a name and numbers.
+// The stored values of tests/reference/: rows with a name and numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ struct ReferenceRow {
     std::vector<double> values;
 };
 
-// The rows of irradiance.csv: centre, axis, width direction (x, y, z each), two sizes, normal, E/L. Those of `kind`
-// alone where it is not empty.
+// The rows of irradiance.csv: centre, axis, width direction (x, y, z each), two sizes, normal, E/L. If `kind` is not
+// empty, only rows of that kind.
 std::vector<ReferenceRow> irradiance_rows(const std::string& kind = {});
 
 // The rows of specular.csv: the same up to the normal, then the view, alpha, the luminance and its error.
 std::vector<ReferenceRow> specular_rows(const std::string& kind = {});
 
-// Both throw where the file is missing or a row is not of that form, which fails the test.
+// Both throw if the file is missing or a row does not have that form, which fails the test.
 
 } // namespace gonio::test

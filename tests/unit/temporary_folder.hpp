@@ -1,4 +1,4 @@
-// A folder of a test's own, gone with it: tests run side by side, and so do whole runs of them.
+// A separate folder for each test, removed with it: tests run in parallel, and so do whole test runs.
 #pragma once
 
 #include <cstdlib>

@@ -1,8 +1,9 @@
 // Babylon.js: a module that makes the lights, left-handed and Y up, for PBR materials.
 //
-// A profile is a SpotLight with a texture, looked up at u = γ/180° alone. Babylon's own loader of .ies takes the first
-// plane, and loses the candela; ours gives the mean over C, and the peak as intensity. Falloff is glTF's: the inverse
-// square with the window of a range, spots as the square of the linear in the cosine.
+// A profile is a SpotLight with a texture that is looked up at u = γ/180° only. Babylon's own .ies loader takes the
+// first plane and loses the candela; our texture stores the mean over C, with the peak as the light's intensity.
+// Falloff is glTF's: the inverse square with the window of a range; a spot falls as the square of a linear function of
+// the cosine.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace gonio::asset_detail {
 
 namespace {
 
-// Eight numbers a line.
+// Eight numbers per line.
 std::string number_lines(std::span<const float> numbers) {
     std::string lines;
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -85,7 +86,7 @@ std::string entry(const SceneLight& light) {
 } // namespace
 
 std::vector<AssetFile> babylon_files(const SceneContent& scene) {
-    // Of a layout and a size that every web has.
+    // A layout and size that work for every web.
     BakeOptions rings;
     rings.layout = Layout::v180;
     rings.width = 180;

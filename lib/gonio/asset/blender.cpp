@@ -1,14 +1,14 @@
 // Blender: a Python script that makes the lights for Cycles, Z up.
 //
-// Watts are lumens over 177.83, Blender's own figure: a point of P W shines with P/4π W/sr, an area with P/4A per m²
-// and sr (so it emits π/4 of its power), a sun with P W/m², emission of a material with its strength. A profile is a
-// point light of 1 W whose emission strength is the IES node's: Cycles' node multiplies candela by 4π/177.83, so that
-// each is 1/177.83 W/sr. It looks up H = atan2(x, y) + π and V = acos(−z): turning that vector gives azimuths as LM-63
-// counts them, from +X towards +Y. Between the table's lines Cycles interpolates by cubics, which overshoot where the
-// light bends; on a table of four times as many lines a quarter of that is left. The profile is held by the .blend
-// file.
+// Watts are lumens divided by 177.83, Blender's own figure: a point of P W emits P/4π W/sr, an area P/4A W per m² and
+// sr (so it emits π/4 of its power), a sun P W/m², a material its emission strength. A profile is a point light of 1 W
+// with the IES node as its emission strength: Cycles' node multiplies candela by 4π/177.83, so that each candela gives
+// 1/177.83 W/sr. The node looks up H = atan2(x, y) + π and V = acos(−z); rotating its input vector gives azimuths as
+// LM-63 counts them, from +X towards +Y. Between the table's lines Cycles interpolates with cubics, which overshoot
+// where the intensity curve bends; a table with four times as many lines leaves a quarter of the overshoot. The profile
+// is stored inside the .blend file.
 //
-// Spots are profiles too: Cycles 3.4 multiplies its own by the cosine to the axis, other releases do not.
+// Spots are profiles too: Cycles 3.4 multiplies its own spots by the cosine to the axis, other releases do not.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/to_profile.hpp>
@@ -122,7 +122,7 @@ def glowing_mesh(name, points, faces, color, radiance):
     return mesh
 )python";
 
-// The angles and as many between each two of them as make `parts`.
+// The angles, with each interval divided into `parts`.
 std::vector<double> refined(std::span<const double> angles, std::size_t parts) {
     std::vector<double> finer;
     for (std::size_t i = 0; i + 1 < angles.size(); ++i)
@@ -133,7 +133,7 @@ std::vector<double> refined(std::span<const double> angles, std::size_t parts) {
     return finer;
 }
 
-// The profile on a finer grid where that does not make it huge, else as it is.
+// The profile on a finer grid if that does not make it huge, else unchanged.
 std::string finer_profile(const MeasuredLight& light) {
     constexpr std::size_t most_values = 200000;
     const Web& web = light.web;
@@ -177,7 +177,7 @@ std::string mesh_lists(const Mesh& mesh) {
     return text + "\n    ]";
 }
 
-// The statement that makes the light's data, and further ones that set it.
+// The statement that makes the light's data, followed by statements that set its properties.
 std::string data_of(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
     const auto lamp = [&](std::string_view kind, double lumens) {

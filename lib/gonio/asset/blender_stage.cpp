@@ -1,8 +1,8 @@
-// The stage, for Blender: a scene of its own, of direct light alone, as Cycles renders it.
+// The stage for Blender: a separate scene with direct light only, as Cycles renders it.
 //
-// Balls and capsules are one mesh of radius 1 with smooth normals for each shape, scaled. A material is a Diffuse BSDF
-// and, added, a Principled BSDF of metallic 1, whose lobe is GGX with the reflectance from its base colour to 1 at
-// grazing and which has no diffuse part.
+// Spheres and capsules are meshes of radius 1 with smooth normals, one for each shape, scaled. A material is the sum of
+// a Diffuse BSDF and a Principled BSDF of metallic 1. The lobe of the latter is GGX with the reflectance from its base
+// colour to 1 at grazing; it has no diffuse part.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -135,7 +135,7 @@ std::string tuple(const glm::dvec3& v) {
     return "(" + triple(v) + ")";
 }
 
-// Arguments of show() but for the name.
+// The arguments of show() except the name.
 struct Shown {
     std::string material;
 

@@ -1,4 +1,5 @@
-// SHA-256 of bytes (FIPS 180-4), as 64 lower-case hexadecimal digits: names the content that an asset was made from.
+// SHA-256 of bytes (FIPS 180-4), as 64 lower-case hexadecimal digits: identifies the content that an asset was made
+// from.
 #pragma once
 
 #include <string>

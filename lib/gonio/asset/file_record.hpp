@@ -1,5 +1,6 @@
-// FileRecord: which bytes a file had when it was written. Sidecars and asset records carry one for each of their files,
-// because a reader may meet files of two versions: a process was killed between two renames, or two wrote side by side.
+// FileRecord: which bytes a file had when it was written. Sidecars and asset records have one for each of their files,
+// because a reader may find files of two versions if a process was killed between two renames or two processes wrote at
+// the same time.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +19,10 @@ struct FileRecord {
 
 FileRecord file_record(std::string file, std::string_view bytes);
 
-// Whether these are the bytes that were recorded.
+// Whether `bytes` are those that were recorded.
 bool matches(const FileRecord& record, std::string_view bytes);
 
-// Whether the name is that of a file in the folder of the record itself: not empty, no '/', not "." or "..".
+// Whether the name is that of a file in the record's own folder: not empty, no '/', not "." or "..".
 bool is_plain_name(std::string_view name);
 
 } // namespace gonio

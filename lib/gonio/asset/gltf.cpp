@@ -3,7 +3,7 @@
 // light of the same flux on the same node.
 //
 // EXT_lights_ies: candela of the file × multiplier × colour, which is clamped to [0, 1]; the node's −Z is γ = 0. So the
-// colour is scaled to a greatest channel of 1 and the multiplier gives back what that takes.
+// colour is scaled to a greatest channel of 1, and the multiplier restores the luminance.
 #include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/base/version.hpp>
@@ -30,7 +30,7 @@ Json numbers(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-// Whether a thousandth of the peak is reached above the horizon.
+// Whether the light reaches a thousandth of its peak above the horizon.
 bool shines_up(const Web& web, Candelas peak) {
     for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
         for (std::size_t k = 0; k < web.gammas_deg().size(); ++k)
@@ -57,11 +57,12 @@ struct Cone {
     double inner, outer; // half angles [rad]
 };
 
-// The cone whose lobe ((cosθ − cos outer)/(cos inner − cos outer))², which glTF has, is as narrow: of the same mean
-// cosine. Without an inner cone that is (3 + cos outer)/4; wider ones end at the horizon and have one.
+// The cone for which glTF's lobe ((cosθ − cos outer)/(cos inner − cos outer))² is as narrow, that is, has the same mean
+// cosine. Without an inner cone the mean cosine is (3 + cos outer)/4; wider lobes end at the horizon and have an inner
+// cone.
 Cone cone_of(double mean_cosine) {
     if (mean_cosine >= 0.75) return {0.0, std::acos(std::clamp(4.0 * mean_cosine - 3.0, 0.0, 1.0))};
-    // (½ − ¼c²)/(1 − ⅔c) for an inner cosine c rises from ½ to ¾.
+    // The mean cosine for an inner cosine c, (½ − ¼c²)/(1 − ⅔c), rises from ½ to ¾.
     double low = 0.0;
     double high = 1.0;
     for (int step = 0; step < 60; ++step) {
@@ -75,7 +76,7 @@ Json spot_cone(double inner, double outer) {
     return {{"innerConeAngle", inner}, {"outerConeAngle", outer}};
 }
 
-// A light of the same flux: what shines up too is a point, the rest a spot about as narrow.
+// A light of the same flux: a point if the profile emits upwards too, else a spot about as narrow.
 Json fallback(const MeasuredLight& light, const std::string& name, const ScaledColor& color) {
     Json json{{"name", name}, {"color", numbers(color.rgb)}};
     if (shines_up(light.web, light.peak)) {
@@ -84,7 +85,7 @@ Json fallback(const MeasuredLight& light, const std::string& name, const ScaledC
         return json;
     }
     const auto [inner, outer] = cone_of(mean_cosine(light.web));
-    const double widest_inner = std::min(inner, 0.999 * outer); // below the outer one, as the format wants it
+    const double widest_inner = std::min(inner, 0.999 * outer); // below the outer angle, as the format requires
     json["type"] = "spot";
     json["intensity"] =
         color.factor * light.flux.value / closed_form::spot_solid_angle(Falloff::frostbite, widest_inner, outer);
@@ -92,7 +93,7 @@ Json fallback(const MeasuredLight& light, const std::string& name, const ScaledC
     return json;
 }
 
-// What KHR_lights_punctual makes of a light.
+// The light as KHR_lights_punctual describes it.
 Json punctual(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
     if (light.kind == LightKind::profile) return fallback(scene.profiles[light.profile], light.name, color);
@@ -103,7 +104,7 @@ Json punctual(const SceneLight& light, const SceneContent& scene) {
     return json;
 }
 
-// The document but for where the profiles and what lies in buffers are.
+// The document without its buffers and buffer views; `profiles` states where each profile is.
 Json document(const SceneContent& scene, Json profiles, const GltfStage& stage) {
     Json lights = Json::array();
     Json nodes = stage.nodes;

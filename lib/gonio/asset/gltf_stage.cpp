@@ -1,8 +1,8 @@
 // Meshes of unit size, placed by nodes; materials; the camera.
 //
-// A material with a Lambertian part is a dielectric, whose reflectance f0 KHR_materials_specular gives as a factor on
-// 0.04 (0: none at all, at grazing neither); one without is a metal. Roughness is the root of α. Readers take the
-// reflected share from the diffuse part, which ours keeps. A material that is glTF's own is written as it is.
+// A material with a Lambertian part is a dielectric; KHR_materials_specular gives its reflectance f0 as a factor on
+// 0.04 (0: no reflection at all, not even at grazing). A material without one is a metal. Roughness is the root of α.
+// Readers subtract the reflected share from the diffuse part; gonio does not. A glTF material is written as it is.
 #include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
@@ -36,10 +36,10 @@ struct Vertex {
 
 struct Geometry {
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices; // three to a triangle, counter-clockwise from outside
+    std::vector<std::uint32_t> indices; // three per triangle, counter-clockwise from outside
 };
 
-// A rectangle of 2 by 2 in the plane that x and y span, `out` away from the origin along their normal.
+// A rectangle of 2 by 2 in the plane spanned by x and y, at distance `out` from the origin along its normal.
 void add_square(Geometry& made, const glm::dvec3& x, const glm::dvec3& y, double out) {
     const glm::dvec3 normal = glm::cross(x, y);
     const auto first = static_cast<std::uint32_t>(made.vertices.size());
@@ -49,7 +49,7 @@ void add_square(Geometry& made, const glm::dvec3& x, const glm::dvec3& y, double
         made.indices.push_back(first + corner);
 }
 
-// Of [−1, 1]² at z = 0, seen from +Z.
+// The square [−1, 1]² at z = 0, seen from +Z.
 Geometry sheet() {
     Geometry made;
     add_square(made, {1, 0, 0}, {0, 1, 0}, 0.0);
@@ -68,7 +68,7 @@ Geometry cube() {
     return made;
 }
 
-// A capsule of radius 1 along Z, a ball without length. Poles are points of their own.
+// A capsule of radius 1 along Z; of length 0 it is a sphere. Each pole is one vertex.
 Geometry round_body(double half_length) {
     constexpr std::uint32_t around = 256;
     constexpr int quarter = around / 4;
@@ -162,7 +162,7 @@ public:
     }
 
 private:
-    // Shapes by the half length of a round body over its radius, or one of these.
+    // A shape is the half length of a capsule over its radius (0 for a sphere), or one of these.
     static constexpr double is_sheet = -1.0;
     static constexpr double is_cube = -2.0;
 
@@ -189,7 +189,7 @@ private:
             low = glm::min(low, v);
             high = glm::max(high, v);
             for (int k = 0; k < 3; ++k)
-                append_float(made_.bytes, v[k] + 0.0); // without a negative zero
+                append_float(made_.bytes, v[k] + 0.0); // removes the sign of a negative zero
         }
         Json accessor{{"bufferView", view(offset, vertex_target)},
                       {"componentType", float_type},
@@ -217,7 +217,7 @@ private:
         return made_.accessors.size() - 1;
     }
 
-    // A mesh for each shape and material, whose numbers those of the same shape share.
+    // A mesh for each shape and material; meshes of the same shape share its numbers.
     std::size_t mesh_of(double shape, std::size_t material) {
         const auto [mesh, is_new] = meshes_.emplace(std::pair(shape, material), made_.meshes.size());
         if (!is_new) return mesh->second;

@@ -1,14 +1,14 @@
 // Godot 4: a scene of lights in physical units, Y up and in metres, with projector textures for the profiles.
 //
-// An omni light of φ lm shines with φ/4π cd, a spot of φ lm with φ/π cd on its axis, whatever its cone. A spot falls as
-// 1 − ((1 − cosθ)/(1 − cos outer))^p, p being spot_angle_attenuation: linear over the cosine for 1, with a hard edge
-// for great p. Distances attenuate by the inverse square with an attenuation of 2, times the window of the range, which
-// every light has: where the light asks for none it takes away at most 0.01 lx.
+// An omni light of φ lm emits φ/4π cd, a spot of φ lm emits φ/π cd on its axis, whatever its cone. A spot falls as
+// 1 − ((1 − cosθ)/(1 − cos outer))^p, where p is spot_angle_attenuation: linear over the cosine for p = 1, with a hard
+// edge for large p. With an attenuation of 2, the distance falloff is the inverse square times the window of the range.
+// Every light has a range: if the light does not specify one, the window takes away at most 0.01 lx.
 //
-// A profile that stays within 60° of its aim is a spot of great p whose projector is a plane across the aim, −Z (up is
-// +Y, right +X); others are omni lights with a panorama, whose first row is −Y and whose middle is +Z: projectors of
-// omni lights stand on their head in Godot. Both are 8-bit and sRGB-encoded, their peak is 1, and a spot's needs
-// shadows to be on (godotengine/godot, issues 57704 and 121615).
+// A profile that stays within 60° of its aim is a spot of large p with a projector that is a plane across the aim, −Z
+// (up is +Y, right +X). Other profiles are omni lights with a panorama: its first row is −Y and its middle is +Z,
+// because Godot's projectors of omni lights are upside down. Both are 8-bit and sRGB-encoded with a peak of 1, and a
+// spot's projector needs shadows to be on (godotengine/godot, issues 57704 and 121615).
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/color/rgb_space.hpp>
@@ -29,7 +29,7 @@ using std::numbers::pi;
 constexpr double edge_power = 64.0; // p of a profile's spot
 constexpr double edge_of_light = 0.8; // (1 − cosθ)/(1 − cos outer) up to which there is light: 1 − 0.8^64 = 1 − 6e-7
 
-// Half angle of the spot that holds the profile; nothing: it needs an omni light.
+// Half angle of the spot that contains the profile; nothing if the profile needs an omni light.
 std::optional<double> spot_angle(const MeasuredLight& profile) {
     double widest = 1.0;
     const Web& web = profile.web;

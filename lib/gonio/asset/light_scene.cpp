@@ -17,8 +17,8 @@ namespace gonio {
 
 namespace {
 
-// Units in a metre, and the factor on intensities that keeps lux over distances in units; programs of a fixed unit know
-// what theirs is.
+// Units per metre, and the factor on intensities that keeps lux when distances are in units. Programs with a fixed unit
+// know that unit.
 struct Scale {
     double length = 1.0;
     double intensity = 1.0;
@@ -37,11 +37,11 @@ std::vector<double> steps(double first, double last, int count) {
     return angles;
 }
 
-// Angles from the axis [deg] at which a spot's lobe is a table that lines join well.
+// Angles from the axis [deg] at which straight lines between a spot's intensities follow its lobe well.
 std::vector<double> gammas_of(const SpotShape& spot) {
     const double inner = to_degrees(spot.inner);
     const double outer = to_degrees(spot.outer);
-    constexpr double sharp = 1e-4; // of the angle: a jump
+    constexpr double sharp = 1e-4; // a jump, as a share of the angle
     std::vector<double> gammas{0.0};
     if (inner < outer)
         for (const double gamma : steps(inner, outer, 64)) {
@@ -58,7 +58,7 @@ struct Grid {
     std::vector<double> gammas;
 };
 
-// As fine as a shape's far intensity needs, in its own frame.
+// As fine as the shape's far intensity needs, in the shape's own frame.
 Grid grid_of(const SpotShape& spot) {
     return {Symmetry::axial, {0.0}, gammas_of(spot)};
 }
@@ -83,7 +83,7 @@ Grid grid_of(const SunShape& /*is refused*/) {
 Grid grid_of(const SphereShape& /*shape*/) {
     return around_axis();
 }
-// Far away a flat light is a cosine about its direction, whatever its outline.
+// From far away, a flat light is a cosine about its direction, whatever its outline.
 template<class Flat>
 requires requires(Flat flat) {
     flat.two_sided;
@@ -115,7 +115,7 @@ Result<Lumens> flux_of(const Light& light) {
     return Lumens(flux_factor(light.shape, *factors).value * light.intensity.value);
 }
 
-// The light's intensity in every direction as a luminaire; exactly that of a web and of a masked point.
+// The light's intensity in every direction as a luminaire; exact for a web and for a masked point.
 Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
     MeasuredLightOptions options;
     options.color = "rgb(1,1,1)";
@@ -135,7 +135,7 @@ Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
         if (!flux) return pass_on(flux);
         options.flux = *flux;
     }
-    Diagnostics ignored; // of the portable text: the rig's own were said when it was read
+    Diagnostics ignored; // of the portable text: those of the rig were reported when it was read
     ProfileHeader header;
     header.source = file;
     Result<MeasuredLight> made = measured_light({file, {}, *web, header}, options, ignored);
@@ -146,9 +146,9 @@ Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
     return made;
 }
 
-// What the profile of a light depends on: lights that agree in it share one.
+// What the profile of a light depends on: lights with equal keys share one.
 struct ProfileKey {
-    const Web* web; // its own or its mask's
+    const Web* web; // that of the profile or of the mask
     std::vector<double> numbers;
 
     auto operator<=>(const ProfileKey&) const = default;
@@ -241,7 +241,7 @@ private:
         return place_profile(light, std::move(made));
     }
 
-    // An area: of the target's own kind, or from afar.
+    // An area light: of the target's own kind, or as from far away.
     template<class Area>
     Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
         if (shape.mask) return place_far(light, std::move(made), "a mask on an area light");
@@ -334,7 +334,7 @@ private:
 } // namespace
 
 Result<void> check_unit(const Target& target, Meters unit) {
-    // Intensities grow with its square, and are to fit 32-bit floats.
+    // Intensities scale with the square of the unit, and must fit 32-bit floats.
     constexpr double least = 1e-4;
     constexpr double most = 1e4;
     if (!(unit.value >= least && unit.value <= most))

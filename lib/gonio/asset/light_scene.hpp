@@ -1,15 +1,15 @@
 // LightScene: placed lights as one file of a target, with the files that it reads.
 //
-// Each light becomes the target's own where that has one of the kind; of the rest, what it does instead is said by
-// name:
-//   a shape that a target has not   a measured profile of its intensity in every direction, as from far away
+// Each light becomes one of the target's own kind if the target has it. Otherwise the replacement is reported with the
+// name of the light:
+//   a shape that the target lacks   a measured profile of its intensity in every direction, as from far away
 //                                   (a sphere: a point of the same intensity)
 //   a spot of another falloff       the same: a profile of its lobe
 //   a two-sided disk or rectangle   two lights back to back
-//   a mask on an area               as a shape that the target has not
-//   a range                         left out where the target has no such window
-// Flux and intensity are those of the light in all of them. World: right-handed, Z up, metres; a target's own
-// axes and lengths are its writer's affair.
+//   a mask on an area light         treated as a shape that the target lacks
+//   a range                         left out if the target has no such window
+// Flux and intensity are those of the light in all these cases. World: right-handed, Z up, metres; each target's writer
+// converts to its axes and lengths.
 #pragma once
 
 #include <gonio/asset/measured_light.hpp>
@@ -34,18 +34,19 @@ struct LightSceneOptions {
     Meters unit{1.0};        // length of the target's unit; see check_unit()
 };
 
-// Files are named NAME.…, those of the profiles NAME.LIGHT.…; lights of the same profile, amount and colour share one.
-// Fails (unsupported) when a light cannot be said to the target at all and as check_light_count() does, (usage) as
+// Files are named NAME.…, those of the profiles NAME.LIGHT.…; lights with the same profile, amount and colour share
+// one. Fails (unsupported) when the target cannot express a light at all and as check_light_count() does, (usage) as
 // check_unit() does.
 Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 
-// A luminaire alone, at the origin and shining down, C0 along +X.
+// A single luminaire, at the origin and aimed down, C0 along +X.
 Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit = Meters(1.0));
 
-// Fails (unsupported) on more lights than the limit import-lights: what asks before it resolves them saves the work.
+// Fails (unsupported) on more lights than the limit import-lights. A caller that checks before it resolves the lights
+// saves that work.
 Result<void> check_light_count(std::size_t lights);
 
-// Fails (usage) where the target's lengths are fixed, and not this one.
+// Fails (usage) on a unit outside [1e-4 m, 1e4 m], and if the target's lengths are fixed to another unit.
 Result<void> check_unit(const Target& target, Meters unit);
 
 } // namespace gonio

@@ -1,9 +1,9 @@
 // LuxCore: scene properties (.scn), Z up.
 //
-// A light with `power` P W and `efficency` 1 lm/W (so it is spelt) emits P lm: a point shines with P/4π, a mappoint
-// with that times its map over the map's mean, a sphere with P/4π²r² nt. LuxCore reads the profile itself, whose
-// candela count as a shape only; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
-// over a cone of half angle theta, a glowing material a luminance. Transformations list columns.
+// A light with `power` P W and `efficency` (LuxCore's spelling) 1 lm/W emits P lm: a point emits P/4π cd, a mappoint
+// that intensity times its map over the map's mean, a sphere P/4π²r² nt. LuxCore reads the profile itself and takes
+// only the shape from its candela; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
+// over a cone of half angle theta, a glowing material has a luminance. Transformations list columns.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::string transformation(const Frame& frame) {
                        triple(frame.origin, " "));
 }
 
-// A mesh in the light's frame that glows.
+// A glowing mesh in the light's frame.
 std::string glowing(const SceneLight& light, const Mesh& mesh) {
     const std::string name = identifier(light.name);
     std::string vertices;

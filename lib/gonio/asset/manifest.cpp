@@ -19,7 +19,7 @@ Json to_json(const ManifestFile& file) {
     return {{"file", file.file}, {"sha256", file.sha256}};
 }
 
-// Reads members and remembers the first that is not as it must be.
+// Reads members and remembers the first one that is missing or has the wrong type.
 class Reader {
 public:
     explicit Reader(const std::string& name) : name_(name) {}
@@ -43,7 +43,7 @@ public:
     }
     ManifestFile file(const Json& object) { return {text(object, "file"), text(object, "sha256")}; }
 
-    // What to fail with, if anything.
+    // The error to return, if there is one.
     [[nodiscard]] std::optional<Unexpected> failure() const {
         if (wrong_.empty()) return std::nullopt;
         return fail(Failure::malformed, fmt::format("not a manifest: '{}' is missing or has the wrong type", wrong_),

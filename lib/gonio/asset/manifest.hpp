@@ -1,5 +1,5 @@
-// The manifest of a batch: a JSON object of schema gonio.manifest/1 that lists what is whole, with the hash of every
-// file (manifest.schema.json describes it). A catalogue may be made in shards, whose manifests are merged.
+// The manifest of a batch: a JSON object of schema gonio.manifest/1 that lists the complete assets, with the hash of
+// every file (described by manifest.schema.json). A catalogue may be made in shards; their manifests are merged.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -13,7 +13,7 @@
 
 namespace gonio {
 
-// Every count-th input, from the index-th on: 1 ≤ index ≤ count.
+// Every count-th input, starting with the index-th: 1 ≤ index ≤ count.
 struct Shard {
     std::size_t index = 1;
     std::size_t count = 1;
@@ -28,11 +28,11 @@ struct ManifestFile {
     bool operator==(const ManifestFile&) const = default;
 };
 
-// An input and the files that were made of it, all of them there.
+// An input and the files that were made from it, all of which exist.
 struct ManifestAsset {
     ManifestFile input;
     std::vector<ManifestFile> files;
-    std::vector<std::string> remarks = {}; // what the files do not hold, and what they do instead
+    std::vector<std::string> remarks = {}; // what the files cannot store, and what they contain instead
 
     bool operator==(const ManifestAsset&) const = default;
 };
@@ -40,9 +40,9 @@ struct ManifestAsset {
 struct Manifest {
     std::string recipe;                // the options that the assets were made with
     std::optional<Shard> shard;        // nothing: the whole batch
-    std::size_t inputs = 0;            // as many as were tried
+    std::size_t inputs = 0;            // number of inputs tried
     std::vector<ManifestAsset> assets; // in the order of the inputs' names
-    std::vector<std::string> failed;   // inputs of which nothing was made, in that order
+    std::vector<std::string> failed;   // inputs without any result, in that order
 
     bool operator==(const Manifest&) const = default;
 };
@@ -50,11 +50,12 @@ struct Manifest {
 // Keys in a fixed order, two spaces of indentation, a newline at the end.
 std::string manifest_json(const Manifest& manifest);
 
-// `name` is the file's, for messages. Fails (malformed) on what is no such object, and (unsupported) on another schema.
+// `name` is the file's name, for messages. Fails (malformed) if the text is not such an object, and (unsupported) on
+// another schema.
 Result<Manifest> read_manifest(std::string_view json, const std::string& name);
 
-// Fails (usage) when the manifests were made with different options or numbers of shards, when one is missing, and when
-// two list the same input or the same file.
+// Fails (usage) when the manifests were made with different options or numbers of shards, when a shard is missing, and
+// when two manifests list the same input or the same file.
 Result<Manifest> merged(std::span<const Manifest> manifests);
 
 } // namespace gonio

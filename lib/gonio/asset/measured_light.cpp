@@ -84,7 +84,7 @@ std::optional<double> color_temperature_of(std::string_view text) {
     constexpr double lowest = 1000.0;
     constexpr double highest = 40000.0;
     if (value >= lowest && value <= highest) return value;
-    // 8 of "830" is the tens of the colour rendering index, 30 the hundreds of kelvins.
+    // In "830", the 8 is the tens of the colour rendering index and the 30 the hundreds of kelvins.
     const bool is_code = stop - text.data() == 3 && value >= 600.0 && value <= 999.0;
     const double hundreds = is_code ? static_cast<double>(static_cast<int>(value) % 100) : 0.0;
     return hundreds >= 18.0 ? std::optional(100.0 * hundreds) : std::nullopt;

@@ -1,9 +1,9 @@
-// MeasuredLight: a luminaire as engines get it, resolved once for every target.
+// MeasuredLight: a luminaire in the form that engines get, resolved once for every target.
 //
-// Engines read few of the ways in which a profile may say the same light, so all of them get one: the portable dialect
-// of LM-63 (gonio/web/to_profile.hpp), in which ballast factor, multiplier, TILT, the wanted flux and the turn about
-// the axis are numbers of the table. The web here is that of those very bytes, so what is measured on it is what is
-// delivered.
+// A profile can describe the same light in many ways, of which engines read few, so all of them get one form: the
+// portable dialect of LM-63 (gonio/web/to_profile.hpp), with ballast factor, multiplier, TILT, the requested flux and
+// the rotation about the axis already applied to the numbers of the table. The web here is read from those same bytes,
+// so that what is measured on it is what is delivered.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -28,7 +28,7 @@ struct MeasuredLight {
     Lumens flux;               // its integral
     Candelas peak;             // its greatest intensity
     glm::dvec3 color{1.0};     // linear Rec.709 of luminance 1
-    std::string color_text;    // what that was made of: "2700K", "spectrum"; empty where nothing is known
+    std::string color_text;    // origin of the colour: "2700K", "spectrum"; empty where nothing is known
     std::string source_file;   // as the user named it
     std::string source_sha256; // of its bytes
     ProfileHeader header;      // of the source
@@ -45,23 +45,24 @@ struct MeasuredLightSource {
 };
 
 struct MeasuredLightOptions {
-    std::optional<Lumens> flux; // scaled to it; else as measured
+    std::optional<Lumens> flux; // the flux to scale to; without it, as measured
     Radians rotation;           // about the axis, C0 towards C90
     std::string color;          // as parse_light_color takes it; empty: that of the file's spectrum, else of its
                                 // colour temperature, else white
 };
 
 // Fails as rotated(), scaled_to() and parse_light_color() do, and (unsupported) on a web without light, which no engine
-// can scale. Diagnostics: what the portable dialect cannot hold, and a colour temperature that is not understood.
+// can scale. Diagnostics: anything that the portable dialect cannot store, and a colour temperature that cannot be
+// parsed.
 Result<MeasuredLight> measured_light(const MeasuredLightSource& source, const MeasuredLightOptions& options,
                                      Diagnostics& diagnostics);
 
-// What an asset made of a file is called: its name without folder and ending, every character that some file system,
-// shell or scene language would not take replaced by '_'.
+// The name of an asset made from a file: the file's name without folder and ending; every character that some file
+// system, shell or scene language does not accept is replaced by '_'.
 std::string asset_name(std::string_view file);
 
-// The colour temperature [K] that a profile's text tells: "3000", "3000 K", "4000K warm white", or a lamp's code "830"
-// (colour rendering from 80, 3000 K). Nothing for other texts.
+// The colour temperature [K] in a profile's text: "3000", "3000 K", "4000K warm white", or a lamp's code "830" (colour
+// rendering from 80, 3000 K). Nothing for other texts.
 std::optional<double> color_temperature_of(std::string_view text);
 
 } // namespace gonio

@@ -1,10 +1,11 @@
-// Mitsuba 3: XML of emitters, right-handed, whose numbers act as photometric ones.
+// Mitsuba 3: XML of emitters, right-handed; its numbers are used as photometric ones.
 //
-// There is no goniometric emitter (only an environment map looks directions up). The truest stand-in is a box of up to
-// six projectors of 90° at the luminaire's place. A projector shines along +Z with π t(u, v) scale/cos³θ W/sr, θ from
-// its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2: its texture, the first row at v = 0, is filtered linearly. So a
-// texel holds the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z; rectangles and disks emit
-// along +Z; a capsule is a cylinder and two spheres, whose inner halves light nothing but its inside.
+// There is no goniometric emitter (only an environment map is looked up by direction). The closest substitute is a box
+// of up to six projectors of 90° at the luminaire's position. A projector emits π t(u, v) scale/cos³θ W/sr along +Z,
+// with θ from its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2; its texture has the first row at v = 0 and is
+// filtered linearly. So a texel stores the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z;
+// rectangles and disks emit along +Z. A capsule is a cylinder and two spheres; the inner halves of the spheres only
+// light its inside.
 #include <gonio/asset/detail/mitsuba_text.hpp>
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ using std::numbers::pi;
 
 constexpr int face_size = 256;
 
-// A projector's axes in the light's frame, right-handed: it shines along `z`.
+// A projector's axes in the light's frame, right-handed: it emits along `z`.
 struct Face {
     std::string_view name;
     glm::dvec3 x, y, z;
@@ -39,7 +40,7 @@ Face face_of(std::size_t index) {
     return {face_names[index], x, glm::cross(z, x), z};
 }
 
-// What the projector's texture holds, over the peak and in the light's colour; its greatest channel is 1 there.
+// The projector's texture, relative to the peak and in the light's colour; its greatest channel is 1 at the peak.
 Image face_image(const Face& face, const MeasuredLight& profile, const glm::dvec3& color) {
     Image image(face_size, face_size, 3);
     for (int row = 0; row < face_size; ++row)
@@ -59,12 +60,12 @@ bool is_dark(const Image& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return value == 0.0F; });
 }
 
-// Mitsuba's +Z where ours is −Z.
+// Mitsuba's +Z is our −Z.
 std::string aimed(const Frame& frame, double width = 1.0, double height = 1.0) {
     return mitsuba_matrix(width * frame.x, -height * frame.y, -frame.z, frame.origin);
 }
 
-// Without what ends an XML comment.
+// The text without anything that ends an XML comment.
 std::string comment(std::string_view text) {
     std::string plain;
     for (const char c : text)
@@ -162,7 +163,7 @@ std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
     std::vector<AssetFile> faces;
     std::vector<bool> done(scene.profiles.size());
     for (const SceneLight& light : scene.lights) {
-        if (light.kind != LightKind::profile || done[light.profile]) continue; // one colour to a profile
+        if (light.kind != LightKind::profile || done[light.profile]) continue; // a profile has one colour
         done[light.profile] = true;
         const MeasuredLight& profile = scene.profiles[light.profile];
         for (std::size_t i = 0; i < face_names.size(); ++i) {

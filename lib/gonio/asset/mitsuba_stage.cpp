@@ -1,8 +1,8 @@
-// The stage for Mitsuba 3: sensor, integrator of direct light alone, materials, shapes.
+// The stage for Mitsuba 3: sensor, integrator for direct light only, materials, shapes.
 //
 // Its sensor looks along +Z, +Y up, +X to the left. A material without a lobe is `diffuse`; others are `principled`
-// (roughness is the root of α), without a diffuse part a metal, and a blend of a metal and a dielectric where a
-// reflectance beside a diffuse part has a colour.
+// (roughness is the root of α). A material without a diffuse part is a metal; one with a diffuse part and a coloured
+// reflectance is a blend of a metal and a dielectric.
 #include <gonio/asset/detail/mitsuba_text.hpp>
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ std::string sensor(const SceneCamera& camera) {
                        word("component_format", "float32"));
 }
 
-// `name` is empty, or the attribute by which shapes refer to it.
+// `id` is empty, or the attribute by which shapes refer to the material.
 std::string bsdf(std::string_view type, const std::string& id, const std::string& inside) {
     return fmt::format("    <bsdf type=\"{}\"{}>{}</bsdf>\n", type, id, inside);
 }

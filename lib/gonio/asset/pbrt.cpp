@@ -1,10 +1,11 @@
-// pbrt-v4: lights whose numbers are photometric (`scale` in candela and nits, `illuminance` in lux, `power` in lumens).
+// pbrt-v4: lights with photometric numbers (`scale` in candela and nits, `illuminance` in lux, `power` in lumens).
 //
 // A profile is a goniometric light with an equal-area image (P. Clarberg, "Fast Equal-Area Mapping of the (Hemi)Sphere
-// using SIMD", 2008, turned for octahedral maps): pbrt looks a square image of one channel Y up at
+// using SIMD", 2008, turned for octahedral maps). pbrt looks up a square image of one channel, Y up, at
 // EqualAreaSphereToSquare of the light's direction with y and z swapped: the image's middle is +Y, its right edge +X,
-// its lower edge +Z. Baked with the nadir in the middle, C0 to the right and C90 below, it is turned by −90° about X.
-// pbrt scales it to `power`; texels of equal solid angle make that exact. Spots fall as smoothstep over the cosine.
+// its lower edge +Z. The image is baked with the nadir in the middle, C0 to the right and C90 below, and turned by −90°
+// about X. pbrt scales it to `power`, which is exact because the texels have equal solid angles. Spots fall as
+// smoothstep over the cosine.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 
@@ -64,14 +65,14 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
     case LightKind::ellipse: // of triangles: pbrt samples a stretched disk by the area that it had before
         return area(light, triangles(ellipse_mesh(0.5 * light.width, 0.5 * light.height)));
     case LightKind::rect: {
-        // Its normal is that of the first edge times the second: +Y × +X.
+        // Its normal is the cross product of the first edge and the second: +Y × +X.
         const double x = 0.5 * light.width;
         const double y = 0.5 * light.height;
         return area(light, fmt::format("  Shape \"bilinearmesh\" \"point3 P\" [ {} {} 0  {} {} 0  {} {} 0  {} {} 0 ]\n",
                                        -x, -y, -x, y, x, -y, x, y));
     }
     case LightKind::tube:
-        // Whole spheres: the halves inside the cylinder light nothing but its inside.
+        // Whole spheres: the halves inside the cylinder only light its inside.
         return area(light,
                     ball(-0.5 * light.width, light.radius) + ball(0.5 * light.width, light.radius) +
                         fmt::format("  Rotate 90 0 1 0\n"

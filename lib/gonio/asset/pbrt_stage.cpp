@@ -1,8 +1,9 @@
-// The stage for pbrt-v4: a whole scene of direct light alone.
+// The stage for pbrt-v4: a whole scene with direct light only.
 //
-// pbrt's camera space is left-handed: +X right, +Y up, +Z forward. Its field of view is that of the shorter side. What
-// has no diffuse part is a conductor of that reflectance at normal incidence; what has both is a coated diffuse
-// surface, and a mix of the two where its reflectance has a colour. Roughness is α itself (`remaproughness` off).
+// pbrt's camera space is left-handed: +X right, +Y up, +Z forward. Its field of view is that of the shorter side. A
+// material without a diffuse part is a conductor of that reflectance at normal incidence. A material with both parts is
+// a coated diffuse surface, or a mix of the two if its reflectance has a colour. Roughness is α itself
+// (`remaproughness` off).
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -103,7 +104,7 @@ struct ShapeText {
                    points);
     }
     std::string operator()(const Capsule& capsule) const {
-        // Whole spheres: the halves inside the cylinder are not seen.
+        // Whole spheres: the halves inside the cylinder are not visible.
         return placed(frame_of(capsule)) + sphere(-capsule.half_length, capsule.radius) +
                sphere(capsule.half_length, capsule.radius) +
                fmt::format("  Shape \"cylinder\" \"float radius\" {} \"float zmin\" {} \"float zmax\" {}\n",

@@ -1,4 +1,4 @@
-// Raw: the portable profiles alone and, of several lights, a table of where each hangs.
+// Raw: only the portable profiles and, for several lights, a table of where each is placed.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
-// SceneContent: what the writer of a target gets. Lights of the kinds that the target holds, in its unit of length, and
-// for a whole scene what stands there, what that looks like, and who looks at it.
+// SceneContent: what the writer of a target gets. It has lights of the kinds that the target supports, in its unit of
+// length; for a whole scene also the surfaces, their materials and the camera.
 //
-// light_scene() and stage_scene() make it and call Target::files with it. A program that is not in targets() gets a
-// Target of its own, whose `files` turns this into text.
+// light_scene() and stage_scene() make it and call Target::files with it. For a program that is not in targets(),
+// define a Target with `files` that turns this into text.
 #pragma once
 
 #include <gonio/asset/measured_light.hpp>
@@ -22,14 +22,14 @@
 
 namespace gonio {
 
-// What every target holds of a material: a Lambertian part, and a GGX lobe with Schlick's reflectance from f0 to 1 at
-// grazing.
+// What every target can store of a material: a Lambertian part, and a GGX lobe with Schlick's reflectance from f0 to 1
+// at grazing.
 struct SceneMaterial {
     std::string name;                 // unique in the scene: letters, digits and '_'
-    glm::dvec3 diffuse{0.0};          // albedo: the part of even light from all sides that our diffuse part gives back
+    glm::dvec3 diffuse{0.0};          // albedo: share of uniform light from all sides that the diffuse part reflects
     glm::dvec3 f0{0.0};               // 0: no lobe
-    double alpha = 1.0;               // what enters D and V; the targets' own roughness is its root
-    std::optional<GltfMaterial> gltf; // what a target with glTF's own material takes instead
+    double alpha = 1.0;               // the α in D and V; most targets take its root as roughness
+    std::optional<GltfMaterial> gltf; // used instead by a target that has glTF's own material
 
     bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
     bool has_lobe() const { return f0 != glm::dvec3(0.0); }
@@ -57,17 +57,17 @@ struct SceneStage {
     std::vector<SceneSurface> surfaces;
     SceneCamera camera;
     std::optional<Nits> white; // the luminance that our picture shows as 1
-    bool shows_backs = false;  // the camera stands behind a sheet, through which ours looks
+    bool shows_backs = false;  // the camera is behind a one-sided surface, which our camera looks through
 };
 
 struct SceneLight {
     LightKind kind = LightKind::point;
-    std::string name;       // unique in the scene: letters, digits and '_', of a luminaire alone '-' too
+    std::string name;       // unique in the scene: letters, digits and '_', for a single luminaire '-' too
     Frame frame;            // as Light::frame; the origin in the target's unit
     glm::dvec3 color{1.0};  // linear Rec.709 of luminance 1
-    double intensity = 0.0; // along the direction; a profile: its peak; an area: A L or π r² L. Candela, but where the
-                            // target has no unit of its own: times the square of the units in a metre, so that over
-                            // the square of a distance in units it gives lux
+    double intensity = 0.0; // along the direction; a profile: its peak; an area: A L or π r² L. In candela, unless the
+                            // target has no unit of its own: then times the square of the units per metre, so that
+                            // dividing by the square of a distance in units gives lux
     double nits = 0.0;  // of areas and the sun
     double lux = 0.0;   // of the sun, on a plane across its direction
     double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
@@ -84,10 +84,10 @@ struct SceneContent {
     std::string name;
     std::string description; // without line ends, ASCII
     double units_per_meter = 1.0;
-    std::vector<MeasuredLight> profiles; // named as their files
+    std::vector<MeasuredLight> profiles; // with the names of their files
     std::vector<SceneLight> lights;
-    bool single = false;             // one luminaire alone: the profile's own name
-    std::optional<SceneStage> stage; // in metres; then the file is a whole scene
+    bool single = false;             // a single luminaire, with the profile's own name
+    std::optional<SceneStage> stage; // in metres; if present, the file is a whole scene
 };
 
 } // namespace gonio

@@ -20,12 +20,13 @@ glm::dvec3 color(const Vec& v) {
     return {v.x, v.y, v.z};
 }
 
-// The share of even light from all sides that the diffuse part gives back: (1/π) ∬ f ⟨n·l⟩⟨n·v⟩ dl dv over both
-// hemispheres, for f that depends on the azimuth between l and v alone. 1e-5 or better.
+// The share of uniform light from all sides that the diffuse part reflects: (1/π) ∬ f ⟨n·l⟩⟨n·v⟩ dl dv over both
+// hemispheres, for f that depends on azimuths only through the angle between those of l and v. Accurate to 1e-5 or
+// better.
 template<class Core>
 glm::dvec3 mean_albedo(const Core& core) {
     constexpr auto rule = gauss_legendre<12>();
-    constexpr int turns = 16; // of half the azimuth, which mirrors the other
+    constexpr int turns = 16; // over half the azimuth; the other half mirrors it
     const Vec n{0.0, 0.0, 1.0};
     Vec sum{0.0, 0.0, 0.0};
     for (const QuadratureNode& eye : rule)
@@ -53,7 +54,7 @@ void take_lobe(const Core& core, SceneMaterial& made, std::vector<std::string>& 
         losses.emplace_back("its reduced reflection at grazing angles is written as full reflection");
 }
 
-// Whether its diffuse part depends on the directions.
+// Whether the diffuse part depends on the directions.
 template<class Core>
 bool is_rough(const Core& core) {
     const Vec n{0.0, 0.0, 1.0};
@@ -105,7 +106,7 @@ MixedMaterial mixed(const SceneMaterial& material) {
     const double most = std::max({material.f0.x, material.f0.y, material.f0.z});
     if (!material.has_diffuse()) return {1.0, material.f0, {}, 0.0};
     if (most - least <= 1e-9) return {0.0, {}, material.diffuse, most};
-    // As little metal as can be, whose greatest channel is 1; the dielectric takes what all channels have.
+    // As little metal as possible, so its greatest channel is 1; the dielectric takes what all channels share.
     MixedMaterial made;
     made.f0 = std::min(least, 0.04);
     made.metal = (most - made.f0) / (1.0 - made.f0);

@@ -29,7 +29,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string triple(const glm::dvec3& v, std::string_view separator) {
-    // Adding 0 takes the sign from a negative zero.
+    // Adding 0 removes the sign of a negative zero.
     return fmt::format("{}{}{}{}{}", v.x + 0.0, separator, v.y + 0.0, separator, v.z + 0.0);
 }
 
@@ -51,7 +51,7 @@ double generous_range(double candela) {
 }
 
 AssetPicture baked_picture(const Web& web, BakeOptions options, int channels) {
-    options.threads = 1; // the lights of a batch are spread over them
+    options.threads = 1; // the lights of a batch are spread over the threads
     const Result<Texture> texture = bake_texture(web, options);
     if (!texture) return {};
     return {picture_of(*texture, 0, texture->image.width, channels), options.texel_type};
@@ -84,7 +84,7 @@ Mesh capsule_mesh(double radius, double length) {
             if (ring > 0) mesh.faces.emplace_back(a, b, b + around);
             if (ring + 2 < rings) mesh.faces.emplace_back(a, b + around, a + around);
         }
-    // Flat faces lie inside: moved out from the axis and the ends alike until the areas agree.
+    // Flat faces lie inside the capsule: move them out from the axis and the ends alike until the areas agree.
     double area = 0.0;
     for (const glm::ivec3& f : mesh.faces)
         area += 0.5 * glm::length(glm::cross(

@@ -63,7 +63,7 @@ std::string texture_sidecar(const Texture& texture, const TextureSource& source,
     if (faces) sidecar["face_files"] = file.face_files;
     if (!file.recipe.empty()) sidecar["recipe"] = file.recipe;
     if (!file.files.empty()) sidecar["files"] = detail::to_json(file.files);
-    // A file name need not be UTF-8: what is not becomes a replacement character instead of a failure.
+    // A file name need not be UTF-8: invalid bytes become a replacement character instead of a failure.
     return sidecar.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

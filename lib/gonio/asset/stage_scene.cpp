@@ -25,7 +25,7 @@ constexpr std::array formats{
     StageFormat{".py", "a Blender script that creates a scene for Cycles", "blender", blender_files},
 };
 
-// The square of an endless plane, in the middle of which the eye stands.
+// A square of an infinite plane, with its middle at the foot of the perpendicular from the eye.
 Panel cut(const Plane& plane, const glm::dvec3& eye) {
     const glm::dvec3 middle = eye - glm::dot(eye - plane.point, plane.normal) * plane.normal;
     return panel_facing(middle, plane.normal, {0.0, 1.0, 0.0}, plane_size.value, plane_size.value);
@@ -39,7 +39,7 @@ SceneShape scene_shape(const Primitive& primitive, const glm::dvec3& eye) {
     return std::get<Capsule>(primitive);
 }
 
-// As CameraRays sees it.
+// The camera as CameraRays uses it.
 SceneCamera scene_camera(const Camera& camera, int width, int height) {
     const double half_height = std::tan(0.5 * degrees(camera.vertical_fov_deg).value);
     const double half_width = std::tan(0.5 * degrees(camera.least_horizontal_fov_deg).value);
@@ -64,7 +64,7 @@ public:
     SceneStage& stage() { return stage_; }
 
 private:
-    // The same material of surfaces of the same name is one.
+    // Surfaces with the same name and the same material share one entry.
     std::size_t material_of(const Surface& surface) {
         std::vector<std::string> losses;
         SceneMaterial material = scene_material(surface.material, losses);
@@ -91,7 +91,7 @@ private:
     asset_detail::TakenNames& names_;
     std::vector<std::string>& instead_;
     SceneStage stage_;
-    std::vector<std::string> sources_; // of each material, the surfaces' name
+    std::vector<std::string> sources_; // the surfaces' name for each material
 };
 
 } // namespace

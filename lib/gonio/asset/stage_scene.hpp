@@ -1,16 +1,17 @@
-// StageScene: what a picture of a stage is rendered from, for other renderers to check it by.
+// StageScene: the scene that a picture of a stage is rendered from, so that other renderers can check the picture.
 //
-// The very surfaces, camera and lights, in the target's units: lights as light_scene.hpp has them, Z up and metres
-// where the target leaves the choice. The pictures made of it are scene-linear: 1 is 1 cd/m², in Blender 177.83 cd/m².
+// It has the same surfaces, camera and lights, in the target's units: lights as in light_scene.hpp, Z up and metres
+// where the target leaves the choice. Pictures rendered from it are scene-linear: 1 is 1 cd/m²
+// (Blender: 177.83 cd/m²).
 //
-//   a plane      has no end here: a square of plane_size, in the middle of which the camera stands
-//   solids       the target's own; glTF and Blender have meshes with smooth normals whose corners lie on the surface,
-//                whose faces lie inside by at most ball_sag of the radius
-//   a material   a Lambertian part of the same albedo and a GGX lobe of the same α and f0; what is more is named
-//   shadows      of all that stands there; bounces are the renderer's own affair, ours has none (set where that is
-//                possible)
+//   a plane      infinite in gonio, here a square of plane_size with the camera above its middle
+//   solids       the target's own; glTF and Blender get meshes with smooth normals and corners on the surface; their
+//                faces lie inside by at most ball_sag of the radius
+//   a material   a Lambertian part of the same albedo and a GGX lobe of the same α and f0; what is lost is reported
+//   shadows      of all surfaces; gonio renders no bounces, and the file turns them off in the renderer if possible
 //
-// A sheet is lit and seen from one side; where a renderer shows its back and the camera sees that, it is said.
+// One-sided surfaces are lit and seen from one side; if a renderer shows the back and the camera sees it, that is
+// reported.
 #pragma once
 
 #include <gonio/asset/light_scene.hpp>
@@ -27,20 +28,20 @@ namespace gonio {
 
 inline constexpr Meters plane_size{2000.0};
 
-// 1 − cos(π/128): of 256 corners around.
+// 1 − cos(π/128): 256 corners around.
 inline constexpr double ball_sag = 3.1e-4;
 
 // A kind of file.
 struct StageFormat {
     std::string_view extension; // ".gltf"
     std::string_view summary;   // for lists
-    std::string_view target;    // whose lights it holds
+    std::string_view target;    // the target of its lights
     std::vector<AssetFile> (*files)(const SceneContent& scene);
 };
 
 std::span<const StageFormat> stage_formats();
 
-// By the ending of a file's name. Fails (usage) on others.
+// The format for the ending of a file's name. Fails (usage) on others.
 Result<const StageFormat*> stage_format_of(std::string_view file);
 
 struct StageSceneOptions {
@@ -48,7 +49,7 @@ struct StageSceneOptions {
     std::string description; // for a comment in them
     int width = 512;         // of the picture [pixels]
     int height = 512;
-    std::optional<Nits> white; // the luminance that our picture shows as 1, said in the files
+    std::optional<Nits> white; // the luminance that our picture shows as 1, stated in the files
 };
 
 // The first file is the scene; it reads the others from beside it. Fails as light_scene() does.

@@ -8,7 +8,7 @@
 
 namespace gonio {
 
-// Each in the target's own file.
+// Each is defined in the target's own file.
 namespace asset_detail {
 std::vector<AssetFile> babylon_files(const SceneContent& scene);
 std::vector<AssetFile> gltf_files(const SceneContent& scene);
@@ -22,7 +22,7 @@ std::vector<AssetFile> unreal_files(const SceneContent& scene);
 
 namespace {
 
-// What each has besides profiles.
+// Kinds of light that targets have besides profiles.
 constexpr std::array point_sun{LightKind::point, LightKind::sun};
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};

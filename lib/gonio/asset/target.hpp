@@ -1,4 +1,4 @@
-// Targets: the programs that lights are delivered to, each with its own files, units and conventions.
+// Targets: the programs that lights are written for, each with its own files, units and conventions.
 //
 // gonio/asset/light_scene.hpp writes them.
 #pragma once
@@ -18,7 +18,7 @@ namespace gonio {
 
 struct SceneContent; // gonio/asset/scene_content.hpp
 
-// A picture that a target reads beside its text, stored by who writes the files.
+// A picture that a target reads beside its text; the caller that writes the files stores it.
 struct AssetPicture {
     Image image; // as the file holds it
     TexelType texel_type = TexelType::float32;
@@ -27,7 +27,7 @@ struct AssetPicture {
 // One file of an asset.
 struct AssetFile {
     std::string name;  // in the target's folder
-    std::string bytes; // where there is no picture
+    std::string bytes; // if the file is not a picture
     std::optional<AssetPicture> picture;
 };
 
@@ -36,10 +36,10 @@ enum class LightKind { point, spot, profile, sphere, disk, ellipse, rect, tube, 
 // A target's unit of length.
 enum class TargetLength { any, meter, centimeter, none };
 
-// What kinds of light a target has; every one has profiles.
+// The kinds of light that a target has; every target has profiles.
 struct TargetHolds {
     std::span<const LightKind> kinds;    // besides profiles and spots
-    std::optional<Falloff> spot_falloff; // of its spots; nothing: it has none
+    std::optional<Falloff> spot_falloff; // of its spots; nothing: it has no spots
     bool spot_has_inner = true;          // false: they fall from the axis on, and have no hard edge
     bool range = false;                  // a window ⟨1 − (d/r)⁴⟩² over distance
     double widest_spot_deg = 90.0;       // outer half angle
@@ -49,10 +49,10 @@ struct TargetHolds {
 struct Target {
     std::string_view name;    // "gltf"
     std::string_view summary; // for lists
-    // How to use what is written, what was checked in the program itself and what could not be: a line each.
+    // How to use the output, what was checked in the program itself and what could not be: one line each.
     std::string_view use, verified, unverified;
     TargetHolds holds;
-    // Its files for a scene: of the kinds above and in its unit of length.
+    // Makes the target's files for a scene with lights of the kinds above, in its unit of length.
     std::vector<AssetFile> (*files)(const SceneContent& scene) = nullptr;
 };
 

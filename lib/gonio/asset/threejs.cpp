@@ -1,15 +1,15 @@
-// three.js: a module that makes the lights, Y up. Those of a profile are IESSpotLights, which WebGPURenderer draws.
+// three.js: a module that makes the lights, Y up. Profiles are IESSpotLights, which WebGPURenderer draws.
 //
-// Since r187 an IESSpotLight's texture is looked up at γ from the middle of the first column to that of the last, and
-// at the azimuth from −180° at the middle of the first row on, wrapping; seen along the light, azimuth 0 is to the
-// right and 90° to where the camera of its shadow has its up, which is therefore C90. So texel (i, j) holds the
-// intensity at γ = i°, C = j° − 180°, over the peak. The azimuth is taken from a perspective projection, which turns
-// what lies behind the light by 180°: above the horizon C = j°. That projection's angle is the cone's times `focus`,
-// which keeps it away from 180°, where it would collapse. Before r187 the renderer took the first row for every
-// azimuth.
+// Since r187 an IESSpotLight's texture is looked up at γ, from the middle of the first column to that of the last, and
+// at the azimuth, from −180° at the middle of the first row, wrapping around. Seen along the light, azimuth 0 is to the
+// right, and 90° is where the camera of its shadow has its up direction, which is therefore C90. So texel (i, j) stores
+// the intensity at γ = i°, C = j° − 180°, over the peak. The azimuth is computed from a perspective projection, which
+// turns directions behind the light by 180°: above the horizon C = j°. The angle of that projection is the cone's times
+// `focus`, which keeps it away from 180°, where it would collapse. Before r187 the renderer used the first row for
+// every azimuth.
 //
-// Points and spots count candela (with a decay of 2), areas nits, suns lux; a distance windows as ours does; a spot
-// falls as smoothstep over the cosine.
+// Points and spots are in candela (with a decay of 2), areas in nits, suns in lux; the window of `distance` is the same
+// as ours; a spot falls as smoothstep over the cosine.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ std::string base64(const std::vector<double>& texels) {
     return text;
 }
 
-// { "height": rows, "texels": … } of a profile; one row of an axial light.
+// { "height": rows, "texels": … } of a profile; one row for an axial light.
 std::string texture_of(const Web& web, Candelas peak) {
     const int rows = web.stored_symmetry() == Symmetry::axial ? 1 : 360;
     std::vector<double> texels;
@@ -96,7 +96,7 @@ std::string vector(const glm::dvec3& v) {
     return "[" + triple(v) + "]";
 }
 
-// One light of the list; what it needs of three.js is added to `imports`.
+// One light of the list; the names that it needs from three.js are added to `imports`.
 std::string entry(const SceneLight& light, std::set<std::string>& imports) {
     const std::string color = fmt::format("new Color({})", triple(light.color));
     const std::string where =

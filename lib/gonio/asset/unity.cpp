@@ -2,8 +2,8 @@
 // importer's settings and a menu item that makes the lights.
 //
 // Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
-// count candela, areas nits and suns lux, as HDRP of Unity 6 does; spots fall as the square of the linear in the
-// cosine.
+// are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a spot falls as the square of a linear function
+// of the cosine.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
@@ -82,7 +82,7 @@ static class Lights_{identifier}
 }}
 )cs";
 
-// A whole number of degrees that holds what is above a hundredth of the peak, as far as a spot light opens.
+// A whole number of degrees that covers everything above a hundredth of the peak, as far as a spot light opens.
 double cone_deg(const Web& web) {
     double widest = 1.0;
     for (const double c : {0.0, 45.0, 90.0, 135.0})

@@ -1,9 +1,9 @@
 // Unreal Engine: the portable profiles and a Python script for the editor, which imports them and places the lights.
 //
-// Left-handed, Z up, centimetres; the engine takes candela as they are and scales them itself. A light's +X is the aim.
-// Of a profile, −Y is C0 and −Z is C90; its candela count (bUseIESBrightness) times IESBrightnessScale. Spots fall as
-// the square of the linear in the cosine. Every light has an attenuation radius, whose window takes away at most 0.01
-// lx where the light asks for none.
+// Left-handed, Z up, centimetres; the engine takes candela unchanged and scales them itself. A light's +X is the aim.
+// For a profile, −Y is C0 and −Z is C90; its candela are used (bUseIESBrightness) times IESBrightnessScale. A spot
+// falls as the square of a linear function of the cosine. Every light has an attenuation radius; if the light does not
+// specify one, its window takes away at most 0.01 lx.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
-// OpenUSD: UsdLux of 24.08, luminances in nits, none of them normalised.
+// OpenUSD: UsdLux of 24.08, luminances in nits, no light normalised.
 //
-// What emits from a point is a sphere of 1 m² of projected area treated as one, so that an intensity of 1 nt shines
-// with 1 cd, which a profile scales and a cone cuts; its softness is the share of the cone in which it falls, smoothly
-// over the angle. angleScale is never authored: its formulas differ between renderers.
+// A light that emits from a point is a sphere of 1 m² projected area with treatAsPoint, so that a luminance of 1 nt
+// emits 1 cd, which a profile scales and a cone cuts. The cone's softness is the share of the cone in which the
+// intensity falls, smoothly over the angle. angleScale is never authored, because its formulas differ between
+// renderers.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
         return prim;
     case LightKind::profile:
         prim = as_point(light, scene.units_per_meter);
-        prim.nits = 1.0; // the profile's candela do the rest
+        prim.nits = 1.0; // the profile gives the candela
         prim.shaped = true;
         prim.inputs += fmt::format("        asset inputs:shaping:ies:file = @./{}.ies@\n"
                                    "        bool inputs:shaping:ies:normalize = 0\n",
@@ -62,7 +63,7 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
         prim.inputs = fmt::format("        float inputs:radius = {}\n", light.radius);
         return prim;
     case LightKind::ellipse:
-        // A disk that its transform stretches: a scale changes the size and not the luminance.
+        // A disk stretched by its transform: a scale changes the size but not the luminance.
         prim.type = "DiskLight";
         prim.inputs = fmt::format("        float inputs:radius = {}\n", 0.5 * light.width);
         prim.stretch_y = light.height / light.width;
@@ -73,7 +74,7 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
                                   light.height);
         return prim;
     case LightKind::tube:
-        // UsdLux has no caps: the cylinder emits what the capsule does.
+        // UsdLux has no caps: the cylinder emits as much as the capsule.
         prim.type = "CylinderLight";
         prim.nits = light.nits * (1.0 + 2.0 * light.radius / light.width);
         prim.inputs = fmt::format("        float inputs:radius = {}\n        float inputs:length = {}\n", light.radius,

@@ -1,5 +1,5 @@
-// The stage in USD: bodies of UsdGeom, UsdPreviewSurface in its specular workflow, which has an albedo and a
-// reflectance of their own; roughness is the root of α. Transformations list rows.
+// The stage in USD: solids of UsdGeom, and UsdPreviewSurface in its specular workflow, which has separate albedo and
+// reflectance; roughness is the root of α. Transformations list rows.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>

@@ -28,7 +28,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A chart read with bilinear filtering where its texels stand, clamped at its edges unless it wraps.
+// Reads a chart with bilinear filtering between the points of its texels, clamped at its edges unless it wraps.
 double filtered(const Image& image, const PlacedChart& placed, glm::dvec2 place, Sampling sampling) {
     const bool corners = sampling == Sampling::corners;
     const bool on_edges = corners || sampling == Sampling::edge_columns;
@@ -81,7 +81,7 @@ StoredTotals sum(const std::vector<StoredTotals>& rows) {
     return total;
 }
 
-// latlong of a type C web; v180 is its only column, lying down.
+// latlong of a type C web; a v180 texture of one row is a latlong texture of one column, laid on its side.
 StoredTotals fill_in_closed_form(Texture& texture, const Web& web, const BakeOptions& options) {
     Image& image = texture.image;
     const bool one_column = options.layout == Layout::v180 && options.height == 1;
@@ -110,7 +110,8 @@ Result<double> unit_of(Normalization normalization, Candelas peak, Lumens flux) 
     return unit;
 }
 
-// The greatest texel is at most the peak: a half ends early, a float where the unit is next to nothing.
+// The greatest texel is at most the peak over the unit: half floats overflow early, floats only if the unit is almost
+// 0.
 Unexpected does_not_fit(const Texture& texture) {
     const bool half = texture.texel_type == TexelType::half;
     return fail(Failure::unsupported,
@@ -156,7 +157,7 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     else if (latlong && web.photometry() == Photometry::c && options.chart.turned == glm::dmat3(1.0))
         total = fill_in_closed_form(texture, web, options);
     else
-        // The mirrors that the light has, whatever the file says: line integrals are worth the search.
+        // Uses the mirrors that the light has, whatever the file states: line integrals make the search worthwhile.
         total = fill_charts(texture.image, compacted(web, 0.0), *charts, storage, options.skip, options.threads);
     for (const PlacedChart& chart : *charts)
         texture.texels += static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
@@ -168,7 +169,7 @@ Result<Texture> bake_texture(const Web& web, const BakeOptions& options) {
     texture.quantization_error = Candelas(total.quantization_error);
     const bool by_angles = options.layout == Layout::latlong && web.photometry() == Photometry::c &&
                            options.chart.turned == glm::dmat3(1.0);
-    // Points are read at their own places, which are no centres: only the grid of the web tells how far they are off.
+    // Point samples are not at texel centres, so only the web's grid shows their errors.
     const double at_centers = options.sampling == Sampling::mean ? total.max_error : 0.0;
     texture.max_error = Candelas(std::max(at_centers, error_at_grid(web, texture, *charts, by_angles)));
     return texture;

@@ -1,5 +1,5 @@
-// Baking: a web as a texture whose texels hold the exact mean of its interpolant over their solid angle, so that the
-// flux is exact at every size.
+// Baking: a web as a texture. Each texel stores the exact mean of the web's interpolant over the texel's solid angle,
+// so the flux is exact at every size.
 #pragma once
 
 #include <gonio/bake/layout.hpp>
@@ -21,22 +21,22 @@ struct BakeOptions {
     TexelType texel_type = TexelType::float32;
     Sampling sampling = Sampling::mean;
     Transfer transfer = Transfer::linear; // srgb with normalization peak only
-    unsigned threads = 0;                 // 0 = as many as there are; does not change a bit of the result
+    unsigned threads = 0;                 // 0 = as many as there are; the result is the same to the last bit
     bool skip = true; // copy mirror images and skip dark regions of the web; the texels are the same
 };
 
 // The default size of a layout.
 TextureSize usual_size(Layout layout);
 
-// The smallest texture of the options' layout whose max_error is within the limit: sizes are doubled until one is, and
-// halved in between. `width` and `height` are not read. Fails (usage) when no size up to 4096 texels a side (a cube's
-// face, the height of latlong and panorama) is good enough, which says how near it came.
+// The smallest texture of the options' layout with a max_error within the limit: sizes are doubled until one fits, then
+// bisected. `width` and `height` are ignored. Fails (usage) when no size up to 4096 texels a side (a cube's face, the
+// height of latlong and panorama) is good enough; the message states the error of the largest size.
 Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candelas max_error);
 
-// Negative means are stored as 0. latlong and v180 of a type C web are closed forms (gonio/bake/latlong.hpp); the
-// others are line integrals around each texel (gonio/bake/texel_flux.hpp), 1 to 2 µs each. Fails (usage) on a size
-// outside [1, max_texture_size] or of more texels than the limit picture-pixels or that the layout cannot have, and on
-// a normalization by something that is not greater than 0.
+// Negative means are stored as 0. latlong and v180 of one row, of a type C web, are closed forms
+// (gonio/bake/latlong.hpp); other layouts are line integrals around each texel (gonio/bake/texel_flux.hpp), 1 to 2 µs
+// each. Fails (usage) on a size outside [1, max_texture_size], with more texels than the limit picture-pixels, or that
+// the layout cannot have, and on normalization by a value that is not greater than 0.
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options);
 
 } // namespace gonio

@@ -18,7 +18,7 @@ constexpr auto four = gauss_legendre<4>();
 constexpr auto six = gauss_legendre<6>();
 constexpr auto twelve = gauss_legendre<12>();
 
-// Where f changes its sign between a and b, by the Illinois method; f(a) and f(b) are given and differ in sign.
+// Where f changes sign between a and b, by the Illinois method; f(a) and f(b) are given and differ in sign.
 template<class F>
 double root(double a, double b, double fa, double fb, F&& f) {
     for (int step = 0; step < 40 && b - a > 1e-13; ++step) {
@@ -40,10 +40,10 @@ double root(double a, double b, double fa, double fb, F&& f) {
     return 0.5 * (a + b);
 }
 
-// Of a piece that ends where the map has a corner; those run straight there.
+// For a piece that ends where the map has a corner; edges run straight there.
 constexpr int most_halvings = 4;
 
-// Line integrals along one edge of a texel: s or t runs, the other is fixed.
+// Line integrals along one edge of a texel: one of s and t varies, the other is fixed.
 class Edge {
 public:
     Edge(const Meridians& meridians, const Chart& chart, bool along_s, double fixed)
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    // A point of the edge in the goniometer's frame, and how it moves.
+    // A point of the edge in the goniometer's frame, and its derivative.
     struct Place {
         glm::dvec3 at; // of unit length
         glm::dvec3 moves;
@@ -74,9 +74,10 @@ private:
         return {at, moves - glm::dot(moves, at) * at};
     }
 
-    // A piece without folds: cut into short ones, so that θ turns once at most and α goes the short way.
+    // A piece without folds: cut into short ones, so that θ turns at most once and α takes the short way.
     EdgeSums smooth(double from, double to) {
-        // The ends may be one direction, so the way counts; taken inside the folds, where the map is the piece's own.
+        // The ends may be the same direction, so the length of the path counts; sampled inside the folds, where the map
+        // is that of the piece.
         double speed = 0.0;
         for (const double share : {0.001, 0.5, 0.999})
             speed = std::max(speed, glm::length(place(from + share * (to - from)).moves));
@@ -92,7 +93,7 @@ private:
 
     EdgeSums short_piece(double from, double to) {
         const auto turn = [&](double x) { return place(x).moves.z; };
-        // The map's own derivative, not that of the fold's other side.
+        // The derivative on this side of the fold, not on the other side.
         const double inside = 1e-9 * (to - from);
         const double turn_from = turn(from + inside);
         const double turn_to = turn(to - inside);
@@ -103,7 +104,7 @@ private:
         return sums;
     }
 
-    // θ rises or falls all the way.
+    // A piece along which θ is monotonic.
     EdgeSums monotonic(double from, double to) {
         const glm::dvec3 begin = place(from).at;
         const glm::dvec3 end = place(to).at;
@@ -127,13 +128,13 @@ private:
     }
 
     void add_azimuth_breaks(double from, double to, const glm::dvec3& begin, const glm::dvec3& end) {
-        // At a pole every azimuth is right: the piece has that of its other end.
+        // At a pole every azimuth is valid: the piece takes that of its other end.
         if (std::hypot(begin.x, begin.y) < 1e-12 || std::hypot(end.x, end.y) < 1e-12) return;
         const double first = std::atan2(begin.y, begin.x);
         const double turned = std::remainder(std::atan2(end.y, end.x) - first, 2.0 * pi);
         for (const double azimuth : meridians_.azimuth_breaks()) {
             const double ahead = std::remainder(azimuth - first, 2.0 * pi);
-            // Both ways around, for turns of up to half a circle.
+            // In either direction, for turns of up to half a circle.
             const bool passed = turned > 0.0 ? ahead > 0.0 && ahead < turned : ahead < 0.0 && ahead > turned;
             if (!passed) continue;
             const double c = std::cos(azimuth);
@@ -146,7 +147,7 @@ private:
         }
     }
 
-    // Between two cuts: one sector, one cell.
+    // Between two cuts: in one sector and one cell.
     EdgeSums inside_cell(double from, double to, int halvings = most_halvings) {
         const double middle = 0.5 * (from + to);
         const double half = 0.5 * (to - from);
@@ -165,13 +166,14 @@ private:
             const Meridians::Integral g = meridians_.integral(sector, std::atan2(p.y, p.x), cell, polar, p.z, sine);
             sums.flux += g.to_here * d_azimuth;
             sums.far_flux += g.beyond * d_azimuth;
-            // 1 − cosθ and −1 − cosθ, each where it does not cancel.
+            // 1 − cosθ and −1 − cosθ, each in the form that does not cancel.
             const double from_near = p.z > 0.0 ? across / (1.0 + p.z) : 1.0 - p.z;
             const double from_far = p.z < 0.0 ? across / (1.0 - p.z) : 1.0 + p.z;
             sums.solid_angle += from_near * d_azimuth;
             sums.far_solid_angle -= from_far * d_azimuth;
         };
-        // As fine as the piece is long, seen from its middle, around the pole, or from where the map has a corner.
+        // The number of nodes grows with the piece's length, estimated at its middle: in itself, around the pole, and
+        // relative to the distance of a corner of the map.
         const double speed = glm::length(center.moves) * 2.0 * half;
         const double corner = 2.0 * half / chart_.smooth_within(along_s_ ? middle : fixed_, along_s_ ? fixed_ : middle);
         if (corner > 0.6 && halvings > 0) {
@@ -203,7 +205,7 @@ private:
 
 enum class Poles { none, near, far, both };
 
-// Which poles a cell may hold or touch. Generous: a cell that counts from the far pole without need loses nothing.
+// Which poles a cell may contain or touch. Overestimates: counting a cell from the far pole without need loses nothing.
 Poles poles_in(const Meridians& meridians, const Chart& chart, const ChartCell& cell) {
     const auto unit = [&](double s, double t) { return glm::normalize(chart.at(s, t).direction); };
     const glm::dvec3 center = unit(0.5 * (cell.s0 + cell.s1), 0.5 * (cell.t0 + cell.t1));
@@ -269,8 +271,8 @@ CellFlux cell_flux(const Meridians& meridians, const Chart& chart, const ChartCe
     around += edge_sums(meridians, chart, false, cell.s1, cell.t0, cell.t1);
     around -= edge_sums(meridians, chart, true, cell.t1, cell.s0, cell.s1);
     around -= edge_sums(meridians, chart, false, cell.s0, cell.t0, cell.t1);
-    // Away from the poles from the nearer one, or from that on whose side of the light a dark cell lies, so that
-    // nothing comes out as exactly that.
+    // Away from the poles, count from the nearer pole; for a dark cell from the pole on its side of the light, so that
+    // zero flux is exactly 0.
     const glm::dvec3 middle = chart.at(0.5 * (cell.s0 + cell.s1), 0.5 * (cell.t0 + cell.t1)).direction;
     const double cosine = glm::dot(middle, meridians.pole()) / glm::length(middle);
     const bool behind = cosine < std::cos(meridians.lit_polar_to());

@@ -1,8 +1,8 @@
-// The flux and the solid angle of one cell of a chart by line integrals around it, whatever its size and wherever it
-// lies: the slow and general way that gonio/bake/texel_flux.hpp falls back on.
+// The flux and the solid angle of one cell of a chart by line integrals around it, for any size and position: the slow
+// and general method that gonio/bake/texel_flux.hpp falls back on.
 //
-// An edge is cut where the map folds, where it passes a break of the web, and where θ turns; each piece is smooth and
-// is integrated by Gauss–Legendre. Some µs an edge.
+// An edge is cut where the map folds, where the edge crosses a break of the web, and where θ turns; each piece is
+// smooth and is integrated by Gauss–Legendre. Some µs per edge.
 #pragma once
 
 #include <gonio/bake/layout.hpp>
@@ -10,7 +10,7 @@
 
 namespace gonio {
 
-// Along an edge ∮ G dα and ∮ (1 − cosθ) dα: around a cell, these are its flux and its solid angle up to a common sign.
+// ∮ G dα and ∮ (1 − cosθ) dα along an edge: around a cell, these are its flux and its solid angle up to a common sign.
 // Counted from the pole θ = 0, and from θ = π.
 struct EdgeSums {
     double flux = 0.0;
@@ -38,13 +38,14 @@ struct CellFlux {
     double steradians = 0.0;
 };
 
-// What the sums around a cell say, counted from one pole or the other.
+// Flux and solid angle from the sums around a cell, counted from one pole or the other.
 CellFlux inside(const EdgeSums& around, bool from_far_pole);
 
-// Around a cell; one that may hold both poles is cut until none does.
+// Flux of a cell; a cell that may contain both poles is divided until no part does.
 CellFlux cell_flux(const Meridians& meridians, const Chart& chart, const ChartCell& cell, int depth = 0);
 
-// Whether a cell holds or touches the pole θ = π, around which its flux has to be counted. Generous.
+// Whether a cell contains or touches the pole θ = π, so that its flux has to be counted around that pole.
+// Overestimates.
 bool may_hold_far_pole(const Meridians& meridians, const Chart& chart, const ChartCell& cell);
 
 } // namespace gonio

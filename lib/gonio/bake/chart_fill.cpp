@@ -13,7 +13,7 @@ namespace gonio {
 
 namespace {
 
-// Rows that one thread takes at a time: the edges between them are computed once.
+// Rows that one thread takes at a time: edges between these rows are computed only once.
 constexpr int band_rows = 16;
 
 struct Band {
@@ -54,8 +54,8 @@ StoredTotals fill_charts(Image& image, const Web& web, std::span<const PlacedCha
         for (std::size_t at = 0; at < wanted.size(); ++at)
             wanted[at] = images.first_of(place(at)) == place(at) ? 1 : 0;
         flux.rows(band.row, band.rows, wanted, skip, lumens, steradians);
-        // Without skipping, images are evaluated too, but where the first of them is: its mirrored integral has the
-        // same digits, which that of the place itself has but for the last.
+        // Without skipping, mirror images are evaluated too, but at the place of their first image: its mirrored
+        // integral has the same digits, while that of the image's own place may differ in the last one.
         for (std::size_t at = 0; at < wanted.size() && !skip; ++at) {
             if (wanted[at] != 0) continue;
             const TexelPlace first = images.first_of(place(at));
@@ -66,7 +66,7 @@ StoredTotals fill_charts(Image& image, const Web& web, std::span<const PlacedCha
         }
         StoredTotals& total = totals[index];
         for (std::size_t at = 0; at < count; ++at) {
-            if (!(steradians[at] > 0.0)) continue; // dark, or the image of another
+            if (!(steradians[at] > 0.0)) continue; // dark, or a mirror image of another texel
             const TexelPlace texel = place(at);
             const double mean = lumens[at] / steradians[at];
             const glm::dvec3 center =

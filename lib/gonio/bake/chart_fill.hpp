@@ -1,5 +1,5 @@
-// Filling the textures of every other layout: line integrals around texels (gonio/bake/texel_flux.hpp), of those that
-// are no mirror image of another and not dark.
+// Filling the textures of every other layout: line integrals around those texels (gonio/bake/texel_flux.hpp) that are
+// not a mirror image of another and not dark.
 #pragma once
 
 #include <gonio/bake/layout.hpp>
@@ -11,7 +11,7 @@
 
 namespace gonio {
 
-// `image` is 0 all over; `skip` and `threads` as BakeOptions have them.
+// `image` is all 0; `skip` and `threads` as in BakeOptions.
 StoredTotals fill_charts(Image& image, const Web& web, std::span<const PlacedChart> charts, const Storage& storage,
                          bool skip, unsigned threads);
 

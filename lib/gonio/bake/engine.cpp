@@ -25,7 +25,7 @@ BakeOptions row(int width, TexelType type, Sampling sampling) {
     return bake;
 }
 
-// Unity's and a spot's light space: C0 is up and C90 left where the layout has +Y up and +X right.
+// The light space of Unity and of spots: C0 is up and C90 left where the layout has +Y up and +X right.
 const glm::dmat3 c0_up{0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
 
 BakeOptions cookie(int size, int border, Sampling sampling) {
@@ -48,13 +48,13 @@ std::vector<Engine> make_engines() {
     godot_omni.chart.turned = glm::dmat3(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0); // half a turn about +X
     BakeOptions godot_spot = cookie(256, 0, Sampling::mean);
     godot_spot.transfer = Transfer::srgb;
-    // The middle of the first row is C = −180°: half a row's turn more than the layout's own.
+    // The middle of the first row is C = −180°: turned by half a row more than the layout.
     BakeOptions three = options(Layout::v180, 181, 360, TexelType::half, Normalization::peak);
     three.sampling = Sampling::edge_columns;
     const double first_row = -180.5 * std::numbers::pi / 180.0;
     three.chart.turned = glm::dmat3(std::cos(first_row), std::sin(first_row), 0.0, -std::sin(first_row),
                                     std::cos(first_row), 0.0, 0.0, 0.0, 1.0);
-    // pbrt's image runs down where Clarberg's runs up.
+    // The rows of pbrt's image run down where Clarberg's run up.
     BakeOptions pbrt = options(Layout::octahedral_equal_area, 512, 512, TexelType::float32, Normalization::none);
     pbrt.chart.turned = glm::dmat3(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
     BakeOptions nabla = options(Layout::octahedral, 257, 257, TexelType::uint16, Normalization::peak);

@@ -1,7 +1,7 @@
-// Engines by name: the texture that each reads, with its own frame, size and sampling rule.
+// Engines by name: the texture that each one reads, with its frame, size and sampling rule.
 //
-// Collected from the engines' published sources and documentation; each rule names its source. An engine's
-// texture is an ordinary one (gonio/bake/bake.hpp) with options set, and its sidecar says what they are.
+// Collected from the engines' published sources and documentation; each rule names its source. An engine's texture is
+// an ordinary one (gonio/bake/bake.hpp) made with these options, which its sidecar states.
 #pragma once
 
 #include <gonio/bake/bake.hpp>
@@ -15,10 +15,10 @@ struct Engine {
     std::string_view name;    // "unity-spot"
     std::string_view summary; // for lists
     std::string_view rule;    // for the sidecar: how the engine reads the texture
-    BakeOptions bake;         // all but cone and threads
+    BakeOptions bake;         // everything except cone and threads
     int channels = 1;         // the same value in each
     std::string_view format;  // of the file: "exr", "png"
-    // Of the engine's light space, for the sidecar: where the aim and C0 point to.
+    // The engine's light space, for the sidecar: where the aim and C0 point.
     std::string_view aim;
     std::string_view c0;
     std::string_view handedness;

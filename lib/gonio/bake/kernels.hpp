@@ -1,7 +1,7 @@
-// Storing runs of texels on the widest unit that the machine has.
+// Storing runs of texels on the widest vector unit of the machine.
 //
-// Computed in double with two roundings for each product and sum, and added up in eight sums whatever the width: every
-// instruction set gives the same bits. No function here allocates or fails.
+// Computed in double, with separate roundings for each product and sum, and added up in eight sums for every width: all
+// instruction sets give the same bits. No function here allocates or fails.
 #pragma once
 
 #include <gonio/bake/texture.hpp>
@@ -11,7 +11,7 @@
 
 namespace gonio::bake {
 
-// Of texel k the mean is mean + k·mean_step, and the web's value at its centre center + k·center_step.
+// The mean of texel k is mean + k·mean_step, and the web's value at its centre is center + k·center_step.
 struct Ramp {
     double mean = 0.0;
     double mean_step = 0.0;
@@ -20,19 +20,19 @@ struct Ramp {
 };
 
 struct RampTotals {
-    double sum = 0.0;      // of what is stored
+    double sum = 0.0;      // of the stored values
     double error = 0.0;    // greatest |stored − centre|
     double rounding = 0.0; // greatest |stored − mean|, negative means as 0
-    double least = 0.0;    // the least mean, where one is below 0
+    double least = 0.0;    // the least mean, if one is below 0
 };
 
 struct Kernels {
     simd::InstructionSet set;
-    // Stores `count` ≥ 1 texels of `type` as floats; all in the texture's own unit.
+    // Stores `count` ≥ 1 texels of `type` as floats; all numbers are in the texture's unit.
     RampTotals (*store_ramp)(const Ramp& ramp, TexelType type, float* texels, std::size_t count);
 };
 
-// Those of `set`, or the scalar ones where the machine has it not.
+// The kernels of `set`, or the scalar ones if the machine does not have it.
 const Kernels& kernels(simd::InstructionSet set);
 
 namespace detail {

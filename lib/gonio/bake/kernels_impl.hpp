@@ -1,4 +1,4 @@
-// The body of kernels.hpp for one set of operations on doubles. Included by kernels_<set>.cpp and by nothing else.
+// The body of kernels.hpp for one set of operations on doubles. Included only by kernels_<set>.cpp.
 #pragma once
 
 #include <gonio/bake/kernels.hpp>
@@ -26,7 +26,7 @@ struct ScalarDoubles {
     GONIO_FORCE_INLINE static V ascending() { return 0.0; }
 };
 
-// A register of doubles of a set; `Native` says what vector extensions cannot.
+// A register of doubles of an instruction set; `Native` has the operations that vector extensions lack.
 template<class Isa>
 struct NativeDoubles {
     using Native = simd::Native<Isa>;
@@ -75,7 +75,7 @@ struct NativeDoubles {
     }
 };
 
-// The doubles that go with a scalar of the other kernels.
+// The doubles that correspond to a scalar of the other kernels.
 template<class S>
 struct DoublesFor;
 template<>
@@ -100,7 +100,7 @@ GONIO_FORCE_INLINE typename D::V absolute(typename D::V x) {
     return __builtin_bit_cast(typename D::V, __builtin_bit_cast(typename D::Bits, x) & magnitude);
 }
 
-// To the nearest multiple of `step`, a power of two, ties to even: what the sum has no room for is lost.
+// Rounds to the nearest multiple of `step`, a power of two, ties to even: the sum drops the lower bits.
 template<class D>
 GONIO_FORCE_INLINE typename D::V to_multiple(typename D::V x, typename D::V step) {
     const typename D::V room = step * 0x1.8p52;
@@ -115,12 +115,12 @@ GONIO_FORCE_INLINE typename D::V stored(typename D::V value, float* texels) {
         return D::to_float(value, texels);
     } else if constexpr (type == TexelType::half) {
         const V single = D::to_float(value, texels);
-        // 11 bits, of which the last is 2⁻²⁴ at least.
+        // 11 bits; the last is at least 2⁻²⁴.
         const typename D::Bits exponent = typename D::Bits{} + 0x7FF0000000000000;
         const V power =
             D::max(__builtin_bit_cast(V, __builtin_bit_cast(typename D::Bits, single) & exponent), all<D>(0x1p-14));
         const V rounded = to_multiple<D>(single, power * 0x1p-10);
-        // Infinite beyond 65504, else nothing is added.
+        // Infinite beyond 65504, otherwise nothing is added.
         const V beyond = D::max(rounded - 65504.0, all<D>(0.0)) * 1e300 * 1e300;
         return D::to_float(rounded + beyond, texels);
     } else {
@@ -131,7 +131,7 @@ GONIO_FORCE_INLINE typename D::V stored(typename D::V value, float* texels) {
     }
 }
 
-// Eight sums and maxima, of the texels k with the same k mod 8: so many, whatever the width.
+// Eight sums and maxima, of the texels k with the same k mod 8: this number does not depend on the width.
 inline constexpr std::size_t strands = 8;
 
 template<class D, TexelType type>
@@ -151,7 +151,7 @@ RampTotals store(const Ramp& ramp, float* texels, std::size_t count) {
             V k = ascending + static_cast<double>(begin + r * D::lanes);
             V counts = all<D>(1.0);
             if (!whole) {
-                // Behind the end the last texel again, which counts no more.
+                // Past the end, repeat the last texel with a weight of 0.
                 counts = D::max(D::min(static_cast<double>(count) - k, all<D>(1.0)), all<D>(0.0));
                 k = D::min(k, all<D>(static_cast<double>(count - 1)));
             }

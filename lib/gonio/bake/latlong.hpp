@@ -1,6 +1,6 @@
 // The means of latitude-longitude texels of a type C web, in closed form: the interpolant is a sum of products of a
-// piecewise linear function of C and one of γ, so a mean is a product of two weights, and the texels' integral is the
-// web's flux at every size, to rounding. Cost: O(planes × H + W × H).
+// piecewise linear function of C and one of γ, so a mean is a product of two weights, and the integral over the texels
+// is the web's flux at every size, to rounding. Cost: O(planes × H + W × H).
 #pragma once
 
 #include <gonio/web/separable.hpp>
@@ -13,7 +13,7 @@ namespace gonio {
 
 class LatlongMeans {
 public:
-    // Columns i of `width` cover C in [i, i+1]/width·360°. `web` is of type C and outlives this.
+    // Column i of `width` covers C in [i, i+1]/width·360°. `web` is of type C and outlives this.
     LatlongMeans(const Web& web, int width);
 
     // The mean intensity [cd] of each texel of the row that covers γ in [low, high]; `out` holds `width` values.

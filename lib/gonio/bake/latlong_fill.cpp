@@ -42,17 +42,17 @@ LatlongFill::LatlongFill(const Web& web, int width, bool skip)
     switch (stored) {
     case Symmetry::axial:
         add_pieces(0, 1, w);
-        break; // and one value for all, see row()
+        break; // and one value for the whole row, see row()
     case Symmetry::bilateral_0_180:
         add_pieces(0, w / 2, 2);
-        add_pieces(w / 2, w - w / 2, 1); // an odd width has a column that is its own image
+        add_pieces(w / 2, w - w / 2, 1); // an odd width has a column that is its own mirror image
         copies_.push_back({0, w / 2, w - w / 2});
         break;
     case Symmetry::bilateral_90_270:
         if (w % 2 != 0) {
-            add_pieces(0, w, 1); // no column is the image of another
+            add_pieces(0, w, 1); // no column is the mirror image of another
         } else {
-            // The mirror maps i to w/2 − 1 − i, and around: with w/2 odd two columns are their own images.
+            // The mirror maps i to w/2 − 1 − i, modulo w: if w/2 is odd, two columns are their own images.
             const std::size_t begin = w / 4;
             const std::size_t own = w / 2 % 2;
             add_pieces(begin, begin + own, 1);
@@ -83,7 +83,7 @@ LatlongFill::LatlongFill(const Web& web, int width, bool skip)
     }
 }
 
-// The planes around C, which is folded, and the weight of the right one.
+// The planes on either side of C, which is folded first, and the weight of the right one.
 void LatlongFill::locate(double c_deg, Piece& piece) const {
     const std::span<const double> planes = web_.planes_deg();
     piece.reached = web_.stored_symmetry() == Symmetry::axial ||
@@ -106,13 +106,13 @@ LatlongFill::Piece LatlongFill::mixed_piece(std::size_t column, const std::vecto
     return piece;
 }
 
-// Columns [from, to), cut where the web bends.
+// Columns [from, to), cut at the bends of the web.
 void LatlongFill::add_pieces(std::size_t from, std::size_t to, std::size_t images) {
     const std::vector<double> bends = plane_bends_deg(web_);
     const std::span<const double> planes = web_.planes_deg();
     const auto width = static_cast<double>(width_);
     for (std::size_t i = from; i < to;) {
-        // The columns from here on that end before the next bend.
+        // The columns from i on that end before the next bend.
         const auto next = std::upper_bound(bends.begin(), bends.end(), at_column(i, width_));
         const double end_deg = next == bends.end() ? 360.0 : *next;
         auto end = static_cast<std::size_t>(std::max(0.0, end_deg / 360.0 * width + 1.0));

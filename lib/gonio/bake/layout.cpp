@@ -90,12 +90,12 @@ double sign_of(double value) {
     return value < 0.0 ? -1.0 : 1.0;
 }
 
-// Appends `at` where it lies strictly between the ends.
+// Appends `at` if it lies strictly between the ends.
 void add_between(double at, double from, double to, std::vector<double>& cuts) {
     if (at > from && at < to) cuts.push_back(at);
 }
 
-// The place in an octahedral chart of a direction whose point in the lower half is (a, b), signs aside.
+// The place in an octahedral chart of a direction; (a, b) is its point in the lower half, without signs.
 glm::dvec2 octahedral_place(const glm::dvec3& direction, double a, double b) {
     const bool away = direction.z > 0.0;
     const double u = sign_of(direction.x) * (away ? 1.0 - b : a);
@@ -103,7 +103,7 @@ glm::dvec2 octahedral_place(const glm::dvec3& direction, double a, double b) {
     return {0.5 * (1.0 + u), 0.5 * (1.0 - v)};
 }
 
-// Both octahedral maps fold at p = 0 on either axis and, where they pass the horizon, at |p.x| + |p.y| = 1.
+// Both octahedral maps fold at p = 0 on either axis and, where they cross the horizon, at |p.x| + |p.y| = 1.
 class OctahedralChart : public Chart {
 public:
     void folds(bool /*along_s*/, double fixed, double from, double to, std::vector<double>& at) const override {
@@ -151,7 +151,7 @@ public:
         double a = std::abs(u);
         double b = std::abs(v);
         const bool away = a + b > 1.0; // above the horizon: folded
-        // How a and b change with |u| and |v|.
+        // The derivatives of a and b by |u| and |v|.
         glm::dvec2 a_of{1.0, 0.0};
         glm::dvec2 b_of{0.0, 1.0};
         if (away) {
@@ -178,14 +178,14 @@ public:
         return {{su * sine * c, sv * sine * q, z}, 2.0 * su * along(a_of.x, b_of.x), -2.0 * sv * along(a_of.y, b_of.y)};
     }
     [[nodiscard]] std::optional<glm::dvec2> locate(const glm::dvec3& d) const override {
-        // r² = 1 − |z| of the unit direction, as the quotient that does not cancel.
+        // r² = 1 − |z| of the unit direction, as a quotient that does not cancel.
         const double length = glm::length(d);
         const double across = d.x * d.x + d.y * d.y;
         const double r = std::sqrt(across / (length * (length + std::abs(d.z))));
         const double b = across > 0.0 ? r * std::atan2(std::abs(d.y), std::abs(d.x)) * 2.0 / pi : 0.0;
         return octahedral_place(d, r - b, b);
     }
-    // At the middle and in the corners, where the poles are, it is a cone.
+    // In the middle and at the corners, where the poles are, the map is a cone.
     [[nodiscard]] double smooth_within(double s, double t) const override {
         const double across = std::abs(s - 0.5);
         const double down = std::abs(t - 0.5);
@@ -193,7 +193,8 @@ public:
     }
 };
 
-// A rectangle of a plane: middle + (2s − 1) right + (1 − 2t) up, at right angles, the middle of unit length.
+// A rectangle of a plane: middle + (2s − 1) right + (1 − 2t) up; the vectors are orthogonal, the middle has unit
+// length.
 class Plane final : public Chart {
 public:
     Plane(glm::dvec3 middle, glm::dvec3 right, glm::dvec3 up) : middle_(middle), right_(right), up_(up) {}
@@ -261,7 +262,7 @@ public:
     [[nodiscard]] bool wraps() const override { return true; }
 };
 
-// Rings of γ across, the whole circle of C down.
+// Rings of γ across, the full circle of C down.
 class V180 final : public Chart {
 public:
     [[nodiscard]] ChartPoint at(double s, double t) const override {
@@ -301,7 +302,7 @@ private:
     glm::dmat3 turned_;
 };
 
-// The face of an OpenGL cube map whose middle is the axis; s and t as it looks them up.
+// The face of an OpenGL cube map with its middle on the axis; s and t as OpenGL looks them up.
 std::shared_ptr<const Chart> cube_face(std::size_t face) {
     using glm::dvec3;
     switch (face) {
@@ -320,7 +321,7 @@ std::shared_ptr<const Chart> cube_face(std::size_t face) {
     }
 }
 
-// Where each face lies, in faces.
+// The position of each face, in faces.
 using FacePlaces = std::array<std::array<int, 2>, 6>;
 constexpr FacePlaces strip_places{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}};
 constexpr FacePlaces cross_places{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};

@@ -1,4 +1,4 @@
-// Layouts: the direction of each point of a texture.
+// Layouts: the direction at each point of a texture.
 //
 // A layout is one or more charts, each a rectangle of texels with a smooth or piecewise smooth map of the unit square
 // to directions of the light's frame (aim −Z, C0 +X, C90 +Y). In a chart s runs along the columns, left to right, and t
@@ -40,11 +40,11 @@ struct TextureSize {
     int height = 0;
 };
 
-// How a layout's width and height go with its side: a face of a cube, the height of a map of the sphere.
+// How a layout's width and height follow from its side: a face of a cube, the height of a map of the sphere.
 struct LayoutShape {
     int across = 1;        // sides
     int down = 1;          // sides; 0: one row
-    bool bordered = false; // the border of the options lies around
+    bool bordered = false; // surrounded by the border of the options
 };
 
 struct LayoutInfo {
@@ -52,11 +52,11 @@ struct LayoutInfo {
     std::string_view name;    // "octahedral-equal-area"
     std::string_view summary; // for lists
     LayoutShape shape;
-    int usual_side;                    // when no size is asked for
-    std::string_view texel_convention; // one sentence: which directions a texel stands for
+    int usual_side;                    // when no size is requested
+    std::string_view texel_convention; // one sentence: which directions a texel covers
 };
 
-// Of a layout whose side has that many texels.
+// The size of a layout with that many texels per side.
 TextureSize size_of_side(const LayoutInfo& layout, int side, int border = 0);
 
 std::span<const LayoutInfo> layouts();
@@ -65,7 +65,7 @@ const LayoutInfo& info_of(Layout layout);
 // Fails (usage) on an unknown name.
 Result<Layout> parse_layout(std::string_view text);
 
-// A direction of any length > 0 and how it changes along the chart.
+// A direction of any length > 0 and its derivatives along the chart.
 struct ChartPoint {
     glm::dvec3 direction;
     glm::dvec3 along_s;
@@ -77,22 +77,23 @@ public:
     virtual ~Chart() = default;
     [[nodiscard]] virtual ChartPoint at(double s, double t) const = 0;
 
-    // Where a direction of any length > 0 lies; nothing when not in this chart.
+    // The place of a direction of any length > 0; nothing if it is not in this chart.
     [[nodiscard]] virtual std::optional<glm::dvec2> locate(const glm::dvec3& direction) const = 0;
 
     // Whether s = 0 and s = 1 are the same directions.
     [[nodiscard]] virtual bool wraps() const { return false; }
 
-    // Appends where, between `from` and `to`, a line of constant t (`along_s`) or of constant s is not smooth.
+    // Appends the places between `from` and `to` at which a line of constant t (`along_s`) or of constant s is not
+    // smooth.
     virtual void folds(bool along_s, double fixed, double from, double to, std::vector<double>& at) const;
 
     // Whether there is any such place.
     [[nodiscard]] virtual bool folds_between(bool along_s, double fixed, double from, double to) const;
 
-    // How far it is from there, in s and t, to a point around which the map is not a power series; folds aside.
+    // Distance from (s, t) to the nearest point around which the map is not a power series; folds do not count.
     [[nodiscard]] virtual double smooth_within(double s, double t) const;
 
-    // Of the whole chart [sr].
+    // Solid angle of the whole chart [sr].
     [[nodiscard]] virtual double solid_angle() const;
 
 protected:
@@ -101,7 +102,7 @@ protected:
     Chart& operator=(const Chart&) = default;
 };
 
-// A chart in its place in the picture.
+// A chart and its position in the picture.
 struct PlacedChart {
     std::shared_ptr<const Chart> chart;
     int x = 0;
@@ -113,12 +114,12 @@ struct PlacedChart {
 struct LayoutOptions {
     Radians cone = degrees(90.0); // gnomonic: full angle from edge to edge, in (0°, 180°)
     int border = 0;               // gnomonic: width of the dark border
-    // Where the layout's own frame lies in the light's: columns are its x, y and z there. Orthogonal; may mirror.
+    // The layout's frame in that of the light: the columns are its x, y and z there. Orthogonal; may mirror.
     glm::dmat3 turned{1.0};
 };
 
 // The charts of a picture of that size. Fails (usage) on a size that the layout cannot have: an octahedral or gnomonic
-// texture is square, a strip 6:1, a cross 4:3, and a border leaves a texel.
+// texture must be square, a strip 6:1, a cross 4:3, and the border must leave at least one texel.
 Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options);
 
 } // namespace gonio

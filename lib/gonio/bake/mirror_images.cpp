@@ -11,7 +11,7 @@ namespace gonio {
 
 namespace {
 
-// What becomes of a direction: x and y swap their places, then either changes its sign.
+// How a mirror maps a direction: x and y may be swapped, then each may change sign.
 struct Reflection {
     bool swap = false;
     bool x = false;
@@ -56,7 +56,7 @@ glm::dvec2 mapped(glm::dvec2 at, bool swapped, bool s_backwards, bool t_backward
     return {s_backwards ? 1.0 - at.x : at.x, t_backwards ? 1.0 - at.y : at.y};
 }
 
-// Off every line on which charts fold or meet.
+// Points off every line on which charts fold or meet.
 constexpr std::array<std::array<double, 2>, 6> probes{
     {{0.11, 0.23}, {0.37, 0.81}, {0.9, 0.42}, {0.61, 0.07}, {0.53, 0.47}, {0.29, 0.94}}};
 
@@ -81,7 +81,7 @@ MirrorImages::MirrorImages(std::span<const PlacedChart> charts, const Web& web) 
                 const bool fits = !map.swapped || charts[k].width == charts[k].height;
                 if (holds && fits) mirror.push_back(map);
             }
-            if (mirror.size() == k) break; // this one is no mirror of the layout
+            if (mirror.size() == k) break; // not a mirror of the layout
         }
         if (mirror.size() == charts.size()) mirrors_.push_back(std::move(mirror));
     }
@@ -106,7 +106,7 @@ TexelPlace MirrorImages::first_of(const TexelPlace& texel) const {
 }
 
 std::size_t MirrorImages::count_of(const TexelPlace& texel) const {
-    // The images form an orbit, of which each member is met equally often.
+    // The images form an orbit; each of its members occurs equally often.
     std::size_t itself = 1;
     for (const Mirror& mirror : mirrors_)
         if (image(mirror, texel) == texel) ++itself;

@@ -1,7 +1,7 @@
-// Which texels of a layout are mirror images of each other, for a web that its mirrors do not change.
+// Which texels of a layout are mirror images of each other, for a web that is symmetric under its mirrors.
 //
-// A mirror of the light maps a chart onto a chart, and, where the layout is made for it, texels onto whole texels: s
-// and t keep or swap their places and may run backwards. Mirrors for which that does not hold are left out.
+// A mirror of the light maps each chart onto a chart and, if the layout allows it, texels onto whole texels: s and t
+// are kept or swapped, and may run backwards. Mirrors for which this does not hold are left out.
 #pragma once
 
 #include <gonio/bake/layout.hpp>
@@ -23,7 +23,7 @@ struct TexelPlace {
 
 class MirrorImages {
 public:
-    // `charts` must outlive it. Of an axial web the diagonal mirrors count too.
+    // `charts` must outlive this. For an axial web the diagonal mirrors count too.
     MirrorImages(std::span<const PlacedChart> charts, const Web& web);
 
     // Whether there are any.
@@ -32,13 +32,13 @@ public:
     // The first of a texel's images, in the order of charts, rows and columns; often itself.
     [[nodiscard]] TexelPlace first_of(const TexelPlace& texel) const;
 
-    // How many different images it has, itself among them.
+    // How many different images it has, including itself.
     [[nodiscard]] std::size_t count_of(const TexelPlace& texel) const;
 
 private:
     struct ChartMap {
-        std::size_t chart = 0; // where to
-        bool swapped = false;  // s comes from t
+        std::size_t chart = 0; // the target chart
+        bool swapped = false;  // s is the other chart's t
         bool s_backwards = false;
         bool t_backwards = false;
     };

@@ -19,8 +19,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Mean over C of the intensity at γ. Type C: of each plane so much as it counts for in the whole circle. Types A and B,
-// whose interpolant is no product: the flux of a thin ring over its solid angle.
+// Mean over C of the intensity at γ. Type C: each plane has the weight of its share of the full circle. Types A and B,
+// for which the interpolant is not a product: the flux of a thin ring over its solid angle.
 class RingMeans {
 public:
     RingMeans(const Web& web, const Chart& rings) : web_(web), rings_(rings) {

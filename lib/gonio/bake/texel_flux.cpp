@@ -19,14 +19,14 @@ using std::numbers::pi;
 
 constexpr double turn = 2.0 * pi;
 
-// Below these an edge is short: its length [rad], and that length seen from the goniometer's axis.
+// An edge is short if these are below: its length [rad], and that length as seen from the goniometer's axis.
 constexpr double short_length = 0.15;
 constexpr double short_reach = 0.2;
 
-// Of an edge that ends where the map has a corner; those run straight there.
+// For an edge that ends where the map has a corner; edges run straight there.
 constexpr int most_halvings = 4;
 
-// Charts of fewer texels a side have long edges.
+// Charts with fewer texels per side have long edges.
 constexpr int least_side = 16;
 
 constexpr auto three = gauss_legendre<3>();
@@ -34,7 +34,7 @@ constexpr auto four = gauss_legendre<4>();
 constexpr auto six = gauss_legendre<6>();
 constexpr auto twelve = gauss_legendre<12>();
 
-// atan and asin of small arguments, by their series: |x| ≤ 0.15 gives 1e-16.
+// atan and asin of small arguments, by their series: accurate to 1e-16 for |x| ≤ 0.15.
 double small_atan(double x) {
     const double q = x * x;
     return x * (1.0 + q * (-1.0 / 3 + q * (1.0 / 5 + q * (-1.0 / 7 + q * (1.0 / 9 + q * (-1.0 / 11 + q / 13))))));
@@ -45,7 +45,7 @@ double small_asin(double x) {
                                                           q * (35.0 / 1152 + q * (63.0 / 2816 + q * 231.0 / 13312))))));
 }
 
-// How an edge runs at x, in the goniometer's frame: where it is, and how it moves across the line of sight.
+// An edge at x, in the goniometer's frame: its direction, and the derivative across the line of sight.
 struct Place {
     glm::dvec3 at; // of unit length
     glm::dvec3 moves;
@@ -59,7 +59,7 @@ Place place(const Meridians& meridians, const Chart& chart, bool along_s, double
     return {at, moves - glm::dot(moves, at) * at};
 }
 
-// Where f is 0 between a and b, at whose ends it differs in sign: regula falsi in the Illinois form.
+// The zero of f between a and b, where f has opposite signs: regula falsi in the Illinois form.
 template<class F>
 double root(double a, double b, double fa, double fb, F&& f) {
     const double enough = 1e-13 * (b - a);
@@ -83,7 +83,7 @@ double root(double a, double b, double fa, double fb, F&& f) {
     return 0.5 * (a + b);
 }
 
-// A few cuts of an edge, without an allocation.
+// A few cuts of an edge, stored without allocation.
 struct Cuts {
     std::array<double, 8> at{};
     std::size_t count = 0;
@@ -122,7 +122,7 @@ ChartCell TexelFlux::cell_of(int i, int j) const {
             static_cast<double>(j + 1) / height_};
 }
 
-// Between cuts: one sector, one cell.
+// Between cuts: in one sector and one cell.
 EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, int halvings) const {
     const double middle = 0.5 * (from + to);
     const double half = 0.5 * (to - from);
@@ -143,7 +143,7 @@ EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, in
         const double across = p.x * p.x + p.y * p.y;
         const double sine = std::sqrt(across);
         const double d_azimuth = node.weight * half * (p.x * moves.y - p.y * moves.x) / across;
-        // What α and θ are beyond those of the middle.
+        // α and θ relative to those of the middle.
         const double more_azimuth =
             small_atan((center.at.x * p.y - center.at.y * p.x) / (center.at.x * p.x + center.at.y * p.y));
         const double more_polar = small_asin(sine * center.at.z - p.z * rho);
@@ -155,15 +155,16 @@ EdgeSums TexelFlux::piece(bool along_s, double fixed, double from, double to, in
         const double low = integral(patch.low);
         const double high = integral(patch.high);
         sums.flux += (low + weight * (high - low)) * d_azimuth;
-        // What lies beyond, each end for itself, so that it is 0 where nothing does.
+        // The far part, computed for each end separately, so that it is 0 where there is no flux.
         const double low_beyond = low - patch.low_total;
         sums.far_flux += (low_beyond + weight * (high - patch.high_total - low_beyond)) * d_azimuth;
-        // 1 − cosθ and −1 − cosθ, each where it does not cancel.
+        // 1 − cosθ and −1 − cosθ, each in the form that does not cancel.
         const double small = across / (1.0 + std::abs(p.z));
         sums.solid_angle += (p.z > 0.0 ? small : 1.0 - p.z) * d_azimuth;
         sums.far_solid_angle -= (p.z < 0.0 ? small : 1.0 + p.z) * d_azimuth;
     };
-    // As many nodes as the piece is long, seen from its middle, around the pole, or from where the map has a corner.
+    // The number of nodes grows with the piece's length, estimated at its middle: in itself, around the pole, and
+    // relative to the distance of a corner of the map.
     const double speed = glm::length(center.moves) * 2.0 * half;
     const double corner = 2.0 * half / chart_.smooth_within(along_s ? middle : fixed, along_s ? fixed : middle);
     const double reach = std::max(std::max(speed, speed / rho), corner);
@@ -189,11 +190,11 @@ EdgeSums TexelFlux::edge(const Corner& begin, const Corner& end, bool along_s, d
     const double least_rho = std::min(begin.rho, end.rho);
     if (!(length < short_length && length < short_reach * least_rho)) return generally();
     const double speed = glm::length(place(meridians_, chart_, along_s, fixed, 0.5 * (from + to)).moves) * (to - from);
-    if (!(speed < 1.25 * length + 1e-9)) return generally(); // there and back, or around
+    if (!(speed < 1.25 * length + 1e-9)) return generally(); // back and forth, or all the way around
     if (chart_.folds_between(along_s, fixed, from, to)) return generally();
 
     Cuts cuts;
-    // No break of θ within what the edge may bulge: none is met.
+    // If there is no break of θ within the possible bulge of the edge, it crosses none.
     const std::span<const double> polars = meridians_.polar_breaks();
     const double bulge = 0.25 * length;
     const auto low = std::upper_bound(polars.begin(), polars.end(), std::min(begin.polar, end.polar) - bulge);
@@ -201,7 +202,7 @@ EdgeSums TexelFlux::edge(const Corner& begin, const Corner& end, bool along_s, d
     if (low != high) {
         const auto rise = [&](double x) { return place(meridians_, chart_, along_s, fixed, x).moves.z; };
         const double inside = 1e-9 * (to - from);
-        if ((rise(from + inside) < 0.0) != (rise(to - inside) < 0.0)) return generally(); // it turns
+        if ((rise(from + inside) < 0.0) != (rise(to - inside) < 0.0)) return generally(); // θ turns
         for (auto at = low; at != high; ++at) {
             const double cosine = meridians_.polar_break_cosines()[static_cast<std::size_t>(at - polars.begin())];
             const double a = begin.at.z - cosine;
@@ -215,7 +216,7 @@ EdgeSums TexelFlux::edge(const Corner& begin, const Corner& end, bool along_s, d
     const std::span<const double> azimuths = meridians_.azimuth_breaks();
     const double turned = std::remainder(end.azimuth - begin.azimuth, turn);
     for (std::size_t k = 0; k < azimuths.size() && !cuts.full; ++k) {
-        // Ahead: the next sectors' beginnings; behind: this one's and those before.
+        // Forwards: the beginnings of the next sectors; backwards: that of this sector and of those before.
         const std::size_t next =
             turned > 0.0 ? (sector + 1 + k) % azimuths.size() : (sector + azimuths.size() - k) % azimuths.size();
         const double ahead = std::remainder(azimuths[next] - begin.azimuth, turn);
@@ -243,7 +244,8 @@ EdgeSums TexelFlux::edge(const Corner& begin, const Corner& end, bool along_s, d
     return sums;
 }
 
-// Whether a texel lies where there is no light, by its corners and no nearer to the light than it is wide.
+// Whether a texel lies where there is no light, judged by its corners: they are farther from the light than the texel's
+// width.
 bool TexelFlux::is_dark(const Corner* upper, const Corner* lower) const {
     const std::array<const Corner*, 4> corners{upper, upper + 1, lower, lower + 1};
     double width = 0.0;
@@ -268,8 +270,8 @@ bool TexelFlux::is_dark(const Corner* upper, const Corner* lower) const {
     });
 }
 
-// Whether the flux is counted from the pole θ = π: the nearer one, or that on whose side of the light a dark texel
-// lies, so that nothing comes out as exactly that.
+// Whether the flux is counted from the pole θ = π: from the nearer pole; for a dark texel from the pole on its side of
+// the light, so that zero flux is exactly 0.
 bool TexelFlux::is_far(const Corner* upper, const Corner* lower) const {
     const std::array<double, 4> polars{upper[0].polar, upper[1].polar, lower[0].polar, lower[1].polar};
     const auto [least, greatest] = std::minmax_element(polars.begin(), polars.end());
@@ -278,7 +280,7 @@ bool TexelFlux::is_far(const Corner* upper, const Corner* lower) const {
     return upper[0].at.z + upper[1].at.z + lower[0].at.z + lower[1].at.z < 0.0;
 }
 
-// Around θ = π the general way knows what to do.
+// Whether the texel is at θ = π, which needs the general method.
 bool TexelFlux::is_at_far_pole(const Corner* upper, const Corner* lower, const ChartCell& cell) const {
     const double least = std::min(std::min(upper[0].at.z, upper[1].at.z), std::min(lower[0].at.z, lower[1].at.z));
     return least < -0.7 && may_hold_far_pole(meridians_, chart_, cell);
@@ -319,7 +321,7 @@ void TexelFlux::rows(int j, int rows, std::span<const char> wanted, bool skip_da
     std::vector<Corner> lower(w + 1);
     for (std::size_t i = 0; i <= w; ++i)
         upper[i] = corner(static_cast<int>(i), j);
-    // The edges above the row, where the row before has computed them.
+    // The edges above the row, if the row before has computed them.
     std::vector<std::optional<EdgeSums>> top(w);
     for (int row = j; row < j + rows; ++row) {
         const std::size_t first = static_cast<std::size_t>(row - j) * w;
@@ -343,7 +345,7 @@ void TexelFlux::rows(int j, int rows, std::span<const char> wanted, bool skip_da
             around -= bottom;
             around -= left ? *left : edge(upper[i], lower[i], false, cell.s0, cell.t0, cell.t1);
             set(first + i, inside(around, is_far(&upper[i], &lower[i])));
-            top[i] = bottom; // of the next row
+            top[i] = bottom; // the upper edge of the next row
             left = right;
         }
         std::swap(upper, lower);

@@ -17,7 +17,7 @@ StoredTotals& StoredTotals::operator+=(const StoredTotals& other) {
 }
 
 double store_texel(double mean, double center, const Storage& storage, float& texel, StoredTotals& totals) {
-    const double wanted = mean > 0.0 ? mean : 0.0; // and never −0
+    const double wanted = mean > 0.0 ? mean : 0.0; // never −0
     const double kept =
         decoded(storage.transfer, as_stored(storage.type, encoded(storage.transfer, wanted / storage.cd_per_unit)));
     texel = static_cast<float>(kept);

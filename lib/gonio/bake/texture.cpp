@@ -36,7 +36,7 @@ double as_stored(TexelType type, double value) {
     case TexelType::float32:
         return static_cast<double>(static_cast<float>(value));
     case TexelType::half: {
-        // As from an image of floats; 11 bits, of which the last is 2⁻²⁴ at least.
+        // As from an image of floats; 11 bits, the last is at least 2⁻²⁴.
         const auto single = static_cast<double>(static_cast<float>(value));
         int exponent = 0;
         static_cast<void>(std::frexp(single, &exponent));

@@ -1,8 +1,8 @@
-// The range of photometric amounts: values beyond it are refused where they enter, and never clamped.
+// The range of photometric amounts: values outside it are rejected on input, never clamped.
 //
-// One bound for intensities [cd], luminances [nt], illuminances [lx] and every number of a photometric file: as a
-// point, the sun has 3e27 cd. Textures, pictures and engines hold light as 32-bit floats, which end at 3.4e38: above
-// 1e30 there is room for colours, solid angles and sums of many lights.
+// One bound for intensities [cd], luminances [nt], illuminances [lx] and every number of a photometric file: the sun as
+// a point has 3e27 cd. Textures, pictures and engines store light as 32-bit floats, which end at 3.4e38: above 1e30
+// there is room for colours, solid angles and sums of many lights.
 #pragma once
 
 #include <cmath>

@@ -52,7 +52,7 @@ constexpr std::array groups{
     DiagnosticGroup{"INT01", "Internal errors: exit status 70"},
 };
 
-// Whether the groups are those of the codes, in their order.
+// Whether the groups match the codes, in the same order.
 constexpr bool groups_fit() {
     std::size_t group = 0;
     for (std::size_t i = 0; i < all_codes.size(); ++i) {

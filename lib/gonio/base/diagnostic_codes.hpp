@@ -1,11 +1,11 @@
-// The registry of diagnostic codes: what `gonio explain CODE` says, and the only codes that the source may write.
+// The registry of diagnostic codes: what `gonio explain CODE` prints, and the only codes that the source may use.
 //
-// A code is three signs that name a family and four digits: "IES0204". The first two digits group the codes of a
-// family. A code is stable: it never gets another meaning, and once retired it is never used again.
+// A code is three characters that name a family and four digits: "IES0204". The first two digits group the codes of a
+// family. A code is stable: it never gets another meaning, and a retired code is never used again.
 //
-// The rows stand in tables under codes/, one for each kind of input; a file includes the table whose codes it writes. A
-// code that its table has not does not compile, and neither does a table that is out of order. CODES.md beside this
-// file is written from all of them.
+// The rows are in tables under codes/, one for each kind of input; a file includes the table of the codes that it
+// emits. A code that is not in its table does not compile, and neither does a table that is out of order. CODES.md
+// beside this file is generated from all of them.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
@@ -17,16 +17,16 @@
 
 namespace gonio {
 
-// What becomes of a diagnostic where an input is read strictly.
+// How strict reading of an input treats a diagnostic.
 enum class Strict : std::uint8_t {
     same,  // it keeps its severity
     error, // it is an error
-    only   // it is said then and else not
+    only   // it is reported only then
 };
 
 struct DiagnosticCode {
     std::string_view code;
-    Severity severity; // in the tolerant reading, the default
+    Severity severity; // in tolerant reading, the default
     Strict strict;
     std::string_view title;       // without a full stop
     std::string_view explanation; // sentences
@@ -34,7 +34,7 @@ struct DiagnosticCode {
     constexpr Severity strict_severity() const { return strict == Strict::error ? Severity::error : severity; }
 };
 
-// The codes that begin with `prefix` and what they are about.
+// The codes that begin with `prefix`, and their subject.
 struct DiagnosticGroup {
     std::string_view prefix; // "IES02"
     std::string_view title;
@@ -68,7 +68,7 @@ constexpr bool is_complete(const DiagnosticCode& row) {
     return !row.explanation.empty() && row.explanation.back() == '.';
 }
 
-// Whether every row is complete, each family stands together, and its codes ascend: no code is there twice.
+// Whether every row is complete, each family is contiguous, and its codes ascend, so that no code appears twice.
 constexpr bool in_order(std::span<const DiagnosticCode> rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!is_complete(rows[i])) return false;
@@ -83,8 +83,8 @@ constexpr bool in_order(std::span<const DiagnosticCode> rows) {
     return true;
 }
 
-// A code of one table, written as its text: CodeOf<web_codes> code = "WEB0101". What the table has not is refused by
-// the compiler.
+// A code of one table, written as its text: CodeOf<web_codes> code = "WEB0101". The compiler rejects codes that are not
+// in the table.
 template<const auto& rows>
 class CodeOf {
 public:

@@ -19,7 +19,7 @@ struct Location {
 };
 
 struct Diagnostic {
-    std::string code; // of diagnostic_codes.hpp; empty for remarks that have none; an error has one
+    std::string code; // of diagnostic_codes.hpp; empty for remarks without a code; an error always has one
     Severity severity = Severity::error;
     Location location;
     std::string message; // one sentence without a full stop

@@ -87,8 +87,8 @@ Result<void> write_standard_output(std::string_view bytes) {
 void hold_standard_descriptors() {
     for (const int wanted : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(wanted, F_GETFD) != -1 || errno != EBADF) continue;
-        // Opened the wrong way round: using it fails, as it does with what is closed. open() gives the lowest free
-        // number, which is this one. The root folder stands in where there is no /dev.
+        // Opened in the wrong direction: using it fails, as it would for a closed descriptor. open() returns the lowest
+        // free number, which is this one. The root folder is the substitute if there is no /dev.
         const int way = wanted == STDIN_FILENO ? O_WRONLY : O_RDONLY;
         if (::open("/dev/null", way | O_NOCTTY) < 0) (void)::open("/", O_RDONLY | O_DIRECTORY);
     }

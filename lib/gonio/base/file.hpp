@@ -11,11 +11,11 @@
 
 namespace gonio {
 
-// For files without a limit of their own. (clang 14 takes no consteval call as a default argument.)
+// For files without a specific limit. (clang 14 does not accept a consteval call as a default argument.)
 inline constexpr const Limit& largest_file = limit("file-bytes");
 
-// The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, if it cannot be opened or read,
-// and on more bytes than the limit. Never allocates an announced size before the bytes have been read.
+// The bytes of a file (or of a pipe or device, to its end). Fails (io) on a folder, if it cannot be opened or read, and
+// on more bytes than the limit. Memory is allocated only for bytes that have been read, not for an announced size.
 Result<std::string> read_file(const std::string& path, const Limit& most = largest_file);
 
 // The first `count` bytes of a file, or as many as it has. Fails as read_file does.
@@ -27,19 +27,19 @@ Result<std::string> read_standard_input(const Limit& most = largest_file);
 // Writes everything to stdout, or fails. SIGPIPE keeps its default action unless the program changed it.
 Result<void> write_standard_output(std::string_view bytes);
 
-// Gives descriptors 0, 1 and 2 that the process was started without something harmless, so that no file that is opened
-// later gets their numbers and with them what is meant for the standard streams. Reading and writing them fails, as it
-// does with what is closed. Call it first in main().
+// If the process was started without descriptor 0, 1 or 2, opens something harmless there. Otherwise a file opened
+// later would get that number, and with it the data meant for the standard stream. Reading and writing these
+// descriptors fails, as for closed ones. Call it first in main().
 void hold_standard_descriptors();
 
 // Whether something exists at `path` (links followed).
 bool file_exists(const std::string& path);
 
-// The same text for two paths exactly where they name the same regular file, or would once it is there: hard and
+// The same text for two paths if and only if they name the same regular file, or would once it exists: hard and
 // symbolic links, "a" and "./a". Empty for a folder, a device or a pipe.
 std::string file_identity(const std::string& path);
 
-// Whether `path` was changed after `other`; true when either cannot be asked.
+// Whether `path` was changed after `other`; true if either time cannot be read.
 bool is_newer(const std::string& path, const std::string& other);
 
 // The folder of the running executable; empty if the system does not provide it.

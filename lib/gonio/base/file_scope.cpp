@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Behind all links as far as the path exists, the rest of it as written. Empty where the system does not tell.
+// The path with all links resolved as far as it exists, the rest as written. Empty if the system reports an error.
 fs::path behind_links(const fs::path& path) {
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error);

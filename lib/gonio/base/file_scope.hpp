@@ -1,8 +1,8 @@
-// FileScope: which files a description may name, and which it has named.
+// FileScope: which files a description may name, and which files it has named.
 //
-// A rig or a record from somebody else must not make gonio read any file: it may name regular files under one folder
-// (its own), with symbolic links resolved. Nothing is opened here, so a pipe that nobody writes into is
-// refused without waiting.
+// A rig or a record from an untrusted source must not make gonio read arbitrary files: it may name regular files under
+// one folder (its own), with symbolic links resolved. Nothing is opened here, so a pipe without a writer is rejected
+// without waiting.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -14,26 +14,26 @@ namespace gonio {
 
 class FileScope {
 public:
-    // Regular files under `folder` (empty: the current one). `hint` is what a refusal advises, as a command's option
-    // that allows more; without it the advice is to put the file under the folder.
+    // Regular files under `folder` (empty: the current one). `hint` is the advice when a file is rejected, for example
+    // a command's option that allows more; without it the advice is to put the file under the folder.
     static FileScope under(std::string folder, std::string hint = {});
 
     // Any file; relative names are looked up in `folder` (empty: the current one).
     static FileScope anywhere(std::string folder = {});
 
-    // Where a file of that name is to be read: an absolute name as it is, a relative one behind the folder. Fails (io)
-    // on what lies outside or is neither a regular file nor a folder. What does not exist is left to the reading to
-    // fail.
+    // Where to read a file of that name: an absolute name as it is, a relative one in the folder. Fails (io) on a path
+    // outside the folder and on anything that is neither a regular file nor a folder. A path that does not exist is
+    // returned; reading it fails.
     Result<std::string> path_of(const std::string& name);
 
-    // All that path_of() answered, each once, sorted byte by byte.
+    // All paths that path_of() returned, each once, sorted byte by byte.
     const std::set<std::string>& named() const { return named_; }
 
 private:
     FileScope(std::string folder, bool bounded, std::string hint);
 
     std::string folder_;
-    std::string real_folder_; // behind all links; empty where it cannot be found
+    std::string real_folder_; // with all links resolved; empty where it cannot be found
     bool bounded_;
     std::string hint_;
     std::set<std::string> named_;

@@ -23,7 +23,7 @@ using detail::Descriptor;
 using detail::io_failure;
 using detail::Temporary;
 
-// The file behind symbolic links, so that a rename replaces the file and not the link; it need not be there.
+// The target of symbolic links, so that a rename replaces the file and not the link; it need not exist.
 std::string behind_links(std::string path) {
     const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
     if (resolved) return resolved.get();
@@ -45,14 +45,14 @@ std::string folder_of(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A file that waits for its name.
+// A file waiting for its final name.
 struct Staged {
     std::string path; // as it was named, for messages
     std::string name; // of the target in its folder
     int folder = -1;
     Temporary* temporary = nullptr;
-    Temporary* old = nullptr; // what the target was before, to undo with
-    bool replaces = false;    // the target was there
+    Temporary* old = nullptr; // the previous file, to undo with
+    bool replaces = false;    // the target existed
 };
 
 // A device, a pipe, a terminal.
@@ -75,19 +75,19 @@ bool is_folder_at(int folder, const char* name) {
     return ::fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
 }
 
-// Gives a file its name and keeps what had it before. Returns 0 or the errno of the failure.
+// Gives a file its name and keeps the previous file of that name. Returns 0 or the errno of the failure.
 int take_name(Staged& file, bool undoable) {
     const char* const temporary = file.temporary->name.data();
     const char* const name = file.name.c_str();
     if (undoable && exchange(file.folder, temporary, name) == 0) {
-        if (is_folder_at(file.folder, temporary)) { // it was made while the file was written
+        if (is_folder_at(file.folder, temporary)) { // a folder was created while the file was written
             (void)exchange(file.folder, temporary, name);
             return EISDIR;
         }
         file.old = std::exchange(file.temporary, nullptr);
         return 0;
     }
-    // The file system knows no exchange (NFS), or there is nothing to exchange with.
+    // The file system does not support an exchange (NFS), or there is nothing to exchange with.
     if (undoable)
         file.old = detail::make_temporary(
             file.folder, [&](const char* backup) { return ::linkat(file.folder, name, file.folder, backup, 0) == 0; });
@@ -98,7 +98,7 @@ int take_name(Staged& file, bool undoable) {
 
 void give_name_back(Staged& file) {
     if (file.old != nullptr) {
-        // Where even that fails, what was there stays under its temporary name: it is never removed.
+        // If even that fails, the previous file keeps its temporary name: it is never removed.
         (void)::renameat(file.folder, file.old->name.data(), file.folder, file.name.c_str());
         detail::forget(*std::exchange(file.old, nullptr));
     } else if (!file.replaces) {
@@ -132,7 +132,7 @@ struct FileSet::State {
     int open_folder(const std::string& path) {
         const auto found = folders.find(path);
         if (found != folders.end()) return found->second.get();
-        // O_PATH asks for no permission to read the folder; what is flushed must be opened.
+        // O_PATH needs no permission to read the folder; flushing needs the folder to be opened for reading.
         Descriptor folder(::open(path.c_str(), (options.durable ? O_RDONLY : O_PATH) | O_DIRECTORY | O_CLOEXEC));
         if (folder.get() < 0) return -1;
         return folders.emplace(path, std::move(folder)).first->second.get();
@@ -189,7 +189,7 @@ struct FileSet::State {
         return {};
     }
 
-    // Of the first file that did not get its name.
+    // The path of the first file that did not get its name.
     std::string failing_path() const {
         for (const Staged& file : staged)
             if (file.temporary != nullptr) return file.path;

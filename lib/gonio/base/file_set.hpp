@@ -1,13 +1,13 @@
 // Files that belong together, written all or none.
 //
-// Every file is first written in full to a temporary one in the target's folder; commit() then gives all of them their
-// names. A reader of one file sees the old one or the new one. When anything fails, every file that was there before is
-// what it was, and no temporary file is left. A target that exists and is not a regular file (a device, a pipe, a
+// Every file is first written in full to a temporary file in the target's folder; commit() then gives all of them their
+// names. A reader of one file sees the old one or the new one. If anything fails, every file that existed before is
+// unchanged, and no temporary file is left. A target that exists and is not a regular file (a device, a pipe, a
 // terminal) is written directly, before anything is renamed, and never replaced. A symbolic link is followed. The
 // permissions of an existing file are kept.
 //
-// A file system cannot do one thing: the names change one after the other, so a process that is killed between two
-// of them leaves some files new and some old.
+// One thing is impossible on a file system: the names change one after the other, so a process that is killed between
+// two renames leaves some files new and some old.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -19,8 +19,8 @@
 namespace gonio {
 
 struct FileSetOptions {
-    // Flushed to the disk before the names change, and the names after that: a power cut leaves the old files or the
-    // new ones.
+    // The files are flushed to the disk before the names change, and the folders after that: after a power cut there
+    // are the old files or the new ones.
     bool durable = false;
 };
 
@@ -29,14 +29,15 @@ public:
     explicit FileSet(FileSetOptions options = {});
     FileSet(FileSet&&) noexcept;
     FileSet& operator=(FileSet&&) noexcept;
-    // Removes the temporary files of what was not committed.
+    // Removes the temporary files that were not committed.
     ~FileSet();
 
-    // Writes the bytes beside the target `path`. Fails (io) with the system's reason, and on a folder.
+    // Writes the bytes to a temporary file beside the target `path`. Fails (io) with the system's reason, and on a
+    // folder.
     Result<void> add(const std::string& path, std::string_view bytes);
 
-    // Gives every file its name. Fails (io) with the system's reason, with every file as it was before (but where the
-    // file system knows neither hard links nor an exchange of names, those whose names have changed already stay new).
+    // Gives every file its name. Fails (io) with the system's reason, and leaves every file as it was before (but if
+    // the file system supports neither hard links nor an exchange of names, files that are already renamed stay new).
     // The set is empty afterwards.
     Result<void> commit();
 
@@ -48,8 +49,8 @@ private:
 // A set of one file.
 Result<void> write_file(const std::string& path, std::string_view bytes, FileSetOptions options = {});
 
-// Whether the file could be written, for work that is too long to find out at its end: makes and removes a temporary
-// file beside it. What is there stays untouched. Fails as write_file does.
+// Whether the file can be written, for work that is too long to find out at the end: makes and removes a temporary file
+// beside it. An existing file stays untouched. Fails as write_file does.
 Result<void> check_writable(const std::string& path);
 
 // Removes the temporary files that this process has at the moment; nothing can be written afterwards. For the handler

@@ -1,4 +1,4 @@
-// The parts of fmt 9 that are no templates, and the instances that its headers declare extern (lib/cmake/fmt.cmake).
+// The parts of fmt 9 that are not templates, and the instances that its headers declare extern (lib/cmake/fmt.cmake).
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

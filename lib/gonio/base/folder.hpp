@@ -17,10 +17,10 @@ bool is_folder(const std::string& path);
 // a file has the name.
 Result<void> make_folder(const std::string& path);
 
-// The regular files below `folder`, at any depth, whose names end in one of `extensions` ("ies": without the dot, in
-// lower case; the names' own case does not matter), sorted by name byte by byte. What begins with a dot is left out
-// (version control, the `._x.ies` that a copy from another system leaves behind), links to folders are not followed.
-// Fails (io) when the folder or one below it cannot be read.
+// The regular files below `folder`, at any depth, with names that end in one of `extensions` ("ies": without the dot,
+// in lower case; the case of the names does not matter), sorted by name byte by byte. Names that begin with a dot are
+// left out (version control, the `._x.ies` that a copy from another system leaves behind), links to folders are not
+// followed. Fails (io) when the folder or one below it cannot be read.
 Result<std::vector<std::string>> files_in(const std::string& folder, std::span<const std::string_view> extensions);
 
 } // namespace gonio

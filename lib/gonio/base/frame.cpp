@@ -29,7 +29,7 @@ Frame aimed_frame(const glm::dvec3& origin, const glm::dvec3& direction, const g
         if (!(length > 0.0)) continue;
         const glm::dvec3 unit = candidate / length;
         const glm::dvec3 across = glm::cross(unit, frame.z);
-        // Closer than 1e-6 rad to the axis counts as parallel: what is left of `up` would be rounding.
+        // An angle below 1e-6 rad to the axis counts as parallel: the rest of `up` would be rounding.
         if (glm::length(across) < 1e-6) continue;
         frame.x = glm::normalize(across);
         frame.y = glm::cross(frame.z, frame.x);

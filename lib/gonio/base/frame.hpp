@@ -1,7 +1,7 @@
 // Directions and frames, in GLM vectors.
 //
-// Right-handed. In a light's own frame γ = 0 (nadir, the aim) is −Z, C0 is +X and C90 is +Y, so the direction of
-// (C, γ) is (sinγ cosC, sinγ sinC, −cosγ): the light frame of glTF and USD. Angles are radians.
+// Right-handed. In a light's frame γ = 0 (nadir, the aim) is −Z, C0 is +X and C90 is +Y, so the direction of (C, γ) is
+// (sinγ cosC, sinγ sinC, −cosγ): the light frame of glTF and USD. Angles are radians.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -38,8 +38,8 @@ struct Frame {
     }
 };
 
-// Z = −direction, Y = `up` made orthogonal to Z, X = Y×Z. `direction` and `up` may have any length > 0; where `up` is
-// parallel to the direction, +Y takes its place, or +Z when that is parallel too.
+// Z = −direction, Y = `up` made orthogonal to Z, X = Y×Z. `direction` and `up` may have any length > 0; if `up` is
+// parallel to the direction, +Y is used instead, or +Z if that is parallel too.
 Frame aimed_frame(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& up);
 
 } // namespace gonio

@@ -1,7 +1,7 @@
-// Gauss–Legendre quadrature: nodes and weights on [−1, 1], computed while compiling.
+// Gauss–Legendre quadrature: nodes and weights on [−1, 1], computed at compile time.
 //
 // `count` nodes are exact for polynomials of degree 2·count − 1. Nodes by Newton's method on the Legendre polynomial's
-// three-term recurrence; nodes and weights are right to 2e-16 and 4e-16 up to 20 of them (tested).
+// three-term recurrence; for up to 20 nodes, nodes are accurate to 2e-16 and weights to 4e-16 (tested).
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ using QuadratureNode = BasicQuadratureNode<double>;
 
 namespace detail {
 
-// cos(π turns) for turns in [0, 1/2], to some digits: where Newton's method begins.
+// cos(π turns) for turns in [0, 1/2], accurate to some digits: the start of Newton's method.
 constexpr double cos_of_half_turn(double turns) {
     const double x = 3.14159265358979323846 * turns;
     double sum = 1.0;

@@ -1,4 +1,4 @@
-// Image: a plain float buffer with its size. It knows nothing of files or colour spaces.
+// Image: a plain float buffer with its size, independent of files and colour spaces.
 #pragma once
 
 #include <cstddef>

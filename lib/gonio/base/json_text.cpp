@@ -13,8 +13,8 @@ namespace gonio::detail {
 
 namespace {
 
-// nlohmann::json says "… syntax error while parsing value - unexpected ']'; expected '}'", or "… - invalid literal;
-// last read: 'tru}'".
+// Messages of nlohmann::json: "… syntax error while parsing value - unexpected ']'; expected '}'", or "… - invalid
+// literal; last read: 'tru}'".
 struct Complaint {
     std::string what;     // "unexpected ']'"
     std::string expected; // "expected '}'"; may be empty
@@ -39,11 +39,11 @@ std::string excerpt(const std::string& token) {
     if (token.size() <= shown) return token;
     std::size_t end = shown;
     while (end > 0 && (static_cast<unsigned char>(token[end]) & 0xc0U) == 0x80U)
-        --end; // not within a character
+        --end; // not inside a character
     return token.substr(0, end) + "…";
 }
 
-// Builds the value without recursion: what is open lies on a stack of its own.
+// Builds the value without recursion: open objects and arrays are on an explicit stack.
 class Builder final : public nlohmann::json_sax<OrderedJson> {
 public:
     Builder(const JsonBytes& bytes, const std::string& source) : bytes_(bytes), source_(source) {}
@@ -62,7 +62,7 @@ public:
     bool binary(binary_t& /*value*/) override { return false; }
 
     bool key(string_t& name) override {
-        // An ordered object is searched from its beginning for each key.
+        // An ordered object is searched from the beginning for each key.
         if (open_.back()->size() == limit("json-keys").value)
             return refuse(fmt::format("an object has more than {}", to_text(limit("json-keys"))));
         key_ = std::move(name);
@@ -124,7 +124,7 @@ private:
     const std::string& source_;
     OrderedJson root_;
     std::vector<OrderedJson*> open_; // objects and arrays that are not closed yet
-    std::string key_;                // in the innermost of them
+    std::string key_;                // in the innermost open object
     std::size_t values_ = 0;
     std::optional<Error> error_;
 };
@@ -145,7 +145,7 @@ Location JsonBytes::place(const std::string& source) const {
 
 Diagnostic json_complaint(std::string_view text, const std::string& source, std::size_t position,
                           const std::string& last_token, const nlohmann::detail::exception& exception) {
-    // `position` counts the bytes read: the last one of them, or the end of the text, is where it went wrong.
+    // `position` counts the bytes read: the error is at the last of them, or at the end of the text.
     const bool at_end = position > text.size() || (position == text.size() && last_token.empty());
     const bool too_large = exception.id == 406; // a number out of the range of a double
     const std::size_t back = too_large ? last_token.size() : 1;

@@ -1,4 +1,4 @@
-// Texts of JSON: read within limits, and where in them something is wrong.
+// JSON texts: reading them within limits, and locating errors in them.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -14,8 +14,8 @@ namespace gonio::detail {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// The bytes of a text as nlohmann::json reads them, and how many it has read: within a call of a json_sax the last of
-// them ends what the call is about, or of a number is the one behind it. Must outlive its iterators.
+// The bytes of a text as nlohmann::json reads them, and how many it has read. Within a call of a json_sax the last byte
+// read ends the token that the call is about, or, for a number, is the byte after it. Must outlive its iterators.
 class JsonBytes {
 public:
     class Iterator {
@@ -65,12 +65,13 @@ private:
 // Line and column, from 1, of the byte at `offset`.
 Location location_in(std::string_view text, std::size_t offset, const std::string& source);
 
-// What json_sax::parse_error() is told, in our words, with its place and the general code of malformed inputs.
+// The arguments of json_sax::parse_error() as a diagnostic in our words, with its place and the general code of
+// malformed inputs.
 Diagnostic json_complaint(std::string_view text, const std::string& source, std::size_t position,
                           const std::string& last_token, const nlohmann::detail::exception& exception);
 
-// The value that the text is. Of a key that is given twice the last counts. Fails (malformed), with line and column in
-// `source`, on what is not JSON and beyond the limits json-depth, json-keys and json-values.
+// The value of the text. If a key is given twice, the last one counts. Fails (malformed), with line and column in
+// `source`, on anything that is not JSON and beyond the limits json-depth, json-keys and json-values.
 Result<OrderedJson> parse_json(std::string_view text, const std::string& source = {});
 
 } // namespace gonio::detail

@@ -11,7 +11,7 @@ namespace gonio {
 
 namespace {
 
-// Cuts `text` at commas that stand outside parentheses.
+// Splits `text` at commas outside parentheses.
 std::vector<std::string_view> split(std::string_view text) {
     std::vector<std::string_view> parts;
     int depth = 0;

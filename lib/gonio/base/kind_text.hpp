@@ -21,15 +21,15 @@ struct KindText {
     std::string kind;
     std::vector<Entry> entries;
 
-    // The entry's value, nullptr when the key is not there. A bare key counts as not having a value.
+    // The entry's value, nullptr when the key is missing. A bare key counts as not having a value.
     const std::string* value(std::string_view key) const;
 };
 
-// Nothing behind the colon is no entry, as completion leaves it: "frostbite:" is "frostbite". Fails (usage) on an empty
-// kind or key, on a key that is given twice and beyond the limits kind-bytes and kind-keys.
+// Nothing after the colon means no entries, as completion leaves it: "frostbite:" is "frostbite". Fails (usage) on an
+// empty kind or key, on a key that is given twice and beyond the limits kind-bytes and kind-keys.
 Result<KindText> parse_kind_text(std::string_view text);
 
-// Fails (usage) when an entry's key is not one of `known`, naming the nearest and all there are.
+// Fails (usage) when an entry's key is not one of `known`, naming the nearest one and all of them.
 Result<void> only_keys(const KindText& text, std::span<const std::string_view> known);
 
 // "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'", with the nearest of `known` and all of them in the hint.

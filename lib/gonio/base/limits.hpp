@@ -1,8 +1,8 @@
 // Limits: the greatest sizes, counts and depths, in one table. Files from others may be hostile: anything larger,
-// deeper or more is refused before work is done, and the message names the limit.
+// deeper or more numerous is rejected before work is done, and the message names the limit.
 //
-// Code takes its numbers from here. `gonio list limits` prints the table, and LIMITS.md is printed from
-// it. A name that is not in the table does not compile.
+// Code takes its numbers from here. `gonio list limits` prints the table, and LIMITS.md is printed from it. A name that
+// is not in the table does not compile.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Closed sets as tables: one row for each member, with its name in `name`. A row may also be a pointer to one, or the
-// name itself. Looking a name up and refusing one that is not there is done here and nowhere else.
+// Closed sets as tables: one row for each member, with its name in `name`. A row may also be a pointer to such a row,
+// or just the name. Looking up a name and rejecting an unknown one is done only here.
 #pragma once
 
 #include <gonio/base/kind_text.hpp>
@@ -23,7 +23,7 @@ constexpr std::string_view name_of_row(const Row& row) {
         return row.name;
 }
 
-// Of every row, in their order.
+// The names of all rows, in their order.
 template<class Rows>
 std::vector<std::string_view> names_of(const Rows& rows) {
     std::vector<std::string_view> names;
@@ -32,7 +32,7 @@ std::vector<std::string_view> names_of(const Rows& rows) {
     return names;
 }
 
-// The row called `name`. Fails (usage) as unknown_name() does: "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'",
+// The row named `name`. Fails (usage) as unknown_name() does: "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'",
 // with the nearest name and all of them in the hint, and `also` where it is not empty: a name that the caller handles.
 // The pointer is into `rows`, which must outlive it.
 template<class Rows>
@@ -45,8 +45,8 @@ auto find_named(std::string_view what, std::string_view name, const Rows& rows, 
     return unknown_name(what, name, names, of);
 }
 
-// The same for a list of names with commas between them. `all`, where it is not empty, is one name more, which stands
-// for every row. No row is there twice.
+// The same for a list of names separated by commas. `all`, if not empty, is an additional name that stands for every
+// row. No row appears twice.
 template<class Rows>
 auto find_all_named(std::string_view what, std::string_view list, const Rows& rows, std::string_view all = {})
     -> Result<std::vector<decltype(&*rows.begin())>> {
@@ -75,7 +75,7 @@ auto find_all_named(std::string_view what, std::string_view list, const Rows& ro
     return found;
 }
 
-// A name for a value, where nothing else is to be said of it.
+// A name for a value, if there is nothing else to state about it.
 template<class T>
 struct Named {
     std::string_view name;
@@ -91,7 +91,7 @@ auto find_value(std::string_view what, std::string_view name, const Rows& rows)
     return find_named(what, name, rows).map([](const auto* row) { return row->value; });
 }
 
-// Whether row i describes the enumerator of value i, up to and with `last`: what a table must hold that is indexed by
+// Whether row i describes the enumerator of value i, up to and including `last`: required of a table that is indexed by
 // an enumeration. static_assert(in_enum_order(rows, &Row::member, Enum::last)).
 template<class Rows, class Row, class Enum>
 constexpr bool in_enum_order(const Rows& rows, Enum Row::*member, Enum last) {

@@ -6,8 +6,8 @@
 
 namespace gonio {
 
-// By edit distance with transpositions (optimal string alignment), letters compared without case. Empty when nothing
-// is near: more than a third of the letters (at least one, at most three) would have to change. The first of equals.
+// By edit distance with transpositions (optimal string alignment), ignoring case. Empty when nothing is near: more than
+// a third of the letters (at least one, at most three) would have to change. The first one of equals.
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates);
 
 } // namespace gonio

@@ -12,7 +12,7 @@ namespace gonio {
 
 namespace {
 
-// That loops have yet to start: who asks for threads of its own meanwhile must not count on theirs.
+// Threads that loops have yet to start: a caller that asks for its own threads meanwhile must not count on these.
 std::atomic<unsigned> threads_to_come{0};
 
 } // namespace
@@ -81,7 +81,7 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
                 threads_to_come.fetch_sub(1);
             }
         } catch (const std::exception&) {
-            // No more threads, or no memory for their stacks: those that there are do the work.
+            // No more threads, or no memory for their stacks: those that were started do the work.
             threads_to_come.fetch_sub(to_come);
         }
         drain();

@@ -1,4 +1,4 @@
-// The size that a picture or texture may have: one limit for all that make one.
+// The allowed size of a picture or texture: one limit for all code that makes one.
 #pragma once
 
 #include <gonio/base/limits.hpp>
@@ -9,7 +9,7 @@
 
 namespace gonio {
 
-// Of what is not a texture. (clang 14 takes no consteval call as a default argument.)
+// For pictures other than textures. (clang 14 does not accept a consteval call as a default argument.)
 inline constexpr const Limit& longest_picture_side = limit("picture-side");
 
 // Fails (usage) on a side below 1 or above the limit `side`, and on more pixels than the limit picture-pixels. `what`

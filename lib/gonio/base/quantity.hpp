@@ -1,8 +1,8 @@
-// Quantities are types: each is one explicit double in the unit of its name.
+// Quantities are types: each is one explicit double in the unit that it is named for.
 //
 // Photometric: Lumens [lm], Candelas [cd = lm/sr], Lux [lx = lm/m²], Nits [cd/m²]. Angles are radians inside gonio,
-// degrees only at its edges. Lengths are metres. Values are not range-checked here: a quantity may be negative or
-// not finite, the functions that take one say what they accept.
+// degrees only at its edges. Lengths are metres. Values are not range-checked here: a quantity may be negative or not
+// finite; functions that take one state what they accept.
 #pragma once
 
 #include <gonio/base/exposure_value.hpp>

@@ -70,7 +70,7 @@ using Result = tl::expected<T, Error>;
 
 using Unexpected = tl::unexpected<Error>;
 
-// An error at a place of an input, which is said in one sentence.
+// An error at a place in an input, described in one sentence.
 inline Error error_at(Cause cause, Location location, std::string message, std::string hint = {}) {
     return {cause.failure(),
             {{std::string(cause.code()), Severity::error, std::move(location), std::move(message), std::move(hint)}}};
@@ -86,7 +86,7 @@ inline void error_hint(Error& error, std::string hint) {
     if (!error.diagnostics.empty()) error.diagnostics.back().hint = std::move(hint);
 }
 
-// return pass_on(result); hands the error of one Result on as that of another.
+// return pass_on(result); passes the error of one Result on as the error of another.
 template<class T>
 Unexpected pass_on(Result<T>& result) {
     return Unexpected(std::move(result.error()));

@@ -1,4 +1,4 @@
-// Small dense systems of linear equations, for the programs that fit the tables and polynomials of the tree.
+// Small dense systems of linear equations, for the programs that fit this tree's tables and polynomials.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace gonio {
 
-// x of a x = b by Gaussian elimination with partial pivoting, in any scalar that has + − × ÷ and <. `a` is square, its
-// rows are as long as b; a singular one gives what is not finite. n³/3 multiplications.
+// Solves a x = b for x by Gaussian elimination with partial pivoting, in any scalar that has + − × ÷ and <. `a` is
+// square with rows as long as b; a singular `a` gives values that are not finite. n³/3 multiplications.
 template<typename Real>
 std::vector<Real> solve_linear(std::vector<std::vector<Real>> a, std::vector<Real> b) {
     const std::size_t n = b.size();

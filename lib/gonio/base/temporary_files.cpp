@@ -19,7 +19,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Temporary*>::
 
 std::atomic<Temporary*> first{nullptr};
 std::atomic<unsigned> last_number{0};
-std::atomic<bool> closed{false}; // the process ends: no more temporary files
+std::atomic<bool> closed{false}; // the process is ending: no more temporary files
 
 Temporary& take_entry() {
     for (Temporary* entry = first.load(); entry != nullptr; entry = entry->next.load()) {
@@ -35,7 +35,8 @@ Temporary& take_entry() {
     return *entry;
 }
 
-// While it lives no handler runs on this thread: one that waits for an opening file would wait for ever.
+// While this object lives, no handler runs on this thread: a handler that waits for an opening file would wait for
+// ever.
 class SignalsHeld {
 public:
     SignalsHeld() {
@@ -59,7 +60,7 @@ Temporary* make_temporary(int folder, const std::function<bool(const char* name)
     entry.folder = folder;
     bool made = false;
     int error = EINTR;
-    // What a killed process of the same number has left is stepped over.
+    // Skips files left by a killed process with the same number.
     for (int attempt = 0; attempt < 100 && !made && !closed.load(); ++attempt) {
         (void)std::snprintf(entry.name.data(), entry.name.size(), ".gonio-%d-%u.tmp", static_cast<int>(::getpid()),
                             last_number.fetch_add(1));

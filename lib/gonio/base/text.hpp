@@ -1,6 +1,6 @@
-// Small questions about ASCII text, the same in every locale: bytes of 128 and more are no letters and no blanks.
+// Small questions about ASCII text, the same in every locale: bytes of 128 and above are neither letters nor blanks.
 //
-// Nothing here fails; what returns a view neither allocates nor outlives the text that was given.
+// Nothing here fails; functions that return a view do not allocate, and the view does not outlive the given text.
 #pragma once
 
 #include <algorithm>

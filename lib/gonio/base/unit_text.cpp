@@ -54,14 +54,14 @@ std::optional<double> take_number(std::string_view& text) {
     if (rest.size() > 1 && rest.front() == '+' && rest[1] != '-') rest.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-    // A result out of range is refused like no number at all: nothing is clamped in silence.
+    // A result out of range is rejected like text that is not a number: nothing is clamped silently.
     if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     text = rest;
     return value;
 }
 
-// Whether a number stands at the front that no double can hold.
+// Whether the text begins with a number that a double cannot represent.
 bool begins_beyond_range(std::string_view text) {
     double value = 0.0;
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
@@ -93,8 +93,8 @@ std::string with_article(Dimension dimension) {
 } // namespace
 
 double Amount::in_base_units() const {
-    // Neither 1.3 nor 1e-2 is a double, and their product is not the double nearest to 0.013. The number's shortest
-    // decimal text with another exponent is.
+    // Neither 1.3 nor 1e-2 is a double, and their product is not the double nearest to 0.013. Parsing the number's
+    // shortest decimal text with another exponent gives that double.
     const double power = std::log10(unit->base_per_unit);
     const double exponent = std::round(power);
     if (exponent == 0.0 || std::abs(power - exponent) > 1e-12) return number * unit->base_per_unit;

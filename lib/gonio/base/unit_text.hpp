@@ -1,4 +1,4 @@
-// Text of numbers with units: "800lm", "2.5klm", "3cm", "25deg", "12ev".
+// Numbers with units as text: "800lm", "2.5klm", "3cm", "25deg", "12ev".
 //
 // A unit belongs to one dimension and converts to that dimension's base unit by a factor (lm, cd, lx, cd/m², W, K,
 // rad, m; the two EV dimensions are logarithmic and are their own base). The locale does not matter.
@@ -55,7 +55,7 @@ Result<Amount> parse_amount(std::string_view text);
 // As above, and the unit must be of `dimension`; returns base units. `what` names the value in the message.
 Result<double> parse_amount(std::string_view text, Dimension dimension, std::string_view what);
 
-// A whole string that is one finite decimal number, with an optional sign; no locale, no hexadecimal.
+// Text that is exactly one finite decimal number, with an optional sign; no locale, no hexadecimal.
 std::optional<double> parse_number(std::string_view text);
 
 // The shortest text that reads back as the same double: "0.1", "1e+300".

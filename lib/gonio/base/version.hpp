@@ -1,8 +1,8 @@
 // The version of gonio; CMake reads it from here.
 //
-// Before 1.0 a minor version may change the interface, a patch may not: programs compile again against 0.1.x without
-// change. The library is static and its headers are its interface: there is no promise about the binary interface, and
-// a program is compiled against the headers that it is linked with.
+// Before 1.0 a minor version may change the interface, a patch may not: programs that compile against 0.1.x keep
+// compiling without change. The library is static and its headers are its interface: there is no promise about the
+// binary interface, and a program is compiled against the headers that it is linked with.
 #pragma once
 
 #define GONIO_VERSION_MAJOR 0

@@ -38,7 +38,7 @@ LocusPoint fitted(double t) {
     return {{jet.u, jet.v / 1.5}, {jet.du, jet.dv / 1.5}, {jet.ddu, jet.ddv / 1.5}};
 }
 
-// Left of the direction in which t grows: above the locus, since u grows with t.
+// To the left of the direction of growing t: above the locus, because u grows with t.
 Uv normal(const LocusPoint& point) {
     const double length = std::hypot(point.first.u, point.first.v);
     return {-point.first.v / length, point.first.u / length};
@@ -49,8 +49,8 @@ Uv offset(const LocusPoint& point, double duv) {
     return {point.at.u + duv * n.u, point.at.v + duv * n.v};
 }
 
-// How far to move in t so that the tangent at `p` is perpendicular to the way to `at`; NaN where the curve bends too
-// much for one nearest point.
+// The step in t after which the tangent at `p` is perpendicular to the line to `at`; NaN where the curve bends too much
+// to have a single nearest point.
 double newton_step(Uv at, const LocusPoint& p) {
     const double du = at.u - p.at.u;
     const double dv = at.v - p.at.v;
@@ -59,7 +59,7 @@ double newton_step(Uv at, const LocusPoint& p) {
     return slope > 0.0 ? f / slope : nan;
 }
 
-// Newton from t; NaN where it does not settle inside [least, greatest].
+// Newton's method from t; NaN if it does not converge inside [least, greatest].
 template<class Point>
 double nearest_t(Uv at, double t, double least, double greatest, const Point& point) {
     constexpr double settled = 1e-8; // the error after such a step is its square
@@ -74,7 +74,7 @@ double nearest_t(Uv at, double t, double least, double greatest, const Point& po
     return nan;
 }
 
-// A start for nearest_t: one step from the nearest of some points of the locus.
+// A start for nearest_t: one step from the nearest of a set of points on the locus.
 double start_near(Uv at) {
     struct Node {
         double t = 0.0;
@@ -179,7 +179,7 @@ Result<Cct> exact_cct(Uv at) {
     if (!std::isfinite(at.u) || !std::isfinite(at.v)) return fail("USE0105", "the chromaticity is not a number");
     const double least = per_kk(hottest);
     const double greatest = per_kk(coolest);
-    // The fit ends at 800 K; from there Newton finds the rest of the way.
+    // The fit ends at 800 K; Newton's method goes on from there.
     const double t = nearest_t(at, std::clamp(start_near(at), least, greatest), least, greatest, planckian_sum);
     if (std::isnan(t)) return no_temperature(at, "no black body is nearest to it");
     const Cct found{Kelvin(1e3 / t), signed_distance(at, planckian_sum(t))};
@@ -211,7 +211,7 @@ Diagnostics remarks(Cct cct) {
 }
 
 std::span<const TintConvention> tint_conventions() {
-    // A photo slider that says the same makes the picture, and not the light, greener or pinker.
+    // The same value on a photo slider makes the picture, not the light, greener or pinker.
     static constexpr std::array conventions{
         TintConvention{"dng", 3000.0, "Adobe DNG: 3000 Duv, positive is a greener light"},
         TintConvention{"blender", 3000.0, "Blender's white balance: 3000 Duv, positive is a greener light"},

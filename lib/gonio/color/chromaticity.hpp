@@ -1,8 +1,8 @@
-// Chromaticity: the colour of light without its amount, of the CIE 1931 2° observer.
+// Chromaticity: the colour of light without its amount, for the CIE 1931 2° observer.
 //
-// Three coordinates for the same thing: x, y of 1931; u, v of 1960, in which colour temperature is defined; u', v' of
-// 1976, in which differences are stated (u' = u, v' = 1.5 v). Tristimulus values are XYZ with Y = 1 unless said.
-// Nothing here checks its arguments: y = 0 (v = 0) gives infinities.
+// Three coordinate systems for the same thing: x, y of 1931; u, v of 1960, which defines colour temperature;
+// u', v' of 1976, in which differences are stated (u' = u, v' = 1.5 v). Tristimulus values are XYZ with Y = 1 unless
+// stated otherwise. Nothing here checks its arguments: y = 0 (v = 0) gives infinities.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -62,7 +62,7 @@ inline double delta_uv_prime(Uv a, Uv b) {
     return std::hypot(a.u - b.u, 1.5 * (a.v - b.v));
 }
 
-// D65 as colour spaces are defined with it (ITU-R BT.709), and the white of the ACES spaces.
+// D65 as used in the definitions of colour spaces (ITU-R BT.709), and the white of the ACES spaces.
 inline constexpr Xy d65_white{0.3127, 0.3290};
 inline constexpr Xy aces_white{0.32168, 0.33767};
 

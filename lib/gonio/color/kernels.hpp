@@ -1,7 +1,7 @@
-// Colour temperatures of many lights at once, on the widest unit that the machine has.
+// Colour temperatures of many lights at once, on the widest vector unit of the machine.
 //
-// float, structures of arrays; temperatures in kelvin, 800 K to 1e6 K, |Duv| ≤ 0.1. What lies outside or is NaN gives
-// NaN in all results of that element: nothing is clamped. Largest Δu'v' against the 1 nm sum 4e-7, luminance within
+// float, structures of arrays; temperatures in kelvin, 800 K to 1e6 K, |Duv| ≤ 0.1. An element that is outside these
+// ranges or NaN gets NaN in all results: nothing is clamped. Largest Δu'v' against the 1 nm sum 4e-7, luminance within
 // 1e-6 of 1. Nothing fails, allocates or throws; calls may run on any thread. Cost: MEASURED.md.
 #pragma once
 
@@ -22,7 +22,7 @@ RgbConstants rgb_constants(const RgbSpace& space);
 
 struct Kernels {
     simd::InstructionSet set;
-    const char* name; // of the set
+    const char* name; // of the instruction set
     std::size_t lanes;
 
     // u', v' of black bodies.
@@ -36,7 +36,8 @@ struct Kernels {
     void (*cct_rgb)(const float* temperature_k, const float* duv, std::size_t count, const RgbConstants& space,
                     float* const rgb[3]);
 
-    // RGB by Krystek's formula (1985), which is made for 1000–15000 K and not checked: what the others are measured by.
+    // RGB by Krystek's formula (1985), which is valid for 1000–15000 K (not checked): the baseline for the other
+    // kernels.
     void (*krystek_rgb)(const float* temperature_k, std::size_t count, const RgbConstants& space, float* const rgb[3]);
 };
 

@@ -1,7 +1,7 @@
-// The bodies of the kernels, for one scalar: locus.hpp over arrays. Included by kernels_<set>.cpp and by nothing else.
+// The bodies of the kernels, for one scalar: locus.hpp over arrays. Included only by kernels_<set>.cpp.
 //
-// Only templates with S in their name may be instantiated from here: what is compiled for a wide instruction set must
-// not be a function that other files could call.
+// Only templates with S in their name may be instantiated from here: code compiled for a wide instruction set must not
+// be a function that other files could call.
 #pragma once
 
 #include <gonio/color/kernels.hpp>
@@ -28,7 +28,7 @@ GONIO_FORCE_INLINE void store_rgb(const simd::Packet<S>& packet, const RgbOf<S>&
     packet.store(color.b, rgb[2]);
 }
 
-// T / 1000 K where the temperature is one that is answered, else NaN, which every result inherits.
+// T / 1000 K if the temperature is in range, else NaN, which propagates to every result.
 template<class S>
 GONIO_FORCE_INLINE S kilokelvin(S temperature) {
     const S known =
@@ -86,7 +86,7 @@ constexpr Kernels kernels_of(simd::InstructionSet set, const char* name) {
     return {set, name, simd::Traits<S>::lanes, uv_prime_any<S>, planckian_any<S>, cct_any<S>, krystek_any<S>};
 }
 
-// The tables, each in the file that is compiled for its set.
+// The kernel tables, each in the file that is compiled for its set.
 extern const Kernels kernels_scalar;
 extern const Kernels kernels_sse2;
 extern const Kernels kernels_avx2;

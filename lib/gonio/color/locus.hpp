@@ -2,7 +2,7 @@
 //
 // u' and v' over t = 1000 K / T, 0 ≤ t ≤ 1.25: 800 K to infinity. Largest Δu'v' against the 1 nm sum (planckian.hpp):
 // 2.1e-7 in float, 1.2e-12 in double; fit/locus_fit.cpp prints the coefficients and these errors. Outside that range
-// the functions mean nothing, and who calls them checks.
+// the functions are meaningless; the caller must check.
 #pragma once
 
 #include <gonio/color/locus_coefficients.hpp>
@@ -14,7 +14,7 @@ namespace gonio::color {
 
 inline constexpr double greatest_t = 1.25; // [1/kK]
 
-// Σ c[k] tᵏ from k on, with its first two derivatives where `order` asks for them (the second halved).
+// Σ c[k] tᵏ from k on, with its first two derivatives as `order` requires (the second one halved).
 template<class S, int order>
 struct Jet {
     S value;
@@ -22,7 +22,7 @@ struct Jet {
     S half_second;
 };
 
-// One struct of coefficients a type would make weak symbols of arrays; constants that are named one by one are none.
+// The arrays of the coefficient structs would become weak symbols; constants that are named one by one do not.
 template<const auto& c, std::size_t k, int order, class S>
 GONIO_FORCE_INLINE Jet<S, order> horner(S t) {
     if constexpr (k + 1 == sizeof(c) / sizeof(c[0])) {
@@ -58,7 +58,7 @@ struct LocusJet {
     S ddu, ddv;
 };
 
-// What is above `order` stays undefined.
+// Derivatives above `order` stay undefined.
 template<int order, class S>
 GONIO_FORCE_INLINE LocusJet<S> locus_jet(S t) {
     const LocusParts<S, order> parts = locus_parts<order>(t);
@@ -91,14 +91,14 @@ struct UvPrimeOf {
 template<class S>
 GONIO_FORCE_INLINE UvPrimeOf<S> off_locus(S t, S duv) {
     const LocusJet<S> jet = locus_jet<1>(t);
-    // In (u, v) the tangent is (u', ⅔v'); turned to the left, since u rises with t.
+    // In (u, v) the tangent is (u', ⅔v'); rotated to the left, because u rises with t.
     const S dv = jet.dv * S(2.0 / 3.0);
     const S scale = duv / simd::sqrt(jet.du * jet.du + dv * dv);
     return {jet.u - dv * scale, jet.v + S(1.5) * jet.du * scale};
 }
 
-// RGB with Y = 1 of a linear space, given by XYZ → RGB, as a·A + b·B + c for A = u'/v', B = 1/v': what is left of the
-// matrix, since X/Y = 2.25 u'/v' and Z/Y = 3/v' − 0.75 u'/v' − 5.
+// RGB with Y = 1 of a linear space, given by XYZ → RGB, as a·A + b·B + c for A = u'/v', B = 1/v': the matrix reduces to
+// this because X/Y = 2.25 u'/v' and Z/Y = 3/v' − 0.75 u'/v' − 5.
 template<class S>
 struct RgbRows {
     S a[3];
@@ -149,7 +149,7 @@ GONIO_FORCE_INLINE RgbOf<S> off_locus_rgb(const RgbRows<S>& rows, S t, S duv) {
     return rgb_of(rows, at.u * over, over);
 }
 
-// Krystek (1985), 1000–15000 K, in T: u and v of 1960. For comparison.
+// Krystek (1985), 1000–15000 K, as a function of T: u and v of 1960. For comparison.
 template<class S>
 GONIO_FORCE_INLINE UvPrimeOf<S> krystek_uv_prime(S temperature) {
     const S t = temperature;

@@ -31,7 +31,7 @@ glm::dvec3 xyz_of_rec709(const glm::dvec3& rgb) {
     return rec709().to_xyz * rgb;
 }
 
-// What is left of a colour when it is cut to Rec.709 and its greatest channel made 1.
+// A colour clipped to Rec.709 and scaled to a greatest channel of 1.
 glm::dvec3 cut_to_max(const glm::dvec3& xyz) {
     const glm::dvec3 rgb = glm::max(rec709().from_xyz * xyz, glm::dvec3(0.0));
     return xyz_of_rec709(rgb / std::max({rgb.x, rgb.y, rgb.z}));
@@ -59,7 +59,8 @@ glm::dvec3 fit(Kelvin temperature) {
     return to_xyz(fast_uv({temperature, 0.0}));
 }
 
-// The same in float, as the kernels compute it; the plain ones, so that every machine says the same.
+// The same in float, as the kernels compute it; uses the scalar kernels, so that the result is the same on every
+// machine.
 glm::dvec3 fit_float(Kelvin temperature) {
     const auto T = static_cast<float>(temperature.value);
     std::array<float, 3> rgb{};
@@ -69,7 +70,8 @@ glm::dvec3 fit_float(Kelvin temperature) {
     return xyz_of_rec709({rgb[0], rgb[1], rgb[2]});
 }
 
-// OSL's blackbody(): 5 nm, 380–780 nm, c2 of ITS-90 (its observer's four decimals and its table's error left out).
+// OSL's blackbody(): 5 nm, 380–780 nm, c2 of ITS-90 (without its observer's rounding to four decimals and its table's
+// error).
 glm::dvec3 osl(Kelvin temperature) {
     glm::dvec3 xyz(0.0);
     for (int nm = 380; nm <= 780; nm += 5) {
@@ -144,7 +146,7 @@ glm::dvec3 blender(Kelvin temperature) {
     return xyz_of_rec709(glm::max(rgb, glm::dvec3(0.0)));
 }
 
-// Knots of 500 K from 1000 K, joined by Catmull and Rom's spline (UsdLux; the knots from J. Walker's specrend).
+// Knots of 500 K from 1000 K, interpolated by a Catmull–Rom spline (UsdLux; the knots from J. Walker's specrend).
 glm::dvec3 usd(Kelvin temperature) {
     static const std::array<glm::dvec3, 19> knots{{{1.0, 0.027490, 0.0},
                                                    {1.0, 0.149664, 0.0},
@@ -180,7 +182,7 @@ glm::dvec3 usd(Kelvin temperature) {
     return xyz_of_rec709(glm::max(rgb / luma, glm::dvec3(0.0)));
 }
 
-// Encoded values of 0 to 255 as light.
+// Encoded values from 0 to 255, decoded to linear light.
 glm::dvec3 decoded(double r, double g, double b) {
     const auto channel = [](double value) { return decode_srgb(std::clamp(value, 0.0, 255.0) / 255.0); };
     return xyz_of_rec709({channel(r), channel(g), channel(b)});
@@ -198,7 +200,7 @@ glm::dvec3 helland(Kelvin temperature) {
 glm::dvec3 bartlett(Kelvin temperature) {
     const double h = std::clamp(temperature.value, 1000.0, 40000.0) / 100.0;
     const auto curve = [](double x, double a, double b, double c) { return a + b * x + c * std::log(x); };
-    // Rounded to bytes, as the package hands them out.
+    // Rounded to bytes, as the package returns them.
     if (h < 66.0)
         return decoded(
             255.0, std::round(curve(h - 2.0, -155.25485562709179, -0.44596950469579133, 104.49216199393888)),
@@ -207,7 +209,8 @@ glm::dvec3 bartlett(Kelvin temperature) {
                    std::round(curve(h - 50.0, 325.4494125711974, 0.07943456536662342, -28.0852963507957)), 255.0);
 }
 
-// Robertson (1968): isotemperature lines by mired, with u, v and slope; the row at 325 mired without its misprint.
+// Robertson (1968): isotemperature lines by mired, with u, v and slope; the row at 325 mired is corrected for its
+// misprint.
 struct IsotemperatureLine {
     double mired, u, v, slope;
 };

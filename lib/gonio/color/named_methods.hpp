@@ -1,5 +1,5 @@
-// How others take the colour of a temperature, and the temperature of a colour: from the literature and by what other
-// programs compute, kept for comparison with the 1 nm sum. Formulas and coefficients are those of the named papers and
+// Other methods for the colour of a temperature and the temperature of a colour, from the literature and from other
+// programs, kept for comparison with the 1 nm sum. Formulas and coefficients are those of the named papers and
 // programs; the code is gonio's own.
 #pragma once
 
@@ -18,17 +18,17 @@ namespace gonio {
 // Temperature → colour.
 struct ColorMethod {
     std::string_view name;
-    Kelvin coolest; // the range that it is made for or that its program lets through
+    Kelvin coolest; // the range that it is made for or that its program accepts
     Kelvin hottest;
-    bool clamps = false; // beyond the range it holds the colour of the end; else it goes on computing
+    bool clamps = false; // beyond the range it returns the colour of the end; otherwise it extrapolates
     std::string_view source;
-    // XYZ relative to D65. Y is the luminance that a light of luminance 1 is left with: 1 where luminance is kept, less
-    // where the greatest of the three channels is made 1.
+    // XYZ relative to D65. Y is the remaining luminance of a light of luminance 1: 1 if luminance is kept, less if the
+    // greatest of the three channels is scaled to 1.
     glm::dvec3 (*xyz)(Kelvin temperature);
 };
 std::span<const ColorMethod> color_methods();
 
-// Chromaticity → temperature. NaN where the method has no answer.
+// Chromaticity → temperature. NaN if the method has no answer.
 struct CctMethod {
     std::string_view name;
     Kelvin coolest;
@@ -46,7 +46,7 @@ Result<std::vector<const CctMethod*>> parse_cct_methods(std::string_view list);
 struct ColorError {
     Uv at;
     double delta_uv_prime = 0.0;
-    double cct_k = 0.0; // of the colour that it gives; NaN where that has none
+    double cct_k = 0.0; // of the colour that it gives; NaN if that colour has none
     double duv = 0.0;
     double luminance = 1.0;
     bool in_range = true;

@@ -91,7 +91,7 @@ glm::dvec3 planckian_xyz(Kelvin temperature, double c2) {
 
 namespace {
 
-// [W/(m²·sr)], of all wavelengths: σT⁴/π.
+// [W/(m²·sr)], over all wavelengths: σT⁴/π.
 double total_radiance(Kelvin temperature) {
     const double sigma = 2.0 * std::pow(std::numbers::pi, 5) * std::pow(k, 4) / (15.0 * std::pow(h, 3) * c * c);
     return sigma * std::pow(temperature.value, 4) / std::numbers::pi;

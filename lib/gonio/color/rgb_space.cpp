@@ -34,7 +34,7 @@ constexpr std::array primaries{
     Primaries{{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.0770}, aces_white},
 };
 
-// Linear Bradford (Lam 1985): scales of cone-like responses.
+// Linear Bradford (Lam 1985): scales cone-like responses.
 glm::dmat3 bradford(Xy from, Xy to) {
     const glm::dmat3 response(0.8951, -0.7502, 0.0389, 0.2664, 1.7135, -0.0685, -0.1614, 0.0367, 1.0296);
     const glm::dvec3 a = response * to_xyz(from);
@@ -51,9 +51,9 @@ bool same(Xy a, Xy b) {
     return a.x == b.x && a.y == b.y;
 }
 
-// RGB → XYZ of primaries whose sum is the white.
+// RGB → XYZ of primaries that add up to the white.
 glm::dmat3 matrix_of(const Primaries& p) {
-    // Not by y: AP0's blue has a negative one, and a green of y = 1 is as good.
+    // Not divided by y: AP0's blue has a negative y, and a green of y = 1 works as well.
     const auto xyz = [](Xy c) { return glm::dvec3(c.x, c.y, 1.0 - c.x - c.y); };
     const glm::dmat3 columns(xyz(p.red), xyz(p.green), xyz(p.blue));
     const glm::dvec3 amount = glm::inverse(columns) * to_xyz(p.white);
@@ -67,7 +67,7 @@ const std::array<RgbSpace, names.size()>& spaces() {
         std::array<RgbSpace, names.size()> all;
         for (std::size_t i = 0; i < names.size(); ++i) {
             all[i].name = names[i].name;
-            if (i >= primaries.size()) continue; // xyz is itself
+            if (i >= primaries.size()) continue; // xyz is the identity
             all[i].to_xyz = matrix_of(primaries[i]);
             all[i].from_xyz = glm::inverse(all[i].to_xyz);
         }

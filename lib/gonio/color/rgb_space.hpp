@@ -1,10 +1,10 @@
 // Linear RGB spaces, and colours of lights in them.
 //
-// XYZ is always relative to a D65 white of xy 0.3127, 0.3290. A space with another white (the ACES spaces) is reached
-// by Bradford's adaptation, as OpenColorIO's own transforms do, so that D65 is neutral in each: (1, 1, 1). The
+// XYZ is always relative to a D65 white of xy 0.3127, 0.3290. Spaces with another white (the ACES spaces) are converted
+// with Bradford's adaptation, as in OpenColorIO's own transforms, so that D65 is neutral in each: (1, 1, 1). The
 // luminance of an RGB is the middle row of the space's whole matrix RGB → XYZ. Bradford changes Y of a colour that is
-// not grey: for ACEScg that row is not AP1's row of its own white (0.2722, 0.6741, 0.0537), by which 2700 K would
-// have 1.005.
+// not grey: for ACEScg that row differs from AP1's row for its own white (0.2722, 0.6741, 0.0537), which would give
+// 2700 K a luminance of 1.005.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -34,21 +34,21 @@ struct RgbSpaceName {
     std::string_view says;
 };
 
-// The spaces that are built in: rec709, rec2020, p3-d65, acescg, aces2065-1, xyz.
+// The built-in spaces: rec709, rec2020, p3-d65, acescg, aces2065-1, xyz.
 std::span<const RgbSpaceName> rgb_spaces();
 
-// By name or alias; nullptr when there is none.
+// By name or alias; nullptr if there is none.
 const RgbSpace* find_rgb_space(std::string_view name);
 
-// From the chromaticities of the primaries and of RGB (1,1,1). Fails (usage) where they span no space.
+// From the chromaticities of the primaries and of RGB (1,1,1). Fails (usage) if they do not span a space.
 Result<RgbSpace> rgb_space_of(std::string name, Xy red, Xy green, Xy blue, Xy white);
 
-// From a matrix ACES2065-1 → RGB: how spaces of other programs' configurations are entered. Fails (unsupported) where
-// it has no inverse.
+// From a matrix ACES2065-1 → RGB: the form in which spaces from other programs' configurations are entered. Fails
+// (unsupported) if the matrix has no inverse.
 Result<RgbSpace> rgb_space_of_aces(std::string name, const glm::dmat3& from_aces2065_1);
 
 enum class Gamut {
-    keep, // negative components and all
+    keep, // including negative components
     clip  // negative ones to 0, then scaled back to the luminance
 };
 enum class Normalize {
@@ -60,17 +60,18 @@ struct SpaceColor {
     glm::dvec3 rgb{0.0};
     double luminance = 1.0;      // of rgb: below 1 for Normalize::max
     bool in_gamut = true;        // before clipping: no component below −1e-9
-    double delta_uv_prime = 0.0; // what clipping moved
+    double delta_uv_prime = 0.0; // the change caused by clipping
 };
 
-// Of a chromaticity with v > 0.
+// The colour of a chromaticity with v > 0 in a space.
 SpaceColor to_space(Uv at, const RgbSpace& space, Gamut gamut = Gamut::keep,
                     Normalize normalize = Normalize::luminance);
 
-// The chromaticity of an RGB. Fails (usage) on black, on luminances that are not above 0, on what is not finite.
+// The chromaticity of an RGB. Fails (usage) on black, on a luminance that is not above 0, and on values that are not
+// finite.
 Result<Uv> uv_of_rgb(const glm::dvec3& rgb, const RgbSpace& space);
 
-// IEC 61966-2-1, both ways.
+// IEC 61966-2-1, in both directions.
 double decode_srgb(double encoded);
 double encode_srgb(double linear);
 

@@ -7,7 +7,7 @@ namespace gonio {
 
 namespace {
 
-// The curve of single wavelengths; its last and first points span the line of purples.
+// The curve of single wavelengths; its last and first points are the ends of the line of purples.
 std::vector<Xy> outline() {
     std::vector<Xy> curve;
     curve.reserve(detail::observer.size());

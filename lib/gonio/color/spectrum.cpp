@@ -26,7 +26,7 @@ glm::dvec3 observer_at(double nm) {
     return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
 }
 
-// Samples with the width in nm that each stands for.
+// Samples, and the width in nm that each one represents.
 struct Samples {
     std::vector<double> nm;
     std::vector<double> power;
@@ -41,7 +41,7 @@ bool even(const std::vector<double>& nm) {
     return true;
 }
 
-// As it stands in even steps of up to 5 nm, else interpolated to steps of 1 nm or of the finest step it has.
+// Unchanged if the steps are uniform and at most 5 nm, else interpolated to steps of 1 nm or of its finest step.
 Samples samples_of(const Spectrum& spectrum) {
     const std::vector<double>& nm = spectrum.wavelengths_nm;
     if (nm.size() == 1) return {nm, spectrum.power, 1.0};
@@ -95,8 +95,8 @@ Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> ban
     const Samples samples = samples_of(spectrum);
     SpectrumColor color;
     color.band = band.value_or(Band{spectrum.wavelengths_nm.front(), spectrum.wavelengths_nm.back()});
-    // Tables in steps of 5 nm are summed over 380–780 nm (CIE 015): most end there, and one end alone would tilt the
-    // sum.
+    // Tables in steps of 5 nm are summed over 380–780 nm (CIE 015): most end there, and a longer range at one end only
+    // would bias the sum.
     const Band seen =
         samples.width_nm > 4.9 ? Band{380.0, 780.0} : Band{detail::observer_first_nm, detail::observer_last_nm};
     const double greatest = *std::max_element(samples.power.begin(), samples.power.end()); // sums must not overflow
@@ -112,7 +112,7 @@ Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> ban
         last = power;
         radiant += power;
     }
-    // What the eye sees vanishes at the ends, the power does not: it is summed as if at 1 nm, whatever the steps.
+    // The visible part vanishes at the ends, the power does not: it is summed as if at 1 nm, whatever the steps.
     radiant += 0.5 * (first.value_or(0.0) + last) * (1.0 / samples.width_nm - 1.0);
     if (!(color.xyz.y > 0.0))
         return fail(Failure::usage, fmt::format("the spectrum '{}' has no visible light", spectrum.name));

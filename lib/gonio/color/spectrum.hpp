@@ -1,10 +1,10 @@
 // Spectra: relative or absolute spectral power over wavelength, and their colour and luminous efficacy.
 //
 // Sources: the CIE illuminants of data/cie_illuminants.csv by name, black bodies, CSV files, TM-33 documents. A
-// spectrum in steps of at most 5 nm is summed at its own wavelengths with the observer there, as its tables are meant
-// (line spectra of 5 nm move by 2e-4 in xy when they are interpolated instead), over 380–780 nm where the steps are 5
-// nm (CIE 015), else over 360–830 nm; a coarser or uneven one is interpolated linearly, then summed at 1 nm or the
-// finest of its steps. Outside its wavelengths a spectrum is 0.
+// spectrum in uniform steps of at most 5 nm is summed at its own wavelengths with the observer there, as its tables are
+// intended (interpolation would move line spectra of 5 nm by 2e-4 in xy), over 380–780 nm if the steps are 5 nm (CIE
+// 015), else over 360–830 nm. A spectrum with coarser or non-uniform steps is interpolated linearly, then summed in
+// steps of 1 nm or of its finest step. Outside its wavelengths a spectrum is 0.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -26,8 +26,8 @@ struct Profile;
 struct Spectrum {
     std::string name;
     std::vector<double> wavelengths_nm; // strictly ascending
-    std::vector<double> power;          // as many, ≥ 0, not all 0
-    Diagnostics diagnostics;            // of reading it
+    std::vector<double> power;          // same count, ≥ 0, not all 0
+    Diagnostics diagnostics;            // from reading it
 };
 
 // Wavelengths in nm, ends included.
@@ -35,7 +35,7 @@ struct Band {
     double first_nm = 0.0;
     double last_nm = 0.0;
 };
-// "380nm:780nm". Fails (usage) on anything else, and where the first is not below the last.
+// "380nm:780nm". Fails (usage) on anything else, and if the first is not below the last.
 Result<Band> parse_band(std::string_view text);
 std::string to_text(Band band); // "380–780 nm"
 
@@ -46,37 +46,37 @@ struct SpectrumColor {
     Band band;
 };
 
-// `band`: over which the radiant flux is taken, summed at 1 nm; all of the spectrum unless given. Fails (usage) on a
-// spectrum without visible light, and on a band in which it has no power.
+// `band`: the range of the radiant flux, summed at 1 nm; by default the whole spectrum. Fails (usage) on a spectrum
+// without visible light, and on a band in which it has no power.
 Result<SpectrumColor> color_of(const Spectrum& spectrum, std::optional<Band> band = std::nullopt);
 
 // Names of the CIE illuminants, in the table's order.
 std::vector<std::string_view> illuminant_names();
 
-// By name, letters without case ("d65", "LED-B3"); nothing when there is none. As tabulated, in steps of 5 nm.
+// By name, ignoring case ("d65", "LED-B3"); nothing if there is none. As tabulated, in steps of 5 nm.
 std::optional<Spectrum> find_illuminant(std::string_view name);
 
-// A black body in steps of 1 nm, 360–830 nm [W/(m²·sr·nm), over its greatest]. Fails (usage) outside 500 K to 1e6 K.
+// A black body in steps of 1 nm, 360–830 nm [W/(m²·sr·nm), over its maximum]. Fails (usage) outside 500 K to 1e6 K.
 Result<Spectrum> blackbody_spectrum(Kelvin temperature);
 
-// Lines of WAVELENGTH,POWER: nm; separated by comma, semicolon, tab or blanks; '#' begins a comment, and one line of
-// column names may stand first. Fails (malformed) with line and column on what is not a number, on negative power, on
-// wavelengths that do not ascend or lie outside 1–100000 nm, on gaps (a step above 20 nm, or more than 2.5 times the
-// usual one), on spectra that do not reach from 400 to 700 nm, and where no power is above 0. Warns where a spectrum
-// does not reach 380 and 780 nm. Of a text without any such line nothing is quoted: it is something else.
+// Lines of WAVELENGTH,POWER: nm; separated by comma, semicolon, tab or blanks; '#' begins a comment, and the first line
+// may have column names. Fails (malformed) with line and column on text that is not a number, on negative power, on
+// wavelengths that do not ascend or are outside 1–100000 nm, on gaps (a step above 20 nm, or more than 2.5 times the
+// usual one), on spectra that do not cover 400 to 700 nm, and if no power is above 0. Warns if a spectrum does not
+// reach 380 and 780 nm. If the text has no such line at all, the message does not quote it, because it may be any file.
 Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& source);
 
-// The spectra of a TM-33 document, checked as those of a CSV file; empty for other profiles.
+// The spectra of a TM-33 document, with the same checks as for a CSV file; empty for other profiles.
 Result<std::vector<Spectrum>> spectra_of(const Profile& profile);
 
-// The bytes of a CSV file or of a TM-33 document; at least one spectrum. Fails (malformed, unsupported).
+// From the bytes of a CSV file or of a TM-33 document; at least one spectrum. Fails (malformed, unsupported).
 Result<std::vector<Spectrum>> parse_spectra(const std::string& bytes, const std::string& source);
 
-// "d65", "blackbody:2700K", or a file as above: any file, or where `files` is given one that these allow. Fails (io,
+// "d65", "blackbody:2700K", or a file as above: any file, or if `files` is given, one that it allows. Fails (io,
 // malformed, usage, unsupported).
 Result<std::vector<Spectrum>> read_spectra(const std::string& text, FileScope* files = nullptr);
 
-// The one spectrum of that text. Fails (unsupported) where there are several.
+// The only spectrum of that text. Fails (unsupported) if there are several.
 Result<Spectrum> read_spectrum(const std::string& text, FileScope* files = nullptr);
 
 } // namespace gonio

@@ -30,7 +30,7 @@ Unexpected malformed(const Location& where, std::string message, std::string hin
     return Unexpected(error_at(Failure::malformed, where, std::move(message), std::move(hint)));
 }
 
-// The places of the points in their file, for messages; empty where there are none.
+// The places of the points in their file, for messages; empty if there are none.
 struct Places {
     std::string source;
     std::vector<std::uint32_t> line;
@@ -38,7 +38,7 @@ struct Places {
     Location of(std::size_t point) const { return {source, point < line.size() ? line[point] : 0, 0}; }
 };
 
-// What holds of every spectrum that was read.
+// Checks that apply to every spectrum that was read.
 Result<void> check(Spectrum& spectrum, const Places& places) {
     const std::vector<double>& nm = spectrum.wavelengths_nm;
     if (nm.size() < 2) return malformed(places.of(nm.size()), "a spectrum of fewer than two points");
@@ -62,7 +62,7 @@ Result<void> check(Spectrum& spectrum, const Places& places) {
     std::nth_element(sorted.begin(), middle, sorted.end());
     const double widest = std::min(widest_step_nm + 1e-9, std::max(2.5 * *middle, 1.0));
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        // Only what the eye sees is missed.
+        // Only gaps in the visible range count.
         if (steps[i] <= widest || nm[i + 1] < 380.0 || nm[i] > 780.0) continue;
         return malformed(places.of(i + 1),
                          fmt::format("a gap: nothing between {} and {} nm", rounded(nm[i], 9), rounded(nm[i + 1], 9)),
@@ -93,7 +93,7 @@ struct Word {
 std::vector<Word> words_of(std::string_view line) {
     std::vector<Word> words;
     std::size_t at = 0;
-    bool expect = false; // a separator that wants a cell behind it
+    bool expect = false; // a separator that must be followed by a cell
     while (true) {
         at = line.find_first_not_of(blanks, at);
         if (at == std::string_view::npos) break;
@@ -138,11 +138,11 @@ Result<Spectrum> parse_spectrum_csv(std::string_view text, const std::string& so
         const std::vector<Word> words = words_of(row);
         if (words.empty()) continue;
         std::optional<double> nm = parse_number(words.front().text);
-        if (!nm && spectrum.power.empty() && !head) { // names of columns
+        if (!nm && spectrum.power.empty() && !head) { // column names
             head = true;
             continue;
         }
-        // Before the first row of a spectrum it may be any file, of which nothing is to be told.
+        // Before the first row of a spectrum, the text may be any file, so nothing of it is quoted.
         const bool is_spectrum = !spectrum.power.empty();
         const bool is_row = nm && words.size() > 1 && parse_number(words[1].text);
         if (!is_spectrum && !is_row)

@@ -1,9 +1,9 @@
-// The constants of photometric conversion: closed forms of a shape's measures, each once, for float and double.
+// The constants of photometric conversion: closed forms of the measures of a shape, written once for float and double.
 //
-// S is float or double; lengths are in one unit of any kind, angles in radians. Nothing here cancels: results are
-// within 4 ulp of the exact ones in double and within 8 ulp in float, from contact to astronomical distances, for cones
-// of 1e-8 rad and inner and outer angles that differ in their last digits, as long as no product leaves the range of S
-// (tests/unit/light/reference.csv holds them to 50 digits).
+// S is float or double; lengths may be in any one unit, angles are in radians. No formula here suffers cancellation:
+// results are within 4 ulp of the exact value in double and within 8 ulp in float, from contact to astronomical
+// distances, for cones of 1e-8 rad and for inner and outer angles that differ only in their last digits, as long as no
+// product leaves the range of S (tests/unit/light/reference.csv checks them against 50 digits).
 #pragma once
 
 #include <gonio/light/shape.hpp>
@@ -27,7 +27,7 @@ S one_minus_sinc(S h) {
     return x / S(6) * tail;
 }
 
-// 1 − 3(sin h − h cos h)/h³, likewise.
+// 1 − 3(sin h − h cos h)/h³, by its series too.
 template<class S>
 S one_minus_smooth(S h) {
     const S x = h * h;
@@ -71,9 +71,9 @@ S frustum_solid_angle(S h, S v) {
            std::atan2(sin_h * std::sin(S(0.5) * v), std::hypot(std::cos(S(0.5) * h), sin_h * std::cos(S(0.5) * v)));
 }
 
-// I/L: the area that a shape shows along its direction; a tube of radius r and length l, from the side.
+// I/L: the projected area of a shape along its direction; for a tube of radius r and length l, from the side.
 template<class S>
-S disk_area(S r) { // a sphere's too
+S disk_area(S r) { // also a sphere's
     return pi<S> * (r * r);
 }
 template<class S>
@@ -87,14 +87,14 @@ S tube_solid_angle(S r, S l) {
     return S(2) * pi<S> * pi<S> * ((l + S(2) * r) / (S(2) * l + pi<S> * r));
 }
 
-// E/L of a uniform disk of angular diameter δ at infinity, on a plane across its direction: π sin²(δ/2).
+// E/L of a uniform disk of angular diameter δ at infinity, on a plane perpendicular to its direction: π sin²(δ/2).
 template<class S>
 S sun_projected_solid_angle(S diameter) {
     const S s = std::sin(S(0.5) * diameter);
     return pi<S> * (s * s);
 }
 
-// E/L of a receiver that faces the shape's centre at distance d from it, along the shape's direction.
+// E/L of a receiver that faces the shape's centre at distance d, along the shape's direction.
 
 // π r²/d², for d ≥ r: the inverse square is exact for a sphere.
 template<class S>
@@ -125,8 +125,8 @@ S facing_rectangle(S w, S h, S d) {
 // 2 [(r/d) atan(z/k) + r²d/D³ atan2(Dk, rz) + r z k/(d D²)].
 template<class S>
 S facing_tube(S r, S l, S d) {
-    // k from the difference, which is exact where it matters: near contact.
-    const S k = std::sqrt(std::max(d - r, S(0)) / d) * std::sqrt((d + r) / d); // over d, as everything below
+    // k from the difference d − r, which is exact where that matters: near contact.
+    const S k = std::sqrt(std::max(d - r, S(0)) / d) * std::sqrt((d + r) / d); // over d, as are all values below
     const S z = S(0.5) * l / d;
     const S s = r / d;
     const S end = std::hypot(S(1), z);

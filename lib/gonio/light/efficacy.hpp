@@ -1,5 +1,5 @@
-// Luminous efficacy: how many lumens a watt is taken for. Photometry gives no answer by itself, so it is a number, or a
-// convention with a name.
+// Luminous efficacy: how many lumens a watt counts as. Photometry alone does not determine it, so it is a number or a
+// named convention.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -12,12 +12,13 @@ namespace gonio {
 
 class FileScope;
 
-// Of radiated watts where a program converts by it, of electrical watts where a lamp is meant: never the same thing.
+// Per radiated watt where a program uses it for conversion, per electrical watt where it describes a lamp. The two are
+// never interchangeable.
 struct NamedEfficacy {
     std::string_view name; // "khronos-177"
     double lm_per_w = 0.0;
     bool electrical = false;
-    std::string_view says; // who means it so
+    std::string_view says; // who uses this value
 };
 
 std::span<const NamedEfficacy> named_efficacies();
@@ -28,9 +29,9 @@ struct Efficacy {
 };
 
 // "90lm/W", "90", "khronos-177", "spectrum:LED-B3", "spectrum:lamp.csv", "spectrum:blackbody:2700K": the luminous flux
-// over the radiant flux in all of the spectrum's wavelengths (gonio/color/spectrum.hpp). Fails (usage) on what is not
-// above 0 or exceeds 683.002 lm/W, the efficacy of light at 555 nm; as read_spectrum does on a spectrum, which is any
-// file, or where `files` is given one that these allow.
+// over the radiant flux in all of the spectrum's wavelengths (gonio/color/spectrum.hpp). Fails (usage) on values that
+// are not above 0 or exceed 683.002 lm/W, the efficacy of light at 555 nm; fails on a spectrum as read_spectrum does. A
+// spectrum may be any file or, if `files` is given, one that `files` allows.
 Result<Efficacy> parse_efficacy(std::string_view text, FileScope* files = nullptr);
 
 } // namespace gonio

@@ -16,7 +16,7 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Pictures and engines hold all of it as 32-bit floats.
+// Pictures and engines store all of these as 32-bit floats.
 Result<void> check_amount(const Light& light) {
     const auto check = [](double value, const char* quantity, const char* unit) -> Result<void> {
         if (in_amount_range(value)) return {};

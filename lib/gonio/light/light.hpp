@@ -1,4 +1,4 @@
-// Light: shape, amount, colour and place, resolved once into the constants that the inner loops read.
+// Light: shape, amount, colour and position, resolved once into the constants that the inner loops read.
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -12,16 +12,16 @@
 
 namespace gonio {
 
-// What a rig or a command line says of one light.
+// What a rig or a command line specifies for one light.
 struct LightDescription {
     std::string name;
     Shape shape;
-    std::optional<PhotometricValue> intensity; // a profile without one shines as measured; other shapes need it
+    std::optional<PhotometricValue> intensity; // a profile without one emits as measured; other shapes need it
     glm::dvec3 color{1.0, 1.0, 1.0};           // linear Rec.709 of luminance 1
     glm::dvec3 position{0.0, 0.0, 0.0};        // of the shape's centre [m]
-    glm::dvec3 direction{0.0, 0.0, -1.0};      // along which it shines, any length > 0
+    glm::dvec3 direction{0.0, 0.0, -1.0};      // in which it emits, any length > 0
     glm::dvec3 up{0.0, 1.0, 0.0};              // C90 of a web points there
-    Radians rotation;                          // of the light about its direction, as seen along it: C0 towards C90
+    Radians rotation;                          // about the direction, seen along it: C0 towards C90
     std::optional<Meters> range;               // absent: no window
 };
 
@@ -31,21 +31,21 @@ struct Light {
     Frame frame;        // Z = −direction; γ = 0 of a web is −Z, C0 is X, C90 is Y; a rectangle's width, a tube's
                         // axis and the horizontal of a frustum run along X
     glm::dvec3 color;   // linear Rec.709 of luminance 1
-    Candelas intensity; // along the direction, before a mask; a web: its peak as scaled; 0 for the sun
-    Nits luminance;     // of area shapes and the sun, 0 for punctual ones
-    Lux illuminance;    // of the sun on a plane across its direction, 0 for the others
-    double web_scale = 1.0; // factor on the candela of a web (to those emitted) or of a mask (to 1 at its peak)
+    Candelas intensity; // along the direction, before a mask; a web: its peak after scaling; 0 for the sun
+    Nits luminance;     // of area shapes and the sun, 0 for punctual shapes
+    Lux illuminance;    // of the sun on a plane perpendicular to its direction, 0 for other shapes
+    double web_scale = 1.0; // factor on the candela of a web (to the emitted ones) or of a mask (to 1 at its peak)
     std::optional<Meters> range;
 
-    // Intensity towards a world direction (from the light to the receiver) of any length > 0: lobe, mask and web of a
-    // punctual shape; of an area shape, its luminance times the area that it shows to a receiver far away; 0 for the
-    // sun. A disk and a rectangle emit behind them only when two-sided.
+    // Intensity towards a world direction (from the light to the receiver) of any length > 0. For a punctual shape it
+    // includes lobe, mask and web; for an area shape it is the luminance times the area projected towards a distant
+    // receiver; for the sun it is 0. A disk and a rectangle emit backwards only when two-sided.
     Candelas intensity_towards(const glm::dvec3& direction) const;
 };
 
-// Loads the profile or the mask where there is one; what was noticed is appended to `diagnostics`. Fails as
+// Loads the profile or the mask, if there is one; warnings and notes are appended to `diagnostics`. Fails as
 // load_profile and emission_of do, and (usage) on a position that is not finite, a zero direction, a range that is not
-// greater than 0, a shape without an intensity.
+// greater than 0, or a shape without an intensity.
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics);
 
 } // namespace gonio

@@ -32,7 +32,7 @@ Result<Uv> color_of_spectrum(const Spectrum& spectrum) {
     return color->uv;
 }
 
-// Of a temperature, an illuminant or a spectrum.
+// Chromaticity of a temperature, an illuminant or a spectrum.
 Result<Uv> chromaticity(std::string_view text, FileScope* files) {
     if (text.starts_with(spectrum_prefix)) {
         Result<Spectrum> spectrum = read_spectrum(std::string(text.substr(spectrum_prefix.size())), files);
@@ -107,7 +107,7 @@ Result<glm::dvec3> parse_light_color(std::string_view text, Diagnostics* diagnos
         if (!at) return pass_on(at);
         return in_working_space(text, *at, diagnostics);
     }
-    // Of the share of the greatest channel: neither huge nor tiny numbers leave the range.
+    // Relative to the greatest channel, so that neither huge nor tiny numbers leave the range.
     const double greatest = std::max({rgb.x, rgb.y, rgb.z});
     if (greatest > 0.0) rgb = glm::dvec3(rgb.x / greatest, rgb.y / greatest, rgb.z / greatest);
     const double y = glm::dot(rgb, rec709_luminance);

@@ -8,7 +8,7 @@ namespace gonio {
 
 namespace {
 
-// Inner = outer leaves no room to fall in, whatever the falloff.
+// With inner = outer the edge is hard, whatever the falloff.
 Falloff effective(const SpotShape& spot) {
     return spot.inner.value < spot.outer.value ? spot.falloff : Falloff::hard;
 }
@@ -32,7 +32,7 @@ double lobe(const SpotShape& spot, Radians theta) {
     if (t <= a) return 1.0;
     const Falloff falloff = effective(spot);
     if (falloff == Falloff::hard) return t <= b ? 1.0 : 0.0;
-    // Written so that NaN gives 0.
+    // Written so that a NaN gives 0.
     if (!(t < b)) return 0.0;
     const bool by_angle = falloff == Falloff::linear_angle || falloff == Falloff::smoothstep_angle;
     const double x = std::clamp(by_angle ? (b - t) / (b - a) : linear_in_cos(t, a, b), 0.0, 1.0);

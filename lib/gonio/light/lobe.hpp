@@ -1,7 +1,7 @@
-// Lobes: how a spot and a frustum share their intensity among directions, and the flux that follows.
+// Lobes: how a spot and a frustum distribute their intensity over directions, and the flux that follows.
 //
-// A lobe is the factor in [0, 1] on the intensity along the axis. Angles are radians from the axis. Every form here is
-// free of cancellation, where the textbook forms in 1 − cos are off by orders of magnitude.
+// A lobe is the factor in [0, 1] on the intensity along the axis. Angles are radians from the axis. Every formula here
+// is free of cancellation, while the textbook formulas in 1 − cos are off by orders of magnitude.
 #pragma once
 
 #include <gonio/light/shape.hpp>
@@ -10,8 +10,8 @@
 
 namespace gonio {
 
-// Factor at `theta` ≥ 0 from the axis: 1 up to the inner angle, 0 from the outer one on, except that a hard edge still
-// belongs to the cone.
+// Factor at `theta` ≥ 0 from the axis: 1 up to the inner angle, 0 from the outer angle on, except that a hard edge
+// itself belongs to the cone.
 double lobe(const SpotShape& spot, Radians theta);
 
 // 1 inside the pyramid and on its faces, else 0. `direction` in the light's frame (axis −Z), any length > 0.
@@ -23,7 +23,7 @@ Steradians lobe_solid_angle(const SpotShape& spot);
 // Φ/I = 4 asin(sin(h/2) sin(v/2)), the solid angle of a right pyramid, as an arctangent that holds up to 180°.
 Steradians lobe_solid_angle(const FrustumShape& frustum);
 
-// "Φ = 4π sin²(b/2) I": what lobe_solid_angle() computes, for people; a and b are the inner and outer half angles.
+// "Φ = 4π sin²(b/2) I": what lobe_solid_angle() computes, for display; a and b are the inner and outer half angles.
 const char* flux_formula(const SpotShape& spot);
 
 } // namespace gonio

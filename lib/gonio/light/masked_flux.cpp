@@ -36,7 +36,7 @@ double gauss(double low, double high, F&& f) {
     return half * sum;
 }
 
-// Halves the interval until both halves together agree with the whole.
+// Halves the interval until the sum of both halves agrees with the whole.
 template<class F>
 double halved_gauss(double low, double high, double whole, double tolerance, int depth, F&& f) {
     const double middle = 0.5 * (low + high);
@@ -89,7 +89,7 @@ double masked(const SpotShape& spot, const Web& mask) {
         const double from = std::max(low, a);
         const double to = std::min(high, b);
         if (spot.falloff == Falloff::hard || !(from < to)) continue;
-        // The integrand is entire; over a quarter turn the rule is exact to rounding.
+        // The integrand is an entire function; over a quarter turn the rule is exact to rounding.
         const int pieces = 1 + static_cast<int>((to - from) / (0.25 * pi));
         const double step = (to - from) / pieces;
         for (int piece = 0; piece < pieces; ++piece)
@@ -147,7 +147,7 @@ public:
         return tan_x_ * across_y <= tan_y_ * across_x ? std::atan2(tan_x_, across_x) : std::atan2(tan_y_, across_y);
     }
 
-    // The azimuths from −360° to 720° at which the outline turns, or passes one of `gammas`; ascending.
+    // The azimuths from −360° to 720° at which the outline turns or crosses one of `gammas`, in ascending order.
     std::vector<double> breaks(const std::vector<double>& gammas) const {
         std::vector<double> quarter{0.0, std::atan2(tan_y_, tan_x_), 0.5 * pi};
         for (const double gamma : gammas) {
@@ -182,7 +182,7 @@ double masked(const FrustumShape& frustum, const Web& mask) {
     const PyramidOutline outline(frustum);
     const bool axial = mask.stored_symmetry() == Symmetry::axial;
     const std::vector<double> planes = axial ? std::vector<double>{0.0, 0.5 * pi} : in_radians(mask.planes_deg());
-    // The pyramid has the mirrors of every stored symmetry, so the stored planes stand for the circle.
+    // The pyramid has the mirror planes of every stored symmetry, so the stored planes represent the circle.
     const double images = axial ? 4.0 : image_count(mask.stored_symmetry());
 
     const std::vector<double> breaks = outline.breaks(integrals.gammas());
@@ -217,7 +217,7 @@ double masked(const FrustumShape& frustum, const Web& mask) {
     return sum * images;
 }
 
-// Masks of types A and B: no sums over planes; the shape is a weight on the web's rings.
+// Masks of types A and B are not summed over planes: the shape is a weight on the web's rings.
 double masked_rings(const SpotShape& spot, const Web& mask) {
     Rings rings(mask);
     rings.cut_at_gamma(to_degrees(spot.inner));
@@ -230,7 +230,7 @@ double masked_rings(const FrustumShape& frustum, const Web& mask) {
     return rings.zone(0.0, 90.0, [&](const glm::dvec3& direction) { return lobe(frustum, direction); });
 }
 
-// ∬ mask · shown area over that along the direction, dω.
+// ∬ mask · (projected area over projected area along the direction) dω.
 template<class Kind>
 double masked_area(const Kind& shape, const Web& mask) {
     std::vector<double> gammas_deg;

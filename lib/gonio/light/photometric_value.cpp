@@ -44,7 +44,7 @@ Result<std::optional<Meters>> parse_distance(const Unit& unit, std::optional<std
     return std::optional<Meters>(Meters(*meters));
 }
 
-// What stands behind the '@' of a unit, if anything does.
+// What follows the '@' of a unit, if anything.
 Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::string_view> behind_at,
                                       std::string_view text, FileScope* files) {
     PhotometricUnit complete{&unit, std::nullopt, std::nullopt, {}};
@@ -97,7 +97,7 @@ Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScop
     const std::size_t at = text.find('@');
     Result<Amount> amount = parse_amount(text.substr(0, at));
     if (!amount) {
-        // No unit, or no number: those that there are.
+        // Without a unit or a number, the hint lists the existing amounts.
         std::string& hint = amount.error().diagnostics.back().hint;
         if (hint.starts_with("write for example")) hint += fmt::format("; there are {}", amounts_of_light);
         return pass_on(amount);

@@ -13,8 +13,8 @@ namespace gonio {
 
 class FileScope;
 
-// A photometric unit; an illuminance also says at what distance from the light's centre, unless it is the sun's, and a
-// power how many lumens a watt is taken for.
+// A photometric unit; an illuminance also has a distance from the light's centre, unless it is the sun's, and a power
+// has the number of lumens per watt.
 struct PhotometricUnit {
     const Unit* unit = nullptr;
     std::optional<Meters> distance;
@@ -28,12 +28,12 @@ struct PhotometricValue {
 };
 
 // "nt", "lx@2m", "evlx@30cm", "lx", "W@90lm/W", "W@khronos-177", "W@spectrum:FILE" (gonio/light/efficacy.hpp). Fails
-// (usage) on units of other dimensions, on a distance that is not greater than 0 and on one that does not belong to an
+// (usage) on units of other dimensions, on a distance that is not greater than 0 and on a distance with anything but an
 // illuminance.
 Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
 
 // "800lm", "300lx@2m", "12ev", "60W@90lm/W" (or "60W@683"). Fails (usage) as above, and on negative amounts. A spectrum
-// is any file, or where `files` is given one that these allow.
+// may be any file or, if `files` is given, one that `files` allows.
 Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScope* files = nullptr);
 
 } // namespace gonio

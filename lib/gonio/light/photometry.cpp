@@ -9,14 +9,14 @@ namespace gonio {
 
 namespace {
 
-// "90 lm/W", "330.1 lm/W (LED-B3, 380–780 nm)": a computed one in five digits, a given one as it stands.
+// "90 lm/W", "330.1 lm/W (LED-B3, 380–780 nm)": a computed efficacy in five digits, a given one as it is.
 std::string efficacy_text(const PhotometricUnit& unit) {
     const double lm_per_w = unit.efficacy_lm_per_w.value_or(0.0);
     if (unit.efficacy_of.empty()) return fmt::format("{} lm/W", lm_per_w);
     return fmt::format("{} lm/W ({})", rounded(lm_per_w, 5), unit.efficacy_of);
 }
 
-// Formats only where steps are wanted. A step that several answers share is said once.
+// Formats only if steps are wanted. A step shared by several answers is reported once.
 template<class... Arguments>
 void note(ConversionSteps* steps, double value, const char* unit, fmt::format_string<Arguments...> format,
           Arguments&&... arguments) {
@@ -54,7 +54,7 @@ Unexpected sun_refused(const char* quantity) {
                 "its amount is an illuminance or a luminance: lx, evlx, fc, nt, ev or fL");
 }
 
-// E over the strength, once the distance makes sense for the shape.
+// E over the strength, after checking that the distance is meaningful for the shape.
 Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factors, const PhotometricUnit& unit) {
     if (factors.at_infinity) {
         if (unit.distance)
@@ -100,7 +100,7 @@ Emission emission_of_strength(const ShapeFactors& factors, double strength) {
 Result<ShapePhotometry> ShapePhotometry::of(Shape shape) {
     Result<ShapeFactors> factors = shape_factors(shape);
     if (!factors) return pass_on(factors);
-    // A subnormal factor has lost digits, an infinite one all of them.
+    // A subnormal factor has lost digits; an infinite one has lost all of them.
     if (factors->luminance && !std::isnormal(factors->luminance->value))
         return fail("USE0106", fmt::format("the size of this {} is out of the range of a number", kind_of(shape)));
     return ShapePhotometry(std::move(shape), *factors);
@@ -244,9 +244,9 @@ Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illumi
     const auto lux_at = [&](double distance_m) {
         return emission.intensity.value * facing_factor(shape_, factors_, Meters(distance_m)).value;
     };
-    // Brightest on contact, where an area light fills the half space; falling without end. The inverse square of the
-    // brightest direction bounds it for every shape but the tube, whose near end may count for more: doubled until
-    // dark.
+    // The illuminance is greatest on contact, where an area light fills the half space, and falls without end. The
+    // inverse square of the brightest direction bounds it for every shape but the tube, where the near end may count
+    // for more, so the distance is doubled until the illuminance is below the target.
     double far = std::sqrt(candela / illuminance.value);
     if (!std::isfinite(far) || !(far > 0.0)) return fail("USE0106", "the distance is out of the range of a number");
     double near = std::fmax(factors_.nearest_m, 1e-9 * far);

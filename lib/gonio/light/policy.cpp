@@ -21,9 +21,9 @@ using std::numbers::pi;
 constexpr double frostbite_guard = 0.001; // of the lobe's cosine range
 constexpr double unreal_widest_rad = 89.0 / 180.0 * pi;
 
-// A light as a program sees it. `units` are those that the program knows for it.
+// A light as a program interprets it. `units` are the units that the program has for it.
 struct Meanings {
-    std::string lacks; // why there is no such light; empty: there is one
+    std::string lacks; // why the program has no such light; empty if it has one
     struct Entry {
         Dimension dimension;
         double emitted_over_said = 1.0;
@@ -40,17 +40,17 @@ Meanings none(std::string why) {
     return meanings;
 }
 
-// A program's unit with nothing to remark.
+// A program's unit that emits what it promises.
 Meanings::Entry honest(Dimension dimension, std::string formula) {
     return {dimension, 1.0, std::move(formula)};
 }
 
-// Lumens that are taken for Φ = `said_sr` I, where the lobe emits `emitted_sr` I.
+// Lumens that the program converts by Φ = `said_sr` I, while the lobe emits `emitted_sr` I.
 Meanings::Entry lumens(double emitted_sr, double said_sr, std::string formula) {
     return {Dimension::luminous_flux, emitted_sr / said_sr, std::move(formula)};
 }
 
-// The flux of Frostbite's lobe, whose cosine range is never taken for less than 0.001, over its intensity.
+// The flux over the intensity of Frostbite's lobe, in which the cosine range is at least 0.001.
 double guarded_solid_angle(const SpotShape& spot) {
     const double a = spot.inner.value;
     const double b = spot.outer.value;
@@ -63,7 +63,7 @@ double guarded_solid_angle(const SpotShape& spot) {
     return 2.0 * pi * (rise + std::fmax(0.0, depth - frostbite_guard));
 }
 
-// What every policy asks of a shape: Φ over its intensity, with any mask.
+// What every policy needs to know of a shape: Φ over its intensity, with any mask.
 struct Facts {
     double solid_angle = 0.0; // of a punctual shape
     bool masked = false;
@@ -72,10 +72,10 @@ struct Facts {
 constexpr const char* by_area = "I and Φ by the shape's area";
 constexpr const char* lumens_of_mask = "the lumens are those of the light without its mask";
 
-// Frostbite, and what glTF, Filament, three.js, Godot, Unity and Unreal do in their own ways, for the punctual shapes.
+// The punctual shapes in Frostbite, and with variations in glTF, Filament, three.js, Godot, Unity and Unreal.
 struct PunctualRule {
-    double spot_sr = 0.0;      // lumens over candela of a spot; 0: the outer cone
-    double cap_rad = 0.5 * pi; // widest half angle that the outer cone is taken for
+    double spot_sr = 0.0;      // lumens over candela of a spot; 0: computed from the outer cone
+    double cap_rad = 0.5 * pi; // upper limit on the half angle of the outer cone
     std::string spot_formula;
 
     double said_by(const SpotShape& spot) const {
@@ -92,7 +92,7 @@ public:
         PunctualRule rule{cone ? 0.0 : pi, 0.5 * pi, cone ? "I = Φ/2π(1 − cos b)" : "I = Φ/π"};
         Meanings meanings = punctual(rule, true);
         if (const auto* spot = std::get_if<SpotShape>(&shape_); spot != nullptr && !cone && !facts_.masked) {
-            // Its own lobe is emitted, which the guard changes in narrow cones.
+            // The program emits its own lobe, which the guard changes in narrow cones.
             const double emitted = guarded_solid_angle(*spot);
             const double guarded = emitted / lobe_solid_angle(*spot).value;
             meanings.units = {lumens(emitted, pi, rule.spot_formula),
@@ -109,8 +109,8 @@ public:
         Meanings meanings = punctual({0.0, unreal_widest_rad, "I = Φ/2π(1 − cos b), b at most 89°"}, true);
         meanings.luminance_at_ev_0 = 1.0;
         if (is<SphereShape>() || is<TubeShape>()) {
-            // A point light with a source radius and length: nits are multiplied by the whole surface, not by the
-            // projected one.
+            // A point light with a source radius and length: nits are multiplied by the whole surface area, not by the
+            // projected area.
             meanings.units = {honest(Dimension::luminous_flux, "I = Φ/4π"),
                               {Dimension::luminance, 4.0, "I = 4π r (r + l/2) L"},
                               {Dimension::luminance_ev, 4.0, "I = 4π r (r + l/2) L, L = 2^EV"}};
@@ -219,12 +219,12 @@ private:
         return std::holds_alternative<S>(shape_);
     }
     bool has_area() const { return class_of(shape_) == ShapeClass::area; }
-    // Whether the program has the shape: not, where it is an area light of another kind than those.
+    // Whether the program has the shape: false only for an area light that is not one of these kinds.
     template<class... Kinds>
     bool has() const {
         return !has_area() || (is<Kinds>() || ...);
     }
-    // The same of a program that has flat lights of any outline.
+    // The same for a program that has flat lights of any outline.
     template<class... Others>
     bool has_flat_or() const {
         return is_flat(shape_) || has<Others...>();

@@ -1,11 +1,12 @@
 // Policies: what other programs mean by a photometric number.
 //
 // Programs disagree about the same number: a spot of 800 lm has 800/π, 800/4π or 800/2π(1 − cos b) candela on its axis,
-// and none of these is the flux that its lobe emits. A policy says, for each shape and unit, how much of the flux that
-// the number promises is emitted in that program; from there everything is photometry (gonio/light/photometry.hpp).
-// A unit that a program does not use keeps its physical meaning, so that `800lm` can be asked for in a program's watts.
+// and none of these gives the flux that its lobe emits. A policy states, for each shape and unit, which share of the
+// flux that the number promises is emitted in that program; everything after that is photometry
+// (gonio/light/photometry.hpp). A unit that a program does not use keeps its physical meaning, so that `800lm` can be
+// converted to a program's watts.
 //
-// What a program does was read from its source or documentation, named with each policy; versions change.
+// What each program does was read from its source or documentation, which each policy names; versions change.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -23,19 +24,19 @@ struct Policy {
     std::string_view source;
 };
 
-// "physical" first.
+// "physical" comes first.
 std::span<const Policy> policies();
 
-// Fails (usage) on an unknown name, naming the nearest.
+// Fails (usage) on an unknown name and suggests the nearest.
 Result<const Policy*> find_policy(std::string_view name);
 
-// What a policy makes of a unit for one shape.
+// How a policy interprets a unit for one shape.
 struct PolicyMeaning {
-    bool own = false;                 // whether the program uses this unit; else it keeps its physical meaning
+    bool own = false;                 // whether the program uses this unit; if not, it keeps its physical meaning
     double emitted_over_said = 1.0;   // the flux that is emitted over the flux that the number promises
-    double luminance_at_ev_0 = 0.125; // nt; what an exposure value of 0 stands for
+    double luminance_at_ev_0 = 0.125; // nt; the luminance at an exposure value of 0
     std::string formula;              // the program's: "I = Φ/π"
-    std::string note;                 // what else differs; often empty
+    std::string note;                 // other differences; often empty
 };
 
 // Profiles and masks must be loaded. Fails (unsupported) where the program has no such light.
@@ -44,7 +45,7 @@ Result<PolicyMeaning> policy_meaning(const Policy& policy, const Shape& shape, D
 // The physical value that emits as much as `value` does in the program.
 PhotometricValue physical_value(const PolicyMeaning& meaning, PhotometricValue value);
 
-// The number of `unit`s to write in the program for what is `number` of them physically.
+// The number to write in the program, in `unit`, for a physical amount of `number` in `unit`.
 double policy_number(const PolicyMeaning& meaning, const PhotometricUnit& unit, double number);
 
 } // namespace gonio

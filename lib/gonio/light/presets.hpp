@@ -18,7 +18,7 @@ struct LightPreset {
 
 std::span<const LightPreset> light_presets();
 
-// Fails (usage) on an unknown name, naming the nearest.
+// Fails (usage) on an unknown name and suggests the nearest.
 Result<const LightPreset*> find_preset(std::string_view name);
 
 } // namespace gonio

@@ -98,7 +98,7 @@ Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics
     return std::make_shared<const Web>(std::move(resolved->web));
 }
 
-// The file of a shape and where its web goes; nothing for shapes that read none.
+// The file of a shape and where its web is stored; empty for shapes that read no file.
 struct WebSlot {
     const std::string* file = nullptr;
     std::shared_ptr<const Web>* web = nullptr;

@@ -1,4 +1,4 @@
-// Shape: what emits. The grammar of "sphere:r=3cm" and what each shape needs to be known.
+// Shape: what emits. The grammar of "sphere:r=3cm" and the parameters that each shape needs.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -22,8 +22,9 @@ struct PointShape {
     std::shared_ptr<const Web> mask; // nullptr until load_profile() has read the file
 };
 
-// How the intensity of a spot falls from 1 at the inner to 0 at the outer half angle. Linear and smoothstep run over
-// the cosine or over the angle; `frostbite` squares the linear one over the cosine, as glTF and Filament do.
+// How the intensity of a spot falls from 1 at the inner half angle to 0 at the outer one. Linear and smoothstep are
+// functions of the cosine or of the angle; `frostbite` squares the linear falloff in the cosine, as glTF and Filament
+// do.
 enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, smoothstep_angle };
 
 const char* to_text(Falloff falloff); // "smoothstep-cos"
@@ -47,14 +48,14 @@ struct FrustumShape {
     std::shared_ptr<const Web> mask;
 };
 
-// A measured luminaire: a point that emits by its web.
+// A measured luminaire: a point that emits according to its web.
 struct ProfileShape {
     std::string file;
     std::shared_ptr<const Web> web; // nullptr until load_profile() has read the file
 };
 
 // Area shapes are Lambertian: the same luminance in every direction that they emit to. A mask multiplies the luminance
-// of every point of theirs by a web over its peak, by the direction in the light's frame.
+// of every point of the shape by a web over its peak, looked up by the direction in the light's frame.
 
 struct SphereShape {
     Meters radius; // > 0
@@ -62,7 +63,7 @@ struct SphereShape {
     std::shared_ptr<const Web> mask = {};
 };
 
-// Emits along its direction; with two_sided also against it.
+// Emits along its direction; if two_sided, also in the opposite direction.
 struct DiskShape {
     Meters radius; // > 0
     bool two_sided = false;
@@ -70,7 +71,7 @@ struct DiskShape {
     std::shared_ptr<const Web> mask = {};
 };
 
-// `width` along X, `height` along Y: the whole axes.
+// `width` along X, `height` along Y: full axes.
 struct EllipseShape {
     Meters width;  // > 0
     Meters height; // > 0
@@ -104,12 +105,12 @@ struct SunShape {
 using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, EllipseShape,
                            RectShape, TubeShape, SunShape>;
 
-// What a shape is: a point for all that receives its light, a luminous surface, or one at infinity.
+// The class of a shape: a point to every receiver, a luminous surface, or a source at infinity.
 enum class ShapeClass { punctual, area, sun };
 
 ShapeClass class_of(const Shape& shape);
 
-// Whether it is a flat surface, which emits to one side or to both.
+// Whether the shape is a flat surface, which emits to one side or to both.
 bool is_flat(const Shape& shape);
 
 // A kind of shape, as `gonio list shapes` shows it.
@@ -121,13 +122,13 @@ struct ShapeKind {
 
 std::span<const ShapeKind> shape_kinds();
 
-// Angles and lengths carry their units; "cone", the full outer angle of a spot, stands for "outer". Fails (usage) on an
-// unknown kind, key or falloff, a missing key, a length or an angle outside what its shape says. Reads no file. The
-// name of a mask's file ends at a comma, that of "ies:FILE" does not.
+// Angles and lengths need units; "cone", the full outer angle of a spot, may replace "outer". Fails (usage) on an
+// unknown kind, key or falloff, a missing key, or a length or an angle outside the range of its shape. Reads no file.
+// The file name of a mask ends at a comma; the file name of "ies:FILE" does not.
 Result<Shape> parse_shape(std::string_view text);
 
-// Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are there already,
-// are left alone. What was noticed is appended to `diagnostics`. Fails as read_profile_file() and resolve_web() do.
+// Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are already loaded,
+// are left alone. Warnings and notes are appended to `diagnostics`. Fails as read_profile_file() and resolve_web() do.
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics);
 
 // The mask of a shape: its file (nullptr: none) and its web (nullptr: none, or not loaded). Points into the shape.
@@ -141,18 +142,18 @@ Mask mask_of(const Shape& shape);
 // The file of a ProfileShape or of a mask; nullptr: none. Points into the shape.
 const std::string* file_of(const Shape& shape);
 
-// What the keys of its grammar stand for, in their order; files are left out.
+// The values of the keys of its grammar, in their order; files are left out.
 struct ShapeValue {
     std::string_view key;
     std::variant<Meters, Radians, bool, Falloff> value;
 };
 std::vector<ShapeValue> values_of(const Shape& shape);
 
-// Sets a parameter of a sweep ("radius", "size", "outer"; gonio/scene/parameter.hpp) from text of the grammar. False
-// where the shape has none of that name. Fails (usage) as parse_shape() does.
+// Sets a parameter of a sweep ("radius", "size", "outer"; gonio/scene/parameter.hpp) from text of the grammar. Returns
+// false if the shape has no parameter of that name. Fails (usage) as parse_shape() does.
 Result<bool> set_shape_parameter(Shape& shape, std::string_view name, const std::string& value);
 
-// The kinds that have it: "sphere, disk, tube".
+// The kinds that have the parameter: "sphere, disk, tube".
 std::string kinds_with_parameter(std::string_view name);
 
 const char* kind_of(const Shape& shape); // "sphere"

@@ -1,5 +1,5 @@
-// What ties a shape's strength to its other photometric quantities. Its strength is the intensity along its direction
-// before a mask (a web's peak, a tube's from the side), or the illuminance of the sun.
+// The factors between a shape's strength and its other photometric quantities. Its strength is the intensity along its
+// direction before a mask (a web's peak, a tube's from the side), or the illuminance of the sun.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -10,7 +10,7 @@
 
 namespace gonio {
 
-// A constant between two quantities of a shape, and what it says.
+// A constant ratio between two quantities of a shape, and its formula.
 struct Factor {
     double value = 0.0;
     const char* formula = ""; // "Φ = 4π I"
@@ -19,7 +19,7 @@ struct Factor {
 // Everything that needs no integration and no distance.
 struct ShapeFactors {
     bool at_infinity = false;
-    std::optional<Factor> luminance; // strength/L, nothing where luminance has no meaning
+    std::optional<Factor> luminance; // strength/L; empty if luminance has no meaning
     const char* no_luminance = "";   // why not
     const char* strength = "I";      // its symbol
     double axial_share = 1.0;        // intensity along the direction (a web: along γ = 0) over the strength
@@ -27,13 +27,13 @@ struct ShapeFactors {
     double nearest_m = 0.0;          // a distance below this is inside the shape
 };
 
-// Profiles and masks must be loaded. Fails (usage) on a web or a mask that is dark everywhere.
+// Profiles and masks must be loaded. Fails (usage) on a web or a mask that is dark in every direction.
 Result<ShapeFactors> shape_factors(const Shape& shape);
 
-// Φ over the strength; not of the sun. Costs an integration where there is a web.
+// Φ over the strength; not for the sun. Costs an integration if there is a web.
 Factor flux_factor(const Shape& shape, const ShapeFactors& factors);
 
-// E over the strength for a receiver that faces the shape at `distance` ≥ nearest_m; of the sun, 1.
+// E over the strength for a receiver that faces the shape at `distance` ≥ nearest_m; 1 for the sun.
 Factor facing_factor(const Shape& shape, const ShapeFactors& factors, Meters distance);
 
 // Whether the illuminance of a receiver that faces the shape falls with the square of the distance at every distance.

@@ -16,7 +16,7 @@ const KindText::Entry* entry_of(const KindText& text, std::string_view key) {
     return entry == text.entries.end() ? nullptr : &*entry;
 }
 
-// The entry as written; fails when it is not there or bare. `example` is a value that would do.
+// The entry as written; fails if it is missing or has no value. `example` is a valid value.
 Result<std::string> needed(const KindText& text, std::string_view key, const char* what, std::string_view example) {
     if (const std::string* value = text.value(key)) return *value;
     return fail("USE0104", fmt::format("'{}' needs {}={}", text.kind, key, what),
@@ -35,7 +35,7 @@ Result<Meters> read_length(const KindText& text, std::string_view key) {
     return Meters(*meters);
 }
 
-// What text in degrees rounds to above the greatest angle is the greatest.
+// An angle in degrees that rounds to just above the greatest angle is taken as the greatest.
 Result<Radians> read_angle(const KindText& text, std::string_view key, std::string_view example,
                            const AngleRange& range) {
     Result<std::string> value = needed(text, key, "ANGLE", example);

@@ -13,7 +13,7 @@ namespace gonio {
 Result<Meters> read_length(const KindText& text, std::string_view key);
 Result<Radians> read_angle(const KindText& text, std::string_view key, std::string_view example,
                            const AngleRange& range);
-// A bare key: there or not.
+// A key without a value: present or absent.
 Result<bool> read_flag(const KindText& text, std::string_view key);
 Result<Falloff> read_falloff(const KindText& text, std::string_view key);
 Result<void> read_mask(const KindText& text, std::string& file);
@@ -41,7 +41,7 @@ inline constexpr bool is_length = false;
 template<class Kind>
 inline constexpr bool is_length<LengthKey<Kind>> = true;
 
-// Whether a sweep knows it by that name; "size" stands for all lengths.
+// Whether a sweep knows the key by that name; "size" means all lengths.
 template<class Key>
 bool is_parameter(const Key& key, std::string_view name) {
     if (is_length<Key> && name == "size") return true;
@@ -49,7 +49,7 @@ bool is_parameter(const Key& key, std::string_view name) {
     return false;
 }
 
-// All lengths by a factor; false of what has none.
+// Multiplies all lengths by a factor; false for shapes without lengths.
 template<class Kind>
 Result<bool> scale_lengths(Kind& kind, std::string_view value) {
     return std::apply(

@@ -1,4 +1,4 @@
-// The traits of all shapes (gonio/light/shapes/description.hpp), for what asks them of a Shape.
+// The traits of all shapes (gonio/light/shapes/description.hpp), for code that has a Shape.
 #pragma once
 
 #include <gonio/light/shapes/disk.hpp>
@@ -26,8 +26,8 @@ decltype(auto) with_traits(AnyShape& shape, Work&& work) {
         [&](auto& kind) -> decltype(auto) { return work(kind, ShapeTraits<std::decay_t<decltype(kind)>>()); }, shape);
 }
 
-// The light of the shading core that a shape with a size becomes, placed by `frame`: work(core light). Of what has no
-// size `none` is the answer.
+// Calls work(core light) with the light of the shading core for a shape with a size, placed by `frame`. Returns `none`
+// for shapes without a size.
 template<class Result, class Work>
 Result with_core_light(const Shape& shape, const Frame& frame, const glm::dvec3& luminance, Result none, Work&& work) {
     return with_traits(shape, [&]<class Kind>(const Kind& kind, ShapeTraits<Kind>) -> Result {
@@ -38,7 +38,7 @@ Result with_core_light(const Shape& shape, const Frame& frame, const glm::dvec3&
     });
 }
 
-// work(ShapeTraits<Kind>{}) of every kind, in the order of `Shape`.
+// work(ShapeTraits<Kind>{}) for every kind, in the order of `Shape`.
 template<class Work>
 void for_each_kind(Work&& work) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -47,7 +47,7 @@ void for_each_kind(Work&& work) {
     (std::make_index_sequence<std::variant_size_v<Shape>>());
 }
 
-// work(key) of every key of a kind.
+// work(key) for every key of a kind.
 template<class Traits, class Work>
 void for_each_key(Traits /*kind*/, Work&& work) {
     std::apply([&](const auto&... key) { (work(key), ...); }, Traits::keys);

@@ -50,7 +50,7 @@ shading::LightConstants random_light(Kind kind, Random& random) {
     return light;
 }
 
-// A random point of the light's surface, and the direction away from it.
+// A random point on the light's surface, and the outward normal there.
 struct SurfaceSample {
     Vec point, outward;
 };

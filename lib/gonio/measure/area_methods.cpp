@@ -28,7 +28,7 @@ vec3<S> vec(const float (&v)[3]) {
     return {static_cast<S>(v[0]), static_cast<S>(v[1]), static_cast<S>(v[2])};
 }
 
-// Calls function(arguments) for one case after the other.
+// Calls function(arguments) for each case in turn.
 template<class S, class Function>
 void one_by_one(const AreaCases& cases, std::span<S> e_over_l, const Function& function) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -60,7 +60,7 @@ AreaMethod scalar_method(std::string name, Function function) {
     }
 }
 
-// A method that hands each light with its receivers to call(kernels, surfaces, light, where to).
+// A method that passes each light with its receivers to call(kernels, surfaces, light, output).
 template<class Call>
 void add_kernels(std::vector<AreaMethod>& methods, const std::string& name, Call call) {
     for (const simd::InstructionSet set : simd::available_sets()) {
@@ -84,7 +84,7 @@ void add_approximation(std::vector<AreaMethod>& methods, const std::string& name
                          float* lx) { kernels.approximate_irradiance(surfaces, light, method, lx); });
 }
 
-// The functions of one shape under the names of its methods.
+// The functions of one shape, named after the methods.
 struct Disk {
     template<class S>
     static S exact(const Arguments<S>& a) {
@@ -108,7 +108,7 @@ struct Ellipse {
     static S exact(const Arguments<S>& a) {
         return shading::irradiance_ellipse(light(a), a.center, a.normal);
     }
-    // The sources have none: theirs is the disk of the same area.
+    // The sources have no formula for an ellipse; this uses the disk of the same area.
     static float frostbite(const Arguments<float>& a) {
         return shading::irradiance_disk_frostbite(a.center, a.axis, light(a).approximated().radius, a.normal);
     }

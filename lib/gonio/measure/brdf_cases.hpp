@@ -1,4 +1,5 @@
-// Materials, eyes and lights to measure reflectances on, from ordinary ones to the corners that formulas break in.
+// Materials, view directions and lights for measuring reflectances, from ordinary ones to the corner cases that break
+// formulas.
 #pragma once
 
 #include <gonio/measure/random.hpp>
@@ -13,23 +14,23 @@
 
 namespace gonio::measure {
 
-// Directions are unit and point away from the surface; u is what a sampler is given. All numbers are floats.
+// Directions have unit length and point away from the surface; u is the input of a sampler. All numbers are floats.
 struct BrdfPose {
     shading::vec3<float> n, l, v, u;
 };
 
-// Any normal; l and v evenly over the hemisphere above it.
+// Any normal; l and v uniform over the hemisphere above it.
 BrdfPose ordinary_brdf_pose(Random& random);
 
-// Directions even over the sphere, as close to the surface as floats are, near the mirror, near the eye and opposite to
-// it, in the surface and below; u at the ends of its range too.
+// Directions uniform over the sphere, as close to the surface as floats can be, near the mirror direction, near the
+// view direction and opposite to it, in the surface and below it; u also at the ends of its range.
 BrdfPose hostile_brdf_pose(Random& random);
 
-// Eight numbers in [0, 1] that each material takes its parameters from.
+// Eight numbers in [0, 1] from which each material takes its parameters.
 struct BrdfParameters {
     std::array<double, 8> p{};
 
-    // Even; or `hostile`: 0, 1e-4 or 1 as often as not.
+    // Uniform; or if `hostile`: 0, 1e-4 or 1 half of the time.
     explicit BrdfParameters(Random& random, bool hostile = false);
 };
 
@@ -42,7 +43,7 @@ inline constexpr bool is_color<ColorKey<M>> = true;
 
 } // namespace detail
 
-// The material of those parameters, which its keys take in their order, as the shading core takes it.
+// The material with those parameters, assigned in the order of its keys, as the shading core takes it.
 template<class M, class S>
 auto make(const BrdfParameters& from) {
     std::size_t next = 0;
@@ -55,17 +56,18 @@ auto make(const BrdfParameters& from) {
     };
     return std::apply(
         [&](const auto&... key) {
-            // In braces they are taken from left to right.
+            // Braces guarantee evaluation from left to right.
             return std::apply([](auto... values) { return MaterialDescription<M>::core(values...); },
                               std::tuple{value(key)...});
         },
         MaterialDescription<M>::keys);
 }
 
-// The same as a material of a scene; `kind` counts in the order of Material's alternatives.
+// The same as a material of a scene; `kind` is the index among Material's alternatives.
 Material scene_material(std::size_t kind, const BrdfParameters& parameters);
 
-// What should give back all light: a white surface, or a mirror of f0 = 1, of that roughness and otherwise as it comes.
+// A material that should reflect all light: a white surface, or a mirror of f0 = 1, with that roughness and otherwise
+// default parameters.
 template<class M>
 M white(double roughness) {
     M material;

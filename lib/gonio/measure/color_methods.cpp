@@ -20,7 +20,7 @@ namespace {
 constexpr Kelvin coolest_measured{800.0};
 constexpr Kelvin hottest_measured{25000.0};
 
-// The errors of a subject, against the sum.
+// Fills in the errors of a subject against the sum.
 void fill(ColorMeasurement& measured, const ColorSubject& subject, std::size_t cases) {
     const std::vector<Kelvin> kelvin = temperatures_between(measured.coolest, measured.hottest, cases);
     std::vector<glm::dvec3> xyz(kelvin.size());
@@ -52,7 +52,7 @@ ColorSubject function_subject(std::string name, Kelvin coolest, Kelvin hottest, 
         for (std::size_t i = 0; i < kelvin.size(); ++i)
             colors[i] = xyz(kelvin[i]);
     };
-    // A sum of 471 exponentials wants few of them.
+    // The sum adds 471 exponentials per value, so few values are timed.
     const std::vector<Kelvin> kelvin = temperatures_between(subject.coolest, subject.hottest, 256);
     const auto colors = std::make_shared<std::vector<glm::dvec3>>(kelvin.size());
     subject.timed = {[xyz, kelvin, colors] {
@@ -63,7 +63,7 @@ ColorSubject function_subject(std::string name, Kelvin coolest, Kelvin hottest, 
     return subject;
 }
 
-// Arrays as the kernels want them.
+// Arrays in the layout that the kernels need.
 struct Arrays {
     std::vector<float> kelvin;
     std::array<std::vector<float>, 3> rgb;
@@ -96,7 +96,7 @@ ColorSubject batch_subject(std::string name, const char* code, Kelvin coolest, K
         for (std::size_t i = 0; i < kelvin.size(); ++i)
             colors[i] = space.to_xyz * glm::dvec3(arrays.rgb[0][i], arrays.rgb[1][i], arrays.rgb[2][i]);
     };
-    // They stay in the second-level cache.
+    // Few enough to stay in the second-level cache.
     const auto arrays = std::make_shared<Arrays>(temperatures_between(coolest, hottest, 4096));
     subject.timed = {[call, arrays] { call(*arrays); }, arrays->kelvin.size()};
     return subject;

@@ -21,7 +21,7 @@ Result<Standings> hold(const Contest& contest, const TimingOptions& options, con
         const Contestant& contestant = contest.contestants[i];
         const std::optional<RelativeTiming>& time = (*times)[i];
         standings.rows.push_back({contestant.method, contestant.code, spread_of(contestant.errors()), time, false});
-        // The least time: other programs of the machine only ever take time away.
+        // The least time: other programs on the machine can only add time.
         points.push_back({standings.rows.back().error.median,
                           time ? time->timing.lowest_ns : std::numeric_limits<double>::infinity()});
     }

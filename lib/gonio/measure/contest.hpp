@@ -22,7 +22,7 @@ struct ContestTitle {
     std::string cases;  // "disk"
     std::string subset; // "straddling"; "all"
     std::string error;  // "relative to E/L"
-    std::string item;   // what a time is of: "receiver"
+    std::string item;   // what a time is per: "receiver"
     std::string truth;  // the source of the truth
     // The default method; empty if there is none.
     std::string standard{};
@@ -32,13 +32,13 @@ struct Contestant {
     std::string method; // "frostbite"
     std::string code;   // "double", "float", or an instruction set: "avx2"
     TimedWork timed;
-    // Of each case; NaN or infinite where the method gives no number.
+    // One error per case; NaN or infinite where the method gives no number.
     std::function<std::vector<double>()> errors;
 };
 
 struct Contest {
     ContestTitle title;
-    std::size_t baseline = 0; // whose time the ratios are to
+    std::size_t baseline = 0; // index of the contestant that the time ratios refer to
     std::vector<Contestant> contestants;
 };
 
@@ -46,8 +46,8 @@ struct Standing {
     std::string method;
     std::string code;
     Spread error;
-    std::optional<RelativeTiming> time; // nothing where the clock cannot resolve it
-    bool on_front = false;              // no other beats it in both median error and least time
+    std::optional<RelativeTiming> time; // empty if the clock cannot resolve it
+    bool on_front = false;              // no other method beats it in both median error and least time
 };
 
 struct Standings {
@@ -56,11 +56,11 @@ struct Standings {
     std::vector<Standing> rows; // in the order of the contestants
 };
 
-// Takes errors and times. Fails as time_in_turn does.
+// Measures errors and times. Fails as time_in_turn does.
 Result<Standings> hold(const Contest& contest, const TimingOptions& options, const Clock& clock = thread_clock(),
                        const std::function<bool()>& stop = {});
 
-// Leaves out the contestants whose method is not among `methods`, but the baseline.
+// Removes the contestants whose method is not among `methods`, except the baseline.
 void keep_only(Contest& contest, const std::vector<std::string>& methods);
 
 // The comparison of `methods` on `cases`, with errors relative to `truth` where that is above `relative_floor`.

@@ -13,7 +13,7 @@ Spread spread_of(std::span<const double> errors) {
     for (double& error : sorted)
         if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
     std::sort(sorted.begin(), sorted.end());
-    // Nearest rank: the smallest value that at least that share of all is not above.
+    // Nearest rank: the smallest value that is not below that share of all values.
     const auto rank = [&](std::size_t percent) { return sorted[(percent * sorted.size() + 99) / 100 - 1]; };
     return {rank(50), rank(95), sorted.back(), sorted.size()};
 }

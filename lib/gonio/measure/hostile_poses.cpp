@@ -16,7 +16,7 @@ double log_uniform(Random& random, double low, double high) {
     return std::exp(random.uniform(std::log(low), std::log(high)));
 }
 
-// A point of the light's surface from its centre, and the direction away from it.
+// A point on the light's surface relative to its centre, and the outward normal there.
 struct SurfacePoint {
     Vec at, outward;
 };
@@ -152,7 +152,7 @@ Pose receiver(Pose pose, Stratum stratum, Random& random) {
         break;
     }
     Vec away = random_direction(random);
-    if (stratum == Stratum::grazing && random.uniform() < 0.4) // its own plane, or axis, seen at a small angle
+    if (stratum == Stratum::grazing && random.uniform() < 0.4) // its plane or axis, seen at a small angle
         away = tilted(pose.axis, log_uniform(random, 1e-8, 1e-2), random);
     if (one_sided(pose) && shading::dot(away, pose.axis) > 0.0) away = away * -1.0;
     const double d = stratum == Stratum::far       ? log_uniform(random, 30.0, 1e6)

@@ -1,8 +1,8 @@
-// Receivers before lights of every shape in the strata that formulas break in, in doubles, the same for the same seed
-// everywhere.
+// Receivers in front of lights of every shape, in the strata that break formulas, in doubles. The same seed gives the
+// same poses everywhere.
 //
-// A light lies at the origin; `receiver` places one of its receivers. Lights are round numbers of metres or not, axes
-// aligned or not, a quarter of them needles and plates.
+// A light is at the origin; `receiver` places one of its receivers. Sizes are round or arbitrary numbers of metres,
+// axes aligned or not, and a quarter of the lights are needles and plates.
 #pragma once
 
 #include <gonio/measure/random.hpp>
@@ -49,7 +49,8 @@ S exact(const Pose& pose) {
     return S(0);
 }
 
-// Radius of the sphere about the light that holds it, and the angle under which the receiver sees that [rad].
+// Radius of the bounding sphere about the light's centre, and the angle that this sphere subtends at the receiver
+// [rad].
 double bounding_radius(const Pose& pose);
 double subtended(const Pose& pose);
 
@@ -58,19 +59,19 @@ inline constexpr std::size_t stratum_count = 9;
 inline constexpr std::array<const char*, stratum_count> stratum_names{"above", "straddling", "below", "grazing", "near",
                                                                       "on",    "inside",     "far",   "axial"};
 
-// center and normal are left for `receiver`.
+// center and normal are left for `receiver` to set.
 Pose random_light(Shape shape, Random& random);
 
 // Distances from 1e-4 to 1e6 of the light's bounding radius.
 Pose receiver(Pose pose, Stratum stratum, Random& random);
 
-// The same pose with every number a float.
+// The same pose with every number rounded to float.
 Pose as_float(Pose pose);
 
-// The light of a pose as the kernels take it, at the origin.
+// The light of a pose, at the origin, as the kernels take it.
 shading::LightConstants light_constants(const Pose& pose);
 
-// Its numbers in hexadecimal, for a report.
+// The numbers of a pose in hexadecimal, for a report.
 std::string to_text(const Pose& pose);
 
 Vec random_direction(Random& random);
@@ -78,7 +79,8 @@ Vec random_direction(Random& random);
 // A unit direction whose cosine with `to` is `cosine`.
 Vec tilted(Vec to, double cosine, Random& random);
 
-// Numbers that break formulas in float, among ordinary ones: zeros, the smallest and the greatest, neighbours of 1.
+// Numbers that break formulas in float, among ordinary ones: zeros, the smallest and the greatest floats, neighbours of
+// 1.
 double number(Random& random);
 
 } // namespace gonio::measure::hostile

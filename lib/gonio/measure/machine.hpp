@@ -6,7 +6,7 @@
 namespace gonio::measure {
 
 struct Machine {
-    std::string processor; // "AMD EPYC 7B13"; "unknown" where the system does not tell
+    std::string processor; // "AMD EPYC 7B13"; "unknown" if the system does not report it
     unsigned threads = 1;  // that this process may run on
     std::string widest;    // instruction set: "avx512"
 };
@@ -15,8 +15,8 @@ Machine this_machine();
 struct Build {
     std::string version;    // of gonio
     std::string compiler;   // "g++ 12.2.0"
-    bool optimized = false; // else times mean little
-    bool checked = false;   // by a sanitizer: the same
+    bool optimized = false; // if false, times mean little
+    bool checked = false;   // by a sanitizer: times mean little then too
 };
 Build this_build();
 

@@ -1,4 +1,4 @@
-// A method that computes a number for each of a set of cases, in one code: the subject of every measurement.
+// A method that computes a number for each case of a set, in one code: the subject of every measurement.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gonio::measure {
 
-// One of the two functions is set: that of its precision; the span is as long as the cases.
+// Exactly one of the two functions is set, according to the precision; the span has one element per case.
 template<class Cases>
 struct Method {
     std::string name;      // "exact", "frostbite", "point", "ue4"
@@ -18,7 +18,7 @@ struct Method {
     std::function<void(const Cases&, std::span<double>)> evaluate_double;
 };
 
-// Calls the method's function once; the results as doubles.
+// Calls the method's function once; returns the results as doubles.
 template<class Cases>
 std::vector<double> evaluated(const Method<Cases>& method, const Cases& cases) {
     std::vector<double> values(cases.size());

@@ -1,4 +1,4 @@
-// The Pareto front of error against time: what no other method beats in both.
+// The Pareto front of error against time: the points that no other point beats in both.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ struct ErrorAndTime {
     double ns = 0.0;
 };
 
-// Whether each point is on the front: none other is at least as good in both and better in one. Of two equal points
-// both are. What is NaN or infinite in either is on no front and beats nothing.
+// Whether each point is on the front: no other point is at least as good in both and better in one. Equal points do not
+// beat each other. A point with a NaN or an infinity is not on the front and beats no other.
 std::vector<bool> pareto_front(std::span<const ErrorAndTime> points);
 
 } // namespace gonio::measure

@@ -1,5 +1,6 @@
 // Random numbers that are the same everywhere: splitmix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014).
-// std::uniform_real_distribution is not defined to the bit, so cases made with it would differ between libraries.
+// The result of std::uniform_real_distribution is not specified to the bit, so cases made with it would differ between
+// libraries.
 #pragma once
 
 #include <cstdint>

@@ -23,10 +23,10 @@ namespace gonio::measure {
 
 namespace {
 
-// One call each sample where the work is long, and the fewest samples that have a middle.
+// One call per sample if the work is long, and only as many samples as a median needs.
 constexpr TimingOptions timing{5, 0.002, std::size_t{1} << 20U};
 
-// Adds what the work takes to the curve; false when that is the last: it was stopped, or failed.
+// Adds the time of the work to the curve; false if measuring was stopped, so this is the last point.
 Result<bool> add(ScalingCurve& curve, double size, const std::function<void()>& work, const Clock& clock,
                  const ScalingOptions& options) {
     const TimedWork one{work, 1};
@@ -39,7 +39,7 @@ Result<bool> add(ScalingCurve& curve, double size, const std::function<void()>& 
     return !(options.stop && options.stop());
 }
 
-// Small spots of 4 m range, as many a square metre whatever their number.
+// Small spots of 4 m range, with the same number per square metre for any count.
 std::vector<Light> spots(std::size_t count, std::uint64_t seed) {
     Random random(seed);
     const double side = std::sqrt(static_cast<double>(count)) * 2.0;
@@ -65,7 +65,7 @@ RenderOptions picture_of(int size, bool skip, unsigned threads) {
     return options;
 }
 
-// A work of some size, and how it is called.
+// A work of variable size, and its name.
 struct Growing {
     const char* name;
     std::function<std::function<void()>(std::size_t size)> make; // prepared; called to be timed
@@ -81,7 +81,7 @@ Result<std::vector<ScalingCurve>> grow(const std::vector<Growing>& works, const 
             const Result<bool> more = add(curves.back(), x(size), work.make(size), clock, options);
             if (!more) return Unexpected(more.error());
             if (!*more) return curves;
-            // What takes a second is sampled for ten: the curve's way is known by then.
+            // A work that takes more than a second per call ends the curve: its trend is known by then.
             if (!curves.back().points.empty() && curves.back().points.back().timing.lowest_ns > 1e9) break;
         }
     }
@@ -151,7 +151,7 @@ Result<std::vector<ScalingCurve>> by_pixels(const ScalingOptions& options) {
         works, sides, [](std::size_t side) { return static_cast<double>(side * side); }, thread_clock(), options);
 }
 
-// A street luminaire's IES file with `count` planes a quadrant and as many γ.
+// A street luminaire's IES file with `count` planes per quadrant and as many γ.
 std::string file_of(std::size_t count) {
     AuthorOptions options;
     options.horizontal_step_deg = 90.0 / static_cast<double>(count);
@@ -225,7 +225,7 @@ Result<std::vector<ScalingCurve>> by_threads(const ScalingOptions& options) {
     for (std::size_t count = 1; count < available_threads(); count *= 2)
         threads.push_back(count);
     threads.push_back(available_threads());
-    // By the wall: others on the machine count here.
+    // Wall-clock time, which includes the effect of other programs on the machine.
     return grow(works, threads, as_is, steady_clock(), options);
 }
 

@@ -14,8 +14,8 @@
 namespace gonio::measure {
 
 struct ScalingPoint {
-    double size = 0.0; // of the curve's x
-    Timing timing;     // of the whole work, not of an item
+    double size = 0.0; // on the curve's x axis
+    Timing timing;     // of the whole work, not per item
 };
 
 struct ScalingCurve {
@@ -26,20 +26,20 @@ struct ScalingCurve {
 struct ScalingOptions {
     bool quick = false; // fewer sizes
     std::uint64_t seed = 1;
-    std::function<bool()> stop{}; // asked between points; what is there by then is the result
+    std::function<bool()> stop{}; // called between points; the points measured by then are the result
 };
 
 struct Scaling {
     std::string_view name; // "lights"
     std::string_view summary;
-    std::string_view size; // "lights", "bytes": what x counts
+    std::string_view size; // "lights", "bytes": the unit of x
     Result<std::vector<ScalingCurve>> (*measure)(const ScalingOptions& options);
 };
 
 // lights, pixels, file-size, threads.
 std::span<const Scaling> scalings();
 
-// "lights,threads" or "all". Fails (usage) on an unknown name, naming all there are.
+// "lights,threads" or "all". Fails (usage) on an unknown name and lists all names.
 Result<std::vector<const Scaling*>> parse_scalings(std::string_view list);
 
 } // namespace gonio::measure

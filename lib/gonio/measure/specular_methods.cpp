@@ -36,7 +36,7 @@ vec3<S> at(const std::array<std::vector<float>, 3>& v, std::size_t i) {
     return {static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
 }
 
-// Calls work(light) with the light as its own type, about the origin.
+// Calls work(light) with the light as its specific type, placed about the origin.
 template<class S, class Work>
 S with_light(const shading::LightConstants& light, const Work& work) {
     const vec3<S> zero{S(0), S(0), S(0)};
@@ -61,7 +61,7 @@ S with_light(const shading::LightConstants& light, const Work& work) {
     }
 }
 
-// One case after the other.
+// Each case in turn.
 template<class S, SpecularMethod method>
 void one_by_one(const SpecularCases& cases, std::span<S> luminance) {
     for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -17,7 +17,7 @@ using shading::dot;
 
 constexpr double pi = std::numbers::pi;
 
-// A direction (of any length) for a point of the unit square, and dω by du dv.
+// A direction (of any length) for a point (u, v) of the unit square, and dω/(du dv).
 struct Point {
     Vec toward;
     double density;
@@ -27,7 +27,7 @@ Vec vec(const float (&v)[3]) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-// The cap of half angle σ about `center`, even in solid angle.
+// The cap of half angle σ about `center`, uniform in solid angle.
 auto cap(Vec center, double sine) {
     const shading::TangentFrame<double> frame(shading::normalized(center));
     const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
@@ -50,7 +50,7 @@ auto flat(Vec axis, ToPoint point, ToArea area) {
     };
 }
 
-// Half planes through a line along the axis, each of which cuts the capsule in a rectangle with round ends.
+// Half planes through a line parallel to the axis; each cuts the capsule in a rectangle with round ends.
 auto capsule(Vec center, Vec axis, double r, double half) {
     const double z = dot(axis, center);
     const Vec across = center - axis * z;
@@ -59,7 +59,7 @@ auto capsule(Vec center, Vec axis, double r, double half) {
     const Vec g = shading::cross(axis, f);
     const double widest = std::asin(r / d);
     return [=](double u, double v) {
-        // Even in the sine's own angle, so that the width has no root at its ends.
+        // Uniform in the angle s of the sine, so that the width has no square root at its ends.
         const double s = (2.0 * u - 1.0) * pi / 2.0;
         const double w = widest * std::sin(s);
         const double near = d * std::cos(w);
@@ -82,7 +82,7 @@ constexpr double nodes[order] = {-0.94910791234275852, -0.74153118559939444, -0.
 constexpr double weights[order] = {0.12948496616886969, 0.27970539148927667, 0.38183005050511894, 0.41795918367346939,
                                    0.38183005050511894, 0.27970539148927667, 0.12948496616886969};
 
-// Of a region: a function of two numbers in [0, 1] that gives a Point.
+// The integral over a region: a function of two numbers in [0, 1] that gives a Point.
 template<class Region>
 class Integral {
 public:
@@ -118,7 +118,7 @@ private:
             }
         return sum * side * side * 0.25;
     }
-    // Deep cells may err by as much as wide ones: there are few of them.
+    // The tolerance is the same at every depth: there are few deep cells.
     double refined(double u, double v, double side, double whole, int depth) const { // NOLINT(misc-no-recursion)
         const double h = 0.5 * side;
         const double quarters[4] = {cell(u, v, h), cell(u + h, v, h), cell(u, v + h, h), cell(u + h, v + h, h)};
@@ -134,7 +134,7 @@ private:
     double tolerance_ = 0.0;
 };
 
-// integrate(region) of what is seen of the light.
+// Calls integrate(region) for the visible part of the light.
 template<class Integrate>
 double over_light(const shading::LightConstants& light, Vec center, Vec normal, const Integrate& integrate) {
     const auto r = static_cast<double>(light.radius);

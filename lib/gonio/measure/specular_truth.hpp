@@ -1,4 +1,4 @@
-// The specular luminance of an area light by numerical integration: the truth that fast methods are held against.
+// The specular luminance of an area light by numerical integration: the reference for fast methods.
 #pragma once
 
 #include <gonio/shading/kernels.hpp>
@@ -6,11 +6,12 @@
 
 namespace gonio::measure {
 
-// Luminance towards `view` per luminance of the light, of GGX with F = 1 (one scattering) at the origin: ∫ D V n·l over
-// what is seen of the light, whose centre is at `center`. `light` gives shape, sizes, axes (unit) and sides; its
-// position is not read. α ≥ 1e-3. Adaptive: cells of the light's solid angle by 7 × 7 Gauss–Legendre points, halved
+// Luminance towards `view` per luminance of the light, of GGX with F = 1 (single scattering) at the origin: ∫ D V n·l
+// over the visible part of the light, which is centred at `center`. `light` gives shape, sizes, axes (unit) and sides;
+// its position is not used. α ≥ 1e-3. Adaptive: cells of the light's solid angle by 7 × 7 Gauss–Legendre points, halved
 // until four quarters agree with the whole within 1e-6 of the sum or to a depth of 12. On the horizon, where the
-// integrand has a kink, the error is about 1e-5. Inside the light the whole hemisphere is lit. About a millisecond.
+// integrand has a kink, the error is about 1e-5. Inside the light the whole hemisphere is lit. Takes about a
+// millisecond.
 double specular_by_quadrature(const shading::LightConstants& light, shading::vec3<double> center,
                               shading::vec3<double> normal, shading::vec3<double> view, double alpha);
 

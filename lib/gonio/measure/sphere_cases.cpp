@@ -21,7 +21,7 @@ Vec random_direction(Random& random) {
 
 struct Pose {
     double distance; // d/r
-    double cosine;   // between the normal and the centre
+    double cosine;   // between the normal and the direction to the centre
 };
 
 Pose random_pose(Stratum stratum, Random& random) {

@@ -1,8 +1,8 @@
-// Poses of a receiver before a sphere light, to measure methods on.
+// Poses of a receiver in front of a sphere light, for measuring methods.
 //
-// The sphere has radius 1 and lies at the origin: E/L depends on d/r and angles only, and one light with many receivers
-// is what the kernels take. All numbers are floats, so that every precision is given the same pose; normals are of unit
-// length within rounding to float.
+// The sphere has radius 1 and is at the origin: E/L depends on d/r and angles only, and the kernels take one light with
+// many receivers. All numbers are floats, so that every precision gets the same pose; normals have unit length to float
+// rounding.
 #pragma once
 
 #include <gonio/shading/kernels.hpp>
@@ -14,8 +14,8 @@
 
 namespace gonio::measure {
 
-// above, straddling, below: by the receiver's horizon, 1.01 ≤ d/r ≤ 30. near: d/r − 1 from 1e-6 to 0.1, any tilt.
-// far: d/r from 30 to 1e6, half of them grazing.
+// above, straddling, below: relative to the receiver's horizon, 1.01 ≤ d/r ≤ 30. near: d/r − 1 from 1e-6 to 0.1, any
+// tilt. far: d/r from 30 to 1e6, half of them grazing.
 enum class Stratum : std::uint8_t { above, straddling, below, near, far };
 inline constexpr std::size_t stratum_count = 5;
 
@@ -29,11 +29,11 @@ struct SphereCases {
     [[nodiscard]] std::size_t size() const { return stratum.size(); }
     // Views into this object.
     [[nodiscard]] shading::Surfaces surfaces() const;
-    // The light that they all see: radius 1, at the origin, luminance 1 nt.
+    // The light that all of them see: radius 1, at the origin, luminance 1 nt.
     static shading::LightConstants light();
 };
 
-// `count` poses, the strata in turn; the same for the same seed on every machine.
+// `count` poses, cycling through the strata; the same seed gives the same poses on every machine.
 SphereCases sphere_cases(std::size_t count, std::uint64_t seed);
 
 // `count` poses of one stratum.

@@ -15,7 +15,7 @@ namespace {
 
 using shading::vec3;
 
-// A method that calls function(vector to the centre, radius, normal) for one case after the other, all in S.
+// A method that calls function(vector to the centre, radius, normal) for each case in turn, all in S.
 template<class S, class Function>
 SphereMethod scalar_method(std::string name, Function function) {
     const auto one_by_one = [function](const SphereCases& cases, std::span<S> e_over_l) {
@@ -79,7 +79,7 @@ std::vector<double> sphere_truth(const SphereCases& cases, unsigned threads) {
                                   -static_cast<double>(cases.position[1][i]),
                                   -static_cast<double>(cases.position[2][i])};
         const double normal[3] = {cases.normal[0][i], cases.normal[1][i], cases.normal[2][i]};
-        // The methods take the normal for a unit one, which its floats are not quite: E/L grows with its length.
+        // The methods assume a unit normal, but its floats are not exactly that: E/L grows with its length.
         const double length = std::hypot(normal[0], normal[1], normal[2]);
         truth[i] = length * sphere_irradiance_by_quadrature(center, 1.0, normal);
     });

@@ -1,4 +1,4 @@
-// Error against time of every way in which gonio can take the irradiance of a sphere.
+// Error against time of every method that gonio has for the irradiance of a sphere.
 #pragma once
 
 #include <gonio/measure/method.hpp>
@@ -10,8 +10,8 @@ namespace gonio::measure {
 
 using SphereMethod = Method<SphereCases>;
 
-// exact: in double, one float at a time, and the kernel of each available set; frostbite and point: float, and
-// frostbite as a kernel of each set. (UE4 takes a sphere for a point.)
+// exact: in double, one float at a time, and the kernel of each available set; frostbite and point: in float; frostbite
+// also as a kernel of each set. (UE4 treats a sphere as a point.)
 std::vector<SphereMethod> sphere_methods();
 
 // E/L of each case, by quadrature (sphere_truth.hpp) on `threads` threads, 0 = all.

@@ -23,7 +23,7 @@ Real gauss(Real low, Real high, const Integrand& f) {
 }
 
 // The ring at angle α from the axis, where the horizon cuts it: ∫ 2b (cosφ − cosφ0) dφ over 0 … φ0, b = sinθ sinα.
-// The two cosines of α±θ decide φ0 and are given, so that they can be exact where they vanish.
+// The two cosines of α±θ determine φ0 and are passed in, so that they can be exact where they vanish.
 Real cut_ring(Real b, Real cos_difference, Real minus_cos_sum) {
     const Real phi0 =
         2 * std::atan2(std::sqrt(std::fmax(cos_difference, Real(0))), std::sqrt(std::fmax(minus_cos_sum, Real(0))));
@@ -41,7 +41,7 @@ double sphere_irradiance_by_quadrature(const double (&center)[3], double radius,
                                   n[0] * c[0] + n[1] * c[1] + n[2] * c[2]);
     const Real sigma = std::atan2(r, std::sqrt((c[0] * c[0] - r * r) + c[1] * c[1] + c[2] * c[2]));
 
-    // Rings that are seen whole, below the angle at which the horizon begins to cut.
+    // Rings that are wholly visible, below the angle at which the horizon begins to cut them.
     const Real first_cut = pi / 2 - theta;
     Real total = 0;
     const Real whole = std::fmin(first_cut, sigma);
@@ -56,12 +56,12 @@ double sphere_irradiance_by_quadrature(const double (&center)[3], double radius,
     const Real sin_theta = std::sin(theta);
     const auto ring = [&](Real u) {
         const Real alpha = start + u;
-        // cos(θ−α) and −cos(θ+α); whichever vanishes at u = 0 is sin u, exactly.
+        // cos(θ−α) and −cos(θ+α); the one that vanishes at u = 0 is sin u, exactly.
         const Real cos_difference = first_cut < 0 ? std::sin(u) : std::cos(theta - alpha);
         const Real minus_cos_sum = first_cut < 0 ? -std::cos(theta + alpha) : std::sin(u);
         return std::sin(alpha) * cut_ring(sin_theta * std::sin(alpha), cos_difference, minus_cos_sum);
     };
-    // u = width/(1 + exp(−2 g)), g = π/2 sinh t: the square-root behaviour at u = 0 is smoothed away.
+    // u = width/(1 + exp(−2 g)), g = π/2 sinh t: this smooths away the square-root behaviour at u = 0.
     constexpr Real step = 1 / 16.0L;
     Real sum = 0;
     for (int k = -72; k <= 72; ++k) {

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::uint64_t block_evaluations = 20'000;
 constexpr std::size_t most_findings = 3;
-constexpr std::size_t blocks_at_once = 256; // their tallies are added up in between
+constexpr std::size_t blocks_at_once = 256; // their tallies are added after each batch
 
-// Of a name: FNV-1a (G. Fowler, L. Noll, P. Vo, 1991), so that subjects do not share their random numbers.
+// Hash of a name: FNV-1a (G. Fowler, L. Noll, P. Vo, 1991), so that subjects do not share random numbers.
 std::uint64_t hash(std::string_view text) {
     std::uint64_t h = 0xCBF29CE484222325U;
     for (const char c : text)
@@ -58,7 +58,7 @@ std::span<const StressSubject> stress_subjects() {
 
 StressTally stress(const StressSubject& subject, double share_of_count, const StressOptions& options) {
     const auto wanted = static_cast<std::uint64_t>(std::ceil(share_of_count * static_cast<double>(options.count)));
-    // A slow subject is cut finer, so that its blocks take no longer than those of others.
+    // A slow subject gets smaller blocks, so that they take no longer than those of other subjects.
     const auto of_block =
         std::clamp(static_cast<std::uint64_t>(static_cast<double>(block_evaluations) * subject.weight),
                    std::uint64_t{16}, block_evaluations);

@@ -1,4 +1,4 @@
-// What readers of text are measured by: the C library's conversion over the same bytes and nothing else.
+// The baseline for readers of text: the C library's conversion over the same bytes and nothing else.
 #pragma once
 
 #include <cstdlib>
@@ -6,7 +6,7 @@
 
 namespace gonio::measure {
 
-// The sum of all numbers in the text; what is none is stepped over byte by byte.
+// The sum of all numbers in the text; anything that is not a number is skipped byte by byte.
 inline double sum_by_strtod(const std::string& text) {
     const char* at = text.c_str();
     const char* const end = at + text.size();

@@ -49,7 +49,7 @@ double resolution(const Clock& clock) {
 
 namespace {
 
-// The calls of `work` that take `wanted` seconds; 0 where most_calls do not. Doubling is the warm-up too.
+// The number of calls of `work` that take `wanted` seconds; 0 if most_calls calls take less. Doubling also warms up.
 std::size_t calls_of(const std::function<void()>& work, double wanted, std::size_t most_calls, const Clock& clock) {
     std::size_t calls = 1;
     while (sample_seconds(work, calls, clock) < wanted) {
@@ -69,7 +69,7 @@ Timing summary(std::vector<double> ns, std::size_t calls) {
     return {median_of_sorted(ns), ns.front(), ns.back(), ns.size(), calls};
 }
 
-// How long a sample must last: one step of the clock is then at most 0.1 % of it.
+// The least duration of a sample: one step of the clock is then at most 0.1 % of it.
 Result<double> wanted_seconds(const TimingOptions& options, const Clock& clock) {
     const double step = resolution(clock);
     if (!(step > 0.0)) return fail(Failure::unsupported, "the clock does not advance");

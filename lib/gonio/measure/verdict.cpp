@@ -12,7 +12,7 @@ bool counts(const Standing& row) {
     return row.time && std::isfinite(row.error.median);
 }
 
-// Of the rows of one method: the fastest and the closest to the truth. Nothing where none counts.
+// The rows of one method that are fastest and closest to the truth; empty if no row counts.
 struct Best {
     const Standing* fastest = nullptr;
     const Standing* closest = nullptr;
@@ -27,7 +27,7 @@ Best best_of(const std::vector<Standing>& rows, const std::string& method) {
     return best;
 }
 
-// Two clocks' readings of the same work differ by less.
+// Two timings of the same work differ by less than this factor.
 constexpr double told_apart = 1.05;
 
 bool clearly_beats(const Standing& a, const Standing& b) {

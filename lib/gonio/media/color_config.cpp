@@ -13,7 +13,7 @@ namespace gonio::media::detail {
 Result<Config> Config::open(const std::string& path) {
     Result<const abi::ColorModule*> module = color_module();
     if (!module) return pass_on(module);
-    if (!path.empty()) { // OpenColorIO does not tell a missing file from a broken one
+    if (!path.empty()) { // OpenColorIO does not distinguish a missing file from a broken one
         Result<std::string> readable = read_file(path);
         if (!readable) return pass_on(readable);
     }

@@ -21,8 +21,8 @@ Unexpected not_linear(const std::string& name, const std::string& config, std::s
                 "lights are computed in linear spaces of the scene", config);
 }
 
-// A transform that is more than a matrix, by what it does to red, green and blue; refused where it does something else
-// to their mixtures and multiples.
+// Finds the matrix of a transform that is not stated as a matrix, from its effect on red, green and blue; refuses it if
+// mixtures and multiples of these do not follow the matrix.
 Result<glm::dmat3> measured(const Config& config, const std::string& name, const std::string& file) {
     Result<abi::ColorProcessor*> handle = detail::space_processor(config, detail::interchange, name);
     if (!handle) return pass_on(handle);

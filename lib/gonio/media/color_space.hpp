@@ -10,15 +10,16 @@
 namespace gonio::media {
 
 struct SceneLinearSpace {
-    std::string name;                // as the configuration has it, where an alias or a role was asked for
+    std::string name;                // as in the configuration, if an alias or a role was requested
     glm::dmat3 from_aces2065_1{1.0}; // RGB of ACES2065-1 → RGB of the space
     bool exact = true;               // the configuration's own matrix in double; else measured in float32
 };
 
 // The space of a name, alias or role; `config` is a file, empty: the built-in configuration. Entered through the role
-// aces_interchange, never through the display-referred cie_xyz_d65_interchange, behind which a configuration may keep a
-// tone map. Opens the module gonio-color.so. Fails (io, malformed) on a configuration that cannot be read; (usage) on
-// an unknown name; (unsupported) without the module or that role, and on a space that is no linear space of the scene.
+// aces_interchange, never through the display-referred cie_xyz_d65_interchange, because a configuration may apply a
+// tone map there. Opens the module gonio-color.so. Fails (io, malformed) on a configuration that cannot be read;
+// (usage) on an unknown name; (unsupported) without the module or that role, and on a space that is not a scene-linear
+// space.
 Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::string& config = {});
 
 } // namespace gonio::media

@@ -18,7 +18,7 @@ namespace gonio::media {
 
 namespace {
 
-// The built-in configuration's name of gonio's pixels; others use it, or one of these, for the same space.
+// The built-in configuration's name for the space of gonio's pixels; other configurations use it, or one of these.
 constexpr std::array<std::string_view, 7> rec709_names{"lin_rec709",
                                                        "lin_rec709_scene",
                                                        "lin_srgb",
@@ -34,7 +34,7 @@ using detail::Processor;
 using detail::space_processor;
 using detail::unknown;
 
-// An exact name, else the one name that differs in case only.
+// An exact name, else the one name that differs only in case.
 std::optional<std::string> match(const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return name;
     for (const std::string& other : known)

@@ -19,7 +19,7 @@ namespace gonio::media {
 namespace {
 
 constexpr float largest_half = 65504.0F;
-// From here on a value rounds to infinity and no longer to 65504.
+// From this value on, rounding gives infinity instead of 65504.
 constexpr float half_overflow = 65520.0F;
 
 constexpr std::array<std::string_view, 1> exr_extensions{"exr"};
@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 10> exr_compressions{"none",  "rle", "zip
                                                             "pxr24", "b44", "b44a", "dwaa", "dwab"};
 constexpr std::array<std::string_view, 4> tiff_compressions{"none", "lzw", "zip", "packbits"};
 
-// What a format without room for every attribute is given all the same.
+// The attributes that are passed to a format that cannot store every attribute.
 constexpr std::array<std::string_view, 5> common_attributes{"ImageDescription", "Software", "Copyright", "Artist",
                                                             "DateTime"};
 
@@ -139,7 +139,7 @@ Result<void> check_request(const Image& image, const ImageFormat& format, const 
     return check_compression(format, options.compression);
 }
 
-// What `half` cannot hold: a failure, or the nearest that it can. `kept` is where the changed copy lives.
+// Values that `half` cannot store: an error, or the nearest value that it can store. `kept` owns the changed copy.
 Result<const float*> fit_half(const Image& image, bool saturate, std::vector<float>& kept) {
     const auto too_large = [](float value) { return std::isfinite(value) && std::abs(value) >= half_overflow; };
     const auto found = std::find_if(image.pixels.begin(), image.pixels.end(), too_large);
@@ -172,11 +172,11 @@ abi::Attribute to_abi(const ImageAttribute& attribute) {
     return result;
 }
 
-// The caller's attributes behind ours, so that theirs win.
+// The caller's attributes come after ours, so that they take precedence.
 std::vector<ImageAttribute> all_attributes(const ImageFormat& format, const ImageWriteOptions& options) {
     std::vector<ImageAttribute> all;
     all.push_back({"Software", std::string("gonio ") + version});
-    // OpenImageIO would write the time of day.
+    // OpenImageIO would write the current time.
     if (format.name == "exr" || format.name == "tiff") all.push_back({"DateTime", "1970:01:01 00:00:00"});
     if (!options.compression.empty()) all.push_back({"compression", options.compression});
     if (!options.color_space.empty()) all.push_back({"oiio:ColorSpace", options.color_space});

@@ -1,12 +1,12 @@
 // Picture files in memory: an Image as the bytes of an EXR, PNG, TIFF, Radiance HDR or JPEG file, and back.
 //
-// Bytes, not files: the caller writes them with base/file.hpp, so that a full disk, a pipe or a limit behaves as
-// for every other output. Values are stored as given, with no colour conversion and no change for alpha; the two
-// integer kinds take [0, 1] onto their whole range, rounded, and what lies outside is cut. Equal input gives equal
-// bytes: no clock, no host name and no thread count gets into them.
+// Bytes, not files: the caller writes them with base/file.hpp, so that a full disk, a pipe or a limit behaves as for
+// every other output. Values are stored as given, with no colour conversion and no change for alpha; the two integer
+// kinds map [0, 1] to their full range, rounded and clipped. Equal input gives equal bytes: they do not depend on the
+// clock, the host name or the thread count.
 //
 // Everything here opens the module gonio-image.so (see module.hpp) and fails (unsupported) without it. The first call
-// of a process costs about 0.3 s, most of it the loading of OpenImageIO. Safe to call from any thread.
+// of a process takes about 0.3 s, most of it to load OpenImageIO. Safe to call from any thread.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -27,24 +27,24 @@ enum class Pixel { uint8, uint16, half, float32 };
 
 std::string_view to_text(Pixel pixel); // "uint8", "uint16", "half", "float"
 
-// What a format can hold. Does not need the module.
+// What a format can store. Does not need the module.
 struct ImageFormat {
     std::string_view name;                        // "exr"
     std::string_view title;                       // "OpenEXR"
-    std::span<const std::string_view> extensions; // lower case, without the dot; the first one is the usual one
+    std::span<const std::string_view> extensions; // lower case, without the dot; the usual one first
     std::span<const Pixel> pixels;                // the first one is the default
     std::span<const int> channels;                // empty: any number
-    bool attributes;                              // keeps every attribute, not only the common few
-    std::string_view writer;                      // OpenImageIO's name of it
+    bool attributes;                              // keeps every attribute, not only the few common ones
+    std::string_view writer;                      // OpenImageIO's name for it
 };
 
-// Every format, in the order in which help texts name them.
+// Every format, in the order of the help texts.
 std::span<const ImageFormat> image_formats();
 
-// By name or extension ("exr", ".TIF") or by the end of a path ("out/lamp.png"); nullptr when there is none.
+// By name or extension ("exr", ".TIF") or by the end of a path ("out/lamp.png"); nullptr if there is none.
 const ImageFormat* find_image_format(std::string_view name_or_path);
 
-// By the first bytes of a file; nullptr when they are of no format here.
+// By the first bytes of a file; nullptr if they do not match a format here.
 const ImageFormat* sniff_image_format(std::string_view bytes);
 
 struct ImageAttribute {
@@ -53,37 +53,37 @@ struct ImageAttribute {
 };
 
 struct ImageWriteOptions {
-    // As the format's default unless set. Fails (unsupported) when the format has no such pixels.
+    // The format's default unless set. Fails (unsupported) when the format does not have such pixels.
     std::optional<Pixel> pixel;
     // One for each channel; empty: Y, YA, RGB, RGBA for 1 to 4 channels and C0, C1, … for more.
     std::vector<std::string> channel_names;
     // "zip", "piz", "none", "dwaa:45", "jpeg:90" as in OpenImageIO; empty: the format's default.
     std::string compression;
-    // Tags the file where the format can say so: "sRGB", "Linear" (of Rec.709 primaries); empty: no tag.
+    // Tags the file if the format supports it: "sRGB", "Linear" (with Rec.709 primaries); empty: no tag.
     std::string color_space;
-    // OpenEXR keeps all of them. The others keep ImageDescription and what else they know.
+    // OpenEXR stores all of them. Other formats store ImageDescription and others that they know.
     std::vector<ImageAttribute> attributes;
-    // half only: ±65504 for what is beyond it, instead of a failure.
+    // half only: stores ±65504 for larger values instead of failing.
     bool saturate = false;
 };
 
-// The bytes of a file of `format`. Fails (unsupported) when the format cannot hold that many channels or such pixels,
-// or when a value does not fit `half` (and saturate is false); (usage) on an empty image, a buffer of another size than
-// the image says, a number of names that is not the number of channels, or an unknown compression of OpenEXR.
+// The bytes of a file of `format`. Fails (unsupported) when the format cannot store that many channels or such pixels,
+// or when a value does not fit `half` (and saturate is false); (usage) on an empty image, a buffer that does not match
+// the image's size, a number of names that is not the number of channels, or an unknown compression of OpenEXR.
 Result<std::string> encode_image(const Image& image, const ImageFormat& format, const ImageWriteOptions& options = {});
 
 struct DecodedImage {
     Image image;
-    Pixel pixel = Pixel::float32; // as stored; others (32-bit integers, double) count as float32
+    Pixel pixel = Pixel::float32; // as stored; other types (32-bit integers, double) count as float32
     std::vector<std::string> channel_names;
     std::vector<ImageAttribute> attributes;
 };
 
-// The largest image that decode_image takes: width × height × channels.
+// The largest image that decode_image accepts: width × height × channels.
 inline constexpr std::size_t max_decoded_values = limit("decoded-values").value;
 
-// Fails (malformed) on bytes that are no whole file of a format here, and on more than `max_values` of them. A JPEG
-// whose tail is torn may pass, filled up with grey.
+// Fails (malformed) on bytes that are not a complete file of a format here, and on more than `max_values` values. A
+// JPEG with a truncated end may pass, filled up with grey.
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values = max_decoded_values);
 
 } // namespace gonio::media

@@ -31,7 +31,7 @@ bool is_plain(char c) {
 
 std::string plain_name(const std::string& name) {
     std::string plain;
-    bool replaced = false; // several in a row make one
+    bool replaced = false; // a run of several becomes one
     for (const char c : name) {
         if (plain.size() == longest_name) break;
         if (is_plain(c)) {

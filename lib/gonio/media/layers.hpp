@@ -1,7 +1,7 @@
 // Layers: several pictures of one size as the channels of one OpenEXR file, as compositing programs read them.
 //
-// The channels of a layer are its name, a dot and R, G and B, or Y where it has one channel; those of the layer without
-// a name are R, G, B alone, which is what programs show that know no layers.
+// The channels of a layer are its name, a dot and R, G and B, or Y if it has one channel. Those of the layer without a
+// name are just R, G, B, which is what programs without layers show.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
@@ -24,17 +24,17 @@ inline constexpr std::size_t max_layered_values = limit("layered-values").value;
 
 class LayeredImage {
 public:
-    LayeredImage() = default; // without room
+    LayeredImage() = default; // has no space for layers
 
-    // Room for layers of `channels` channels together. Fails (unsupported) on more than max_layered_values, before
-    // anything is allocated.
+    // Allocates space for layers with `channels` channels in total. Fails (unsupported) on more than
+    // max_layered_values, before anything is allocated.
     static Result<LayeredImage> create(int width, int height, std::size_t channels);
 
-    // A picture of the size, of one or three channels, for which there must be room. The name is as layer_names() gives
-    // it, or empty.
+    // Adds a picture of the same size, with one or three channels, for which there must be space. The name is one from
+    // layer_names(), or empty.
     void add(std::string_view name, const Image& picture);
 
-    // As encode_image() does with 32-bit floats, of the layers that were added.
+    // Encodes the layers that were added, as encode_image() does with 32-bit floats.
     Result<std::string> encode(std::vector<ImageAttribute> attributes) const;
 
 private:
@@ -42,12 +42,13 @@ private:
     std::vector<std::string> channel_names_;
 };
 
-// What layers can be called, in the order of the names: letters, digits, '-' and '_', anything else becoming one '_';
-// at most 64 of them. A name that is taken, or one of `reserved`, gets _2, _3, … A note tells of each that changed.
+// Valid layer names, in the order of `names`: letters, digits, '-' and '_', any run of other characters becomes one
+// '_'; at most 64 characters. A name that is in use, or one of `reserved`, gets _2, _3, … A note reports each changed
+// name.
 std::vector<std::string> layer_names(std::span<const std::string> names, std::span<const std::string_view> reserved,
                                      Diagnostics& diagnostics);
 
-// A layer of a file that was read; nothing where there is none of that name.
+// A layer of a file that was read; nothing if there is no layer of that name.
 std::optional<Image> find_layer(const DecodedImage& file, std::string_view name);
 
 } // namespace gonio::media

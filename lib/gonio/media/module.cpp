@@ -36,7 +36,7 @@ std::vector<std::string> search_path(const std::vector<std::string>& first) {
     return folders;
 }
 
-// Modules are never closed: their libraries keep threads and tables that outlive any one use.
+// Modules are never closed: their libraries keep threads and tables that outlive each use.
 Result<const void*> open_once(const void* State::*slot, const detail::ModuleName& name) {
     State& shared = state();
     const std::scoped_lock lock(shared.mutex);
@@ -79,16 +79,16 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
                         folders.empty() ? std::string("no folder") : fmt::format("{}", fmt::join(folders, ", "))),
             "install gonio again: the module belongs beside the tool or into lib/gonio");
 
-    // A library that OpenImageIO brings along starts threads as it is loaded, and aborts the process, or waits for
-    // ever, where there are none to be had. Two more than those, for another process of the user.
+    // A library that OpenImageIO depends on starts threads while it is loaded, and aborts the process, or waits for
+    // ever, if they cannot be started. Two threads more than that are required, for another process of the user.
     if (name.threads > 0 && !can_start_threads(name.threads + 2))
         return fail(
             "FIL0106",
             fmt::format("no threads can be started, and {} needs {} to be loaded", name.library, name.threads),
             "raise the limit on processes (ulimit -u) or of the container (pids.max of its cgroup), or add -j 1");
 
-    // RTLD_LOCAL: nobody else shall see the libraries behind the module. No RTLD_DEEPBIND: the sanitizers forbid it,
-    // and a host with its own static libstdc++ exports no symbol that could get in the way.
+    // RTLD_LOCAL: hides the libraries behind the module from other code. No RTLD_DEEPBIND: the sanitizers forbid it,
+    // and a host with its own static libstdc++ does not export a symbol that could conflict.
     void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {
         const char* const reason = ::dlerror();

@@ -1,9 +1,9 @@
 // The media modules, for picture files (OpenImageIO) and colour configurations (OpenColorIO).
 //
-// gonio itself links neither, because a program that links OpenImageIO needs a third of a second to start. Each is in
-// a module of its own, gonio-image.so and gonio-color.so, which is opened when a function of this room first needs it.
-// A module is looked for in the folders set here, beside the running executable, and where gonio's installation puts
-// modules as seen from the executable (bin/ and lib/gonio/ under one prefix), in this order.
+// gonio itself links neither, because a program that links OpenImageIO takes a third of a second to start. Each library
+// is in a separate module, gonio-image.so and gonio-color.so, which is opened when a function of this room first needs
+// it. A module is searched in the folders set here, beside the running executable, and where gonio's installation puts
+// modules relative to the executable (bin/ and lib/gonio/ under one prefix), in this order.
 #pragma once
 
 #include <string>
@@ -11,8 +11,9 @@
 
 namespace gonio::media {
 
-// The folders that are searched before all others; a module that is open already stays. For programs that are not
-// installed beside gonio's tool: the CMake package gives the folder as gonio_MODULE_DIR. Safe to call from any thread.
+// The folders that are searched before all others; a module that is already open stays open. For programs that are not
+// installed beside gonio's tool: the CMake package provides the folder as gonio_MODULE_DIR. Safe to call from any
+// thread.
 void set_module_folders(std::vector<std::string> folders);
 
 // Every folder that is searched, in order.

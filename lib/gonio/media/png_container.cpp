@@ -8,7 +8,7 @@ namespace gonio::media::detail {
 
 namespace {
 
-// CRC-32 of ISO 3309, as PNG's annex D has it.
+// CRC-32 of ISO 3309, as in PNG's annex D.
 constexpr std::array<std::uint32_t, 256> crc_table = [] {
     std::array<std::uint32_t, 256> table{};
     for (std::uint32_t n = 0; n < 256; ++n) {

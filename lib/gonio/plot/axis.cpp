@@ -24,11 +24,11 @@ std::vector<double> ticks(double low, double high, int count) {
             step = factor * power;
             break;
         }
-    // A hair's breadth around a large number: its multiples would all be written with the same digits.
+    // A very narrow span around a large number: all its multiples would be written with the same digits.
     constexpr double most_steps_from_zero = 1e9;
     if (!(step > 0.0) || std::fabs(low) > most_steps_from_zero * step || std::fabs(high) > most_steps_from_zero * step)
         return {low, high};
-    // Multiples, not sums: a sum of tenths is not the tenth tenth.
+    // Multiples, not sums: adding 0.1 ten times does not give 1 exactly.
     std::vector<double> at = even_steps(std::floor(low / step + 1e-9), std::ceil(high / step - 1e-9), 1.0);
     for (double& tick : at)
         tick *= step;

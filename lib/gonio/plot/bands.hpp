@@ -1,4 +1,4 @@
-// A field as coloured bands in a chart. Internal to the room.
+// A field as coloured bands in a chart. Internal to this room.
 #pragma once
 
 #include <gonio/plot/chart.hpp>
@@ -8,7 +8,8 @@
 
 namespace gonio::plot_detail {
 
-// Paints what lies at or above each level in its colour, from the lowest to the highest; below the first nothing.
+// Paints the region at or above each level in its colour, from the lowest to the highest; paints nothing below the
+// first.
 void draw_bands(Drawing& drawing, const Chart& chart, const Field& field, const std::vector<double>& levels,
                 const std::vector<Ink>& colors);
 

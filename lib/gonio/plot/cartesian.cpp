@@ -18,7 +18,7 @@ Result<Drawing> cartesian_diagram(std::span<const PlottedWeb> webs, const PlotOp
     Result<double> top = greatest(*curves, webs);
     if (!top) return pass_on(top);
 
-    // As much of the axis as holds light, to the next 30°.
+    // The part of the axis that has light, rounded up to the next 30°.
     double reach_deg = 0.0;
     for (const PlaneCurve& curve : *curves)
         for (const CurvePoint& point : curve.points)

@@ -60,7 +60,7 @@ void Chart::draw_numbers(Drawing& drawing) const {
 void draw_color_scale(Drawing& drawing, const Area& area, const std::vector<double>& levels,
                       const std::vector<Ink>& colors, std::string_view unit) {
     const double step = area.height() / static_cast<double>(levels.size());
-    // Numbers need about 14 px; where the steps are finer only every so many carry one.
+    // Numbers need about 14 px; where the steps are smaller, only every n-th step gets a number.
     const auto every = static_cast<std::size_t>(std::max(1.0, 14.0 / step + 0.999));
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const double bottom = area.bottom - step * static_cast<double>(i);

@@ -19,15 +19,15 @@ using namespace plot_detail;
 namespace {
 
 constexpr int distances = 5;
-constexpr double widest_deg = 80.0; // from the nadir: beyond, a plane cuts no cone worth drawing
+constexpr double widest_deg = 80.0; // from the nadir: at wider angles the cone cut by a plane is not worth drawing
 
-// Where a plane's intensity last is at least half the peak, to the left and right of the nadir.
+// The outermost angles, left and right of the nadir, at which a plane's intensity is at least half the peak.
 struct Beam {
     double left_deg = 0.0;
     double right_deg = 0.0;
 };
 
-// The curve is linear between its points, so the crossing found is that of the interpolant.
+// The curve is linear between its points, so this crossing is that of the interpolant.
 std::optional<Beam> beam_of(const std::vector<CurvePoint>& curve, double threshold) {
     std::optional<Beam> beam;
     const auto crossing = [&](const CurvePoint& below, const CurvePoint& above) {
@@ -92,7 +92,7 @@ Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions
     Area area;
     Drawing page = begin_page(webs, options, "beam cone", {}, area);
     const double height_m = options.mounting_height_m;
-    // A cone on the left half, numbers on the right, one row for each distance.
+    // A cone on the left half, numbers on the right; one row for each distance.
     const double split = area.left + 0.46 * area.width();
     const double top = area.top + 42.0;
     const double row_px = (area.bottom - 34.0 - top) / distances;

@@ -31,11 +31,11 @@ struct Cell {
         return bits;
     }
 
-    // Where the level crosses side k, whose ends lie on both sides of it.
+    // Where the level crosses side k; the ends of the side must be on opposite sides of the level.
     FieldPoint crossing(std::size_t k, double level) const {
         const std::size_t n = (k + 1) % 4;
         const double weight = (level - values[k]) / (values[n] - values[k]);
-        // A corner that is not a number or infinite pulls the line to the other end.
+        // If a corner is NaN or infinite, the line is drawn through the other end.
         const double t = weight >= 0.0 && weight <= 1.0 ? weight : inside(k, level) ? 0.0 : 1.0;
         return {corners[k].x + t * (corners[n].x - corners[k].x), corners[k].y + t * (corners[n].y - corners[k].y)};
     }
@@ -68,7 +68,7 @@ void add_partial(const Cell& cell, double level, unsigned mask, std::vector<std:
     region.push_back(std::move(polygon));
 }
 
-// Sides are numbered through the whole field so that two cells agree about the one between them.
+// Sides are numbered across the whole field so that two adjacent cells agree on the side between them.
 std::uint64_t side_id(const Field& field, std::size_t column, std::size_t row, std::size_t k) {
     const std::size_t across = 2 * (row * field.xs.size() + column); // the side from (column, row) to the right
     switch (k) {
@@ -89,7 +89,7 @@ struct Segment {
     bool used = false;
 };
 
-// Whether a cell's corners are all of one group, and no group below 0.
+// Whether all corners of a cell belong to one group, and that group is not below 0.
 bool of_one_group(std::span<const std::int32_t> groups, std::size_t corner, std::size_t columns) {
     const std::int32_t group = groups[corner];
     return group >= 0 && group == groups[corner + 1] && group == groups[corner + columns] &&
@@ -117,7 +117,7 @@ std::vector<Segment> segments_of(const Field& field, double level, std::span<con
                 add(crossed[0], crossed[1]);
                 continue;
             }
-            // A saddle: the lines cut off the two corners that are alone.
+            // A saddle: each line cuts off one of the two isolated corners.
             const bool cut_inside = !cell.center_inside(level);
             for (std::size_t k = 0; k < 4; ++k)
                 if (cell.inside(k, level) == cut_inside) add((k + 3) % 4, k);
@@ -157,14 +157,14 @@ std::vector<std::vector<FieldPoint>> region_at_least(const Field& field, double 
 
 std::vector<ContourLine> contour_lines(const Field& field, double level, std::span<const std::int32_t> groups) {
     std::vector<Segment> segments = segments_of(field, level, groups);
-    std::unordered_map<std::uint64_t, std::array<std::size_t, 2>> at_side; // no line's side has more than two segments
+    std::unordered_map<std::uint64_t, std::array<std::size_t, 2>> at_side; // a side of a line has at most two segments
     constexpr std::size_t nobody = ~std::size_t{0};
     for (std::size_t i = 0; i < segments.size(); ++i)
         for (const std::uint64_t side : segments[i].sides) {
             const auto [entry, fresh] = at_side.try_emplace(side, std::array<std::size_t, 2>{i, nobody});
             if (!fresh) entry->second[1] = i;
         }
-    // Appends what is joined to `end` of a segment, walking until the line ends or closes.
+    // Appends the points joined to `end` of a segment, until the line ends or closes.
     const auto walk = [&](std::size_t segment, std::size_t end, std::vector<FieldPoint>& points) {
         for (;;) {
             const std::uint64_t side = segments[segment].sides[end];
@@ -190,7 +190,7 @@ std::vector<ContourLine> contour_lines(const Field& field, double level, std::sp
             (void)walk(i, 0, before);
             line.points.insert(line.points.begin(), before.rbegin(), before.rend());
         } else {
-            line.points.pop_back(); // the first point again
+            line.points.pop_back(); // same as the first point
         }
         lines.push_back(std::move(line));
     }

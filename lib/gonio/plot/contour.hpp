@@ -1,7 +1,8 @@
-// Level sets of a sampled field: where it is at least so much, and the lines where it is exactly so much.
+// Level sets of a sampled field: regions at or above a level, and lines at exactly that level.
 //
-// The field is bilinear between the samples only at their edges: inside a cell a line is straight (marching squares),
-// and where two opposite corners lie above the level and two below, the mean of the four says whether they connect.
+// The field is interpolated only along the edges between samples. Inside a cell a line is straight (marching squares);
+// if two opposite corners are above the level and the other two below, the mean of the four decides whether they
+// connect.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,8 @@ struct Field {
     double value(std::size_t column, std::size_t row) const { return values[row * xs.size() + column]; }
 };
 
-// The region of values ≥ level as polygons without overlap, all turning the same way. Cells that lie wholly in it are
-// joined along the rows.
+// The region of values ≥ level as polygons without overlap, all with the same orientation. Cells that are wholly inside
+// are merged along the rows.
 std::vector<std::vector<FieldPoint>> region_at_least(const Field& field, double level);
 
 struct ContourLine {
@@ -34,8 +35,8 @@ struct ContourLine {
     bool closed = false; // the last point is joined to the first
 };
 
-// The lines of value = level. NaN counts as below. The order is that of the cells. Where there are `groups` (one for
-// each value), cells whose corners are of several, or of one below 0, carry no line.
+// The lines of value = level. NaN counts as below. The lines are in the order of the cells. If `groups` is given (one
+// for each value), a cell has no line if its corners belong to several groups, or to a group below 0.
 std::vector<ContourLine> contour_lines(const Field& field, double level, std::span<const std::int32_t> groups = {});
 
 } // namespace gonio

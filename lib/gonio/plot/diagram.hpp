@@ -1,10 +1,10 @@
-// Diagrams of webs: the distribution of a luminaire's light, in the usual forms of the field.
+// Diagrams of webs: the light distribution of a luminaire, in the usual forms of the field.
 //
-// Intensities are candela, or candela per 1000 lm of the web's own flux. Gamma counts from the nadir, C from the C0
-// plane; the curves follow the web's interpolant (they are evaluated at least every half degree and at every γ of the
-// grid), so nothing is smoothed. Webs are drawn over each other if that is readable (polar, cartesian) and one by
-// one otherwise. Equal input gives equal drawings. Fails (usage) on a picture too small for the diagram, on more webs
-// than the diagram takes, and on a web that is dark everywhere in the diagram.
+// Intensities are candela, or candela per 1000 lm of the web's flux. Gamma counts from the nadir, C from the C0 plane;
+// the curves follow the web's interpolant (evaluated at least every half degree and at every γ of the grid), so nothing
+// is smoothed. Diagram kinds that stay readable with several webs (polar, cartesian) draw them over each other; the
+// others take one web. Equal input gives equal drawings. Fails (usage) on a picture too small for the diagram, on more
+// webs than the diagram takes, and on a web that is dark everywhere in the diagram.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -26,7 +26,7 @@ struct PlottedWeb {
 struct PlotOptions {
     int width_px = 720;
     int height_px = 720;
-    std::string title;                         // none where empty
+    std::string title;                         // empty: no title
     std::vector<double> planes_deg{0.0, 90.0}; // polar, cartesian: each with the opposite plane C + 180°
     bool per_klm = false;                      // cd/klm instead of cd
     double mounting_height_m = 3.0;            // isolux: of the light above the plane; cone: the farthest plane
@@ -36,14 +36,14 @@ struct PlotOptions {
 struct DiagramKind {
     std::string_view name; // "heat-map"
     std::string_view summary;
-    // nullptr: of lights and not of webs, see falloff_diagram.hpp
+    // nullptr: a diagram of lights instead of webs, see falloff_diagram.hpp
     Result<Drawing> (*draw)(std::span<const PlottedWeb> webs, const PlotOptions& options);
 };
 
 // polar, cartesian, heat-map, isolux, cone, falloff.
 std::span<const DiagramKind> diagram_kinds();
 
-// Fails (usage) on an unknown name, naming the nearest.
+// Fails (usage) on an unknown name and suggests the nearest.
 Result<const DiagramKind*> find_diagram(std::string_view name);
 
 // Intensity against γ around the nadir (down), a curve for each plane.

@@ -21,16 +21,16 @@ constexpr int most_px = static_cast<int>(limit("picture-side").value);
 constexpr double margin_px = 16.0;
 constexpr double line_px = 20.0; // of the legend
 constexpr double swatch_px = 28.0;
-constexpr double letter_px = 7.4; // about the width of one at 12 px
+constexpr double letter_px = 7.4; // approximate width of a letter at 12 px
 constexpr double curve_step_deg = 0.5;
 
 // The γ at which a curve is evaluated on one side of the nadir.
 std::vector<double> curve_gammas(const Web& web) {
     std::vector<double> gammas = even_steps(0.0, 180.0, curve_step_deg);
-    if (web.photometry() != Photometry::c) return gammas; // its own angles run along no C-plane
+    if (web.photometry() != Photometry::c) return gammas; // the angles of its grid do not run along C-planes
     for (const double own : web.gammas_deg())
         if (own >= 0.0 && own <= 180.0) gammas.push_back(own);
-    // Where the table ends the intensity falls to 0 at once: the curve needs both values.
+    // At the ends of the table the intensity drops to 0 at once: the curve needs both values.
     constexpr double hair_deg = 1e-9;
     const double ends[] = {web.gammas_deg().front() - hair_deg, web.gammas_deg().back() + hair_deg};
     for (const double end : ends)
@@ -39,7 +39,7 @@ std::vector<double> curve_gammas(const Web& web) {
     return gammas;
 }
 
-// Lines that the legend takes when entries stand side by side while they fit.
+// Lines that the legend needs when entries are placed side by side while they fit.
 struct LegendPlace {
     double x = 0.0;
     std::size_t line = 0;

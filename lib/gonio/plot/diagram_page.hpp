@@ -1,5 +1,5 @@
-// What the diagrams share: the page with its title and legend, curves along a plane, and how a request is refused.
-// Internal to the room.
+// What the diagrams share: the page with its title and legend, curves along a plane, and the checks of a request.
+// Internal to this room.
 #pragma once
 
 #include <gonio/plot/diagram.hpp>
@@ -11,7 +11,7 @@
 
 namespace gonio::plot_detail {
 
-// Where a diagram may draw, below the title and above the legend.
+// The drawing area of a diagram, below the title and above the legend.
 struct Area {
     double left = 0.0;
     double top = 0.0;
@@ -27,14 +27,14 @@ struct LegendEntry {
     Pen pen;
 };
 
-// Fails unless there is a web to draw, at most `most`, on a page of at least 160 and at most 16384 pixels a side.
+// Fails unless there is at least one web and at most `most`, on a page with sides of 160 to 16384 pixels.
 Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most);
 
-// A page with the title at its top and the legend at its foot; what is left of it goes to `area`.
+// A page with the title at the top and the legend at the bottom; `area` receives the remaining space.
 Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
                    std::span<const LegendEntry> legend, Area& area);
 
-// 1, or what turns candela into candela per 1000 lm. Fails when the web has no flux to divide by.
+// 1, or the factor from candela to candela per 1000 lm. Fails if the web has no flux to divide by.
 Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options);
 
 struct CurvePoint {
@@ -43,10 +43,11 @@ struct CurvePoint {
 };
 
 // The intensities in one plane and its opposite from γ = −180° to 180°, dense enough to be joined by straight lines,
-// with both sides of every end of the table.
+// with both values at every end of the table.
 std::vector<CurvePoint> plane_curve(const Web& web, double c_deg, double scale);
 
-// The curves of a diagram of planes: one for each web and plane, dashed after the web's first. An axial web has one.
+// The curves of a diagram of planes: one for each web and plane; a web's curves after its first are dashed. An axial
+// web has one.
 struct PlaneCurve {
     LegendEntry legend;
     std::vector<CurvePoint> points;
@@ -54,11 +55,11 @@ struct PlaneCurve {
 
 Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
-// The greatest intensity of all curves. Fails when they are all dark, and as check_top.
+// The greatest intensity of all curves. Fails if all are dark, and as check_top does.
 Result<double> greatest(std::span<const PlaneCurve> curves, std::span<const PlottedWeb> webs);
 
-// Fails unless the greatest value of a diagram is one that an axis can carry: 1e-200 to 1e200. `dark` and `hint` are
-// what to say of a web without light there.
+// Fails unless the greatest value of a diagram fits on an axis: 1e-200 to 1e200. `dark` and `hint` are the message for
+// a web without light there.
 Result<void> check_top(double top, std::span<const PlottedWeb> webs, std::string dark, std::string hint);
 
 // "3535 cd", "2950 cd/klm"

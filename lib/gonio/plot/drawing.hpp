@@ -1,7 +1,7 @@
-// Drawing: the lines, areas and words that a diagram is made of, before they become SVG text (svg.hpp) or pixels
-// (raster.hpp).
+// Drawing: the lines, areas and text of a diagram, before they become SVG text (svg.hpp) or pixels (raster.hpp).
 //
-// Coordinates are pixels of a page, x to the right and y down. What is added later lies above. Nothing fails.
+// Coordinates are pixels of a page, x to the right and y down. Later items are drawn on top of earlier ones. Nothing
+// fails.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct PagePoint {
     double y = 0.0;
 };
 
-// A colour as displays take it, sRGB-encoded.
+// A colour for displays, sRGB-encoded.
 struct Ink {
     std::uint8_t r = 0;
     std::uint8_t g = 0;
@@ -35,10 +35,10 @@ constexpr Ink ink(std::uint32_t rgb, double opacity = 1.0) {
 struct Pen {
     Ink ink = {};
     double width_px = 1.0;
-    std::array<double, 2> dash_px{0.0, 0.0}; // drawn, left out; solid where the first is 0
+    std::array<double, 2> dash_px{0.0, 0.0}; // dash, gap; solid if the first is 0
 };
 
-// Polygons and broken lines.
+// Polygons and polylines.
 class PagePath {
 public:
     struct Part {
@@ -60,11 +60,11 @@ private:
 enum class TextAnchor { start, middle, end };
 
 struct TextStyle {
-    TextAnchor anchor = TextAnchor::start; // what of the baseline lies at the point
+    TextAnchor anchor = TextAnchor::start; // which point of the baseline is placed
     double size_px = 12.0;
     Ink ink = {};
     bool bold = false;
-    double rim_px = 0.0; // of a rim that keeps the text readable on lines
+    double rim_px = 0.0; // width of a rim that keeps the text readable on lines
     Ink rim = gonio::ink(0xffffff);
 };
 
@@ -105,7 +105,7 @@ using DrawingStep =
 class Drawing {
 public:
     Drawing() = default;
-    // A page of so many pixels; `title` is what assistive software reads, and is not drawn.
+    // A page of this size; `title` is for assistive software and is not drawn.
     Drawing(int width_px, int height_px, std::string title)
         : width_px_(width_px), height_px_(height_px), title_(std::move(title)) {}
 
@@ -115,7 +115,7 @@ public:
     void rectangle(PagePoint corner, double width, double height, Ink ink);
     void circle(PagePoint center, double radius, Ink ink);
     void text(PagePoint at, std::string_view text, const TextStyle& style = {});
-    // Everything between is drawn inside the rectangle only.
+    // Everything drawn between these two calls is clipped to the rectangle.
     void begin_clip(PagePoint corner, double width, double height);
     void end_clip();
 

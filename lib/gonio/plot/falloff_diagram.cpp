@@ -45,7 +45,7 @@ Result<std::vector<double>> lux_along(const Light& light, const std::vector<doub
     return std::move(probed->illuminance_lx);
 }
 
-// How far the light itself reaches along its direction.
+// The extent of the light itself along its direction.
 double own_reach_m(const Shape& shape) {
     return with_traits(shape, []<class Kind>(const Kind& kind, ShapeTraits<Kind>) {
         if constexpr (PunctualShape<Kind>)
@@ -58,7 +58,7 @@ double own_reach_m(const Shape& shape) {
 PagePath path_of(const Chart& chart, const std::vector<double>& meters, const std::vector<double>& lux,
                  double reach_m) {
     PagePath path;
-    bool down = false; // whether the pen is
+    bool down = false; // whether the pen is down
     for (std::size_t i = 0; i < meters.size(); ++i) {
         const bool drawn = lux[i] > 0.0 && meters[i] > reach_m * (1.0 + 1e-9);
         if (drawn) {
@@ -102,7 +102,7 @@ Result<Curves> curves_of(const PlottedLight& plotted, const std::vector<double>&
     return curves;
 }
 
-// 1, 2 and 5 times the powers of ten around a span; the powers alone where those are many.
+// 1, 2 and 5 times the powers of ten around a span; only the powers if there are many.
 std::vector<double> log_lines(double low, double high) {
     const double first = std::floor(std::log10(low) + 1e-9);
     const double last = std::fmax(std::ceil(std::log10(high) - 1e-9), first + 1.0);
@@ -142,7 +142,7 @@ Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const Fall
     for (std::size_t i = 0; i < lights.size(); ++i) {
         Result<Curves> curves = curves_of(lights[i], meters);
         if (!curves) return pass_on(curves);
-        // The inverse square bounds the axis: a window ends at 0, which has no place on it.
+        // The inverse square sets the lower end of the axis: a window ends at 0, which a logarithmic axis cannot show.
         low = std::fmin(low, curves->inverse_square.back());
         for (std::size_t k = 0; k < meters.size(); ++k)
             if (meters[k] > curves->reach_m) high = std::fmax(high, curves->lux[k]);

@@ -1,4 +1,4 @@
-// The falloff diagram: the illuminance that lights give on their axis, against the distance.
+// The falloff diagram: the illuminance from lights along their axis, against the distance.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -23,11 +23,11 @@ struct FalloffOptions {
     double farthest_m = 20.0;
 };
 
-// Lux against metres, both logarithmic: a receiver that faces the light, along its direction from its centre, by the
-// light's exact form and with the window of its range. Dashed, the inverse square of the intensity that the light has
-// there from far away; dotted, what the window took away. Distances inside a light, or on it, are left out.
-// Fails (usage) on a page or distances out of range, without lights, on a sun (it has no distance) and on a
-// light that is dark along its direction.
+// Lux against metres, both logarithmic: for a receiver that faces the light, along the light's direction from its
+// centre, by the exact form of the light and with the window of its range. Dashed: the inverse square of the light's
+// far-field intensity in that direction. Dotted: the illuminance without the window. Distances inside a light, or on
+// its surface, are left out. Fails (usage) on a page or distances out of range, without lights, on a sun (it has no
+// distance) and on a light that is dark along its direction.
 Result<Drawing> falloff_diagram(std::span<const PlottedLight> lights, const FalloffOptions& options);
 
 } // namespace gonio

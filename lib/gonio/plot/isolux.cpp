@@ -19,9 +19,9 @@ namespace {
 
 constexpr int cells = 160;
 constexpr double scale_room_px = 76.0;
-constexpr double decades = 2.0; // below the brightest point that lines are drawn
+constexpr double decades = 2.0; // range of the lines below the brightest point
 
-// E = I cosγ / d² on the plane z = 0 from a point at height h that shines straight down.
+// E = I cosγ / d² on the plane z = 0 from a point at height h that is aimed straight down.
 Field field_of(const Web& web, double height_m, double extent_m) {
     Field field;
     for (int i = 0; i <= cells; ++i)
@@ -36,7 +36,7 @@ Field field_of(const Web& web, double height_m, double extent_m) {
     return field;
 }
 
-// A line's lux stands where the line is farthest along +X, so that the numbers of nested lines stand in a row.
+// The lux of a line is written where the line is farthest along +X, so that the numbers of nested lines form a row.
 void label_line(Drawing& page, const Chart& chart, const ContourLine& line, double level) {
     double length = 0.0;
     const FieldPoint* rightmost = line.points.data();

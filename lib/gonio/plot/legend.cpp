@@ -17,15 +17,15 @@ constexpr TextStyle number_style{TextAnchor::start, 12.0, words};
 constexpr double left_px = 12.0;
 constexpr double bar_px = 16.0;
 constexpr double top_px = 40.0;
-constexpr double foot_px = 50.0; // below the bar, for the greatest value
-constexpr double line_px = 17.0; // what a number needs
+constexpr double foot_px = 50.0; // space below the bar for the greatest value
+constexpr double line_px = 17.0; // space that a number needs
 
-// Four digits, without an exponent where the number is a large one.
+// Four digits; large numbers without an exponent.
 std::string number(double value) {
     return value >= 1000.0 ? rounded(std::round(value), 9) : rounded(value, 4);
 }
 
-// The picture with an empty column to its right.
+// The picture with an empty column added on the right.
 Image widened(const Image& picture) {
     Image wide(picture.width + legend_width_px, picture.height, 3);
     Drawing background(wide.width, wide.height, {});

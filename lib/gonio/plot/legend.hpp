@@ -1,4 +1,4 @@
-// A legend beside a picture: colours with the numbers they stand for.
+// A legend beside a picture: colours and the numbers that they represent.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -16,26 +16,26 @@ inline constexpr int legend_width_px = 84;
 
 struct LegendUnit {
     std::string symbol;  // "lx"
-    double factor = 1.0; // one of it in the unit of the values
+    double factor = 1.0; // one of it, in the unit of the values
 };
 
-// A ramp: three display-encoded channels for evenly spaced shares of the scale, the lowest first.
+// A ramp: three display-encoded channels at uniform steps of the scale, the lowest first.
 struct RampLegend {
     ValueScale scale;
     LegendUnit unit;
     std::vector<std::array<float, 3>> ramp;
-    ScaleUse use; // values beyond an end give it a point; the greatest is written below
+    ScaleUse use; // if values exceed an end, the ramp has a point there; the greatest value is written below
 };
 
 // Lines of equal value, the lowest first.
 struct LineLegend {
     std::vector<double> levels; // in the unit of the values
-    std::vector<Ink> inks;      // as many
+    std::vector<Ink> inks;      // one per level
     LegendUnit unit;
     double greatest = 0.0;
 };
 
-// The picture (three display-encoded channels) with the legend to its right. Numbers that have no room are left out.
+// The picture (three display-encoded channels) with the legend on its right. Numbers that do not fit are left out.
 Image with_legend(const Image& picture, const RampLegend& legend);
 Image with_legend(const Image& picture, const LineLegend& legend);
 

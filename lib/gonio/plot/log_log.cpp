@@ -21,7 +21,7 @@ namespace {
 constexpr double margin_px = 16.0;
 constexpr double headline_px = 30.0;
 constexpr double legend_line_px = 16.0;
-constexpr double letter_px = 6.4; // about the width of one at 11 px
+constexpr double letter_px = 6.4; // approximate width of a letter at 11 px
 
 bool drawn(const MarkedPoint& point) {
     return point.x > 0.0 && std::isfinite(point.x) && point.y >= 0.0 && std::isfinite(point.y);
@@ -38,7 +38,7 @@ struct Bounds {
     }
 };
 
-// Powers of ten around [low, high], at least one decade; every so many where there would be more than eight lines.
+// Powers of ten around [low, high], at least one decade; every n-th one if there would be more than eight lines.
 std::vector<double> decades(const Bounds& bounds) {
     int first = static_cast<int>(std::floor(std::log10(bounds.low)));
     int last = static_cast<int>(std::ceil(std::log10(bounds.high)));
@@ -51,7 +51,7 @@ std::vector<double> decades(const Bounds& bounds) {
     return at;
 }
 
-// Filled, or as a rim around white.
+// Filled, or as an outline around white.
 void draw_mark(Drawing& page, PagePoint at, const MarkedPoint& point, Ink color) {
     constexpr double r = 4.0;
     constexpr Ink paper = ink(0xffffff);
@@ -78,7 +78,7 @@ void draw_mark(Drawing& page, PagePoint at, const MarkedPoint& point, Ink color)
     page.stroke(std::move(path), {color, 1.5});
 }
 
-// Names with their colours, side by side while they fit; returns the lines taken.
+// Names with their colours, side by side while they fit; returns the number of lines.
 std::size_t draw_legend(Drawing* page, const LogLogPanel& panel, const Area& area, double top) {
     double x = area.left;
     std::size_t line = 0;
@@ -103,8 +103,8 @@ bool overlap(const Area& a, const Area& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-// Beside their points, above or below, off the marks where that can be and off each other always; what finds no place
-// is left out.
+// Labels beside their points, above or below, clear of the marks if possible and always clear of each other; labels
+// that do not fit are left out.
 void draw_labels(Drawing& page, const LogLogPanel& panel, const Area& inner,
                  const std::function<PagePoint(const MarkedPoint&)>& place) {
     constexpr double size_px = 10.0;
@@ -163,7 +163,7 @@ void draw_panel(Drawing& page, const LogLogPanel& panel, Area area) {
             }
     if (y.high == 0.0) y = {1e-17, 1e-16};
     if (zero) y.low *= 0.1;
-    // No mark on the frame.
+    // Keep marks off the frame.
     x = {x.low * 0.95, x.high * 1.05};
     y = {y.low * 0.75, y.high * 1.33};
     const Chart chart(area, {panel.x_name, decades(x), true}, {panel.y_name, decades(y), true});

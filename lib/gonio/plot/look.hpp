@@ -1,4 +1,4 @@
-// Looks: the same rendering as a photograph, as numbers by colour, as lines of equal light.
+// Display modes: the same rendering as a photograph, as false colours, or as lines of equal light.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -29,7 +29,7 @@ struct LookName {
 
 std::span<const LookName> looks();
 
-// "falsecolor" counts as "falsecolour". Fails (usage) on an unknown name, naming the nearest.
+// "falsecolor" counts as "falsecolour". Fails (usage) on an unknown name and suggests the nearest.
 Result<Look> parse_look(std::string_view name);
 std::string_view to_text(Look look);
 
@@ -37,16 +37,16 @@ enum class PictureQuantity { illuminance, luminance };
 
 std::string_view to_text(PictureQuantity quantity); // "illuminance"
 
-// One channel: the lux that the surfaces receive, which the rendering must have been asked for, or the luminance in
-// cd/m² (Y of its colour) that the camera sees.
+// One channel: the illuminance of the surfaces in lux (the rendering must have been made with it), or the luminance in
+// cd/m² (Y of the colour) that the camera sees.
 Image quantity_image(const Rendering& rendering, PictureQuantity quantity);
 
-// Three display-encoded channels: the palette's colour at each value's share of the scale. Values beyond the scale take
-// its ends' colours.
+// Three display-encoded channels: the palette's colour at each value's share of the scale. Values beyond the scale get
+// the colours of its ends.
 Image false_color(const Image& values, const ValueScale& scale, const Palette& palette);
 
-// Which surface or light each pixel's centre shows; numbers below 0 are nothing, or an outline: a pixel with a
-// neighbour of another kind. Lines of equal light end there and do not follow the jump.
+// Which surface or light is visible at each pixel's centre; negative numbers mean nothing or an outline, that is, a
+// pixel with a neighbour of another kind. Lines of equal light end there instead of following the jump.
 std::vector<std::int32_t> seen_surfaces(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                         int width, int height, unsigned threads);
 

@@ -12,7 +12,7 @@ constexpr std::array series{ink(0x0072b2), ink(0xd55e00), ink(0x009e73), ink(0xc
                             ink(0xe69f00), ink(0x56b4e9), ink(0x000000)};
 
 // viridis, magma, inferno, plasma: van der Walt and Smith, 2015, public domain; cividis: Nuñez, Anderton and Renslow,
-// PLOS ONE 13(7), 2018. Their colours at ninths.
+// PLOS ONE 13(7), 2018. Colours at steps of 1/9.
 constexpr std::array viridis{ink(0x440154), ink(0x482878), ink(0x3e4a89), ink(0x31688e), ink(0x26828e),
                              ink(0x1f9e89), ink(0x35b779), ink(0x6dcd59), ink(0xb4de2c), ink(0xfde725)};
 constexpr std::array inferno{ink(0x000004), ink(0x1b0c42), ink(0x4b0c6b), ink(0x781c6d), ink(0xa52c60),
@@ -25,7 +25,7 @@ constexpr std::array cividis{ink(0x00204d), ink(0x00336f), ink(0x39486b), ink(0x
                              ink(0x8a8779), ink(0xa69d75), ink(0xc4b56c), ink(0xe4cf5b), ink(0xffea46)};
 constexpr std::array gray{ink(0x000000), ink(0xffffff)};
 
-// The formula of the paper, from (59, 76, 192) to (180, 4, 38), at tenths.
+// The formula of the paper, from (59, 76, 192) to (180, 4, 38), at steps of 1/10.
 constexpr std::array blue_to_red{ink(0x3b4cc0), ink(0x5a77e3), ink(0x7b9ff9), ink(0x9fbeff),
                                  ink(0xc0d4f5), ink(0xdddddd), ink(0xf2cbb7), ink(0xf7ad8f),
                                  ink(0xee8568), ink(0xd75344), ink(0xb40426)};

@@ -18,7 +18,7 @@ constexpr double text_px = 12.0;
 constexpr double shortest_labelled_px = 60.0;
 constexpr double between_labels_px = 420.0; // along one line
 constexpr double margin_px = 6.0;
-constexpr double far_px = 200.0; // from other labels: farther is no better
+constexpr double far_px = 200.0; // from other labels: larger distances score no better
 
 struct Label {
     PagePoint center;
@@ -43,8 +43,8 @@ double length_of(const ContourLine& line) {
     return length;
 }
 
-// Where on a line a label lies best: inside the picture, away from the labels there are, on a stretch that is straight
-// and rather level than steep, so that the number covers little of it.
+// Finds the best place for a label on a line: inside the picture, away from existing labels, on a stretch that is
+// straight and closer to level than to steep, so that the number covers little of it.
 class LabelPlacer {
 public:
     LabelPlacer(int width, int height) : width_(width), height_(height) {}
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    // 0 where it may not lie.
+    // 0 where a label is not allowed.
     double score_of(const ContourLine& line, std::size_t i, const Label& label) const {
         if (label.center.x - label.half_width < margin_px || label.center.x + label.half_width > width_ - margin_px ||
             label.center.y - label.half_height < margin_px || label.center.y + label.half_height > height_ - margin_px)
@@ -78,7 +78,7 @@ private:
         for (const Label& other : placed_)
             nearest = std::fmin(nearest, label.gap_to(other));
         if (nearest < 6.0) return 0.0;
-        // The chord over the label against the way along the line.
+        // The chord under the label against the length along the line.
         std::size_t first = i;
         std::size_t last = i;
         double way = 0.0;
@@ -145,7 +145,7 @@ Drawing contour_drawing(const Image& values, std::span<const std::int32_t> surfa
     const Field field = field_of(values);
     LabelPlacer placer(values.width, values.height);
     std::vector<WrittenText> labels;
-    for (std::size_t i = levels.size(); i-- > 0;) { // the brightest lines are the shortest and choose first
+    for (std::size_t i = levels.size(); i-- > 0;) { // the brightest lines are the shortest, so they choose first
         const std::string text = rounded(levels[i] / unit);
         for (const ContourLine& line : contour_lines(field, levels[i], surfaces)) {
             drawing.stroke(path_of(line), {inks[i], 1.4});

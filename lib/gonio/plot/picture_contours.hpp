@@ -14,15 +14,15 @@ namespace gonio {
 // 1, 2 and 5 times the powers of ten between the greatest value and a thousandth of it, in multiples of `unit`.
 std::vector<double> contour_levels(double greatest, double unit);
 
-// A colour for each of `count` levels: the brighter part of the palette, which stands out from a dimmed picture.
+// A colour for each of `count` levels, from the brighter part of the palette, which stands out from a dimmed picture.
 std::vector<Ink> contour_inks(std::size_t count, const Palette& palette);
 
-// Towards black, for lines to stand out from.
+// Dims towards black, so that lines stand out.
 void dim(Image& picture);
 
-// The lines of `values` (one channel) at `levels` (ascending, in the values' unit), each in its ink, with the level in
-// multiples of `unit` written on them where there is room. `surfaces` is that of seen_surfaces: no line crosses from
-// one to another.
+// The lines of `values` (one channel) at `levels` (ascending, in the unit of the values), each in its ink, with the
+// level in multiples of `unit` written on the line where there is room. `surfaces` comes from seen_surfaces: no line
+// crosses from one surface to another.
 Drawing contour_drawing(const Image& values, std::span<const std::int32_t> surfaces, std::span<const double> levels,
                         std::span<const Ink> inks, double unit);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double label_room_px = 26.0;
 constexpr TextStyle label_style{TextAnchor::middle, 11.0, ink(0x333333), false, 1.5};
 
-// Whether every curve is dark more than this share of the greatest intensity above (or below) the horizontal.
+// Whether no curve exceeds this share of the greatest intensity above (or below) the horizontal.
 bool is_dark(std::span<const PlaneCurve> curves, double top, bool above) {
     for (const PlaneCurve& curve : curves)
         for (const CurvePoint& point : curve.points)
@@ -27,7 +27,7 @@ bool is_dark(std::span<const PlaneCurve> curves, double top, bool above) {
     return true;
 }
 
-// The circle of the diagram, or the half of it that holds light.
+// The circle of the diagram, or the half of it that has light.
 struct Dial {
     PagePoint center;
     double radius = 0.0;
@@ -107,7 +107,7 @@ Result<Drawing> polar_diagram(std::span<const PlottedWeb> webs, const PlotOption
     draw_grid(page, dial, rings, options);
     for (const PlaneCurve& curve : *curves) {
         PagePath path;
-        bool down = false; // whether the pen is
+        bool down = false; // whether the pen is down
         for (const CurvePoint& point : curve.points) {
             const double gamma = std::fabs(point.gamma_deg);
             const bool drawn = gamma >= dial.least_deg && gamma <= dial.most_deg;

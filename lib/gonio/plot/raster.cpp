@@ -23,7 +23,7 @@ struct Box {
     int height() const { return bottom - top; }
 };
 
-// The part of [low, high) pixels that lies in `bounds`; coordinates may be far beyond what an int holds.
+// The part of the pixels [low, high) that is inside `bounds`; coordinates may be far beyond the range of an int.
 Box box_around(PagePoint low, PagePoint high, const Box& bounds) {
     const auto pixel = [](double at, int least, int most) {
         return static_cast<int>(std::clamp(at, static_cast<double>(least), static_cast<double>(most)));
@@ -57,7 +57,7 @@ public:
     const Box& box() const { return box_; }
     float* row(int y) { return values_.data() + stride_ * static_cast<std::size_t>(y - box_.top); }
 
-    // The signed area to the right of an edge, as differences along each row; add_up() makes shares of it.
+    // The signed area to the right of an edge, as differences along each row; add_up() turns them into coverage.
     void add_edge(PagePoint from, PagePoint to) {
         if (!(from.y != to.y)) return;
         const double sign = from.y < to.y ? 1.0 : -1.0;
@@ -107,7 +107,7 @@ public:
                 const double py = y + 0.5 - from.y;
                 const double along = length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
                 const double distance = std::sqrt(square(px - along * dx) + square(py - along * dy));
-                // The pixel across the line, [d − ½, d + ½], within the line, [−w/2, w/2].
+                // The overlap of the pixel across the line, [d − ½, d + ½], with the line, [−w/2, w/2].
                 const double share = std::fmin(distance + 0.5, 0.5 * width) - std::fmax(distance - 0.5, -0.5 * width);
                 float& value = values[x - box_.left];
                 value = std::max(value, static_cast<float>(std::clamp(share, 0.0, 1.0)));
@@ -135,11 +135,11 @@ private:
     }
 
     Box box_;
-    std::size_t stride_; // one more than the width, for what an edge in the last column leaves behind it
+    std::size_t stride_; // one more than the width, because an edge in the last column writes one value past it
     std::vector<float> values_;
 };
 
-// A broken line with its dashes cut out.
+// A polyline split into its dashes.
 std::vector<Polyline> dashes_of(const Polyline& line, const std::array<double, 2>& dash) {
     if (!(dash[0] > 0.0) || !(dash[1] > 0.0)) return {line};
     std::vector<Polyline> dashes;
@@ -231,14 +231,14 @@ public:
 private:
     PagePoint moved(PagePoint point) const { return {point.x + corner_.x, point.y + corner_.y}; }
 
-    // A line along an axis, onto whole pixels where it is wide enough to fill one.
+    // Aligns a line along an axis with whole pixels if it is wide enough to fill one.
     static void sharpen(Polyline& line, double width) {
         const double offset = static_cast<int>(std::round(width)) % 2 == 0 ? 0.0 : 0.5;
         if (line[0].x == line[1].x) line[0].x = line[1].x = std::round(line[0].x - offset) + offset;
         if (line[0].y == line[1].y) line[0].y = line[1].y = std::round(line[0].y - offset) + offset;
     }
 
-    // A point alone is a dot, `dot` times as wide.
+    // A single point is a dot, `dot` times as wide.
     void stroke(const std::vector<Polyline>& lines, double width, Ink ink, double dot = 1.0) {
         Extent extent;
         for (const Polyline& line : lines)

@@ -1,8 +1,8 @@
 // A drawing as pixels.
 //
-// Areas cover a pixel by their exact share of it, lines by their share across (ends and joints are round); colours are
-// mixed sRGB-encoded, as programs that show SVG do. Lines along the axes and text are moved by less than a pixel, so
-// that they are sharp. Equal drawings give equal pixels. Nothing fails.
+// The coverage of a pixel is exact for areas; for lines it is measured across the line (ends and joints are round).
+// Colours are mixed sRGB-encoded, as programs that show SVG do. Lines along the axes and text are moved by less than a
+// pixel to make them sharp. Equal drawings give equal pixels. Nothing fails.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -10,14 +10,15 @@
 
 namespace gonio {
 
-// Draws into a picture of three display-encoded channels, 1 = white; the page's corner lies at `corner`. What lies
-// outside of the picture is left out.
+// Draws into a picture of three display-encoded channels, 1 = white, with the page's corner at `corner`. Anything
+// outside of the picture is clipped.
 void draw(const Drawing& drawing, Image& image, PagePoint corner = {});
 
 // The page, on white paper.
 Image to_image(const Drawing& drawing);
 
-// Copies a picture into another one of as many channels, its upper left pixel to (left, top); outside is left out.
+// Copies a picture into another one with the same number of channels, with its upper left pixel at (left, top); pixels
+// outside are clipped.
 void paste(const Image& from, Image& to, int left, int top);
 
 } // namespace gonio

@@ -25,7 +25,7 @@ constexpr Ink second_plane = ink(0x6cb8f0);
 
 constexpr int gap_px = 10;
 constexpr int title_px = 40;
-constexpr int words_px = 42; // below the picture
+constexpr int words_px = 42; // text below the picture
 constexpr double name_px = 13.0;
 constexpr double fact_px = 12.0;
 
@@ -37,7 +37,7 @@ int tile_height(const SheetOptions& options) {
     return std::max(options.picture_height_px, options.polar ? sheet_polar_px : 0) + words_px;
 }
 
-// UTF-8 text cut before the byte where it becomes too wide.
+// UTF-8 text cut where it becomes too wide.
 std::string cut(const std::string& text, double size_px, double width_px) {
     if (text_width_px(text, size_px) <= width_px) return text;
     std::string kept = text;
@@ -49,7 +49,7 @@ std::string cut(const std::string& text, double size_px, double width_px) {
     return kept + "…";
 }
 
-// Words in lines that fit; what is longer than a line is cut.
+// Text broken into lines that fit; a word that is longer than a line is cut.
 std::vector<std::string> wrapped(const std::string& text, double size_px, double width_px, std::size_t most) {
     std::vector<std::string> lines;
     std::string line;

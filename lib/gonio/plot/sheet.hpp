@@ -1,5 +1,5 @@
-// A sheet: labelled pictures side by side in one picture, of many profiles, what the owner of a library of them opens
-// first, or of one scene by several methods or with a value that changes.
+// A sheet: labelled pictures side by side in one picture. It shows many profiles, as an overview of a library, or one
+// scene by several methods or with a changing value.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -17,19 +17,19 @@ namespace gonio {
 inline constexpr int sheet_polar_px = 132;
 
 struct SheetTile {
-    std::string name;               // UTF-8, cut with an ellipsis where it is too long
-    std::vector<std::string> facts; // a line each below the name, which has room for one
+    std::string name;               // UTF-8, cut with an ellipsis if too long
+    std::vector<std::string> facts; // one line each, below the name; there is room for one
     Image picture;                  // three display-encoded channels; empty: none
-    std::optional<Drawing> polar;   // of polar_thumbnail
+    std::optional<Drawing> polar;   // from polar_thumbnail
     std::string fault;              // a message instead of the picture
 };
 
 struct SheetOptions {
-    int columns = 0; // 0: as many as make the sheet about 4:3
+    int columns = 0; // 0: chosen to make the sheet about 4:3
     std::string title;
     int picture_width_px = 176; // of every tile
     int picture_height_px = 132;
-    bool polar = true; // room for polar diagrams
+    bool polar = true; // reserves space for polar diagrams
 };
 
 struct SheetLayout {
@@ -41,11 +41,11 @@ struct SheetLayout {
 
 SheetLayout layout_of(std::size_t tiles, const SheetOptions& options);
 
-// The tiles in their order, row by row, on dark paper.
+// The tiles in order, row by row, on a dark background.
 Image sheet(std::span<const SheetTile> tiles, const SheetOptions& options);
 
-// Intensity around the nadir in the planes C0 and C90 with their opposites, as large as the dial holds, without
-// numbers; for dark paper.
+// Intensity around the nadir in the planes C0 and C90 with their opposites, scaled to fill the dial, without numbers;
+// for a dark background.
 Drawing polar_thumbnail(const Web& web);
 
 } // namespace gonio

@@ -16,8 +16,8 @@ namespace gonio {
 namespace {
 
 // A glyph on a grid on which capitals are 14 units high, small letters 10, and descenders reach −4. Strokes are
-// separated by ';'. A stroke is a row of points "x,y" and arcs "@x,y,rx,ry,from,to" (centre, radii, degrees
-// counter-clockwise from the right), each joined to what stands before it.
+// separated by ';'. A stroke is a sequence of points "x,y" and arcs "@x,y,rx,ry,from,to" (centre, radii, degrees
+// counter-clockwise from the right), each joined to the previous one.
 struct Outline {
     char32_t code;
     double advance;
@@ -288,7 +288,8 @@ const Glyph& glyph_of(char32_t code) {
     return found != glyphs.end() ? found->second : glyphs.at(missing.code);
 }
 
-// The next character of UTF-8 text, which is taken off it; what is no UTF-8 is one missing character a byte.
+// Removes the next character from UTF-8 text and returns it; each byte that is not valid UTF-8 becomes one missing
+// character.
 char32_t take_code(std::string_view& text) {
     const auto lead = static_cast<unsigned char>(text.front());
     const std::size_t length = lead < 0x80   ? 1
@@ -308,7 +309,8 @@ char32_t take_code(std::string_view& text) {
     return whole ? code : missing.code;
 }
 
-// Heights in pixels above the baseline, so that the tops of capitals and of small letters are whole pixels away.
+// Heights in pixels above the baseline, scaled so that the tops of capitals and of small letters are whole pixels above
+// it.
 struct Heights {
     double scale = 1.0; // px per unit
     double small_px = 0.0;

@@ -27,7 +27,7 @@ std::string escaped(std::string_view text) {
             out += "&quot;";
             break;
         default:
-            // XML 1.0 knows no other control characters than tab and line ends, not even escaped.
+            // XML 1.0 allows no control characters except tab and line ends, not even escaped.
             out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
         }
     }
@@ -38,7 +38,7 @@ const char* to_text(TextAnchor anchor) {
     return anchor == TextAnchor::start ? "start" : anchor == TextAnchor::middle ? "middle" : "end";
 }
 
-// "#ccc", or "#d55e00" where three digits do not say it.
+// "#ccc", or "#d55e00" if three digits are not enough.
 std::string hex(Ink ink) {
     const auto is_short = [](std::uint8_t channel) { return channel % 17 == 0; };
     if (is_short(ink.r) && is_short(ink.g) && is_short(ink.b))

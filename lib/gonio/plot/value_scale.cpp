@@ -11,7 +11,8 @@ namespace {
 
 constexpr double decades = 3.0;
 
-// 1, 2 or 5 times a power of ten: the least that is not below a value > 0, or the greatest that is not above it.
+// 1, 2 or 5 times a power of ten: the least that is not below `value` > 0 or, if not `up`, the greatest that is not
+// above it.
 double round_125(double value, bool up) {
     constexpr double hair = 1e-9;
     const double power = std::pow(10.0, std::floor(std::log10(value) + hair));
@@ -50,7 +51,7 @@ ValueScale round_scale(const Image& values, bool logarithmic, double unit) {
     const double high = round_125(ranked(999) / unit, true);
     if (!logarithmic) return {false, 0.0, high * unit};
     double low = std::fmax(round_125(ranked(10) / unit, false), high * std::pow(10.0, -decades));
-    if (!(low < 0.5 * high)) low = 0.1 * high; // one value all over
+    if (!(low < 0.5 * high)) low = 0.1 * high; // all values are about the same
     return {true, low * unit, high * unit};
 }
 
@@ -61,7 +62,7 @@ std::vector<double> scale_numbers(const ValueScale& scale, double unit, int coun
     std::vector<double> numbers =
         scale.logarithmic ? levels_1_2_5(low * (1.0 - hair), high * (1.0 + hair)) : ticks(low, high, count);
     if (scale.logarithmic && numbers.size() > static_cast<std::size_t>(std::max(count, 2))) {
-        // Powers of ten alone, and of them every so many.
+        // Only powers of ten, and only every n-th of them.
         std::vector<double> tens;
         const double first = std::ceil(std::log10(low) - hair);
         const double last = std::floor(std::log10(high) + hair);
@@ -71,7 +72,7 @@ std::vector<double> scale_numbers(const ValueScale& scale, double unit, int coun
         numbers = std::move(tens);
     }
     std::erase_if(numbers, [&](double at) { return at < low - hair * high || at > high * (1.0 + hair); });
-    // Within less than a step of 1, 2, 5 the ends say more than nothing.
+    // If less than one step of 1, 2, 5 fits, show the ends.
     if (numbers.size() < 2) numbers = {low, high};
     for (double& number : numbers)
         number *= unit;

@@ -46,7 +46,7 @@ void expose(Image& image, Ev100 ev) {
             value *= scale;
         return;
     }
-    for (float& value : image.pixels) // next to no light: black stays black
+    for (float& value : image.pixels) // almost no light: black stays black
         value = static_cast<float>(static_cast<double>(value) * factor);
 }
 

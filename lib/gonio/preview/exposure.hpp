@@ -9,21 +9,21 @@
 
 namespace gonio {
 
-// The luminance that becomes 1: 1.2 · 2^EV, saturation-based sensitivity (ISO 12232) through a lens that passes 65 %
+// The luminance that becomes 1: 1.2 · 2^EV, saturation-based sensitivity (ISO 12232) through a lens that transmits 65 %
 // (Lagarde and de Rousiers 2014, §5.1).
 Nits white_luminance(Ev100 ev);
 
-// The exposure at which 99.5 % of the lit pixels lie below the display's white, so that a highlight does not darken the
-// rest. Pixels of which `left_out` is not 0 do not count, unless nothing else is lit: lights that are seen themselves.
-// Empty, or one for each pixel. 0 for a picture without light.
+// The exposure at which 99.5 % of the lit pixels are below the display's white, so that a highlight does not darken the
+// rest. Pixels for which `left_out` is not 0 do not count, unless no other pixel is lit; they are lights that are
+// visible themselves. `left_out` is empty or has one value for each pixel. 0 for a picture without light.
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {});
 
-// The exposure at which a matte 18 % card that receives so many lux is middle grey, 0.18 of the display's white: a
-// white card, of luminance E/π, is white. Not what an incident-light meter says for it: by ISO 2720, EV = log2(E/2.5)
-// (C = 250), and the card shows at 0.12 then, log2(1.2 π/2.5) = 0.59 stops darker. Needs E > 0.
+// The exposure at which a matte 18 % card with this illuminance is middle grey, 0.18 of the display's white; a white
+// card, of luminance E/π, is then white. An incident-light meter gives another value: by ISO 2720, EV = log2(E/2.5) (C
+// = 250), at which the card appears at 0.12, log2(1.2 π/2.5) = 0.59 stops darker. Needs E > 0.
 Ev100 exposure_of_card(Lux on_card);
 
-// The illuminance of the card for an exposure: the inverse.
+// The illuminance of the card for an exposure: the inverse of exposure_of_card.
 Lux card_illuminance(Ev100 ev);
 
 // Divides every channel by white_luminance(ev).

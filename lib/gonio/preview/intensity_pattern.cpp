@@ -52,7 +52,7 @@ LobeConstants::Kind kind_of_falloff(Falloff falloff) {
     return LobeConstants::Kind::smoothstep_angle;
 }
 
-// Of a punctual shape.
+// The lobe of a punctual shape.
 LobeConstants lobe_of(const PointShape& /*alike in all directions*/) {
     return {};
 }
@@ -103,7 +103,7 @@ WebTable::Axis::Axis(std::span<const double> angles) : angles_deg(angles.begin()
     steps_per_deg = static_cast<float>(static_cast<double>(steps) / whole);
     std::size_t cell = 0;
     for (std::size_t step = 0; step < steps; ++step) {
-        // A little before the step begins: rounding may put an angle into the step after its own.
+        // Slightly before the step begins: rounding may put an angle into the step after its correct one.
         const double begin = angles.front() + whole * (static_cast<double>(step) - 1e-3) / static_cast<double>(steps);
         while (cell + 2 < angles.size() && angles[cell + 1] <= begin)
             ++cell;
@@ -164,7 +164,7 @@ void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3&
             const glm::dvec3 at =
                 anchor + glm::dvec3(points.position[0][i], points.position[1][i], points.position[2][i]);
             const double value = light_.intensity_towards(at - light_.frame.origin).value;
-            cd[i] = value > 0.0 ? static_cast<float>(value) : 0.0F; // nothing from the place of the light itself
+            cd[i] = value > 0.0 ? static_cast<float>(value) : 0.0F; // 0 at the position of the light itself
         }
         return;
     }

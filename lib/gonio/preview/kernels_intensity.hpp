@@ -1,9 +1,8 @@
-// How punctual lights share their intensity among directions, for many points at once, on the widest unit there is.
+// How punctual lights distribute their intensity over directions, for many points at once, on the widest vector unit.
 //
-// Floats in structures of arrays, metres, one frame for all. The lobes are those of shading/falloff.hpp; a web is
-// looked up at its own angles. Each function multiplies: first fill the array with the intensity along the axis.
-// Results are finite for finite input, nothing fails or allocates. light.intensity_towards() is the truth these are
-// tested by.
+// Floats in structures of arrays, metres, one common frame. The lobes are those of shading/falloff.hpp; a web is looked
+// up at its own angles. Each function multiplies the array, so fill it with the intensity along the axis first. Results
+// are finite for finite input; nothing fails or allocates. The tests compare them with light.intensity_towards().
 #pragma once
 
 #include <gonio/simd/dispatch.hpp>
@@ -18,7 +17,7 @@ struct Points {
     std::size_t count = 0;
 };
 
-// Where the light is and how it is turned: γ = 0 of a web, the axis of a lobe is −z; C0 is x and C90 is y.
+// Position and orientation of the light: γ = 0 of a web and the axis of a lobe are −z; C0 is x and C90 is y.
 struct LightFrame {
     float origin[3] = {}; // [m]
     float x[3] = {1.0F, 0.0F, 0.0F};
@@ -43,19 +42,20 @@ struct LobeConstants {
     float outer = 0.0F;
 };
 
-// One axis of a table: ascending angles, and from even steps of an angle the cell to begin the search in.
+// One axis of a table: ascending angles and, for uniform steps of the angle, the cell where the search begins.
 struct TableAxis {
     const float* angles_deg = nullptr;         // `count`
     const float* inverse_width = nullptr;      // [1/deg] of each cell, `count` − 1
-    const std::uint32_t* first_cell = nullptr; // of the step floor((angle − angles[0])·steps_per_deg)
+    const std::uint32_t* first_cell = nullptr; // for the step floor((angle − angles[0])·steps_per_deg)
     std::size_t count = 0;
     std::size_t steps = 0;
     float steps_per_deg = 0.0F;
 };
 
 struct WebConstants {
-    // How a direction becomes the angles of the table. Types A and B: `mirrors` say what is stored on the positive side
-    // only. Type C: by how C is brought into the range of the stored planes; axial has but one.
+    // How a direction is converted to the angles of the table. Types A and B: `mirrors_x` and `mirrors_y` tell which
+    // angles are stored on the positive side only. Type C: how C is brought into the range of the stored planes; axial
+    // has only one plane.
     enum class Angles : std::uint8_t { axial, quadrant, bilateral_0_180, bilateral_90_270, full, type_a, type_b };
 
     Angles angles = Angles::axial;

@@ -1,5 +1,5 @@
-// The bodies of kernels_intensity.hpp, for one scalar. Included by kernels_intensity_<set>.cpp and by nothing else; the
-// rule of shading/kernels_impl.hpp holds here too.
+// The bodies of kernels_intensity.hpp, for one scalar. Included only by kernels_intensity_<set>.cpp; the rule of
+// shading/kernels_impl.hpp applies here too.
 #pragma once
 
 #include <gonio/preview/kernels_intensity.hpp>
@@ -15,7 +15,7 @@ namespace gonio::preview::detail {
 
 using shading::vec3;
 
-// From the light to the points, in its frame.
+// Directions from the light to the points, in the light's frame.
 template<class S>
 struct LocalDirections {
     vec3<S> origin, x, y, z;
@@ -88,7 +88,7 @@ struct TableAngles {
     S horizontal_deg, vertical_deg;
 };
 
-// C in [0°, 360°), folded where the web is mirrored into what is stored; full: in the turn that begins at `first`.
+// C in [0°, 360°), folded into the stored range where the web is mirrored; full: in the turn that begins at `first`.
 template<class S, WebConstants::Angles kind>
 GONIO_FORCE_INLINE S plane_deg(S x, S y, S first) {
     using Angles = WebConstants::Angles;
@@ -103,7 +103,7 @@ GONIO_FORCE_INLINE S plane_deg(S x, S y, S first) {
                         simd::select(turned < first + S(360), turned, turned - S(360)));
 }
 
-// web/goniometer.hpp says what the angles are.
+// web/goniometer.hpp defines the angles.
 template<class S, WebConstants::Angles kind>
 GONIO_FORCE_INLINE TableAngles<S> table_angles(vec3<S> d, const WebConstants& web, S first) {
     using Angles = WebConstants::Angles;
@@ -127,8 +127,8 @@ struct Cell {
     float weight; // of its upper end
 };
 
-// The ends hold for angles beyond them by rounding; false further out.
-template<class S> // of which set this is
+// Angles that are beyond the ends by rounding count as the ends; false for angles further out.
+template<class S> // determines the instruction set
 GONIO_FORCE_INLINE bool locate(const TableAxis& axis, float angle_deg, Cell& cell) {
     constexpr float room = 6e-5F; // [deg]
     const float first = axis.angles_deg[0];
@@ -170,7 +170,7 @@ GONIO_FORCE_INLINE float look_up(const WebConstants& web, float horizontal_deg, 
     }
 }
 
-// Angles by packets, cells and candela lane by lane: a table's cell is too little work for gathers.
+// Angles by packets, cells and candela lane by lane: a table cell is too little work to justify gathers.
 template<class S, WebConstants::Angles kind>
 void multiply_web(const Points& points, const LightFrame& frame, const WebConstants& web, float* cd) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
@@ -187,7 +187,7 @@ void multiply_web(const Points& points, const LightFrame& frame, const WebConsta
             found[lane] = look_up<S, kind>(web, horizontal[lane], vertical[lane]);
         S value;
         simd::load(&found[0], value);
-        // Files may hold negative candela, which no light has.
+        // Files may contain negative candela, which no light emits.
         packet.store(packet.load(cd) * simd::max(value * S(web.scale), S(0)), cd);
     });
 }

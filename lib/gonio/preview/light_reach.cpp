@@ -15,22 +15,22 @@ namespace gonio::detail {
 
 namespace {
 
-// Kernels compute in float: directions and distances have this much room beside the exact ones.
+// Kernels compute in float: directions and distances get this tolerance relative to the exact ones.
 constexpr double angle_room = 1e-5;
 constexpr double length_room = 1e-5;
 
-// cos(a + b) of angles in [0, π], −1 where their sum reaches π.
+// cos(a + b) of angles in [0, π]; −1 if their sum is π or more.
 double cosine_of_sum(double sin_a, double cos_a, double sin_b, double cos_b) {
     return cos_a > -cos_b ? cos_a * cos_b - sin_a * sin_b : -1.0;
 }
 
 struct Seen {
     glm::dvec3 toward; // unit, to the middle of the bounds
-    double sine;       // of the angle that they fill about it
+    double sine;       // of the angle that they subtend about it
     double cosine;
 };
 
-// From a point outside the sphere about the bounds widened by `more`.
+// The bounds, widened by `more`, as seen from a point; false if the point is not outside the sphere about them.
 bool seen_from(const glm::dvec3& from, const SampleBounds& bounds, double more, Seen& seen) {
     const glm::dvec3 way = bounds.center - from;
     const double distance = glm::length(way);
@@ -46,8 +46,8 @@ bool misses(const DirectionCone& cone, const Seen& seen) {
     return glm::dot(cone.axis, seen.toward) < cosine_of_sum(cone.sine, cone.cosine, seen.sine, seen.cosine);
 }
 
-// The same by the plane that touches the cone on the side where the box is: tighter for long boxes. Of cones that are
-// not wider than a right angle.
+// The same test with the plane that touches the cone on the side of the box, which is tighter for long boxes. For cones
+// with a half angle of at most 90°.
 bool misses_box(const DirectionCone& cone, const glm::dvec3& apex, const SampleBounds& bounds) {
     if (cone.cosine < 0.0) return false;
     const glm::dvec3 way = bounds.center - apex;
@@ -60,9 +60,9 @@ bool misses_box(const DirectionCone& cone, const glm::dvec3& apex, const SampleB
     return glm::dot(normal, way) > reach + length_room * (glm::length(way) + bounds.radius);
 }
 
-// Whether all directions within `sine` of `toward`, as seen from the points, lie below their horizons.
+// Whether all directions within `sine` of `toward`, as seen from the points, are below their horizons.
 bool is_below(const SampleBounds& bounds, const glm::dvec3& toward, double sine, double cosine) {
-    // The sum of the angle and of the normals' spread stays short of a right angle.
+    // The sum of the angle and of the spread of the normals is below a right angle.
     const double cosine_both = cosine * bounds.spread_cos - sine * bounds.spread_sin;
     const double sine_both = sine * bounds.spread_cos + cosine * bounds.spread_sin;
     return cosine_both > 0.0 && glm::dot(bounds.normal, toward) < -sine_both;
@@ -73,7 +73,7 @@ DirectionCone cone_of(const glm::dvec3& axis, double half_angle) {
     return {axis, std::sin(angle), std::cos(angle)};
 }
 
-// The least and the greatest cosine of angles in [−180°, 180°] between two of them.
+// The least and the greatest cosine over an interval of angles in [−180°, 180°].
 struct Cosines {
     double least, greatest;
 };
@@ -83,7 +83,7 @@ Cosines cosines(double low_deg, double high_deg) {
     return {std::min(a, b), low_deg <= 0.0 && high_deg >= 0.0 ? 1.0 : std::max(a, b)};
 }
 
-// Between which cosines of γ a web has light.
+// The range of cosines of γ in which a web has light.
 Cosines lit_cosines(const Web& web) {
     const std::span<const double> horizontal = web.horizontal_deg();
     const std::span<const double> vertical = web.vertical_deg();
@@ -91,10 +91,10 @@ Cosines lit_cosines(const Web& web) {
     for (std::size_t column = 0; column < horizontal.size(); ++column)
         for (std::size_t row = 0; row < vertical.size(); ++row) {
             if (web.column(column)[row] == 0.0) continue;
-            // The interpolant reaches to the next angles.
+            // The interpolant extends to the adjacent angles.
             const Cosines v =
                 cosines(vertical[row > 0 ? row - 1 : row], vertical[std::min(row + 1, vertical.size() - 1)]);
-            Cosines h{1.0, 1.0}; // of type C, cosγ is that of the row; of A and B cos H cos V
+            Cosines h{1.0, 1.0}; // for type C, cosγ is that of the row; for A and B it is cos H cos V
             if (web.photometry() != Photometry::c)
                 h = cosines(horizontal[column > 0 ? column - 1 : column],
                             horizontal[std::min(column + 1, horizontal.size() - 1)]);
@@ -107,11 +107,11 @@ Cosines lit_cosines(const Web& web) {
     return lit;
 }
 
-// A web's light about its aim, and about the other end.
+// Cones that contain a web's light, about its aim and about the opposite direction.
 void add_web_cones(const Web& web, const Frame& frame, LightReach& reach) {
     const Cosines lit = lit_cosines(web);
     const auto add = [&](const glm::dvec3& axis, double cosine) {
-        // The room is also for what the renderer's table takes for its end.
+        // The room also covers the tolerance of the renderer's table at its ends.
         if (cosine > -1.0) reach.cones[reach.cone_count++] = cone_of(axis, std::acos(cosine) + angle_room);
     };
     add(-frame.z, lit.least);
@@ -146,7 +146,7 @@ LightReach reach_of(const Light& light, bool mask_from_center) {
     LightReach reach;
     reach.center = light.frame.origin;
     reach.range = light.range ? light.range->value : std::numeric_limits<double>::infinity();
-    if (const auto* sun = std::get_if<SunShape>(&light.shape)) { // alone at infinity
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) { // the only light at infinity
         reach.at_infinity = true;
         reach.range = std::numeric_limits<double>::infinity();
         reach.toward = light.frame.z;

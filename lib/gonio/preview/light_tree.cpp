@@ -12,7 +12,7 @@ namespace gonio::detail {
 namespace {
 
 constexpr std::size_t spheres_in_leaf = 4;
-// Halving the number at each level, more lights than an index counts would be needed to go deeper.
+// Each level halves the number of lights, so a deeper tree would need more lights than an index can count.
 constexpr std::size_t deepest = 64;
 
 } // namespace
@@ -21,7 +21,7 @@ bool RayCone::meets(const glm::dvec3& center, double radius) const {
     const glm::dvec3 way = center - apex;
     const double along = glm::dot(way, axis);
     const double across = std::sqrt(std::max(glm::dot(way, way) - along * along, 0.0));
-    // Distance from the cone's side, negative inside; behind the apex it is less than the true one.
+    // Distance from the cone's side, negative inside; behind the apex it is an underestimate.
     return across * cosine - along * sine <= radius && along >= -radius;
 }
 

@@ -44,7 +44,7 @@ std::optional<shading::Approximation> approximation(IrradianceMethod method) {
     return std::nullopt;
 }
 
-// Whether the method takes a light with a size as a point.
+// Whether the method treats a light with a size as a point.
 bool becomes_point(const Shape& shape, IrradianceMethod method) {
     if (class_of(shape) != ShapeClass::area) return false;
     if (method == IrradianceMethod::point) return true;
@@ -125,7 +125,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
 
 void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
                               std::vector<std::uint32_t>& found) const {
-    constexpr double far = 1e6; // where the sun is put, in its size [m]
+    constexpr double far = 1e6; // distance of the sphere that represents the sun [m]
     const LightReach& reach = light.reach;
     const Ball points{bounds.center, bounds.radius};
     const Ball body = reach.at_infinity ? Ball{bounds.center + far * reach.toward, far * reach.angular_radius_sin}
@@ -133,12 +133,12 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
         if (i == surface) continue;
         const Primitive& primitive = stage.surfaces[i].geometry;
-        // What is seen of a stage is before its planes: they can hide only a light that reaches behind them.
+        // Visible points of a stage are in front of its planes: a plane can hide only a light that extends behind it.
         if (const auto* plane = std::get_if<Plane>(&primitive))
             if (glm::dot(plane->normal, body.center - plane->point) >=
                 (light.has_surface ? reach_along(light.light, plane->normal) * (1.0 + 1e-9) : body.radius))
                 continue;
-        // A flat or a long light reaches less far towards a sheet than the ball around it.
+        // A flat or a long light extends less towards a rectangle than its bounding sphere does.
         if (const auto* panel = std::get_if<Panel>(&primitive); panel != nullptr && light.has_surface) {
             const Ball towards{body.center, reach_along(light.light, panel->frame.z) * (1.0 + 1e-9)};
             if (!may_stand_between(Plane{panel->frame.origin, panel->frame.z}, points, towards)) continue;

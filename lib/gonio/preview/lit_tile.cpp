@@ -40,7 +40,7 @@ void LitTile::light_up() {
 void LitTile::show_emitters() {
     for (const TileSamples::EmitterShare& seen : tile_.emitters()) {
         const Light& light = scene_.lights[seen.light].light;
-        // Towards the eye the mask is the same from every point but for the width of the light.
+        // Towards the eye the mask is the same from every point of the light, except for the effect of its width.
         const double mask = mask_share(light, light.frame.origin + seen.view);
         picture_.shows_light[seen.pixel] = 1;
         for (int channel = 0; channel < 3; ++channel)
@@ -77,7 +77,7 @@ void LitTile::add_sky() {
         }
 }
 
-// The lights that may reach the tile by their range, in their order.
+// The lights within range of the tile, in their order.
 std::vector<std::uint32_t> LitTile::candidates() const {
     std::vector<std::uint32_t> found;
     if (tile_.surfaces().empty()) return found;
@@ -139,7 +139,7 @@ double LitTile::hard_share(const LitLight& light, std::size_t surface, const glm
     const bool as_point = scene_.options.shadows == Shadows::hard;
     if (!light.reach.at_infinity) return visible_share(scene_.stage, surface, position, light.reach.center, 0.0);
     const auto& sun = std::get<SunShape>(light.light.shape);
-    // A hemisphere's outline lies where no disk has one.
+    // A disk cannot have the outline of a hemisphere, so its half angle stays below 90°.
     const double half_angle = as_point ? 0.0 : std::min(0.5 * sun.diameter.value, 1.57);
     return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward, half_angle);
 }
@@ -163,7 +163,7 @@ void LitTile::find_shadows(const LitLight& light) {
     find_edges();
 }
 
-// Soft shadows are smooth; only a jump from lit to dark between neighbours needs more points.
+// Soft shadows are smooth; only a jump from lit to dark between neighbouring pixels needs more points.
 void LitTile::find_edges() {
     const std::vector<Seen>& centers = tile_.centers();
     const std::ptrdiff_t stride = tile_.stride();

@@ -1,4 +1,4 @@
-// The parts that add up to a picture: the share of each light, and the parts that its surfaces reflect.
+// The parts that add up to a picture: the share of each light, and the parts that surfaces reflect.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -10,26 +10,26 @@
 
 namespace gonio {
 
-// The picture with all of its lights dark: black, or what else the options add to it, as an ambient sky.
+// The picture with all lights dark: black, or only what the options add, such as an ambient sky.
 Result<Rendering> render_unlit(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                const RenderOptions& options);
 
-// Hands over what each light alone adds to the picture of all of them, in their order: what it lights, and itself where
-// the camera sees it. The others stand where they stand, dark, so that the shares and `unlit`, which is that of
-// render_unlit() with the same arguments, add up to the picture, to the rounding of floats. As costly as a picture for
-// each. Stops at the first failure: render()'s, or that of `use`.
+// Calls `use` with what each light alone adds to the picture of all of them, in their order: the light on surfaces, and
+// the light itself where the camera sees it. The other lights stay in place but are dark, so that the shares and
+// `unlit` (the result of render_unlit() with the same arguments) add up to the picture, to float rounding. Costs one
+// picture per light. Stops at the first failure of render() or of `use`.
 Result<void> render_each_light(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                const RenderOptions& options, const Rendering& unlit,
                                const std::function<Result<void>(std::size_t light, Rendering share)>& use);
 
-// A picture of all lights in three that add up to it, to the rounding of floats.
+// A picture of all lights as three parts that add up to it, to float rounding.
 struct PictureParts {
-    Image emission_nt; // lights that are seen themselves
+    Image emission_nt; // lights that are visible themselves
     Image diffuse_nt;
-    Image specular_nt; // of a GGX that scatters more than once all of it
+    Image specular_nt; // includes all the light from a GGX with multiple scattering
 };
 
-// `picture` is that of render() with the same arguments. Two more of them.
+// `picture` is the result of render() with the same arguments. Renders two more pictures.
 Result<PictureParts> picture_parts(const Image& picture, Stage stage, std::span<const Light> lights,
                                    const Camera& camera, const RenderOptions& options);
 

@@ -26,14 +26,14 @@ using detail::LightSampler;
 using detail::vec;
 using Vec = shading::vec3<double>;
 
-// The numbers in [0, 1) of one pass and pixel: the fractional parts of multiples of 1/g, 1/g², …, where g⁸ = g + 1.
+// The numbers in [0, 1) for one pass and pixel: the fractional parts of multiples of 1/g, 1/g², …, where g⁸ = g + 1.
 class Sequence {
 public:
     static constexpr std::size_t dimensions = 7;
 
     Sequence(std::size_t index, std::uint32_t pixel) : index_(static_cast<double>(index)), pixel_(pixel) {}
 
-    // `turn` turns all of them: 0 of the pixel's own, else of a light.
+    // `turn` shifts all numbers: 0 for the pixel itself, other values for the lights.
     double operator()(std::size_t dimension, std::uint32_t turn) const {
         const std::uint32_t seed = (pixel_ * 0x9e3779b1U + turn) * 7U + static_cast<std::uint32_t>(dimension);
         const double at = detail::unit_hash(seed) + index_ * steps[dimension];
@@ -54,7 +54,7 @@ private:
     std::uint32_t pixel_;
 };
 
-// What one light gives to a point, and what the surface shows of it.
+// What a point receives from one light, and what the surface shows of it.
 struct Shown {
     glm::dvec3 rgb{0.0};
     double lx = 0.0;
@@ -71,8 +71,8 @@ public:
         return has_extent(light.shape) ? of_surface(light, numbers, turn) : of_point(light);
     }
 
-    // Of an even sky of luminance 1: a direction of the material's own for what it shows, one by the cosine for the
-    // lux.
+    // For a uniform sky of luminance 1: a direction sampled from the material for the luminance, and a
+    // cosine-distributed one for the lux.
     Shown of_sky(const Sequence& numbers) const {
         constexpr double far = std::numeric_limits<double>::infinity();
         Shown shown;

@@ -1,12 +1,13 @@
-// The path-traced reference, in passes that refine it: it checks the preview's closed forms and shadow ratios.
+// The path-traced reference, in passes that refine it. It is used to check the preview's closed forms and shadow
+// ratios.
 //
-// A pass draws one point of each pixel and, for each light with a size, one direction towards the light and one of the
-// material's own, weighed by the balance heuristic (E. Veach and L. Guibas, SIGGRAPH 1995); whether a light is seen is
-// a ray. So each pass is an unbiased picture, anti-aliased and with shadows, that shares neither the closed forms nor
-// the shadows of render(). Lights without size and their shadows are exact at each point, as masks on lights with a
-// size are. Points and directions are additive recurrences in seven dimensions (M. Roberts, "The Unreasonable
-// Effectiveness of Quasirandom Sequences", 2018), turned by a number of the pixel and the light's own: the bytes after
-// a pass do not depend on threads.
+// A pass samples one point of each pixel and, for each light with a size, one direction towards the light and one from
+// the material, weighted by the balance heuristic (E. Veach and L. Guibas, SIGGRAPH 1995); a ray decides whether the
+// light is visible. So each pass is an unbiased picture, anti-aliased and with shadows, that shares neither the closed
+// forms nor the shadows of render(). Lights without size and their shadows are exact at each point, and so are masks on
+// lights with a size. Points and directions are additive recurrences in seven dimensions (M. Roberts, "The Unreasonable
+// Effectiveness of Quasirandom Sequences", 2018), shifted by a number that depends on the pixel and the light: the
+// bytes after a pass do not depend on the number of threads.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -24,23 +25,24 @@ namespace gonio {
 
 class ReferencePicture {
 public:
-    // Stage and lights must outlive it. Of the options the size, `shadows` (hard or soft: true ones), `illuminance` and
-    // `threads` are read. Fails as render().
+    // Stage and lights must outlive the picture. Uses these options: the size, `shadows` (hard or soft: exact ones),
+    // `illuminance` and `threads`. Fails as render() does.
     static Result<ReferencePicture> begin(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                           const RenderOptions& options);
 
-    // Rows may be left out when `stop` says so, which is asked from all threads, once a row; the next pass takes them.
+    // Skips rows once `stop` returns true; it is called from all threads, once per row. The next pass takes the skipped
+    // rows.
     void add_pass(const std::function<bool()>& stop = {});
 
-    // Of the row that has the fewest.
+    // The number of passes of the row with the fewest.
     std::size_t passes() const;
 
-    // The remaining error of the picture, relative: half the mean difference between the pictures of the even and the
-    // odd passes, over the mean of both; of what surfaces show. 1 before each row has two, 0 of a picture without
-    // light. An estimate: the pictures of few passes may agree by chance.
+    // The remaining relative error of the surfaces in the picture: half the mean difference between the pictures of the
+    // even and the odd passes, over the mean of both. 1 until each row has two passes; 0 for a picture without light.
+    // An estimate: the pictures of few passes may agree by chance.
     double error_estimate() const;
 
-    // As far as it is; rows without a pass are black.
+    // The picture so far; rows without a pass are black.
     Rendering picture() const;
 
 private:
@@ -48,7 +50,7 @@ private:
                      const RenderOptions& options);
 
     struct Pixel {
-        glm::vec3 surface[2] = {glm::vec3(0.0F), glm::vec3(0.0F)}; // sums of the even and of the odd passes [nt]
+        glm::vec3 surface[2] = {glm::vec3(0.0F), glm::vec3(0.0F)}; // sums of the even and the odd passes [nt]
         glm::vec3 emitter{0.0F};
         float illuminance_lx = 0.0F;
         bool shows_light = false;
@@ -60,7 +62,7 @@ private:
     RenderOptions options_;
     CameraRays rays_;
     std::vector<CoreMaterial> materials_; // one for each surface
-    std::vector<std::uint8_t> is_dark_;   // of each light
+    std::vector<std::uint8_t> is_dark_;   // for each light
     std::vector<Pixel> pixels_;
     std::vector<std::size_t> row_passes_;
 };

@@ -1,9 +1,9 @@
 // The preview: lights on a stage, as a picture in scene-linear luminance.
 //
-// Noise-free: every pixel is an exact evaluation of the lights at its surface point, pixels on outlines and hard shadow
+// Noise-free: every pixel is an exact evaluation of the lights at its surface point; pixels on outlines and hard shadow
 // edges are the mean of 4×4 such points. Soft shadows are integrated along lines over the light (README.md). Tiles run
-// on all threads; the picture does not depend on how many. What cannot change the picture is not computed; README.md
-// says what that is and what it saves.
+// on all threads; the picture does not depend on their number. Work that cannot change the picture is skipped;
+// README.md describes what is skipped and what that saves.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -27,42 +27,42 @@ inline constexpr int max_picture_size = static_cast<int>(limit("picture-side").v
 
 enum class Shadows : std::uint8_t {
     off,
-    hard, // every light as a point in its centre
-    soft, // of the light's own size and shape; of the sun its disk
+    hard, // every light as a point at its centre
+    soft, // by the light's size and shape; for the sun, its disk
 };
 
 struct RenderOptions {
     int width = 512;
     int height = 512;
     // exact: irradiance in closed form, highlights as by ltc; reference: everything by quadrature, a millisecond for
-    // each light with a size and point. frostbite, ue4 and point with their own irradiance and the highlights that go
-    // with it (README.md).
+    // each light with a size and each point. frostbite, ue4 and point use the irradiance of those renderers and the
+    // highlights that go with it (README.md).
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
-    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not seen itself
+    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not visible itself
     bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
-    bool illuminance = false; // asks for Rendering::illuminance_lx
-    bool skip = true;         // false: every light at every point, whether it can reach it or not
-    unsigned threads = 0;     // 0 = as many as there are
-    // Pictures of different sets agree to 1e-4 of the picture's greatest luminance.
+    bool illuminance = false; // computes Rendering::illuminance_lx
+    bool skip = true;         // false: evaluates every light at every point, even if it cannot reach the point
+    unsigned threads = 0;     // 0 = as many as the machine has
+    // Pictures of different instruction sets agree to 1e-4 of the picture's greatest luminance.
     simd::InstructionSet instruction_set = simd::best_available();
 };
 
 struct Rendering {
-    // Three channels, linear Rec.709, in cd/m². Lights with a size are seen themselves where the camera sees them.
+    // Three channels, linear Rec.709, in cd/m². Includes lights with a size where the camera sees them.
     Image luminance_nt;
-    // One channel: what the surface that is seen receives from all lights; 0 where a light or nothing is seen. Empty
-    // unless asked for.
+    // One channel: the illuminance of the visible surface from all lights; 0 where the pixel shows a light or nothing.
+    // Empty unless requested.
     Image illuminance_lx;
-    // For each pixel 1 where a light itself is seen, if only in a part of it, else 0.
+    // For each pixel: 1 if it shows a light itself, even in only a part of it, else 0.
     std::vector<std::uint8_t> shows_light;
     RenderStats stats;
 };
 
 // A light with a size behind a mask uses the mask from its centre (scene/MEASURED.md has the error), except by
-// `reference`, which integrates it. Fails (usage) as check_picture_size() does and on a light whose
-// luminance or intensity is not finite.
+// `reference`, which integrates it. Fails (usage) as check_picture_size() does and on a light with a luminance or
+// intensity that is not finite.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options = {});
 

@@ -49,7 +49,7 @@ SampleBounds BoundsBuilder::bounds() const {
     bounds.normal = first_normal_;
     bounds.least_height = least_height_;
     if (flat_) return bounds;
-    // Every normal lies in a ball about the middle of their box, which is seen from the origin within this angle.
+    // Every normal is inside a sphere about the middle of their box, which subtends this half angle at the origin.
     const glm::dvec3 middle = 0.5 * (normal_low_ + normal_high_);
     const double length = glm::length(middle);
     const double ball = 0.5 * glm::length(normal_high_ - normal_low_);

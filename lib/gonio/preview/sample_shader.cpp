@@ -25,7 +25,7 @@ std::array<float*, 3> pointers(std::array<std::vector<float>, 3>& channels, std:
     return to;
 }
 
-// The guards of 1 cm that renderers put around 1/d², as factors on the intensity of a light without size.
+// The guards of 1 cm that renderers use in 1/d², as factors on the intensity of a light without size.
 void guard(IrradianceMethod method, const shading::Surfaces& surfaces, const shading::LightConstants& light,
            std::vector<float>& cd) {
     constexpr float square_cm = 1e-4F;
@@ -101,7 +101,7 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     }
 }
 
-// Takes the approximated irradiance for the exact one of `lx_`, in the diffuse part and there.
+// Replaces the exact irradiance by the approximated one, in the diffuse part and in `lx_`.
 void SampleShader::approximate(const LitLight& light, const shading::Surfaces& surfaces,
                                const shading::LightConstants& constants, std::size_t surface) {
     const std::size_t count = surfaces.count;
@@ -128,7 +128,7 @@ void SampleShader::approximate(const LitLight& light, const shading::Surfaces& s
                 nt[i] = std::max(nt[i] + of_lux * (approximate_lx_[i] - lx_[i]), 0.0F);
         }
     } else {
-        // A diffuse part that is proportional to the irradiance: with the ratio of the two.
+        // A diffuse part proportional to the irradiance: scaled by the ratio of the two irradiances.
         scene_.kernels.shade(surfaces, constants, diffuse, pointers(diffuse_, count).data());
         for (std::size_t i = 0; i < count; ++i) {
             if (!(lx_[i] > 0.0F)) continue;
@@ -140,11 +140,11 @@ void SampleShader::approximate(const LitLight& light, const shading::Surfaces& s
     std::swap(lx_, approximate_lx_);
 }
 
-// The quadrature gives Y; of a coloured material each channel is asked for by a light of that channel alone.
+// The quadrature gives Y; for a coloured material each channel is computed with a light of that channel alone.
 void SampleShader::integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first,
                              const float* weight) {
     const std::size_t count = rgb_[0].size();
-    // Of a diffuse part that is Lambert's the closed form is enough.
+    // For a Lambertian diffuse part the closed form is enough.
     const auto* const matte = std::get_if<shading::Lambert<double>>(&scene_.core_materials[samples.surface]);
     const Material material = matte != nullptr ? Material(LambertMaterial{vec(matte->albedo)})
                                                : scene_.stage.surfaces[samples.surface].material;

@@ -13,7 +13,7 @@ void copy(const glm::dvec3& from, float (&to)[3]) {
         to[i] = static_cast<float>(from[i]);
 }
 
-// What each light of the core leaves in the constants, besides its centre and colour.
+// What each light of the core contributes to the constants, besides its centre and colour.
 using shading::LightConstants;
 
 void take(const shading::SphereLight<double>& light, LightConstants& constants) {
@@ -59,7 +59,7 @@ shading::LightConstants light_constants(const Light& light) {
     with_traits(light.shape, [&]<class Kind>(const Kind& kind, ShapeTraits<Kind>) {
         if constexpr (!PunctualShape<Kind>) take(ShapeTraits<Kind>::core(kind, light.frame, light.color), constants);
     });
-    if (const auto* sun = std::get_if<SunShape>(&light.shape)) // the core light has its sine alone
+    if (const auto* sun = std::get_if<SunShape>(&light.shape)) // the core light has only its sine
         constants.angular_radius = static_cast<float>(0.5 * sun->diameter.value);
     const bool punctual = constants.kind == LightConstants::Kind::punctual;
     copy(punctual ? light.color : light.color * light.luminance.value, constants.color);

@@ -7,7 +7,7 @@
 
 namespace gonio {
 
-// intensity_cd of a punctual light is left to the caller, who has one for each surface point.
+// intensity_cd of a punctual light is left to the caller, because it differs for each surface point.
 shading::LightConstants light_constants(const Light& light);
 
 shading::MaterialConstants material_constants(const Material& material);

@@ -18,7 +18,7 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-// What is seen of a line, by the sine of the elevation: disjoint pieces in their order.
+// The visible parts of a line, by the sine of the elevation: disjoint pieces in order.
 class SeenPieces {
 public:
     SeenPieces(double low, double high) { pieces_[count_++] = {low, high}; }
@@ -51,7 +51,7 @@ private:
         double low = 0.0;
         double high = 0.0;
     };
-    static constexpr std::size_t most = 16; // of a line behind a fence, whose last pieces are left out
+    static constexpr std::size_t most = 16; // for a line behind a fence, any further pieces are dropped
 
     std::array<Piece, most> pieces_{};
     std::size_t count_ = 0;
@@ -61,15 +61,15 @@ double cell_middle(const LightLine& line, std::size_t cell, std::size_t cells) {
     return line.low + (line.high - line.low) * (static_cast<double>(cell) + 0.5) / static_cast<double>(cells);
 }
 
-// Across an edge, turned a little: other edges often stand at right angles to it, and lines that run along an edge take
-// all of it or nothing.
+// A direction across an edge, rotated a little: other edges are often perpendicular to this one, and lines parallel to
+// an edge are either wholly hidden or not at all.
 glm::dvec3 across(const ShadowEdge& edge, const glm::dvec3& towards) {
     constexpr double turn = 0.6; // tangent of the angle
     const glm::dvec3 straight = edge.across - glm::dot(edge.across, towards) * towards;
     return straight + turn * glm::cross(towards, straight);
 }
 
-// Errs to false.
+// May return false for bodies that are apart.
 bool is_apart(const Primitive& body, const Ball& light) {
     const std::optional<Ball> around = bounds(body);
     return around && glm::distance(around->center, light.center) > around->radius + light.radius;
@@ -102,7 +102,8 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
         const Primitive& body = scene_.stage.surfaces[i].geometry;
         if (!may_stand_between(body, {point, 0.0}, light)) continue;
         const ShadowEdge edge = nearest_edge(body, point, towards);
-        // Beside the light, if it does not reach into it; what has no edge before the light covers its middle too.
+        // Skips a solid beside the light that does not overlap it. One without an edge in front of the light may also
+        // cover all of it, so the ray to the middle is tested.
         if (edge.distance > half_angle * (1.0 + 1e-9) && is_apart(body, light) &&
             !stops(body, {point, towards}, distance))
             continue;
@@ -169,10 +170,10 @@ double SoftShadow::integrated() const {
         }
     }
     if (all_above > 0.0) return std::min(seen_above / all_above, 1.0);
-    return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that no cell's middle lies in
+    return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that contains no cell's middle
 }
 
-// A sphere behind a ball or a capsule: the sphere whole above the horizon, what hides it before it.
+// A sphere light behind a sphere or a capsule: the light wholly above the horizon, the occluder in front of it.
 std::optional<double> SoftShadow::closed_form(const Primitive& body) const {
     const auto* const light = std::get_if<SphereShape>(&light_->light.shape);
     const auto* const ball = std::get_if<Ball>(&body);
@@ -227,7 +228,7 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
             }
         },
         material);
-    // Where the illuminance has a closed form it mends the lines in the luminance too.
+    // If the illuminance has a closed form, its ratio to the lines corrects the luminance too.
     const double mended = by_lines_ > 0.0 ? share_ / by_lines_ : 1.0;
     glm::vec3 shares = grey;
     for (int channel = 0; channel < 3; ++channel)

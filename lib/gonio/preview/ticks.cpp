@@ -16,7 +16,7 @@ namespace {
 
 constexpr double left_of_luminance = 0.25;
 
-// Length of the lines between 0 and `at`, which begin at whole metres.
+// Total length of the lines between 0 and `at`, with lines that begin at whole metres.
 double line_length(double at) {
     const double whole = std::floor(at);
     return tick_width * whole + std::min(at - whole, tick_width);
@@ -27,7 +27,7 @@ public:
     Ticks(const Stage& stage, std::span<const Light> lights, const CameraRays& rays)
         : stage_(stage), lights_(lights), rays_(rays) {}
 
-    // What of the luminance the lines leave to the pixel in column x, row y.
+    // The share of the luminance that the lines leave to the pixel in column x, row y.
     double left(int x, int y) const {
         const Ray ray = rays_.ray(x + 0.5, y + 0.5);
         const std::optional<Hit> hit = first_hit(stage_, ray);
@@ -36,13 +36,14 @@ public:
             const std::optional<double> distance = distance_to(light, ray);
             if (distance && *distance < hit->distance) return 1.0;
         }
-        // The pixel on the surface: a parallelogram, whose extent along each axis is what its lines are averaged over.
+        // The pixel on the surface: a parallelogram; the lines of each axis are averaged over its extent along that
+        // axis.
         const glm::dvec3 across = glm::abs(on_plane(*hit, x + 1.0, y + 0.5) - on_plane(*hit, x, y + 0.5));
         const glm::dvec3 down = glm::abs(on_plane(*hit, x + 0.5, y + 1.0) - on_plane(*hit, x + 0.5, y));
         double share = 1.0;
         for (int axis = 0; axis < 3; ++axis) {
             const double slope = std::sqrt(std::max(1.0 - hit->normal[axis] * hit->normal[axis], 0.0));
-            if (slope < 0.1) continue; // the surface lies across this axis
+            if (slope < 0.1) continue; // the surface is perpendicular to this axis
             const double covered = tick_coverage(hit->position[axis], across[axis] + down[axis]);
             share *= 1.0 - (1.0 - left_of_luminance) * covered;
         }
@@ -50,7 +51,8 @@ public:
     }
 
 private:
-    // Where the ray through a point of the picture meets the plane of a hit; the hit where it does not.
+    // The point where the ray through a point of the picture meets the plane of a hit; the hit itself if they do not
+    // meet.
     glm::dvec3 on_plane(const Hit& hit, double x, double y) const {
         const Ray ray = rays_.ray(x, y);
         const std::optional<double> t = distance_to(Plane{hit.position, hit.normal}, ray);
@@ -67,8 +69,8 @@ private:
 double tick_coverage(double at, double width) {
     constexpr double least = 1e-9;
     const double half = 0.5 * std::max(width, least);
-    const double begin = at + 0.5 * tick_width; // lines lie around the whole metres
-    if (!(half < 1e6)) return tick_width;       // towards the horizon their mean
+    const double begin = at + 0.5 * tick_width; // lines are centred on the whole metres
+    if (!(half < 1e6)) return tick_width;       // towards the horizon, the mean coverage
     return std::clamp((line_length(begin + half) - line_length(begin - half)) / (2.0 * half), 0.0, 1.0);
 }
 

@@ -11,12 +11,12 @@ namespace gonio {
 
 inline constexpr double tick_width = 0.012; // [m]
 
-// The share of a patch of the coordinate, `width` metres long around `at`, that lies on lines; closed form, so that
+// The share of an interval of the coordinate, `width` metres long around `at`, that is on lines. Closed form, so that
 // lines thinner than a pixel are grey and never broken.
 double tick_coverage(double at, double width);
 
-// Darkens the planes and panels that the camera sees, as if the lines were painted on them, to a quarter of their
-// luminance; solids and lights are left as they are. Three channels, a picture of this camera.
+// Darkens the planes and rectangles that the camera sees, as if the lines were painted on them, to a quarter of their
+// luminance; solids and lights are not changed. Three channels; the picture must be of this camera.
 void draw_ticks(Image& luminance_nt, const Stage& stage, std::span<const Light> lights, const Camera& camera,
                 unsigned threads = 0);
 

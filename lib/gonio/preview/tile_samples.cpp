@@ -10,7 +10,7 @@ namespace gonio::detail {
 
 namespace {
 
-// The rays through the pixels of a tile and of one more on each side.
+// The rays through the pixels of a tile and of one more pixel on each side.
 RayCone cone_of(const CameraRays& rays, double left, double top, double right, double bottom) {
     RayCone cone;
     const Ray middle = rays.ray(0.5 * (left + right), 0.5 * (top + bottom));
@@ -167,7 +167,7 @@ void TileSamples::collect() {
         }
 }
 
-// The points that each surface has got since it had those of `begun`.
+// Makes a chunk of the points added to each surface since the sizes in `begun`.
 void TileSamples::finish_block(std::span<const std::size_t> begun) {
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
         SurfaceSamples& samples = surfaces_[s];
@@ -183,7 +183,7 @@ void TileSamples::finish_block(std::span<const std::size_t> begun) {
 
 void TileSamples::bound_surfaces() {
     for (SurfaceSamples& samples : surfaces_) {
-        // The rows and columns around the tile too: points between pixels may lie beyond the centres.
+        // Includes the rows and columns around the tile: points between pixels may lie beyond the centres.
         const auto add = [&](std::ptrdiff_t center) {
             const Seen& seen = centers_[static_cast<std::size_t>(center)];
             if (seen.what == Seen::What::surface && seen.hit.surface == samples.surface)

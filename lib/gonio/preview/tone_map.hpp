@@ -1,9 +1,9 @@
-// The invertible tone curve of Unreal Engine 3 (as fitted to its filmic one), and its inverse.
+// The invertible tone curve of Unreal Engine 3 (as fitted to its filmic curve), and its inverse.
 //
-// y = 1.0275 x / (x + 0.22) takes exposed linear light, 1 = the display's white of a picture without tone mapping, to a
-// display-encoded value: it is exposure curve and encoding in one, so no sRGB curve follows. 0 stays 0, x = 8 is white
+// y = 1.0275 x / (x + 0.22) maps exposed linear light, 1 = the display's white of a picture without tone mapping, to a
+// display-encoded value: it combines exposure curve and encoding, so no sRGB curve follows. 0 stays 0, x = 8 is white
 // and the curve ends at 1.0275. The inverse x = 0.22 y / (1.0275 − y) gives the light that the curve shows as y; a
-// picture made with it looks through that engine's post-process as the plain picture does without.
+// picture made with it appears through that engine's post-process as the plain picture does without it.
 #pragma once
 
 #include <gonio/base/image.hpp>
@@ -36,15 +36,15 @@ struct ToneMapName {
 
 std::span<const ToneMapName> tone_maps();
 
-// Fails (usage) on an unknown name, naming the nearest.
+// Fails (usage) on an unknown name and suggests the nearest.
 Result<ToneMap> parse_tone_map(std::string_view name);
 std::string_view to_text(ToneMap map);
 
-// Every value of an exposed linear picture through the curve: display-encoded, for a file of integers.
+// Applies the curve to every value of an exposed linear picture: display-encoded, for a file of integers.
 void apply_ue3(Image& exposed);
 
-// An exposed linear picture, cut to [0, 1] and sRGB-encoded as the plain view does, through the inverse: linear light
-// up to 8, for a file of floats.
+// Applies the inverse to an exposed linear picture that is clamped to [0, 1] and sRGB-encoded, as in the plain view:
+// linear light up to 8, for a file of floats.
 void apply_ue3_inverse(Image& exposed);
 
 } // namespace gonio

@@ -1,10 +1,10 @@
 // Decimals as photometric files write them, to the nearest double, in a few nanoseconds. Internal.
 //
-// Three ways, each exact: up to seven digits and a point are converted within one 64-bit word; up to 19 digits whose
-// value is below 2^53 by one division, of which both operands are exact doubles (W. Clinger, How to read floating point
-// numbers accurately, 1990); and up to 19 digits beyond that by an integer division whose remainder decides the
-// rounding. Whatever else a number may be (an exponent, a leading plus, the last bytes of a file) is left to
-// scan_number. Neither allocates nor reads outside of the text.
+// There are three methods, each exact: up to seven digits and a point are converted within one 64-bit word; up to 19
+// digits with a value below 2^53 by one division with two operands that are exact doubles (W. Clinger, How to read
+// floating point numbers accurately, 1990); up to 19 digits beyond that by an integer division, where the remainder
+// decides the rounding. All other numbers (an exponent, a leading plus, the last bytes of a file) are left to
+// scan_number. None of these methods allocates or reads outside the text.
 #pragma once
 
 #include <array>
@@ -15,41 +15,41 @@
 
 namespace gonio::profile_detail {
 
-// What ends a number: space, comma, and the bytes from tab to carriage return.
+// The bytes that end a number: space, comma, and the bytes from tab to carriage return.
 constexpr bool ends_number(char c) {
     return c == ' ' || c == ',' || (c >= '\t' && c <= '\r');
 }
 
-// How many bytes must follow the first of a number for read_decimal to try. The longest that is looked at is a sign, 19
-// digits, a point, and three words of digits behind it: 45 bytes.
+// How many bytes must follow the first byte of a number for read_decimal to try it. The longest text it looks at is a
+// sign, 19 digits, a point, and three words of digits after it: 45 bytes.
 inline constexpr std::ptrdiff_t decimal_lookahead = 48;
 
 inline constexpr std::array<double, 20> decimal_powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
                                                        1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
 
-// Eight bytes of text as a word, the first in its lowest byte, each digit turned into its value.
+// Eight bytes of text as a word, the first in its lowest byte, each digit converted to its value.
 inline std::uint64_t digits_at(const char* p) {
     std::uint64_t word = 0;
     std::memcpy(&word, p, sizeof word);
     return word ^ 0x3030303030303030U;
 }
 
-// How many bits of the word, counted from the lowest, are whole bytes that are digits. Only the first byte that is none
-// is found surely, which is all that is asked.
+// The number of bits, counted from the lowest, that belong to whole bytes that are digits. Only the first byte that is
+// not a digit is found reliably; nothing else is needed.
 inline int digit_bits(std::uint64_t digits) {
     const std::uint64_t others = ((digits + 0x7676767676767676U) | digits) & 0x8080808080808080U;
     return others == 0 ? 64 : std::countr_zero(others) - 7;
 }
 
-// The number that eight digits write, the first in the lowest byte: pairs, fours, all eight.
+// The number written by eight digits, the first in the lowest byte: pairs, fours, all eight.
 inline std::uint64_t number_of_digits(std::uint64_t digits) {
     digits = digits * 10 + (digits >> 8U);
     constexpr std::uint64_t pairs = 0x000000FF000000FFU;
     return (((digits & pairs) * 0x000F424000000064U) + (((digits >> 16U) & pairs) * 0x0000271000000001U)) >> 32U;
 }
 
-// w / 10^k, rounded to nearest even, for w ≥ 2^53 and k ≤ 19: 10^k = 5^k 2^k, and the quotient of w and 5^k to 63 bits
-// with a remainder tells which double is nearest.
+// w / 10^k, rounded to nearest even, for w ≥ 2^53 and k ≤ 19: 10^k = 5^k 2^k; the quotient of w and 5^k to 63 bits and
+// its remainder determine the nearest double.
 inline double divide_exactly(std::uint64_t w, int k) {
     __extension__ using Wide = unsigned __int128;
     static constexpr std::array<std::uint64_t, 20> fives = [] {
@@ -67,7 +67,7 @@ inline double divide_exactly(std::uint64_t w, int k) {
     const bool rest = dividend % divisor != 0;
     // quotient 2^(divisor_up − up − 63 − k) is the number; its 62 to 64 bits are cut to 53.
     const int drop = 11 - std::countl_zero(quotient);
-    // 9 ≤ drop ≤ 11, which the analyzer does not see.
+    // 9 ≤ drop ≤ 11; the analyzer does not see this.
     // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
     const std::uint64_t half = std::uint64_t{1} << static_cast<unsigned>(drop - 1);
     const std::uint64_t tail = quotient & (2 * half - 1);
@@ -78,7 +78,7 @@ inline double divide_exactly(std::uint64_t w, int k) {
     return static_cast<double>(quotient) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
 }
 
-// Up to 19 digits and a point, from `p` on, where digits may begin; nullptr when it is none of those.
+// Up to 19 digits and a point, from `p` on, where digits may begin; nullptr for anything else.
 [[gnu::noinline]] inline const char* read_long_decimal(const char* p, double& magnitude) {
     static constexpr std::array<std::uint64_t, 9> tens{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
     std::uint64_t w = 0;
@@ -97,7 +97,7 @@ inline double divide_exactly(std::uint64_t w, int k) {
     };
     constexpr int most = 19;
     const int whole = read_digits(most);
-    const int significant = w == 0 ? 0 : whole; // a zero before the point is no significant digit
+    const int significant = w == 0 ? 0 : whole; // a zero before the point is not a significant digit
     int decimals = 0;
     if (whole > most) return nullptr;
     if (*p == '.') {
@@ -111,8 +111,8 @@ inline double divide_exactly(std::uint64_t w, int k) {
     return p;
 }
 
-// Reads the number at `p` and returns what is behind it: a byte that ends_number. nullptr, and `value` left alone, when
-// it must be read another way, or is not a number.
+// Reads the number at `p` and returns the position after it: a byte that ends_number. nullptr, with `value` unchanged,
+// if the number needs another method, or is not a number.
 inline const char* read_decimal(const char* p, const char* end, double& value) {
     if constexpr (std::endian::native != std::endian::little) return nullptr;
     if (end - p < decimal_lookahead) return nullptr;
@@ -123,7 +123,7 @@ inline const char* read_decimal(const char* p, const char* end, double& value) {
     double magnitude = 0.0;
     if (whole_bits != 64) {
         const bool point = p[whole_bits / 8] == '.';
-        // The digits behind the point move down onto it; the byte that comes free is no digit.
+        // The digits after the point move down by one byte, over the point; the freed byte is not a digit.
         const std::uint64_t below = (std::uint64_t{1} << static_cast<unsigned>(whole_bits)) - 1;
         const std::uint64_t joined = (digits & below) | ((digits >> 8U) & ~below) | 0xFF00000000000000U;
         const int bits = point ? digit_bits(joined) : whole_bits;

@@ -1,4 +1,4 @@
-// Where the text is in the bytes of a file, and whether it is text at all.
+// Finds the text in the bytes of a file, and checks that it is text at all.
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
 
@@ -16,7 +16,7 @@ bool is_line_end(char c) {
 
 } // namespace
 
-// A mark, or NUL in every other of the first bytes: no other text has them.
+// A byte order mark, or NUL in every second one of the first bytes: no other text has these.
 Utf16 utf16_of(std::string_view bytes) {
     if (bytes.starts_with("\xFF\xFE")) return Utf16::little_endian;
     if (bytes.starts_with("\xFE\xFF")) return Utf16::big_endian;
@@ -30,7 +30,7 @@ Utf16 utf16_of(std::string_view bytes) {
     return alternates(1) ? Utf16::little_endian : alternates(0) ? Utf16::big_endian : Utf16::no;
 }
 
-// Takes marks, Ctrl-Z and NUL padding away from both ends; fails on what is no text.
+// Removes marks, Ctrl-Z and NUL padding from both ends; fails if the rest is not text.
 Result<TextRange> find_text(std::string_view bytes, Report& report) {
     TextRange text{0, bytes.size()};
     if (bytes.starts_with(utf8_mark)) report.add("PRF0104", 0, "the file begins with a byte order mark");
@@ -43,8 +43,8 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
         --text.end;
     const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
     if (nothing) return report.fail("PRF0101", 0, "the file is empty");
-    // NUL is what no text has and every other file does; a stray control byte in a remark harms nothing. Ctrl-Z only
-    // counts as an end where what stands before it is text.
+    // Text never contains NUL and every other file does; a stray control byte in a remark does no harm. Ctrl-Z counts
+    // as an end only if the bytes before it are text.
     const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
     if (const std::size_t i = bytes.substr(0, ctrl_z).find('\0', text.begin); i != std::string_view::npos)
         return report.fail("PRF0102", i, "not a photometric file: text has no NUL bytes");

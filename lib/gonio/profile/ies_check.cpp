@@ -1,4 +1,4 @@
-// What is odd about an LM-63 table that could be read.
+// Checks an LM-63 table that could be read for anything odd.
 #include <gonio/profile/parse.hpp>
 
 #include <fmt/format.h>

@@ -53,7 +53,7 @@ bool is_version_line(std::string_view line) {
     return starts_with_any_case(text, "IESNA") || starts_with_any_case(text, "IES:");
 }
 
-// "TILT=NONE", " tilt = NONE": what stands behind the sign.
+// "TILT=NONE", " tilt = NONE": the text after the equals sign.
 std::optional<std::string_view> tilt_of(std::string_view line) {
     std::string_view text = trim_left(line);
     if (!starts_with_any_case(text, "TILT")) return std::nullopt;
@@ -334,8 +334,8 @@ private:
             if (!list.empty() && value <= list.back()) {
                 if (value < list.back()) {
                     if (!vertical && vertical_goes_on()) return more_vertical();
-                    // A list that is one short runs into the next one, which begins a line of its own: the horizontal
-                    // angles at one of their usual starts, the candela anywhere.
+                    // A list that is one value short runs into the next list, which begins on a new line: the
+                    // horizontal angles at one of their usual starts, the candela anywhere.
                     const bool next_list = !vertical || value == 0.0 || value == -90.0 || value == 90.0;
                     if (next_list && numbers_.token_begins_line()) return missing(last);
                     return unsorted(list.back(), value, vertical);
@@ -351,8 +351,8 @@ private:
         return {};
     }
 
-    // Whether the horizontal list seems to begin with what is left of a vertical list longer than its count. Asked only
-    // when the file does not add up otherwise.
+    // Whether the horizontal list seems to begin with the rest of a vertical list that is longer than its count. Called
+    // only if the file is otherwise inconsistent.
     [[nodiscard]] bool vertical_goes_on() const {
         return !horizontal_begins_line_ && !file_.horizontal_deg.empty() &&
                file_.horizontal_deg.front() > file_.vertical_deg.back();
@@ -413,7 +413,7 @@ private:
         return {};
     }
 
-    // The first negative number behind `numbers`, which is known to be one that is read quickly.
+    // The first negative number from `numbers` on; the numbers there are known to be readable quickly.
     void find_negative(NumberScanner numbers) {
         double value = 0.0;
         while (value >= 0.0 && numbers.next(value) == Token::number)

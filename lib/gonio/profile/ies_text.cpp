@@ -1,4 +1,4 @@
-// Names of what LM-63 writes as numbers.
+// Names for values that LM-63 writes as numbers.
 #include <gonio/profile/profile.hpp>
 
 #include <array>

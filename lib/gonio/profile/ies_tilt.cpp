@@ -25,7 +25,7 @@ Result<void> header_number(NumberScanner& numbers, double& value, std::size_t en
     return {};
 }
 
-// A name that can only mean a file in the folder at hand.
+// A name that can only mean a file in the current folder.
 bool is_plain_name(std::string_view name) {
     constexpr std::size_t longest = 255;
     return !name.empty() && name.size() <= longest && name != "." && name != ".." &&
@@ -99,12 +99,12 @@ Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, cons
                    hint);
         return IesTilt{};
     }
-    // Named as the profile is: a path beside its path.
-    const std::size_t folder = report.source().find_last_of('/') + 1; // 0 where there is none
+    // Named like the profile: a path next to its path.
+    const std::size_t folder = report.source().find_last_of('/') + 1; // 0 if there is none
     Report of_tilt(*bytes, report.source().substr(0, folder) + std::string(name), report.strict());
     Result<TextRange> text = find_text(*bytes, of_tilt);
     if (!text) return report.fail_of_other(std::move(text.error().diagnostics));
-    // Any file may have the name: nothing is told of one that does not begin as factors do.
+    // Any file may have this name: do not report the content of one that does not begin like factors.
     NumberScanner head(*bytes, text->begin, text->end);
     double ignored = 0.0;
     const Token first = head.next(ignored);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view line_end = "\r\n";
 
-// Numbers separated by single blanks; a line is broken where the next number would pass `longest` characters.
+// Numbers separated by single blanks; a line is broken where the next number would exceed `longest` characters.
 class NumberLines {
 public:
     NumberLines(std::string& text, std::size_t longest) : text_(text), longest_(longest) {}
@@ -88,7 +88,7 @@ std::string write_ies(const IesFile& file, std::size_t longest_line) {
     }
     for (const IesKeyword& keyword : file.keywords)
         write_keyword(text, keyword);
-    // A first byte that could begin a byte order mark is kept from the front; blanks before a label mean nothing.
+    // A first byte that could begin a byte order mark must not come first; blanks before a label have no meaning.
     if (!text.empty() && static_cast<unsigned char>(text.front()) >= 0x80U) text.insert(text.begin(), ' ');
     text += "TILT=" + file.tilt_keyword;
     text += line_end;

@@ -1,4 +1,4 @@
-// What is odd about a EULUMDAT table that could be read.
+// Checks a EULUMDAT table that could be read for anything odd.
 #include <gonio/profile/parse.hpp>
 
 #include <fmt/format.h>

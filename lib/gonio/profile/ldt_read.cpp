@@ -1,4 +1,4 @@
-// EULUMDAT: one value a line, each known by its place.
+// EULUMDAT: one value per line, identified by its position.
 #include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
@@ -20,7 +20,7 @@ namespace {
 constexpr double largest_count = 2147483647.0;
 constexpr std::size_t direct_ratio_count = 10;
 
-// The whole line is one number, its decimal sign a point or a comma.
+// The whole line is one number, with a point or a comma as the decimal sign.
 Token number_in(std::string_view line, double& value, bool& comma) {
     const std::string_view text = trim(line);
     NumberScanner scanner(text, 0, text.size());
@@ -41,8 +41,8 @@ Token number_in(std::string_view line, double& value, bool& comma) {
     return token;
 }
 
-// A line that is one number which can be read quickly: returns where the next line begins and sets where the number
-// does, or returns nullptr.
+// A line with a single number that can be read quickly: returns where the next line begins and sets `number` to where
+// the number begins, or returns nullptr.
 const char* quick_line(const char* line, const char* end, const char*& number, double& value) {
     while (line != end && is_blank(*line))
         ++line;
@@ -105,14 +105,14 @@ private:
         return {};
     }
 
-    // As text, without the blanks around it: what looks like a number to those who use it.
+    // Read as text, without the blanks around it: users treat it as a number.
     Result<void> word(std::string& field, std::string_view what, std::size_t longest) {
         if (Result<void> read = text(field, what, longest); !read) return read;
         field = std::string(trim(field));
         return {};
     }
 
-    // The next line as a number, when that is quickly done.
+    // The next line as a number, if it can be read quickly.
     bool next_quickly(double& value) {
         const char* const first = report_.bytes().data();
         const char* number = nullptr;
@@ -123,7 +123,7 @@ private:
         return true;
     }
 
-    // As many lines of the table as can be read quickly: each one number, its end right behind it.
+    // Reads as many lines of the table as can be read quickly: each is one number followed directly by the line end.
     std::size_t next_quickly(std::span<double> numbers) {
         const char* const first = report_.bytes().data();
         const char* const end = first + text_.end;
@@ -177,7 +177,7 @@ private:
         const std::string shown = quoted(written.substr(0, 40));
         if (token == Token::not_finite)
             return report_.fail("LDT0103", number_offset_, shown + " is not a finite number up to 1e30");
-        // Before the first numbers of the head it may be any file, of which nothing is to be told.
+        // Before the first numbers of the head this may be any file: do not report its content.
         const bool known = file_.plane_count > 0;
         return report_.fail(
             "LDT0102", number_offset_,
@@ -294,7 +294,7 @@ private:
         return true;
     }
 
-    // An angle is not 0 for being blank: every value of the table would stand in another direction.
+    // A blank angle does not count as 0: every value of the table would belong to another direction.
     Result<void> angle_of(const Line& line, double& value, std::string_view what) {
         if (trim(line.text).empty())
             return report_.fail("LDT0102", line.offset, fmt::format("a blank line where the {} is expected", what));
@@ -346,7 +346,7 @@ private:
             if (file_.gammas_deg.empty()) places_.vertical = number_offset_;
             places_.last_vertical = number_offset_;
             const double before = file_.gammas_deg.empty() ? -1.0 : file_.gammas_deg.back();
-            // The list ended early when it has reached a usual end and does not go on as angles do.
+            // The list ended early if it has reached a usual end and does not continue as angles do.
             if ((before == 90.0 || before == 180.0) && (value < before || value > 180.0))
                 return missing(number_offset_);
             if (value < 0.0 || value > 180.0)
@@ -407,7 +407,7 @@ private:
         return {};
     }
 
-    // What follows the table: nothing, a remark, or the planes that the symmetry should have left out.
+    // After the table: nothing, a remark, or the planes that the symmetry should have left out.
     void read_rest() {
         if (lines_.offset() >= last_text_) return;
         const std::size_t rest_offset = lines_.offset();
@@ -440,8 +440,8 @@ private:
         if (!complete_planes()) file_.symmetry = 0;
     }
 
-    // Some programs count and list the stored planes alone: 0–180 under symmetry 2, 0–90 under 4. The table then is
-    // what the symmetry asks for, and the planes over the full turn follow from it.
+    // Some programs count and list only the stored planes: 0–180 under symmetry 2, 0–90 under 4. The table then matches
+    // the symmetry, and the planes over the full turn follow from it.
     bool complete_planes() {
         std::vector<double>& planes = file_.planes_deg;
         if (planes.size() < 2 || planes.front() != 0.0) return false;
@@ -453,7 +453,7 @@ private:
         };
         if (file_.symmetry == 4) mirror(90.0);
         mirror(180.0);
-        planes.pop_back(); // 360 is 0
+        planes.pop_back(); // 360 is the same as 0
         file_.plane_count = static_cast<int>(planes.size());
         return true;
     }
@@ -479,7 +479,7 @@ private:
     Report& report_;
     LineScanner lines_;
     TextRange text_;
-    std::size_t last_text_; // behind the last byte that is neither blank nor line end
+    std::size_t last_text_; // after the last byte that is neither blank nor line end
     LdtFile file_;
     LdtPlaces places_;
     std::size_t number_offset_ = 0; // of the number read last

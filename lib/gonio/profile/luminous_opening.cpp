@@ -15,7 +15,7 @@ namespace {
 constexpr double meters_per_foot = 0.3048;
 constexpr double meters_per_millimeter = 1e-3;
 
-// What an edition's table says of one combination of signs: '+', '-', '0' of width, length and height.
+// The shape for one combination of signs in an edition's table: '+', '-', '0' of width, length and height.
 struct ShapeCode {
     std::string_view signs;
     OpeningShape shape;
@@ -41,7 +41,7 @@ constexpr std::array codes_of_1995{
 };
 
 constexpr std::array codes_of_2002{
-    ShapeCode{"--0", OpeningShape::disk}, // or an ellipse, by the sizes; so below
+    ShapeCode{"--0", OpeningShape::disk}, // or an ellipse, depending on the sizes; also below
     ShapeCode{"--+", OpeningShape::vertical_cylinder},
     ShapeCode{"---", OpeningShape::sphere},
     ShapeCode{"-+-", OpeningShape::horizontal_cylinder},
@@ -102,7 +102,7 @@ LuminousOpening opening_of(const LdtFile& file) {
     opening.height_m = std::max({file.luminous_height_c0_mm, file.luminous_height_c90_mm, file.luminous_height_c180_mm,
                                  file.luminous_height_c270_mm}) *
                        meters_per_millimeter;
-    // A width of 0 says that the length is a diameter.
+    // A width of 0 means that the length is a diameter.
     if (opening.length_m > 0.0 && opening.width_m == 0.0) {
         opening.width_m = opening.length_m;
         opening.shape = opening.height_m > 0.0 ? OpeningShape::vertical_cylinder : OpeningShape::disk;
@@ -112,8 +112,8 @@ LuminousOpening opening_of(const LdtFile& file) {
     return opening;
 }
 
-// TM-33: the bottom face of the first emitter that has one area; several are what they span together only by their
-// offsets, so the luminaire's own size stands for them.
+// TM-33: the bottom face of the first emitter that has exactly one area. Several areas need their offsets to give the
+// size that they span together, so the luminaire's own size is used instead.
 LuminousOpening opening_of(const Tm33File& file) {
     LuminousOpening opening;
     for (const Tm33Emitter& emitter : file.emitters)

@@ -12,8 +12,8 @@ enum class OpeningShape {
     disk,
     ellipse,
     vertical_cylinder,
-    horizontal_cylinder,        // its axis along the length
-    horizontal_cylinder_across, // its axis along the width
+    horizontal_cylinder,        // with its axis along the length
+    horizontal_cylinder_across, // with its axis along the width
     upright_disk,               // facing the horizon
     sphere,
     ellipsoid
@@ -30,10 +30,10 @@ struct LuminousOpening {
     double height_m = 0.0;
 };
 
-// LM-63 codes the shape by the signs of width, length and height, by tables that differ between 1986/1991, 1995 and
+// LM-63 encodes the shape in the signs of width, length and height, with tables that differ between 1986/1991, 1995 and
 // 2002/2019. A combination that the file's edition does not define is a box of these sizes. EULUMDAT has circles and
-// rectangles with a height; a width of 0 makes the length a diameter. TM-33 has areas on the faces of an emitter; where
-// its bottom face has not exactly one, the luminaire's own dimensions are taken.
+// rectangles with a height; a width of 0 makes the length a diameter. TM-33 has areas on the faces of an emitter; if
+// its bottom face does not have exactly one, the luminaire's own dimensions are used.
 LuminousOpening luminous_opening(const Profile& profile);
 
 } // namespace gonio

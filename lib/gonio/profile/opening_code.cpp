@@ -40,7 +40,7 @@ Sizes code_of_2002(const LuminousOpening& opening) {
     return {w, l, h};
 }
 
-// A circle has one negative size and a length of 0. There is no flat ellipse and no upright disk.
+// A circle has one negative size and a length of 0. There are no codes for a flat ellipse or an upright disk.
 Sizes code_of_1995(const LuminousOpening& opening) {
     const double w = opening.width_m;
     const double l = opening.length_m;
@@ -69,7 +69,7 @@ Sizes code_of_1995(const LuminousOpening& opening) {
     return {w, l, h};
 }
 
-// Sizes pass through millimetres, feet and metres: a nanometre off is no reason to write sixteen digits.
+// Sizes are converted between millimetres, feet and metres: an error of a nanometre does not justify sixteen digits.
 double rounded(double value) {
     return std::round(value * 1e9) / 1e9;
 }
@@ -99,7 +99,7 @@ LuminousOpening set_opening(LdtFile& file, const LuminousOpening& opening) {
     const double width = opening.width_m * 1000.0;
     const double length = opening.length_m * 1000.0;
     file.luminous_length_mm = rounded(round ? std::max(width, length) : length);
-    // A width of 0 would say that the length is a diameter: a line keeps a hundredth of a millimetre.
+    // A width of 0 would mean that the length is a diameter: a line gets a width of a hundredth of a millimetre.
     const bool line = !round && width == 0.0 && length > 0.0;
     file.luminous_width_mm = round ? 0.0 : line ? 0.01 : rounded(width);
     for (double* const height : {&file.luminous_height_c0_mm, &file.luminous_height_c90_mm,
@@ -118,7 +118,7 @@ LuminousOpening set_opening(Tm33File& file, Tm33Emitter& emitter, const Luminous
         file.width_m = rounded(known ? housing.width_m : opening.width_m);
         file.height_m = rounded(known ? housing.height_m : opening.height_m);
     }
-    // A point in a housing is an area of no size: without one the housing would be taken for what shines.
+    // A point in a housing is an area of size 0: without an area the housing would count as the luminous opening.
     const bool as_area = opening.shape == OpeningShape::point ? known : flat || known;
     if (as_area) emitter.bottom_areas = {{rounded(opening.length_m), rounded(opening.width_m), round}};
     Profile profile;

@@ -1,7 +1,7 @@
 // The readers behind read_profile, one for each format. Internal.
 //
-// They read `bytes` from `begin` up to `end` (the text without byte order mark and without what follows Ctrl-Z) and
-// say what is odd to the Report, whose offsets count from the start of `bytes`.
+// They read `bytes` from `begin` up to `end` (the text without byte order mark and without anything after Ctrl-Z) and
+// report anything odd to the Report; its offsets count from the start of `bytes`.
 #pragma once
 
 #include <gonio/profile/luminous_opening.hpp>
@@ -26,30 +26,30 @@ enum class Utf16 { no, little_endian, big_endian };
 
 Utf16 utf16_of(std::string_view bytes);
 
-// The text in `bytes`: without marks, Ctrl-Z and NUL padding at its ends. Fails on what is no text.
+// The text in `bytes`: without marks, Ctrl-Z and NUL padding at its ends. Fails if it is not text.
 Result<TextRange> find_text(std::string_view bytes, Report& report);
 
 Result<IesFile> parse_ies(TextRange text, Report& report, const ReadBeside& read_beside);
 Result<LdtFile> parse_ldt(TextRange text, Report& report);
 Result<Tm33File> parse_tm33(TextRange text, Report& report);
 
-// Whether an outermost element of that name is TM-33's, or that of a document much like it.
+// Whether an outermost element of that name is TM-33's, or that of a closely related document.
 bool is_tm33_root(std::string_view name);
 
-// What stands behind TILT=INCLUDE and in the file of TILT=<name>: geometry, count, angles, factors. `numbers` stops
-// behind the last factor; `end` is where the text ends.
+// Reads the text after TILT=INCLUDE and in the file of TILT=<name>: geometry, count, angles, factors. `numbers` stops
+// after the last factor; `end` is where the text ends.
 Result<IesTilt> parse_tilt(NumberScanner& numbers, std::size_t end, Report& report);
 
-// The factors of TILT=<name>, whose name stands at `offset`. Empty where the file cannot be had, which is said.
+// The factors of TILT=<name>; the name is at `offset`. Empty if the file is not available, which is reported.
 Result<IesTilt> read_tilt_beside(std::string_view name, std::size_t offset, const ReadBeside& read_beside,
                                  Report& report);
 
-// Says that the token `numbers` read last is not a number, or no finite one.
+// Reports that the last token read by `numbers` is not a number, or not a finite one.
 Unexpected not_a_number(const NumberScanner& numbers, Token token, Report& report);
 
-// Where things stand in the file, for what is said after the whole of it was read.
+// Places in the file, for reports made after the whole file was read.
 struct TablePlaces {
-    std::size_t header = 0; // first number behind TILT
+    std::size_t header = 0; // first number after TILT
     std::size_t shape = 0;  // width of the luminous opening
     std::size_t vertical = 0;
     std::size_t last_vertical = 0;
@@ -60,7 +60,7 @@ struct TablePlaces {
     double peak = 0.0; // the largest magnitude in the table
 };
 
-// Of a table that could be read, the places that are asked for when its light is known.
+// Marks the places in a readable table that are needed when its light is known.
 inline void mark_table(const TablePlaces& places, Report& report) {
     report.mark(ProfileField::first_vertical, places.vertical);
     report.mark(ProfileField::last_vertical, places.last_vertical);
@@ -77,31 +77,31 @@ struct LdtPlaces : TablePlaces {
     std::size_t direct_ratios = 0;
 };
 
-// Says what is odd about a table that could be read: ranges, missing planes, poles that disagree, no light.
+// Reports anything odd about a table that could be read: ranges, missing planes, poles that disagree, no light.
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report);
 void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report);
 
-// The shape that the signs of the dimensions code in the file's edition; nothing where it has no such code.
+// The shape that the signs of the dimensions encode in the file's edition; nothing if it has no such code.
 std::optional<OpeningShape> ies_opening_shape(const IesFile& file);
 
-// Where an emitter's luminous intensity and its symmetry stand.
+// The places of an emitter's luminous intensity and its symmetry.
 struct Tm33Places {
     std::size_t table = no_place;
     std::size_t symmetry = no_place;
     std::size_t multiplier = no_place;
 };
 
-// Planes and poles are those of type C alone.
+// Planes and poles are checked for type C only.
 void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33Places& places, Report& report);
 
-// What the checks ask of a table of `planes` rows.
+// The results for a table of `planes` rows that the checks need.
 struct Poles {
     bool nadir_differs = false;
     bool zenith_differs = false;
     bool all_zero = true;
 };
 
-// `gammas_deg` are type C angles; a pole is looked at only where the table reaches it. `peak` is the largest magnitude.
+// `gammas_deg` are type C angles; a pole is checked only if the table reaches it. `peak` is the largest magnitude.
 Poles look_at_poles(const std::vector<double>& gammas_deg, const std::vector<double>& table, double peak);
 
 } // namespace gonio::profile_detail

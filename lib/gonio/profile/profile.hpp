@@ -27,21 +27,21 @@ const char* to_text(IesVersion version); // "LM-63-2002"
 
 struct IesKeyword {
     std::string name; // without brackets, as written: "MANUFAC", "_LOCAL"; empty for a label line without brackets
-    std::string text; // without leading blanks; lines of [MORE] are joined to it by '\n'
+    std::string text; // without leading blanks; lines of [MORE] are joined by '\n'
 };
 
 struct IesFile {
     IesVersion version = IesVersion::lm63_2002;
     std::string version_line;          // as written; empty when the file has none
     std::vector<IesKeyword> keywords;  // in the file's order, repeats kept
-    std::string tilt_keyword = "NONE"; // what follows TILT=
-    IesTilt tilt;                      // of TILT=INCLUDE, or of the file that TILT names when it could be read
+    std::string tilt_keyword = "NONE"; // the text after TILT=
+    IesTilt tilt;                      // of TILT=INCLUDE, or of the file that TILT names if it could be read
     int lamp_count = 1;
     double lumens_per_lamp = -1.0; // −1: absolute photometry
     double candela_multiplier = 1.0;
     Photometry photometry = Photometry::c;
     bool feet = false;  // unit of the three dimensions
-    double width = 0.0; // sign and combination code the luminous opening's shape, by version
+    double width = 0.0; // the signs of the three encode the luminous opening's shape, by version
     double length = 0.0;
     double height = 0.0;
     double ballast_factor = 1.0;
@@ -52,8 +52,8 @@ struct IesFile {
     std::vector<double> candela; // [horizontal][vertical], before any factor
 };
 
-// What field 12 says since 2019 about how the file was made, "test at an accredited laboratory"; nullptr for a number
-// that LM-63-2019 does not list, and for older files, where the field means something else.
+// How the file was made, from field 12 since 2019, for example "test at an accredited laboratory"; nullptr for a number
+// that LM-63-2019 does not list, and for older files, where the field has another meaning.
 const char* file_generation_type(const IesFile& file);
 
 // EULUMDAT ------------------------------------------------------------------------------------------------------------
@@ -100,8 +100,8 @@ struct LdtFile {
     std::vector<double> candela_per_klm; // [stored plane][gamma]; which planes are stored follows from Isym
 };
 
-// How many of `plane_count` planes over 0–360° a EULUMDAT table stores under the symmetry 0 … 4: all, one, half and
-// one, half and one, a quarter and one.
+// How many of `plane_count` planes over 0–360° a EULUMDAT table stores under the symmetry 0 … 4: all; one; half plus
+// one; half plus one; a quarter plus one.
 constexpr int stored_plane_count(int symmetry, int plane_count) {
     if (symmetry == 1) return 1;
     if (symmetry == 2 || symmetry == 3) return plane_count / 2 + 1;
@@ -115,7 +115,7 @@ struct Profile {
     std::string source; // the name in diagnostics: a path, or "-"
     std::variant<IesFile, LdtFile, Tm33File> file;
     Diagnostics diagnostics; // warnings and notes; an error would have prevented the Profile
-    FieldPlaces places = {}; // as read; of a profile that was made, none
+    FieldPlaces places = {}; // as read; empty for a profile that was not read
 };
 
 // The place of the field in the profile's file, or the whole file if that is not known.

@@ -16,7 +16,8 @@ using profile_detail::LineScanner;
 using profile_detail::Report;
 using profile_detail::TextRange;
 
-// A first line that names LM-63, or a line "TILT=…" anywhere: found by its sign, which hardly another line has.
+// A first line that names LM-63, or a line "TILT=…" anywhere: found by its equals sign, which hardly any other line
+// has.
 bool looks_like_ies(std::string_view bytes, TextRange text) {
     LineScanner lines(bytes, text.begin, text.end);
     while (!lines.at_end()) {
@@ -102,13 +103,13 @@ bool begins_as_tm33(std::string_view bytes) {
 }
 
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options) {
-    std::string converted; // what UTF-16 became
+    std::string converted; // the result of the conversion from UTF-16
     const profile_detail::Utf16 utf16 = profile_detail::utf16_of(bytes);
     if (utf16 != profile_detail::Utf16::no) {
         converted = utf16_to_utf8(bytes, utf16 == profile_detail::Utf16::big_endian);
         bytes = converted;
     }
-    // XML is UTF-8 by definition; LM-63 and EULUMDAT keep whatever bytes they have.
+    // XML is UTF-8 by definition; LM-63 and EULUMDAT keep their bytes unchanged.
     const bool foreign_xml =
         (options.format == ProfileFormat::tm33 || (!options.format && looks_like_tm33(bytes))) && !is_utf8(bytes);
     if (foreign_xml) {

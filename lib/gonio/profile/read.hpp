@@ -1,10 +1,10 @@
 // Reading photometric files: bytes → Profile.
 //
-// Tolerant by default: anything that needs no guess is read, and a diagnostic reports what was unusual. `strict`
-// turns the departures from the standard into errors. A count that a file announces is never allocated before that
-// many values have been seen. Fails with `malformed`; every diagnostic has a code of gonio/base/codes/profile.hpp and
-// carries file, line and column (whole-file remarks: line 0). Texts keep their bytes (text_encoding.hpp shows them);
-// only UTF-16 is converted, and its lines and columns are those of the UTF-8 it became.
+// Tolerant by default: anything that needs no guess is read, and a diagnostic reports what was unusual. `strict` turns
+// the departures from the standard into errors. A count announced in a file is never allocated before that many values
+// have been seen. Fails with `malformed`; every diagnostic has a code of gonio/base/codes/profile.hpp and carries file,
+// line and column (whole-file remarks: line 0). Texts keep their bytes (text_encoding.hpp shows them); only UTF-16 is
+// converted to UTF-8, and lines and columns then refer to the UTF-8 text.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -30,21 +30,21 @@ using ReadBeside = std::function<Result<std::string>(const std::string& name)>;
 
 struct ReadOptions {
     std::optional<ProfileFormat> format =
-        {}; // default: recognised from the bytes, the name's extension deciding a draw
+        {}; // default: recognised from the bytes; the name's extension decides if they are ambiguous
     bool strict = false;
-    // Asked for the factors of TILT=<name>, with plain names only: nothing that has a separator, a drive or "..".
-    // Empty: no other file is read, and a profile that names one is read without its factors.
+    // Called for the factors of TILT=<name>, with plain names only: no separator, drive or "..". Empty: no other file
+    // is read, and a profile that names one is read without its factors.
     ReadBeside read_beside = {};
 };
 
-// Reads regular files and links to them in the folder of `path`, but not through a link that leads out of it. A
-// name that does not exist is tried in small and in capital letters: many come from systems that ignore case.
+// Reads regular files and links to them in the folder of `path`, but does not follow a link that leads out of it. A
+// name that does not exist is tried in lower and in upper case: many come from systems that ignore case.
 ReadBeside reader_beside(const std::string& path);
 
 // `source` names the bytes in diagnostics, and its extension helps to recognise the format.
 Result<Profile> read_profile(std::string_view bytes, const std::string& source, const ReadOptions& options = {});
 
-// Reads the file at `path` first; fails with `io` when that fails and beyond the limit profile-bytes. Without
+// Reads the file at `path` first; fails with `io` if that fails or if the file exceeds the limit profile-bytes. Without
 // options.read_beside, files beside it are read as by reader_beside(path).
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options = {});
 

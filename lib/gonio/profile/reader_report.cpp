@@ -10,8 +10,7 @@ namespace gonio::profile_detail {
 
 namespace {
 
-// Line and column of offsets that ascend. A line ends with CR LF, LF or CR, whichever comes: all three occur within one
-// file.
+// Line and column of ascending offsets. A line ends with CR LF, LF or CR: all three may occur within one file.
 class LineCounter {
 public:
     explicit LineCounter(std::string_view bytes) : bytes_(bytes) {}
@@ -31,7 +30,7 @@ public:
 
 private:
     std::string_view bytes_;
-    std::size_t next_ = 0; // all before is counted
+    std::size_t next_ = 0; // everything before it is counted
     std::size_t line_start_ = 0;
     std::uint32_t line_ = 1;
 };
@@ -74,7 +73,7 @@ void Report::add(ProfileCode code, std::size_t offset, std::string message, std:
     repeats_.push_back(0);
 }
 
-// In the order of the file, what concerns the whole of it first.
+// In the order of the file; reports about the whole file come first.
 void Report::order() {
     close_counts();
     std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {

@@ -1,7 +1,7 @@
-// Report: what a reader has to say about one file, with the place of each thing. Internal to the profile room.
+// Report: the diagnostics of a reader about one file, each with its place. Internal to the profile room.
 //
-// A reader works with byte offsets; line and column are found when something is said. Of each code only the first
-// occurrence is kept and the others are counted: a file with ten thousand negative values is one sentence.
+// A reader works with byte offsets; line and column are computed when something is reported. Only the first occurrence
+// of each code is kept and the others are counted: a file with ten thousand negative values gives one sentence.
 #pragma once
 
 #include <gonio/base/codes/profile.hpp>
@@ -24,29 +24,29 @@ public:
     // `bytes` is the whole file, byte order mark included; offsets count from its start.
     Report(std::string_view bytes, std::string source, bool strict);
 
-    // Says it with the severity that the table gives to the code.
+    // Reports it with the severity that the table gives to the code.
     void add(ProfileCode code, std::size_t offset, std::string message, std::string hint = {});
 
-    // Says it and returns the failure of the whole reading, with everything said before.
+    // Reports it and returns the failure of the whole reading, with everything reported before.
     Unexpected fail(ProfileCode code, std::size_t offset, std::string message, std::string hint = {},
                     Failure failure = Failure::malformed);
 
-    // Adds what was said about another file that this one leads to, behind everything else.
+    // Adds the diagnostics of another file that this one refers to, after everything else.
     void add_of_other(Diagnostics diagnostics);
 
-    // The failure of the whole reading for what was said about the other file, whose error is the last.
+    // The failure of the whole reading because of the other file's diagnostics; the last of them is the error.
     Unexpected fail_of_other(Diagnostics diagnostics);
 
-    // Remembers where a field stands; `no_place` where it is not.
+    // Stores the place of a field; `no_place` if it is missing.
     void mark(ProfileField field, std::size_t offset) { marks_[static_cast<std::size_t>(field)] = offset; }
 
     // Line and column of every field that was marked.
     [[nodiscard]] FieldPlaces places() const;
 
-    // Whether something said so far is an error, which happens under `strict` only.
+    // Whether anything reported so far is an error, which happens only under `strict`.
     [[nodiscard]] bool has_error() const { return has_error_; }
 
-    // The failure made of what was said; for has_error().
+    // The failure made of the diagnostics so far; for has_error().
     Unexpected failure();
 
     Diagnostics take();

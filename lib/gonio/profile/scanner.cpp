@@ -21,8 +21,8 @@ constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// from_chars reports overflow and underflow alike. The place of the first digit that is not zero, plus the exponent,
-// tells which it was. `text` is a well-formed number.
+// from_chars reports overflow and underflow alike. The position of the first digit that is not zero, plus the exponent,
+// distinguishes the two. `text` is a well-formed number.
 bool is_underflow(std::string_view text) {
     const std::size_t e = text.find_first_of("eE");
     const std::string_view mantissa = text.substr(0, e);
@@ -61,8 +61,8 @@ std::string_view trim(std::string_view text) {
 Line LineScanner::next() {
     const std::size_t begin = std::min(next_, end_);
     std::size_t at = begin;
-    // Eight bytes at a time: x − 0x01… has a byte's high bit set where x has a zero byte and, above such, perhaps
-    // elsewhere; the exact place is found below.
+    // Eight bytes at a time: x − 0x01… sets a byte's high bit where x has a zero byte and possibly in bytes above it;
+    // the exact place is found below.
     const auto has_zero = [](std::uint64_t x) { return (x - 0x0101010101010101U) & ~x & 0x8080808080808080U; };
     while (at + 8 <= end_) {
         std::uint64_t word = 0;
@@ -86,7 +86,7 @@ Token scan_number(std::string_view text, double& value, bool& plain) {
     }
     std::string_view magnitude = rest;
     if (!magnitude.empty() && magnitude.front() == '-') magnitude.remove_prefix(1);
-    // from_chars also takes "inf" and "nan", and "infinity"; a number begins with a digit or a point.
+    // from_chars also accepts "inf" and "nan", and "infinity"; a number begins with a digit or a point.
     if (magnitude.empty() || !(is_digit(magnitude.front()) || magnitude.front() == '.')) {
         for (const std::string_view word : {"INF", "NAN", "INFINITY"})
             if (equals_any_case(magnitude, word)) return Token::not_finite;

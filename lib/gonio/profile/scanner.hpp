@@ -1,4 +1,4 @@
-// The two ways through the text of a photometric file: line by line, and number by number. Internal.
+// The two scanners for the text of a photometric file: line by line, and number by number. Internal.
 //
 // A line ends with CR LF, LF or CR. Blanks are space, tab, vertical tab and form feed. Text is bytes: nothing is
 // decoded. Neither scanner allocates.
@@ -45,16 +45,16 @@ private:
 enum class Token {
     number,
     end,        // no token is left
-    not_number, // the token is none
+    not_number, // the token is not a number
     not_finite  // inf, nan, or of a magnitude above greatest_amount
 };
 
-// Reads the whole of `text` as a decimal number with an optional sign; no blanks, no hexadecimal. Never `end`.
-// Exact: the nearest double. A magnitude above greatest_amount is refused (not_finite). `plain` becomes false when the
+// Reads the whole of `text` as a decimal number with an optional sign; no blanks, no hexadecimal. Never returns `end`.
+// Exact: the nearest double. A magnitude above greatest_amount is refused (not_finite). `plain` becomes false if the
 // number has an exponent.
 Token scan_number(std::string_view text, double& value, bool& plain);
 
-// "'abc'": what a message may show of a file's text, printable ASCII as it is, other bytes in hexadecimal.
+// "'abc'": a file's text in the form that messages show, printable ASCII unchanged, other bytes in hexadecimal.
 std::string quoted(std::string_view text);
 
 // Numbers separated by blanks, line ends and commas.
@@ -63,7 +63,7 @@ public:
     NumberScanner(std::string_view bytes, std::size_t begin, std::size_t end)
         : first_(bytes.data()), at_(bytes.data() + begin), end_(bytes.data() + end), token_(at_) {}
 
-    // The next number. On anything but `number`, `value` is left alone.
+    // The next number. If the result is not `number`, `value` is unchanged.
     Token next(double& value) {
         skip_separators();
         token_ = at_;
@@ -74,11 +74,11 @@ public:
         return Token::number;
     }
 
-    // Reads numbers into `numbers` as long as they can be read quickly; how many that were. next() reads the one that
-    // stopped it. `lowest` and `highest` are widened to what was read.
+    // Reads numbers into `numbers` as long as they can be read quickly; returns how many were read. next() reads the
+    // one at which it stopped. `lowest` and `highest` are widened to include the numbers read.
     std::size_t next_quickly(std::span<double> numbers, double& lowest, double& highest);
 
-    // Skips separators; whether nothing else is left.
+    // Skips separators; returns whether nothing else is left.
     bool at_end() {
         skip_separators();
         token_ = at_;
@@ -86,8 +86,7 @@ public:
     }
 
     [[nodiscard]] std::size_t token_offset() const { return static_cast<std::size_t>(token_ - first_); }
-    [[nodiscard]] std::string_view
-    token() const; // the text of the token that was read last, shortened to what a message can hold
+    [[nodiscard]] std::string_view token() const; // the text of the last token read, shortened to fit into a message
     [[nodiscard]] bool token_begins_line() const;
     [[nodiscard]] std::size_t exponent_offset() const {
         return exponent_;

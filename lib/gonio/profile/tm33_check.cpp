@@ -1,4 +1,4 @@
-// What is odd about a TM-33 intensity that could be read.
+// Checks a TM-33 intensity that could be read for anything odd.
 #include <gonio/profile/parse.hpp>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace gonio::profile_detail {
 
 namespace {
 
-// The symmetry that the range of the planes tells, as in LM-63.
+// The symmetry that the range of the planes implies, as in LM-63.
 Tm33Symmetry symmetry_of(const std::vector<double>& planes) {
     if (planes.size() == 1) return Tm33Symmetry::full;
     if (planes.front() == 0.0 && planes.back() == 90.0) return Tm33Symmetry::quadrant;

@@ -22,7 +22,7 @@ constexpr std::array<std::pair<Tm33Symmetry, const char*>, 6> symmetries{{{Tm33S
                                                                           {Tm33Symmetry::full, "Symm_Full"},
                                                                           {Tm33Symmetry::arbitrary, "Symm_Arbitrary"}}};
 
-// Without blanks and in capitals.
+// The text without blanks and in capitals.
 std::string canonical(std::string_view text) {
     std::string result;
     for (const char c : text)

@@ -1,9 +1,9 @@
 // ANSI/IES TM-33 (also ATLA S001, UNI 11733): luminaire optical data in XML.
 //
-// What gonio works with is in fields; everything else of the document (other quantities, elements and attributes of
-// others, comments) stays in `document` and is written back in its place. A field that differs from the
-// document wins: writing puts it in its element, which is created at the schema's place if it is missing, and removed
-// if the field is empty. Lengths in metres, angles in degrees, wavelengths in nanometres.
+// The data that gonio uses is in fields; everything else of the document (other quantities, foreign elements and
+// attributes, comments) stays in `document` and is written back in its place. A field that differs from the document
+// wins: writing puts it into its element, which is created at the schema's place if it is missing, and removed if the
+// field is empty. Lengths in metres, angles in degrees, wavelengths in nanometres.
 #pragma once
 
 #include <optional>
@@ -28,14 +28,14 @@ struct Tm33Text {
     bool operator==(const Tm33Text&) const = default;
 };
 
-// The stated symmetry; which planes the table has decides.
+// The stated symmetry; the planes in the table have priority.
 enum class Tm33Symmetry { none, bilateral_0, bilateral_90, quadrant, full, arbitrary };
 
 struct Tm33Intensity {
     std::optional<bool> absolute; // false: measured relative to the rated lumens of the emitter
     std::optional<Tm33Symmetry> symmetry;
-    std::string photometry_type;      // of the programs' dialect; TM-33 names it once, as the goniometer
-    std::optional<double> multiplier; // 1 where absent
+    std::string photometry_type;      // of the programs' dialect; TM-33 states it once, as the goniometer
+    std::optional<double> multiplier; // 1 if absent
     std::vector<double> horizontal_deg;
     std::vector<double> vertical_deg;
     std::vector<double> candela; // [horizontal][vertical], before the multiplier
@@ -45,10 +45,10 @@ struct Tm33Intensity {
 
 struct Tm33Spectrum {
     std::string emitter_name;
-    std::optional<double> multiplier; // 1 where absent
+    std::optional<double> multiplier; // 1 if absent
     std::optional<bool> normalized;
     std::vector<double> wavelengths_nm;
-    std::vector<double> power; // as many; watts per nanometre, or relative
+    std::vector<double> power; // same count as wavelengths; watts per nanometre, or relative
 
     bool operator==(const Tm33Spectrum&) const = default;
 };
@@ -69,7 +69,7 @@ struct Tm33Emitter {
     std::optional<double> rated_lumens; // of one
     std::optional<double> input_watts;
     std::optional<double> power_factor;
-    std::optional<double> ballast_factor; // scales the intensity; 1 where absent
+    std::optional<double> ballast_factor; // scales the intensity; 1 if absent
     std::optional<double> cct_k;
     std::optional<double> min_cct_k; // of a tunable emitter
     std::optional<double> max_cct_k;
@@ -89,7 +89,7 @@ struct Tm33Emitter {
 };
 
 struct Tm33File {
-    std::string root = "IESTM33-22"; // name of the outermost element, which tells the edition
+    std::string root = "IESTM33-22"; // name of the outermost element, which identifies the edition
     std::string version = "1.1";
     std::vector<Tm33Text> header;   // in the file's order, repeats kept
     std::optional<double> length_m; // of the luminaire
@@ -98,7 +98,7 @@ struct Tm33File {
     std::optional<double> emitter_count;
     std::string goniometer; // "IES_C", "CIE_C", …; empty: C
     std::vector<Tm33Emitter> emitters;
-    std::string document; // the XML without the tables of intensity and spectra; empty: made from the fields
+    std::string document; // the XML without the tables of intensity and spectra; empty: built from the fields
 
     bool operator==(const Tm33File&) const = default;
 };

@@ -95,7 +95,7 @@ Result<IesFile> lm63_of(const Tm33File& file) {
         return fail(Failure::unsupported, "no emitter has a luminous intensity",
                     "radiant and photon intensities are kept, but not turned into candela");
     if (!light.tilt.angles_deg.empty()) light.tilt_keyword = "INCLUDE";
-    constexpr double most_lamps = 1e6; // beyond lies what no one counted
+    constexpr double most_lamps = 1e6; // a larger number is not a real count
     light.lamp_count = lamps >= 1.0 && lamps <= most_lamps ? static_cast<int>(lamps) : 1;
     light.lumens_per_lamp = lumens > 0.0 ? lumens / light.lamp_count : -1.0;
     light.input_watts = watts;

@@ -1,4 +1,4 @@
-// TM-33 and its relatives: XML, known by the names of elements.
+// TM-33 and related formats: XML, identified by the names of elements.
 #include <gonio/base/limits.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
@@ -33,7 +33,7 @@ bool has_elements(pugi::xml_node node) {
     return false;
 }
 
-// Appends to a std::string: pugixml's way of writing without a stream.
+// Appends to a std::string: pugixml's interface for writing without a stream.
 struct StringWriter final : pugi::xml_writer {
     std::string text;
     void write(const void* data, std::size_t size) override { text.append(static_cast<const char*>(data), size); }
@@ -92,7 +92,7 @@ private:
         return check_depth();
     }
 
-    // Without recursion, which is what the limit protects everything else from.
+    // Without recursion: the limit protects all other code from deep recursion.
     Result<void> check_depth() {
         int depth = 0;
         for (pugi::xml_node node = document_.first_child(); node;) {
@@ -119,12 +119,13 @@ private:
         return begin_ + static_cast<std::size_t>(offset) - (node.type() == pugi::node_element && offset > 0 ? 1 : 0);
     }
 
-    // Of a name, a text or an attribute's value, which lie in the buffer; of an element without text, the element.
+    // The place of a name, a text or an attribute's value, which lie in the buffer; for an element without text, the
+    // place of the element.
     [[nodiscard]] std::size_t place(const char* text, pugi::xml_node node) const {
         const char* const first = buffer_.data();
         if (std::less<>()(text, first) || !std::less<>()(text, first + buffer_.size())) return place(node);
         const auto offset = static_cast<std::size_t>(text - first);
-        return begin_ + (offset > 0 && text[-1] == '<' ? offset - 1 : offset); // of an element's name, the element
+        return begin_ + (offset > 0 && text[-1] == '<' ? offset - 1 : offset); // for an element's name, the element
     }
 
     void read_version(pugi::xml_node root) {
@@ -278,7 +279,7 @@ private:
             report_.add("TM30203", place(count), fmt::format("{} {} announced, {} found", name, *announced, found));
     }
 
-    // Takes the points out of the document but for an empty element that marks their place.
+    // Removes the points from the document except for an empty element that marks their place.
     static void leave_one(pugi::xml_node parent, bool (*is_point)(pugi::xml_node)) {
         pugi::xml_node mark;
         for (pugi::xml_node node = parent.first_child(); node;) {
@@ -346,7 +347,7 @@ private:
         }
     }
 
-    // What the schema asks for and is not there; the dialect that has no schema is not asked.
+    // Checks for elements that the schema requires; the dialect without a schema is not checked.
     void check_required(pugi::xml_node root) {
         if (file_.root == "LuminaireOpticalData") return;
         std::string missing;
@@ -364,7 +365,7 @@ private:
     }
 
     Report& report_;
-    std::size_t begin_;  // of the buffer in the bytes
+    std::size_t begin_;  // start of the buffer within the bytes
     std::string buffer_; // parsed in place: every name and text points into it
     pugi::xml_document document_;
     Tm33File file_;

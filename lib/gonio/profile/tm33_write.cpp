@@ -1,4 +1,4 @@
-// TM-33: the document as it was read, with what the fields say put into it.
+// TM-33: the document as it was read, updated with the values of the fields.
 #include <gonio/base/text.hpp>
 #include <gonio/profile/detail/tm33_fields.hpp>
 #include <gonio/profile/detail/tm33_table.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace profile_detail;
 
-// The schema's order of what gonio may have to make, parents before others of the same name.
+// The schema's order of the elements that gonio may have to create, parents before others of the same name.
 constexpr std::array root_order{std::string_view("Version"),   std::string_view("Header"),
                                 std::string_view("Luminaire"), std::string_view("Equipment"),
                                 std::string_view("Emitter"),   std::string_view("CustomData")};
@@ -87,7 +87,8 @@ std::size_t rank(std::span<const std::string_view> order, std::string_view name)
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), name) - order.begin());
 }
 
-// A new element at the schema's place among its parent's: before the first that the schema puts behind it.
+// A new element at the schema's place among its parent's children: before the first one that the schema places after
+// it.
 pugi::xml_node make_child(pugi::xml_node parent, std::string_view name) {
     const std::span<const std::string_view> order = order_within(local_name(parent.name()));
     const std::size_t own = rank(order, name);
@@ -129,7 +130,7 @@ std::string number_text(double value) {
     return text;
 }
 
-// Replaces what an element says; its attributes stay.
+// Replaces the text of an element; its attributes stay.
 void set_text(pugi::xml_node element, const std::string& text) {
     element.remove_children();
     element.append_child(pugi::node_pcdata).set_value(text.c_str());
@@ -138,7 +139,7 @@ void set_text(pugi::xml_node element, const std::string& text) {
 void put_number(pugi::xml_node owner, std::span<const std::string_view> paths, const std::optional<double>& value) {
     pugi::xml_node element = first_of(owner, paths);
     const std::optional<double> written = element ? plain_number(element.child_value()) : std::nullopt;
-    if (written == value) return; // also where text that is not a number was not taken
+    if (written == value) return; // also if text that is not a number was ignored
     if (!value) {
         element.parent().remove_child(element);
         return;
@@ -184,7 +185,7 @@ void put_header(pugi::xml_node root, const std::vector<Tm33Text>& header) {
     if (written == header) return;
     if (!element) element = make_child(root, "Header");
     for (std::size_t i = 0; i < header.size(); ++i) {
-        // An element that says the same at the same place keeps its attributes.
+        // An element with the same text at the same place keeps its attributes.
         if (i < written.size() && written[i] == header[i]) continue;
         if (i < written.size() && written[i].name == header[i].name) {
             set_text(leaves[i], to_utf8(header[i].text));
@@ -249,7 +250,7 @@ void put_areas(pugi::xml_node emitter, const std::vector<Tm33Area>& areas) {
     }
 }
 
-// Where the table's points go: the element that marks the place, emptied of others; made where there is none.
+// The element that marks the place of the table's points, with other marks removed; created if there is none.
 pugi::xml_node mark_of(pugi::xml_node parent, bool (*is_point)(pugi::xml_node), std::string_view name) {
     pugi::xml_node mark;
     for (pugi::xml_node node = parent.first_child(); node;) {
@@ -278,9 +279,9 @@ void put_intensity(pugi::xml_node emitter, const Tm33Intensity& intensity) {
     const PointTable old = read_points(element);
     if (old.problem == PointTable::Problem::none && old.values == intensity.candela &&
         old.horizontal_deg == intensity.horizontal_deg && old.vertical_deg == intensity.vertical_deg)
-        return; // points that carry more than their numbers stayed in the document
+        return; // points with more than their numbers stayed in the document
 
-    // Counts are made with a new table, and put right in one that has them.
+    // Counts are created with a new table, and corrected in a table that has them.
     const bool new_table = !child_named(element, "IntData") && !child_named(element, "IntensityData");
     for (const auto& [name, count] : {std::pair{"NumberMeasured", intensity.candela.size()},
                                       std::pair{"NumberHorz", intensity.horizontal_deg.size()},

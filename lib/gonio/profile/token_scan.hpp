@@ -1,7 +1,7 @@
-// The numbers of a table, found and converted many at once. Internal.
+// Finds and converts many numbers of a table at once. Internal.
 //
-// Reading one number after the other makes each wait for the length of the one before. Here 64 bytes are classified
-// without a branch per byte, which tells where numbers begin and end; then every number is converted on its own.
+// Reading numbers one by one makes each wait for the length of the one before. Here 64 bytes are classified without a
+// branch per byte, which shows where numbers begin and end; then every number is converted independently.
 #pragma once
 
 #include <gonio/profile/fast_number.hpp>
@@ -20,7 +20,7 @@ namespace gonio::profile_detail {
 
 struct ByteClasses {
     std::uint64_t numeric = 0; // bit i: byte i of 64 is one of -./0123456789
-    bool other = false;        // whether some byte is neither that nor ends a number
+    bool other = false;        // whether any byte is neither one of those nor the end of a number
 };
 
 inline ByteClasses classify_portable(const char* p) {
@@ -66,18 +66,18 @@ inline ByteClasses classify_64(const char* p) {
 #endif
 }
 
-// Converts the token from `p` to `end`, which has no sign and whose bytes are all numeric in the sense of ByteClasses.
-// At least eight bytes of text must lie before `p` and decimal_lookahead ones behind `end`. False, and `value` left
-// alone, when it must be read another way, or is not a number.
+// Converts the token from `p` to `end`, which has no sign and consists of numeric bytes only (ByteClasses). At least
+// eight bytes of text must lie before `p`, and decimal_lookahead bytes after `end`. False, with `value` unchanged, if
+// the token needs another method, or is not a number.
 inline bool convert_magnitude(const char* p, const char* end, double& value) {
     if constexpr (std::endian::native != std::endian::little) return false;
     const auto length = static_cast<std::size_t>(end - p);
     if (length > 8) [[unlikely]]
         return read_long_decimal(p, value) == end;
-    // The word that ends with the token; what stands before it is cleared.
+    // The word that ends with the token; bytes before the token are cleared.
     const std::uint64_t token = digits_at(end - 8) & (~std::uint64_t{0} << (64U - 8U * static_cast<unsigned>(length)));
-    // Digits are 0 to 9 now, '.' is 0x1E, '-' 0x1D and '/' 0x1F: the bit 0x10 tells them from digits, the bit 1 the
-    // point from the other two. One point may be there, and no other.
+    // Digits are 0 to 9 now, '.' is 0x1E, '-' 0x1D and '/' 0x1F: the bit 0x10 distinguishes them from digits, the bit 1
+    // the point from the other two. One point is allowed, and none of the others.
     const std::uint64_t point = token & 0x1010101010101010U;
     if (((point & (point - 1)) | (token & (point >> 4U))) != 0) return false;
     static constexpr std::array<double, 9> powers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e0}; // the last: no point
@@ -85,7 +85,7 @@ inline bool convert_magnitude(const char* p, const char* end, double& value) {
     double power = 1.0;
     if (point != 0) {
         if (length == 1) return false;
-        // The digits before the point move up onto it.
+        // The digits before the point move up by one byte, over the point.
         const std::uint64_t before = (point >> 4U) - 1;
         digits = (token & ~(before | (point >> 4U) * 0xFF)) | (token & before) << 8U;
         power = powers[static_cast<std::size_t>(std::countl_zero(point)) / 8];
@@ -94,7 +94,7 @@ inline bool convert_magnitude(const char* p, const char* end, double& value) {
     return true;
 }
 
-// As convert_magnitude, of a token that may have a minus.
+// As convert_magnitude, for a token that may have a minus.
 inline bool convert_token(const char* p, const char* end, double& value) {
     if (*p != '-') [[likely]]
         return convert_magnitude(p, end, value);
@@ -104,12 +104,12 @@ inline bool convert_token(const char* p, const char* end, double& value) {
     return true;
 }
 
-// Calls take(begin, end) for every token from `p` on, as long as it returns true; the rest of the text, and what
-// follows a byte of another kind, is left. `p` must begin a token or end a number. Tokens within the last bytes before
-// `end` are left too: decimal_lookahead bytes lie behind every one that is taken.
+// Calls take(begin, end) for every token from `p` on, as long as it returns true; stops at a byte of another kind and
+// leaves the rest of the text. `p` must begin a token or end a number. Tokens within the last bytes before `end` are
+// left too: decimal_lookahead bytes follow every token that is taken.
 template<class Take>
 void for_each_token(const char* p, const char* end, Take take) {
-    const char* begin = nullptr; // of a token that began in the piece before
+    const char* begin = nullptr; // of a token that began in the previous piece
     std::uint64_t before = 0;    // whether the byte before is numeric
     for (; end - p >= 64 + decimal_lookahead; p += 64) {
         const ByteClasses classes = classify_64(p);

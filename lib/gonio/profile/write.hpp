@@ -1,7 +1,8 @@
-// Writing photometric files: what a Profile holds → bytes. Numbers are written as the shortest text that reads back
-// as the same double, without an exponent from 1e-30 to 1e15. Lines end in CR LF as LM-63 and EULUMDAT ask. What was
-// read and is written reads back as the same file, field by field. Numbers must be finite, texts hold no line ends (but
-// the '\n' before the lines of [MORE]), and counts agree with the lists: nothing is checked here.
+// Writing photometric files: the content of a Profile → bytes. Numbers are written as the shortest text that reads back
+// as the same double, without an exponent from 1e-30 to 1e15. Lines end in CR LF as LM-63 and EULUMDAT require. A file
+// that was read and then written reads back as the same file, field by field. Numbers must be finite, texts must not
+// contain line ends (except the '\n' before the lines of [MORE]), and counts must agree with the lists: nothing is
+// checked here.
 #pragma once
 
 #include <gonio/profile/profile.hpp>
@@ -11,19 +12,19 @@
 
 namespace gonio {
 
-// In the layout that the common loaders read: ten numbers on one line, three on the next, each angle list and each
-// plane beginning a line, single spaces. Lists are broken at `longest_line` characters, line end included; 0: at
-// the 132 of the editions up to 1995, the 256 of those since. An empty version_line becomes the standard one of
-// `version`; 1986 has none.
+// In the layout that common loaders read: ten numbers on one line, three on the next, each angle list and each plane
+// beginning a line, single spaces. Lists are broken at `longest_line` characters, line end included; 0: at 132 for
+// editions up to 1995, at 256 for later ones. An empty version_line becomes the standard one of `version`; 1986 has
+// none.
 std::string write_ies(const IesFile& file, std::size_t longest_line = 0);
 
 std::string write_ldt(const LdtFile& file);
 
-// XML in UTF-8, indented. Elements that gonio has no field for stand where they stood, new ones at the schema's place;
-// a document whose fields were not changed reads back as the same file.
+// XML in UTF-8, indented. Elements that gonio has no field for stay where they were, new ones go to the schema's place;
+// a document with unchanged fields reads back as the same file.
 std::string write_tm33(const Tm33File& file);
 
-// The bytes of whichever it is.
+// The bytes of a profile of any format.
 std::string write_profile(const Profile& profile);
 
 } // namespace gonio

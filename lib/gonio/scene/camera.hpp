@@ -15,17 +15,18 @@ struct Camera {
     glm::dvec3 target{0.0, 0.0, 1.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
     double vertical_fov_deg = 40.0; // full angle
-    // Narrow pictures see more above and below, until they see this far to the sides; full angle, 0 for as it comes.
+    // Narrow pictures show more above and below, until they cover this angle horizontally; full angle, 0 for no
+    // minimum.
     double least_horizontal_fov_deg = 0.0;
 };
 
-// The camera's basis for one picture size, made once; ray() is what the pixels call.
+// The camera's basis for one picture size, computed once; each pixel calls ray().
 class CameraRays {
 public:
     CameraRays(const Camera& camera, int width, int height);
 
-    // Through the point (x, y) of the picture, in pixels from its top left corner: pixel (i, j) has its centre at
-    // (i + ½, j + ½).
+    // The ray through the point (x, y) of the picture, in pixels from its top left corner: pixel (i, j) has its centre
+    // at (i + ½, j + ½).
     Ray ray(double x, double y) const;
 
 private:

@@ -1,9 +1,9 @@
-// What two caps of the sphere have in common.
+// The overlap of two caps of the sphere.
 //
-// The great arc between the crossings of their outlines parts the lens into a segment of each cap. A segment of half
-// angle A at the axis of a cap of half angle a is ½ its sector less the triangle of its ends and the axis; where it is
-// narrow or its cap is small those two are nearly the same, so that their difference is taken before anything is
-// rounded. What is left to add are positive numbers.
+// The great arc between the crossings of their outlines divides the lens into a segment of each cap. A segment with
+// half angle A at the axis of a cap of half angle a is ½ its sector minus the triangle of its ends and the axis. Where
+// the segment is narrow or its cap is small, those two are nearly equal, so their difference is taken analytically
+// before anything is rounded. The terms left to add are positive.
 #include <gonio/scene/detail/cap.hpp>
 #include <gonio/scene/occlusion.hpp>
 
@@ -20,13 +20,13 @@ namespace {
 using detail::cap_area;
 
 constexpr double pi = std::numbers::pi;
-// Half angles beyond which the great arc may run along the outlines: there is no telling the segments from each other,
-// and nothing small that could cancel.
+// Half angles beyond which the great arc may run along the outlines: the segments cannot be distinguished there, and
+// nothing small is left that could cancel.
 constexpr double nearly_hemispheres = 1.4;
-// Below it differences that begin with a cube are summed as series.
+// Below this value, differences that begin with a cubic term are summed as series.
 constexpr double narrow = 0.2;
 
-// Σ x^k term_k with term_0 = 1 and term_k = ratio(k) term_{k−1}, |x ratio| well below 1.
+// Σ x^k term_k with term_0 = 1 and term_k = ratio(k) term_{k−1}; |x ratio| must be well below 1.
 template<class Ratio>
 double series(double x, const Ratio& ratio) {
     double term = 1.0;
@@ -48,9 +48,9 @@ double angle_less_triangle(double angle) {
 // The two caps, a ≤ b, and how their outlines cross.
 struct Lens {
     double a, b;
-    bool apart = false;  // nothing in common
-    bool within = false; // the smaller one in the larger
-    // Half the angles at either axis between the crossings, and at a crossing between the axes.
+    bool apart = false;  // no overlap
+    bool within = false; // the smaller one is inside the larger
+    // Half the angle between the crossings at either axis, and half the angle between the axes at a crossing.
     double at_a = 0.0, at_b = 0.0, at_crossing = 0.0;
 
     Lens(double smaller, double larger, double d) : a(smaller), b(larger) {
@@ -58,8 +58,8 @@ struct Lens {
         apart = a + left <= 0.0;
         within = left >= a;
         if (apart || within) return;
-        // Of the spherical triangle with the sides a, b and d: the sines of half its circumference s and of s less a
-        // side.
+        // For the spherical triangle with the sides a, b and d: the sines of half its circumference s, and of s minus
+        // each side.
         const double sine_less_d = std::sin(0.5 * (a + left));
         const double sine_less_b = std::sin(0.5 * (a - left));
         const double sine_less_a = std::max(std::sin(b - 0.5 * (a + left)), 0.0);
@@ -70,9 +70,9 @@ struct Lens {
     }
 };
 
-// Half a segment's solid angle: A (1 − cos a) less half the excess of its triangle, which is
-// cos a sin²a ∫₀ᴬ sin²x/(1 − sin²a sin²x) dx. The integral over u = sin x has the series of 1/(1 − sin²a u²) times that
-// of 1/√(1 − u²), whose product has the coefficients c_k = sin²a c_{k−1} + (2k choose k)/4ᵏ.
+// Half a segment's solid angle: A (1 − cos a) minus half the excess of its triangle, which is cos a sin²a ∫₀ᴬ
+// sin²x/(1 − sin²a sin²x) dx. With u = sin x the integrand's series is that of 1/(1 − sin²a u²) times that of
+// 1/√(1 − u²); the product has the coefficients c_k = sin²a c_{k−1} + (2k choose k)/4ᵏ.
 double half_segment(double a, double at_a) {
     const double sine = std::sin(at_a);
     if (at_a >= narrow) {
@@ -96,14 +96,14 @@ double half_segment(double a, double at_a) {
     return std::cos(a) * q * sum;
 }
 
-// ∫ ω dω over a segment is `axis` times that of its cap and `across` times the unit vector from there to the middle of
-// its arc.
+// ∫ ω dω over a segment is `axis` times the axis of its cap plus `across` times the unit vector from that axis to the
+// middle of its arc.
 struct SegmentMoment {
     double axis, across;
 };
 
-// With the half chord c: sin c = sin a sin A. The arc gives (A sin²a, −sin a cos a sin A), the chord c times the normal
-// of its plane, (−sin a cos A, cos a)/cos c.
+// With the half chord c, sin c = sin a sin A. The arc contributes (A sin²a, −sin a cos a sin A); the chord contributes
+// c times the normal of its plane, (−sin a cos A, cos a)/cos c.
 SegmentMoment segment_moment(double a, double at_a) {
     const double sine_a = std::sin(a);
     const double cosine_a = std::cos(a);
@@ -121,7 +121,7 @@ SegmentMoment segment_moment(double a, double at_a) {
     return {sine_a * (sine_a * angle_less_triangle(at_a) - cosine_at_a * more), cosine_a * more};
 }
 
-// The unit vector across `from` towards `to`.
+// The unit vector perpendicular to `from`, towards `to`.
 glm::dvec3 across(const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dvec3 way = to - from;
     return glm::normalize(way - glm::dot(way, from) * from);

@@ -22,7 +22,7 @@ struct Circle {
     glm::dvec3 q, u, v;  // u × v = q
     double cosine, sine; // of ρ
 
-    // φ counts from the direction of `start`.
+    // φ is measured from the direction of `start`.
     Circle(const glm::dvec3& axis, double cosine_of_radius, double sine_of_radius, const glm::dvec3& start)
         : q(axis), u(0.0), v(0.0), cosine(cosine_of_radius), sine(sine_of_radius) {
         const glm::dvec3 across = start - glm::dot(start, q) * q;
@@ -44,7 +44,7 @@ struct Circle {
             (std::sin(to) - std::sin(from)) * glm::dot(n, u) + (std::cos(from) - std::cos(to)) * glm::dot(n, v);
         return 0.5 * sine * (sine * (to - from) * glm::dot(n, q) - cosine * slanted);
     }
-    // Where it is within `cosine_of_cap` of an axis: |φ − middle| < reach; reach in [0, π].
+    // The part within `cosine_of_cap` of an axis: |φ − middle| < reach, reach in [0, π].
     struct Within {
         double middle, reach;
     };
@@ -61,12 +61,12 @@ struct Circle {
     }
 };
 
-// An arc of a circle, from azimuth 0 on.
+// An arc of a circle, starting at azimuth 0.
 struct Arc {
     Circle circle;
     double span;
 
-    // The share of the outline integral that lies in the cap.
+    // The contribution to the outline integral of the part inside the cap.
     double in_cap(const glm::dvec3& axis, double cosine_of_cap, const glm::dvec3& n) const {
         const Circle::Within cap = circle.within(axis, cosine_of_cap);
         if (cap.reach == 0.0) return 0.0;
@@ -90,7 +90,7 @@ double projected_capsule_overlap(const glm::dvec3& cap_axis, double half_angle, 
     const glm::dvec3 to_line = capsule.center - along * capsule.axis;
     const double distance = glm::length(to_line);
     if (!(distance > r) || capsule.half_length == 0.0) {
-        // Within the prolonged capsule its nearer end is all there is to see.
+        // Within the prolonged capsule only its nearer end is visible.
         const glm::dvec3 end = capsule.center - std::copysign(capsule.half_length, along) * capsule.axis;
         const double length = glm::length(end);
         return projected_cap_overlap(cap_axis, half_angle, end / length, std::asin(std::min(r / length, 1.0)), normal);
@@ -99,7 +99,7 @@ double projected_capsule_overlap(const glm::dvec3& cap_axis, double half_angle, 
     const glm::dvec3 g = glm::cross(capsule.axis, f);
     const double s = r / distance;
     const double kappa = std::sqrt((1.0 - s) * (1.0 + s));
-    const glm::dvec3 outward0 = kappa * g - s * f; // of the planes that touch its side
+    const glm::dvec3 outward0 = kappa * g - s * f; // of the planes tangent to its side
     const glm::dvec3 outward1 = -kappa * g - s * f;
     const glm::dvec3 end0 = capsule.center - capsule.half_length * capsule.axis;
     const glm::dvec3 end1 = capsule.center + capsule.half_length * capsule.axis;
@@ -123,7 +123,7 @@ double projected_capsule_overlap(const glm::dvec3& cap_axis, double half_angle, 
     for (const Arc& arc : outline)
         sum += arc.in_cap(cap_axis, cosine, normal);
 
-    // The cap's own circle, where it is before the capsule.
+    // The cap's own circle, where it is in front of the capsule.
     const Circle own(cap_axis, cosine, std::sin(half_angle), f);
     std::array<double, 10> cuts{};
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// A material of a scene as the shading core takes it, in double.
+// A material of a scene in the form that the shading core uses, in double.
 #pragma once
 
 #include <gonio/scene/material.hpp>

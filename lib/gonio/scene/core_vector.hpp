@@ -1,4 +1,4 @@
-// Vectors of scenes as those of the shading core, and back.
+// Converts vectors of scenes to those of the shading core, and back.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>

@@ -18,7 +18,7 @@ struct Crossing {
 };
 
 std::optional<Crossing> cross_plane(const Frame& frame, const Ray& ray, bool two_sided) {
-    // The light shines along −Z, so its face is seen by rays that go along +Z.
+    // The light emits along −Z, so rays that go along +Z see its face.
     const double facing = glm::dot(ray.direction, frame.z);
     if (facing == 0.0 || (facing < 0.0 && !two_sided)) return std::nullopt;
     const double t = glm::dot(frame.origin - ray.origin, frame.z) / facing;

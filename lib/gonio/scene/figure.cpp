@@ -6,7 +6,7 @@ namespace gonio {
 
 namespace {
 
-// Measures of the 50th percentile to a centimetre, from the feet's middle [m].
+// Dimensions of the 50th percentile to a centimetre, from the point midway between the feet [m].
 struct Limb {
     glm::dvec3 from;
     glm::dvec3 to;
@@ -20,7 +20,7 @@ constexpr std::array middle{
     Limb{{0.0, 0.0, 1.0}, {0.0, 0.0, 1.27}, 0.14},      // trunk
     Limb{{-0.06, 0.0, 0.94}, {0.06, 0.0, 0.94}, 0.125}, // hips
 };
-// Of the side at +X.
+// The limbs on the side of +X.
 constexpr std::array side{
     Limb{{0.21, 0.0, 1.37}, {0.26, 0.02, 1.09}, 0.05},     // upper arm
     Limb{{0.26, 0.02, 1.09}, {0.27, -0.05, 0.82}, 0.042},  // lower arm and hand

@@ -1,4 +1,4 @@
-// A scale figure: somebody of 1.75 m, standing, to tell sizes by.
+// A scale figure: a standing person of 1.75 m, to show the scale.
 #pragma once
 
 #include <gonio/scene/stage.hpp>
@@ -7,8 +7,8 @@ namespace gonio {
 
 inline constexpr double figure_height = 1.75; // [m]
 
-// Adds surfaces called "figure", of balls and capsules in matte grey, with the feet at the stage's figure_position, Z
-// up and facing −Y. It is no subject of the stage.
+// Adds surfaces called "figure", made of spheres and capsules in matte grey, with the feet at the stage's
+// figure_position, Z up and facing −Y. The figure is not a subject of the stage.
 void add_figure(Stage& stage);
 
 } // namespace gonio

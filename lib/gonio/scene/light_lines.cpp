@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Any unit vector across a unit vector.
+// Any unit vector perpendicular to a unit vector.
 glm::dvec3 any_across(const glm::dvec3& z) {
     const glm::dvec3 seed = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(seed - glm::dot(z, seed) * z);
@@ -22,7 +22,7 @@ struct Seen {
     glm::dvec3 center; // relative to the receiver
     const glm::dvec3& hint;
 
-    // The place of a line in the unit interval.
+    // The position of a line in the unit interval.
     static double place(std::size_t i) {
         return (static_cast<double>(i) + 0.5) / static_cast<double>(light_line_count);
     }
@@ -35,13 +35,13 @@ struct Seen {
         const double half = 0.5 * tube.length.value;
         const double along = glm::dot(center, a);
         if (glm::length(center - along * a) > radius) return capsule(center, a, radius, half);
-        // Within the prolonged tube: the nearer end is all there is to see, or the receiver is inside.
+        // Within the prolonged tube: only the nearer end is visible, or the receiver is inside.
         if (std::abs(along) <= half) return {};
         return ball(center - std::copysign(half, along) * a, radius);
     }
 
-    // Chords of the disk; their places by the angle at which they end on the rim, where a chord's length and its
-    // stripe's width fall to 0 together.
+    // Chords of the disk, placed by the angle at which they end on the rim, where a chord's length and its stripe's
+    // width fall to 0 together.
     LightLines operator()(const DiskShape& disk) const {
         LightLines seen = flat(disk.two_sided);
         if (seen.count == 0) return seen;
@@ -55,7 +55,7 @@ struct Seen {
         return seen;
     }
 
-    // The same chords of the circle that the ellipse is stretched from: of the direction e they are 2 sin θ/k long,
+    // The same chords of the circle that stretches to the ellipse: along the direction e they are 2 sin θ/k long,
     // k = |(e_x/a, e_y/b)|, and their middles lie on the conjugate diameter.
     LightLines operator()(const EllipseShape& ellipse) const {
         LightLines seen = flat(ellipse.two_sided);
@@ -75,7 +75,7 @@ struct Seen {
         return seen;
     }
 
-    // Evenly by the turn.
+    // Uniform in the turn.
     LightLines operator()(const RectShape& rect) const {
         LightLines seen = flat(rect.two_sided);
         if (seen.count == 0) return seen;
@@ -117,7 +117,7 @@ struct Seen {
     }
 
 private:
-    // The part of the hint that is across a unit vector.
+    // The component of the hint perpendicular to a unit vector.
     glm::dvec3 across(const glm::dvec3& z) const {
         const glm::dvec3 part = hint - glm::dot(hint, z) * z;
         const double length2 = glm::dot(part, part);
@@ -126,7 +126,7 @@ private:
 
     LightLines flat(bool two_sided) const {
         LightLines seen;
-        // The light shines along −Z.
+        // The light emits along −Z.
         const double before = glm::dot(center, frame.z);
         if (!(before > 0.0) && !(two_sided && before < 0.0)) return seen;
         seen.axis = across(frame.z);
@@ -156,7 +156,7 @@ private:
         return capsule(at, across(at / distance), radius, 0.0);
     }
 
-    // A plane through the receiver and along the axis cuts the body in two circles and what is between them.
+    // A plane through the receiver and along the axis cuts the capsule in two circles and the part between them.
     LightLines capsule(const glm::dvec3& at, const glm::dvec3& axis, double radius, double half) const {
         LightLines seen;
         seen.axis = axis;
@@ -182,7 +182,7 @@ private:
                 const double to_middle2 = end * end + away * away;
                 const double to_middle = std::sqrt(to_middle2);
                 const double tangent = std::sqrt(std::max((to_middle - circle) * (to_middle + circle), 0.0));
-                // Elevation of the middle, less and more the half angle of the circle.
+                // Elevation of the middle, minus and plus the half angle of the circle.
                 const double low = (end * tangent - away * circle) / to_middle2;
                 const double high = (end * tangent + away * circle) / to_middle2;
                 if (low < line.low) {

@@ -31,7 +31,7 @@ PolarInterval around(double middle, double half_width) {
     return {std::max(turned - half_width, 0.0), std::min(turned + half_width, pi)};
 }
 
-// a·ω ≥ 0 along a ray.
+// The part of a ray with a·ω ≥ 0.
 PolarInterval half_space(Vec a, Vec pole, Vec tangent) {
     return around(std::atan2(dot(a, tangent), dot(a, pole)), 0.5 * pi);
 }
@@ -40,14 +40,14 @@ PolarInterval both(PolarInterval a, PolarInterval b) {
     return {std::max(a.from, b.from), std::min(a.to, b.to)};
 }
 
-// The hull of two parts of a convex set.
+// The hull of two intervals of a convex set.
 PolarInterval hull(PolarInterval a, PolarInterval b) {
     if (a.empty()) return b;
     if (b.empty()) return a;
     return {std::min(a.from, b.from), std::max(a.to, b.to)};
 }
 
-// Both t with x cos t + y sin t = k; nothing where there are none.
+// Both t with x cos t + y sin t = k; nothing if there are none.
 struct Angles {
     std::array<double, 2> t{};
     bool exist = false;
@@ -184,7 +184,7 @@ void LightRegion::set_polygon(const std::array<Vec, 4>& corners, Vec within) {
     }
 }
 
-// Where the outlines cross the horizon, and corners above it.
+// Points where the outlines cross the horizon, and corners above it.
 void LightRegion::add_horizon_points(std::vector<Vec>& points) const {
     for (std::size_t i = 0; i < circle_count_; ++i) {
         const Circle& c = circles_[i];
@@ -226,7 +226,7 @@ void LightRegion::finish() {
         highest = std::max(highest, dot(normal_, p));
         sum = sum + p;
     }
-    if (circle_count_ > 0 && !is_disk_) // of a hemisphere the outline's sum is nothing
+    if (circle_count_ > 0 && !is_disk_) // for a hemisphere the outline's sum is zero
         for (std::size_t i = 0; i < circle_count_; ++i)
             if (dot(normal_, cones_[i].axis) > 0.0) {
                 sum = sum + cones_[i].axis;
@@ -241,7 +241,7 @@ void LightRegion::finish() {
     for (const Vec& p : points)
         farthest = std::max(farthest, height(p - middle_));
     reach_ = 2.0 * std::asin(std::min(0.5 * farthest, 1.0));
-    if (!is_disk_) // whose outline may lie in the horizon altogether
+    if (!is_disk_) // a disk's outline may lie entirely in the horizon
         for (std::size_t i = 0; i < circle_count_; ++i)
             reach_ = std::max(reach_, std::atan2(cones_[i].sin_sigma, cones_[i].cos_sigma));
 }
@@ -262,7 +262,7 @@ PolarInterval LightRegion::along(Vec pole, Vec tangent) const {
             theta[i] = std::atan2(dot(end, tangent), dot(end, pole));
         }
         const auto [low, high] = std::minmax(theta[0], theta[1]);
-        // The chord is seen under less than π: over the pole, or over the opposite of it.
+        // The chord subtends less than π: it passes over the pole, or over the point opposite it.
         seen = high - low < pi ? PolarInterval{std::max(low, 0.0), high} : PolarInterval{std::max(high, 0.0), pi};
     } else {
         for (std::size_t i = 0; i < circle_count_; ++i) {
@@ -287,12 +287,12 @@ PolarInterval LightRegion::above(Vec pole, Vec tangent) const {
     return half_space(normal_, pole, tangent);
 }
 
-// Where the rim is farther from the pole, or less far, than beside it.
+// Points of the rim at which the distance from the pole is a local maximum or minimum.
 std::vector<Vec> LightRegion::farthest_of_rim(Vec pole) const {
     constexpr int steps = 48;
     constexpr double step = 2.0 * pi / steps;
     const Circle& c = circles_[0];
-    // How the distance changes along the rim: d(pole·p/|p|)/dt by |p|³.
+    // The change of the distance along the rim: d(pole·p/|p|)/dt times |p|³.
     const auto slope = [&](double t) {
         const double cos_t = std::cos(t);
         const double sin_t = std::sin(t);
@@ -334,7 +334,7 @@ std::vector<Vec> LightRegion::turns(Vec pole) const {
             if (dot(normal_, p) > 0.0) points.push_back(p);
         }
     }
-    // A disk seen at a slant is a narrow ellipse, about whose ends the rays' lengths change fast.
+    // A disk seen at a slant is a narrow ellipse; near its ends the rays' lengths change fast.
     if (is_disk_)
         for (const Vec& p : farthest_of_rim(pole))
             if (dot(normal_, p) > 0.0) points.push_back(p);

@@ -17,7 +17,7 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-// Whether the receiver is before a side that shines, or in its plane: what is seen there the sampler says.
+// Whether the receiver is in front of an emitting side, or in its plane: there the sampler decides what is visible.
 template<class CoreLight>
 bool shines_on(const CoreLight& light, Vec to_center) {
     if constexpr (requires { light.two_sided; }) return light.two_sided || !(dot(to_center, light.axis) > 0.0);
@@ -77,7 +77,7 @@ LightDirection LightSampler::at(const glm::dvec3& direction) const {
         mask_ == nullptr ? 1.0 : std::max(light_.web_scale * mask_->candela(light_.frame.to_local(-direction)), 0.0);
     if (class_of(light_.shape) == ShapeClass::sun)
         return {luminance_nt_ * mask, std::numeric_limits<double>::infinity()};
-    // A direction on the outline may miss by rounding; from inside nothing is in between.
+    // A ray along a direction on the outline may miss because of rounding; from inside nothing is in between.
     const std::optional<double> distance = distance_to(light_, {receiver_, direction});
     const glm::dvec3 to_center = light_.frame.origin - receiver_;
     return {luminance_nt_ * mask, distance.value_or(std::max(glm::dot(direction, to_center), 0.0))};

@@ -1,4 +1,4 @@
-// Directions towards a light with a size, whatever its shape, and what comes from them.
+// Directions towards an area light of any shape, and the light from them.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -12,21 +12,20 @@
 namespace gonio::detail {
 
 struct LightDirection {
-    double luminance_nt = 0.0; // towards the receiver; mask and range in it
+    double luminance_nt = 0.0; // towards the receiver; includes mask and range
     double distance = 0.0;     // to the light's surface [m], infinite to the sun
 };
 
 class LightSampler {
 public:
-    // The light must have a size and outlive this.
+    // The light must be an area light or a sun and must outlive this object.
     LightSampler(const Light& light, const glm::dvec3& receiver);
 
-    // For two numbers in [0, 1): a direction in which the light is seen, and its density [1/sr]; 0 where it shows its
-    // dark side.
+    // For two numbers in [0, 1): a direction in which the light is visible, and its density [1/sr]; 0 on its dark side.
     shading::LightSample<double> sample(double u0, double u1) const;
     double pdf(shading::vec3<double> direction) const;
 
-    // In a direction that sample() drew or whose density is above 0.
+    // In a direction that sample() returned or for which the density is above 0.
     LightDirection at(const glm::dvec3& direction) const;
 
 private:

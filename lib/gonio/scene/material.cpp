@@ -45,7 +45,7 @@ std::string number_text(const glm::dvec3& grey) {
     return shortest(grey.x);
 }
 
-// "ue4:base=0.5,roughness=0.4", the defaults.
+// "ue4:base=0.5,roughness=0.4": the grammar with the defaults.
 template<class M>
 std::string grammar() {
     std::string text;

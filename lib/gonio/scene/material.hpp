@@ -1,4 +1,4 @@
-// Material: how a surface answers light, by name and parameters. The reflectances themselves stand in shading/.
+// Material: how a surface reflects light, by name and parameters. The reflectances themselves are in shading/.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -11,19 +11,19 @@
 
 namespace gonio {
 
-// Colours are linear Rec.709, each channel in [0, 1]; so is every number here. α of 0 is taken as 1e-4: a mirror's
-// lobe.
+// Colours are linear Rec.709, each channel in [0, 1]; every number here is in [0, 1] too. An α of 0 counts as 1e-4: a
+// mirror's lobe.
 struct LambertMaterial {
     glm::dvec3 albedo{0.5};
 };
 
-// GGX alone, scattered once: height-correlated Smith, Schlick's reflectance to 1 at grazing, no diffuse part.
+// GGX alone, single scattering: height-correlated Smith, Schlick's reflectance up to 1 at grazing, no diffuse part.
 struct GgxMaterial {
     glm::dvec3 f0{1.0};
     double alpha = 0.3;
 };
 
-// The same with the light that its facets scatter more than once (Kulla and Conty 2017): f0 = 1 gives back all.
+// The same with multiple scattering between facets (Kulla and Conty 2017): f0 = 1 reflects all light.
 struct KullaContyMaterial {
     glm::dvec3 f0{1.0};
     double alpha = 0.3;
@@ -34,7 +34,7 @@ struct FrostbiteMaterial {
     glm::dvec3 base{0.5};
     double smoothness = 0.6;
     double metal = 0.0;
-    double reflectance = 0.5; // f0 = 0.16 reflectance² of a dielectric
+    double reflectance = 0.5; // f0 = 0.16 reflectance² for a dielectric
 };
 
 // Real Shading in Unreal Engine 4 (Karis 2013): Lambert and GGX.
@@ -42,7 +42,7 @@ struct Ue4Material {
     glm::dvec3 base{0.5};
     double roughness = 0.4;
     double metallic = 0.0;
-    double specular = 0.5; // f0 = 0.08 specular of a dielectric
+    double specular = 0.5; // f0 = 0.08 specular for a dielectric
     double cavity = 1.0;   // multiplies both parts
 };
 
@@ -69,7 +69,7 @@ struct EonMaterial {
     double roughness = 0.4;
 };
 
-// In the order in which they are listed. What is known of each stands in material_description.hpp.
+// In the order in which they are listed. material_description.hpp describes each of them.
 using Material = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, Ue4Material, GltfMaterial, BlinnMaterial,
                               GgxMaterial, KullaContyMaterial>;
 

@@ -63,7 +63,7 @@ private:
     Diagnostics found_;
 };
 
-// A metal has no diffuse part: what its albedo is is not asked.
+// A metal has no diffuse part, so its albedo is not checked.
 bool has_metal(const ChartColors& colors) {
     return std::any_of(colors.begin(), colors.end(), [](const ChartColor& color) {
         return color.as == ChartColor::As::specular && srgb(color.value) >= metal_specular.low;

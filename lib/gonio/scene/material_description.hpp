@@ -1,20 +1,20 @@
-// Each material of a scene, described once: its keys and the members that they set, its parameters, its BRDF, what
-// charts and exports take of it.
+// Each material of a scene, described once: its keys and the members that they set, its parameters, its BRDF, and what
+// charts and exports use of it.
 //
 // MaterialDescription<M> of an alternative M of Material has
 //
 //   kind, summary
-//       How the grammar calls it, and what `gonio list materials` says of it.
+//       Its name in the grammar, and its text in `gonio list materials`.
 //   keys
 //       A tuple of MaterialKey, in the order in which the grammar writes them; the first is a colour. Defaults are
 //       those of M's members.
 //   core(values of the keys in their order)
 //       Its BRDF of shading/brdf_*.hpp, for numbers S and colours vec3<S>.
 //   chart_colors(const M&)
-//       What the artists' charts judge.
+//       The colours that the artists' charts judge.
 //
-// Nothing of that has a default: where one is missing, what reads it does not compile. HOW_TO_ADD_A_MATERIAL.md leads
-// through it.
+// None of these has a default: if one is missing, the code that reads it does not compile. HOW_TO_ADD_A_MATERIAL.md
+// gives the steps.
 #pragma once
 
 #include <gonio/scene/material.hpp>
@@ -35,8 +35,8 @@ namespace gonio {
 
 enum class KeyForm : std::uint8_t {
     plain,
-    alpha,     // α: the grammar takes `roughness`, its root, in its stead
-    smoothness // 1 − roughness: a sweep sets it by that too
+    alpha,     // α: the grammar takes its root, `roughness`, instead
+    smoothness // 1 − roughness: a sweep can set it by that too
 };
 
 // A number in [0, 1] where Value is double, a colour where it is glm::dvec3.
@@ -45,7 +45,7 @@ struct MaterialKey {
     std::string_view name;
     Value M::*member;
     KeyForm form = KeyForm::plain;
-    std::string_view parameter = name; // what a sweep calls it
+    std::string_view parameter = name; // its name in a sweep
 };
 
 template<class M>
@@ -53,7 +53,7 @@ using ColorKey = MaterialKey<M, glm::dvec3>;
 template<class M>
 using NumberKey = MaterialKey<M, double>;
 
-// A colour of a material that stands for what the charts know: scene/material_charts.hpp.
+// A colour of a material that the charts can judge: scene/material_charts.hpp.
 struct ChartColor {
     enum class As : std::uint8_t { albedo, specular, metal };
 
@@ -63,7 +63,7 @@ struct ChartColor {
 };
 using ChartColors = std::vector<ChartColor>;
 
-// What is part metal, part not, is not judged.
+// A material that is only partly metal is not judged.
 inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic, const shading::vec3<double>& f0) {
     if (metallic == 1.0) return {{ChartColor::As::metal, "base", base}};
     if (metallic != 0.0) return {};
@@ -73,7 +73,7 @@ inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic
 template<class M>
 struct MaterialDescription;
 
-// core(…) of a material.
+// Calls core(…) of a material.
 template<class M>
 auto core_material(const M& material) {
     const auto value = [&](const auto& key) {
@@ -156,7 +156,7 @@ struct MaterialDescription<Ue4Material> {
 template<>
 struct MaterialDescription<GltfMaterial> {
     static constexpr std::string_view kind = "gltf";
-    // glTF's own defaults, 1 each, are a rough white metal; these can be laid beside ue4.
+    // glTF's own defaults, 1 each, are a rough white metal; with these the material can be compared with ue4.
     static constexpr std::string_view summary =
         "metallic-roughness of glTF 2.0 (appendix B); defaults as ue4's, where glTF has 1";
     static constexpr std::tuple keys{ColorKey<GltfMaterial>{"base", &GltfMaterial::base},
@@ -230,13 +230,13 @@ void visit_types(const Visit& visit, std::type_identity<std::variant<M...>> /*of
 
 } // namespace detail
 
-// visit.template operator()<M>() for each alternative of Material.
+// Calls visit.template operator()<M>() for each alternative of Material.
 template<class Visit>
 void for_each_material(const Visit& visit) {
     detail::visit_types(visit, std::type_identity<Material>());
 }
 
-// visit(key) for each key of M.
+// Calls visit(key) for each key of M.
 template<class M, class Visit>
 void for_each_key(const Visit& visit) {
     std::apply([&](const auto&... key) { (visit(key), ...); }, MaterialDescription<M>::keys);

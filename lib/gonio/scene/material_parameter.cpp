@@ -18,11 +18,11 @@ namespace gonio {
 
 namespace {
 
-// What all materials that have it mean by a parameter; which have it follows from their keys.
+// The meaning of a parameter, the same for all materials that have it; their keys determine which materials have it.
 struct NamedParameter {
     std::string_view name;
     std::string_view example;
-    std::string_view meaning; // empty: what the name says
+    std::string_view meaning; // empty: the name is enough
 };
 
 constexpr std::array parameters{
@@ -48,7 +48,7 @@ constexpr bool all_named() {
         MaterialDescription<M>::keys);
 }
 
-// How a key answers to the name of a parameter.
+// How a key matches the name of a parameter.
 enum class Answer : std::uint8_t { none, itself, under_another_name, by_its_root, by_its_complement };
 
 template<class Key>
@@ -58,10 +58,10 @@ Answer answer(const Key& key, std::string_view name) {
     return key.form == KeyForm::alpha ? Answer::by_its_root : Answer::by_its_complement;
 }
 
-// "ue4; frostbite: metal": who has it, what it is, and who calls it differently.
+// "ue4; frostbite: metal": which materials have it, what it is, and which ones use another name.
 std::string summary(const NamedParameter& parameter) {
     std::vector<std::string_view> own;
-    std::map<std::string, std::vector<std::string_view>> others; // by what it is to them
+    std::map<std::string, std::vector<std::string_view>> others; // by its expression in their keys
     for_each_material([&]<class M>() {
         constexpr std::string_view kind = MaterialDescription<M>::kind;
         static_assert(all_named<M>(), "a parameter of the material lacks a line in `parameters`");
@@ -105,7 +105,7 @@ struct Setting {
     std::string_view name;
     std::string value;
 
-    // Of the material's keys, which answers; nothing where none does.
+    // Sets the material's key that matches; false if none does.
     template<class M>
     Result<bool> operator()(M& material) const {
         Result<bool> done = false;

@@ -37,7 +37,7 @@ public:
     void clear() { count_ = 0; }
     std::span<const glm::dvec3> corners() const { return {corners_.data(), count_}; }
 
-    // Each of the two planes that cut a convex outline adds a corner to the most there are, those of a capsule.
+    // Each of the two planes that cut a convex outline adds one corner; the largest outline before that is a capsule's.
     static constexpr std::size_t most = 28;
 
 private:
@@ -45,8 +45,8 @@ private:
     std::size_t count_ = 0;
 };
 
-// The outline of a capsule as corners relative to the receiver, which is the origin and outside of it; empty where one
-// end hides the other. After the outline of a tube light (irradiance of area lights, exact forms).
+// The outline of a capsule as corners relative to the receiver, which is the origin and outside it; empty where one end
+// hides the other. Follows the outline of a tube light (irradiance of area lights, exact forms).
 class CapsuleOutline {
 public:
     static constexpr int chords = 12; // of each round end
@@ -75,8 +75,8 @@ public:
 private:
     static_assert(2 * (chords + 1) + 2 <= Outline::most);
 
-    // Where the receiver's tangents touch the ball at an end, over the half angle `half` around u. The corners between
-    // the first and the last stand out so far that the chords enclose the area of the arc.
+    // Where the receiver's tangents touch the sphere at an end, over the half angle `half` around u. The corners
+    // between the first and the last are moved outwards so far that the chords enclose the area of the arc.
     void round_end(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v, double half) {
         const double d2 = glm::dot(center, center);
         const double towards = radius_ * radius_ / d2;
@@ -109,11 +109,11 @@ public:
     const glm::dvec3& direction() const { return frame_.z; }
     double distance() const { return distance_; }
     bool has_extent() const { return area_ > 0.0; }
-    // The light's own radius, as far as distances to sheets and faces matter.
+    // The light's own radius, for distances to planes and faces.
     double radius() const { return std::isfinite(distance_) ? distance_ * sine_ : 0.0; }
     double sine() const { return sine_; }
 
-    // Whether a ball reaches into the cone from the receiver to the light; errs to true.
+    // Whether a sphere reaches into the cone from the receiver to the light; may return true when in doubt.
     bool may_be_met_by(const Ball& ball) const {
         const glm::dvec3 to_ball = ball.center - point();
         const double along = glm::dot(to_ball, direction());
@@ -122,8 +122,8 @@ public:
         return glm::dot(to_ball, to_ball) - along * along <= reach * reach;
     }
 
-    // The share that a ball covers. Only the part of it that is nearer than the light does, which ends where the sphere
-    // of the light's distance about the receiver cuts it.
+    // The share that a sphere covers. Only the part of the sphere nearer than the light counts; that part ends where
+    // the sphere about the receiver with the light's distance as radius cuts it.
     double covered_by(const Ball& ball) const {
         const glm::dvec3 to_ball = ball.center - point();
         const double ball_distance = glm::length(to_ball);
@@ -135,9 +135,9 @@ public:
         return cap_overlap(angle_, angle, angle_between(direction(), to_ball)) / area_;
     }
 
-    // The share that a flat or bulging outline covers, its corners relative to the receiver.
+    // The share that a flat or convex outline covers, with its corners relative to the receiver.
     double covered_by(std::span<const glm::dvec3> outline) const {
-        constexpr double nearest = 1e-6; // of the light's distance or of 1 m: what stands at the receiver's side
+        constexpr double nearest = 1e-6; // of the light's distance or of 1 m: objects close to the receiver
         Outline local;
         for (const glm::dvec3& corner : outline)
             local.add(frame_.to_local(corner));
@@ -151,7 +151,7 @@ public:
     }
 
 private:
-    // What of an outline has sign·z ≥ least.
+    // The part of an outline with sign·z ≥ least.
     static Outline clipped(const Outline& outline, double sign, double least) {
         const std::span<const glm::dvec3> corners = outline.corners();
         Outline kept;
@@ -167,7 +167,7 @@ private:
         return kept;
     }
 
-    Frame frame_; // Z to the light
+    Frame frame_; // Z towards the light
     double distance_;
     double angle_;
     double sine_;
@@ -185,7 +185,7 @@ struct Covered {
         const double side = receiver < 0.0 ? -1.0 : 1.0;
         const double slope = side * glm::dot(light.direction(), plane.normal);
         if (!std::isfinite(light.distance())) return slope < 0.0 ? 1.0 : 0.0;
-        // In light radii, on the receiver's side > 0.
+        // In light radii, > 0 on the receiver's side.
         const double height = std::abs(receiver) + slope * light.distance();
         const double radius = light.radius();
         if (height >= radius) return 0.0;
@@ -208,7 +208,7 @@ struct Covered {
     double operator()(const Ball& ball) const { return light.has_extent() ? light.covered_by(ball) : solid(ball); }
 
     double operator()(const Box& box) const {
-        // Nothing comes between where a face of the box has both the receiver and the light before it.
+        // The box cannot be in between if one of its faces has both the receiver and the light in front of it.
         const glm::dvec3 receiver = box.frame.to_local(light.point() - box.frame.origin);
         const glm::dvec3 direction = box.frame.to_local(light.direction());
         for (int axis = 0; axis < 3; ++axis) {
@@ -233,7 +233,7 @@ struct Covered {
         if (!light.has_extent()) return solid(capsule);
         const CapsuleOutline outline(capsule, light.point());
         if (!outline.corners().empty()) return light.covered_by(outline.corners());
-        // The receiver looks along the axis: the nearer end is all there is to see.
+        // The receiver looks along the axis: only the nearer end is visible.
         const double along = glm::dot(light.point() - capsule.center, capsule.axis);
         const double end = std::copysign(capsule.half_length, along);
         return light.covered_by(Ball{capsule.center + end * capsule.axis, capsule.radius});
@@ -261,7 +261,7 @@ private:
     }
 };
 
-// Whether two balls stand on the same side of a body's planes, so that nothing of it is between them.
+// Whether two spheres are on the same side of one of an object's planes, so that no part of the object is between them.
 struct Parted {
     const Ball& points;
     const Ball& light;
@@ -288,7 +288,7 @@ private:
     }
 };
 
-// Whether a primitive is on the way from a point; sheets from both sides.
+// Whether a primitive is on the path of a ray; one-sided surfaces stop it from both sides.
 struct Stops {
     const Ray& ray;
     double distance;
@@ -324,7 +324,7 @@ double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
         if (around && !light.may_be_met_by(*around)) continue;
         share *= 1.0 - std::clamp(std::visit(Covered{light}, primitive), 0.0, 1.0);
     }
-    // What rounding leaves of a light that is covered would count as lit.
+    // Otherwise the rounding error of a covered light would count as lit.
     return share > 1e-12 ? share : 0.0;
 }
 
@@ -346,12 +346,13 @@ bool may_stand_between(const Primitive& body, const Ball& points, const Ball& li
     if (std::visit(Parted{points, light}, body)) return false;
     const std::optional<Ball> around = bounds(body);
     if (!around) return true;
-    // All ways lie within the hull of the two balls.
+    // All paths lie within the hull of the two spheres.
     const glm::dvec3 way = light.center - points.center;
     const double length2 = glm::dot(way, way);
     const glm::dvec3 to_body = around->center - points.center;
     const double along = length2 > 0.0 ? std::clamp(glm::dot(to_body, way) / length2, 0.0, 1.0) : 0.0;
-    // The hull is a cone where the balls differ, as wide as either end at most and, where it is slender, as its middle.
+    // The hull is a cone if the spheres differ: at most as wide as its wider end and, where it is slender, as its
+    // middle.
     const double widening = std::abs(light.radius - points.radius);
     double width = std::max(light.radius, points.radius);
     if (widening * widening < 0.01 * length2)
@@ -376,7 +377,7 @@ double polygon_overlap(double a, std::span<const glm::dvec2> corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const glm::dvec2& p = corners[i];
         const glm::dvec2& q = corners[(i + 1) % corners.size()];
-        // Where p + s (q − p) is in the cap: between the roots of |p + s (q − p)|² = tan² a.
+        // The part of p + s (q − p) in the cap: between the roots of |p + s (q − p)|² = tan² a.
         const glm::dvec2 along = q - p;
         const double length2 = glm::dot(along, along);
         if (!(length2 > 0.0)) continue;
@@ -404,7 +405,7 @@ double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& poin
     const glm::dvec3 to_light = light_center - point;
     const double distance = glm::length(to_light);
     if (!(distance > light_radius)) return 1.0;
-    // Lights below 1e-7 rad have no penumbra that anybody could see.
+    // Lights below 1e-7 rad have no visible penumbra.
     const double sine = light_radius / distance;
     const SeenLight light(point, to_light / distance, distance, sine > 1e-7 ? std::asin(sine) : 0.0);
     return free_share(stage, own, light);

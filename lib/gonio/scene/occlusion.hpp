@@ -1,16 +1,16 @@
-// How much of a light a surface point sees past what stands on a stage.
+// The share of a light that a surface point sees past the objects on a stage.
 //
-// A light is taken for a ball, and the sun for a cap of the sky: the share is that of the solid angle of the cap that
-// the light fills. All directions weigh alike: the cosine at the receiver is not in it. What each primitive covers:
-//   ball      its cap, closed form (cap_overlap)
-//   panel     its spherical polygon, closed form (polygon_overlap)
-//   box       the polygons of the faces that look at the receiver, which do not overlap: closed form
-//   capsule   the polygon of its outline, the round ends in 12 chords each of the same area: within 0.5 % of its radius
-//   plane     all, nothing, or of a light that it cuts the segment of the light's disk behind it, as seen along the
-//   plane
-// Only what is nearer than the light's centre covers. Where several bodies overlap each other the product of their
-// shares is taken. Of a light without size all are exact. Lights of other shapes
-// than a ball, with the cosine and without counting twice what bodies cover together: the preview's soft shadows.
+// A light counts as a sphere, and the sun as a cap of the sky: the share is that of the solid angle of the cap that the
+// light fills. All directions have the same weight: the cosine at the receiver is not included. What each primitive
+// covers:
+//   sphere     its cap, closed form (cap_overlap)
+//   rectangle  its spherical polygon, closed form (polygon_overlap)
+//   box        the polygons of the faces towards the receiver, which do not overlap: closed form
+//   capsule    the polygon of its outline, round ends as 12 chords of equal area each: within 0.5 % of its radius
+//   plane      all or nothing; if it cuts the light, the segment of the light's disk behind it, as seen along the plane
+// Only objects nearer than the light's centre cover it. Where several objects overlap, the product of their free shares
+// is used. All results are exact for a light without size. The preview's soft shadows handle lights of other shapes
+// than a sphere, include the cosine and do not count overlaps twice.
 #pragma once
 
 #include <gonio/scene/stage.hpp>
@@ -28,40 +28,39 @@ namespace gonio {
 double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& light_center,
                      double light_radius);
 
-// The same of a light at infinity, in the unit direction `towards` it, that is seen under the half angle [rad] in
-// [0, π/2).
+// The same for a light at infinity, in the unit direction `towards` it, with the half angle [rad] in [0, π/2).
 double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,
                             double half_angle);
 
-// Whether the primitive stands within `distance` [m] (or infinity) of the ray's origin, which may lie on a sheet;
-// sheets from both sides.
+// Whether the primitive is hit within `distance` [m] (or infinity) of the ray's origin, which may lie on a one-sided
+// surface; such surfaces are hit from both sides.
 bool stops(const Primitive& body, const Ray& ray, double distance);
 
-// Whether anything stands within `distance` [m] (or infinity) of the point in a unit direction: what a ray says.
+// Whether any object is within `distance` [m] (or infinity) of the point in a unit direction, tested with a ray.
 bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& direction,
                double distance);
 
-// Whether a body may keep light that comes from one ball from points in another; where it says no, every visible_share
-// is 1. Errs to yes.
+// Whether an object may block light on its way from one sphere to points in another; if false, every visible_share is
+// 1. May return true when in doubt.
 bool may_stand_between(const Primitive& body, const Ball& points, const Ball& light);
 
-// Solid angle common to two caps of half angles a and b ∈ [0, π/2] whose axes are d ∈ [0, π] apart [sr].
-// Closed form of the two circular segments on the sphere that the great arc between the outlines' crossings parts it
-// into (the area of Mazonka 2012), each without cancellation: small caps beside large ones and narrow lenses keep their
+// Solid angle common to two caps of half angles a and b ∈ [0, π/2] with axes d ∈ [0, π] apart [sr]. Closed form: the
+// great arc between the crossings of the outlines divides the overlap into two circular segments on the sphere (the
+// area of Mazonka 2012), each computed without cancellation: small caps beside large ones and narrow lenses keep their
 // digits.
 double cap_overlap(double a, double b, double d);
 
-// ∫ n·ω dω over what two caps have in common, of half angles a and b ∈ [0, π/2] about unit axes [sr]: the illuminance
-// that it gives at a luminance of 1 where all of it is above the horizon of n. Closed form of the two segments as in
+// ∫ n·ω dω over the overlap of two caps with half angles a and b ∈ [0, π/2] about unit axes [sr]: the illuminance of
+// the overlap at a luminance of 1 if all of it is above the horizon of n. Closed form of the two segments as in
 // cap_overlap (the outline integral of area lights over each), without cancellation in small caps and narrow lenses.
 double projected_cap_overlap(const glm::dvec3& axis_a, double a, const glm::dvec3& axis_b, double b,
                              const glm::dvec3& normal);
 
 // Solid angle common to the cap of half angle a ∈ [0, π/2) and a simple polygon of great arcs in the hemisphere around
-// its axis [sr]. The corners are projected from the sphere's centre on the plane that touches it at the axis: a
-// direction (x, y, z), z > 0 along the axis, is (x/z, y/z). Closed form: along each edge a triangle with the axis
-// inside the cap (its excess after van Oosterom and Strackee 1983), a sector of it outside. No cancellation in small
-// caps.
+// its axis [sr]. The corners are projected from the sphere's centre on the plane tangent to it at the axis: a direction
+// (x, y, z), z > 0 along the axis, is (x/z, y/z). Closed form: each edge gives a triangle with the axis for its part
+// inside the cap (excess after van Oosterom and Strackee 1983) and a sector of the cap for its part outside. No
+// cancellation in small caps.
 double polygon_overlap(double a, std::span<const glm::dvec2> corners);
 
 } // namespace gonio

@@ -14,7 +14,7 @@ namespace gonio {
 
 namespace {
 
-// Names, examples and, but for those that name the shapes themselves, what has them.
+// Names, examples and the shapes that have each one, except for parameters with texts that name the shapes themselves.
 std::vector<ParameterName> parameters_of_lights() {
     const auto of_shapes = [](std::string_view name, std::string_view what) {
         return kinds_with_parameter(name) + std::string(what);
@@ -117,7 +117,7 @@ std::vector<std::string_view> parameters_of(const LightDescription& light) {
     for (const ParameterName& parameter : light_parameters()) {
         LightDescription scratch = light;
         Diagnostics unheard;
-        // A bound of this light that the example misses is one of a parameter that it has.
+        // If the example is outside a bound of this light, the light still has the parameter.
         const Result<bool> set = set_parameter(scratch, parameter.name, parameter.example, unheard);
         if (!set || *set) names.push_back(parameter.name);
     }

@@ -1,6 +1,6 @@
-// Parameters: what a light and a material have by name, set from text, so that one of them can be varied.
+// Parameters: the named properties of a light or a material, set from text, so that one of them can be varied.
 //
-// Text is what the shape, the material or the rig takes for it, with the same units and bounds; a light or material
+// The text is the same as in the shape, the material or the rig, with the same units and bounds; a light or material
 // that has been given a value equals one that was written with it.
 #pragma once
 
@@ -17,19 +17,19 @@ namespace gonio {
 struct ParameterName {
     std::string_view name;
     std::string_view example; // of a value
-    std::string_view summary; // what has it, and what it is
+    std::string_view summary; // what has it and what it means
 };
 
 std::span<const ParameterName> light_parameters();
 std::span<const ParameterName> material_parameters();
 
-// True where it was set, false where the light (a sphere has no cone) or the material has none of that name. What was
-// noticed is appended to `diagnostics`. Fails (usage) on a value that is not of the parameter or out of its bounds.
+// True if it was set, false if the light (a sphere has no cone) or the material has no parameter of that name. Remarks
+// are appended to `diagnostics`. Fails (usage) on a value that is not valid for the parameter or out of its bounds.
 Result<bool> set_parameter(LightDescription& light, std::string_view name, std::string_view value,
                            Diagnostics& diagnostics);
 Result<bool> set_parameter(Material& material, std::string_view name, std::string_view value);
 
-// Of the names above those that it has.
+// The names above that the light or material has.
 std::vector<std::string_view> parameters_of(const LightDescription& light);
 std::vector<std::string_view> parameters_of(const Material& material);
 

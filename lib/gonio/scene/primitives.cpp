@@ -11,8 +11,8 @@ namespace gonio {
 
 namespace {
 
-// The closest that the line of a ray comes to a point, from the miss and not from b²−4ac: far spheres keep their
-// outline.
+// The closest point of a ray's line to another point, computed from the miss distance and not from b²−4ac: far spheres
+// keep their outline.
 struct Approach {
     double along;
     double miss2;
@@ -142,8 +142,8 @@ std::optional<double> distance_to(const Capsule& capsule, const Ray& ray) {
     const double along_axis = glm::dot(ray.direction, capsule.axis);
     const glm::dvec3 across = ray.direction - along_axis * capsule.axis;
     const double speed2 = glm::dot(across, across);
-    // The line of the ray enters through the side, or else through the end on whose side of it the endless cylinder is
-    // entered; along the axis, through the end that it comes to first.
+    // The ray's line enters through the side; otherwise through the end on the side where it enters the infinite
+    // cylinder; if it runs along the axis, through the end that it reaches first.
     double end = along_axis < 0.0 ? 1.0 : -1.0;
     if (speed2 > 1e-20) {
         const double closest = glm::dot(to_center, across) / speed2;
@@ -191,7 +191,7 @@ Panel face(const Box& box, int index) {
     const double side = index % 2 == 0 ? 1.0 : -1.0;
     const std::array<glm::dvec3, 3> axes{box.frame.x, box.frame.y, box.frame.z};
     const auto at = [&](int i) { return axes[static_cast<std::size_t>(i % 3)]; };
-    // X×Y = Z of each face: the other two axes in their cyclic order, one of them turned round for the negative side.
+    // X×Y = Z for each face: the other two axes in their cyclic order, one of them reversed for the negative side.
     return {
         {box.frame.origin + side * box.half_size[axis] * at(axis), side * at(axis + 1), at(axis + 2), side * at(axis)},
         2.0 * box.half_size[(axis + 1) % 3],

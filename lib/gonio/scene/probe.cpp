@@ -41,7 +41,7 @@ constexpr std::array method_names{
     IrradianceMethodName{IrradianceMethod::point, "point", "every light as a point (the five-times rule)"},
 };
 
-// Summed one after the other; a block's sum does not depend on the number of threads.
+// The number of lights that are summed in sequence; a block's sum does not depend on the number of threads.
 constexpr std::size_t lights_in_block = 4096;
 constexpr double farthest = 1e100; // [m]; differences and their products stay far from overflow
 bool in_range(const glm::dvec3& position) {
@@ -89,7 +89,7 @@ Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const 
     return views;
 }
 
-// Shares are bounded by it, each by itself.
+// Each share is limited to the ceiling separately.
 bool at_ceiling(double value) {
     return value >= shading::illuminance_ceiling;
 }
@@ -174,7 +174,8 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
     if (surface && options.parts) result.parts_nt.resize(receivers.size() * lights.size());
     if (receivers.empty() || lights.empty()) return result;
 
-    // A task is one block of lights for a few receivers; with several blocks their sums are joined in order afterwards.
+    // A task is one block of lights for a few receivers; if there are several blocks, their sums are added in order
+    // afterwards.
     const std::size_t blocks = (lights.size() - 1) / lights_in_block + 1;
     const std::size_t group = std::clamp<std::size_t>(lights_in_block / lights.size(), 1, 1024);
     const std::size_t groups = (receivers.size() - 1) / group + 1;
@@ -262,7 +263,7 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
 Spread spread(std::span<const double> values) {
     if (values.empty()) return {};
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    // The mean of shares of the greatest cannot overflow, nor leave the interval by more than rounding.
+    // A mean of values divided by the greatest cannot overflow, nor leave the interval by more than rounding.
     double sum = 0.0;
     for (const double value : values)
         sum += *greatest > 0.0 ? value / *greatest : 0.0;

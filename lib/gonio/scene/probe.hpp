@@ -1,11 +1,10 @@
-// Probe: the illuminance that lights give to points, and the luminance that a material makes of it, in double.
+// Probe: the illuminance of lights at points, and the resulting luminance of a material, in double.
 //
-// Everything that a light is leaves its exact closed form here (shading/), and what has none its quadrature
-// (reference.hpp), unless another method is asked for. Lights do not occlude each other and nothing else does. Results
-// are finite and not negative: what would exceed shading::illuminance_ceiling (1e30 lx) ends there, and is told.
-// Sums run over fixed blocks of lights, so they are the same at any number of threads.
-// Cost on one core of a 2.5 GHz Xeon: 20 ns (point) to 400 ns (disk on the horizon) a light and point; luminance under
-// lights with a size 0.1 to 1 ms.
+// Each light uses its exact closed form (shading/), or quadrature if there is none (reference.hpp), unless another
+// method is selected. Lights do not occlude each other and there are no other occluders. Results are finite and not
+// negative: values above shading::illuminance_ceiling (1e30 lx) are limited to it, and this is reported. Sums run over
+// fixed blocks of lights, so they are the same for any number of threads. Cost on one core of a 2.5 GHz Xeon: 20 ns
+// (point) to 400 ns (disk on the horizon) per light and point; luminance under area lights 0.1 to 1 ms.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -23,20 +22,20 @@
 
 namespace gonio {
 
-// How the irradiance of a light is computed, and what a surface makes of it. Punctual lights: I⟨n·l⟩/d² with the
-// distance guard of the method; a sun: E⟨n·l⟩ by the last three.
+// How the irradiance of a light and the resulting luminance of a surface are computed. Punctual lights: I⟨n·l⟩/d² with
+// the distance guard of the method; a sun: E⟨n·l⟩ by the last three.
 enum class IrradianceMethod {
     exact,                // closed forms with horizon clipping, no guard; luminance by quadrature to 1e-6
     reference,            // everything by quadrature to ProbeOptions::goal, with its error estimate
-    ltc,                  // illuminance as `exact`; lobes under lights with a size by linearly transformed cosines
-    representative_point, // the same, lobes by one direction: shading/specular_named.hpp says how
+    ltc,                  // illuminance as `exact`; lobes under area lights by linearly transformed cosines
+    representative_point, // the same, lobes by one direction: see shading/specular_named.hpp
     dominant_direction,
     specular_d,
     spherical_hack,
     sun_disk,
     frostbite, // Lagarde and de Rousiers 2014, d² guarded as max(d², 1 cm²)
-    ue4,       // Karis 2013, d² + 1 cm²; shapes it has not: as `point`
-    point      // every light as a point with the intensity that it sends to the receiver
+    ue4,       // Karis 2013, d² + 1 cm²; shapes it does not define: as `point`
+    point      // every light as a point with the intensity that it emits towards the receiver
 };
 
 struct IrradianceMethodName {
@@ -49,7 +48,7 @@ std::span<const IrradianceMethodName> irradiance_methods();
 
 std::string_view to_text(IrradianceMethod method);
 
-// Fails (usage) on any other name than those of irradiance_methods().
+// Fails (usage) on any name other than those of irradiance_methods().
 Result<IrradianceMethod> parse_irradiance_method(std::string_view name);
 
 struct Receiver {
@@ -60,65 +59,65 @@ struct Receiver {
 struct ProbeView {
     glm::dvec3 direction{0.0, 0.0, 1.0}; // from the point to the eye, any length > 0
     Material material;
-    std::optional<glm::dvec3> eye = {}; // [m] the eye's place, in the direction's stead
+    std::optional<glm::dvec3> eye = {}; // [m] position of the eye, instead of the direction
 };
 
 struct ProbeOptions {
     IrradianceMethod method = IrradianceMethod::exact;
-    ReferenceGoal goal;            // of `reference`, for each light's share by itself
-    std::optional<ProbeView> view; // asks for luminance
-    bool parts = false;            // asks for the share of each light
-    unsigned threads = 0;          // 0 = as many as there are
+    ReferenceGoal goal;            // for `reference`, for each light's share separately
+    std::optional<ProbeView> view; // requests luminance
+    bool parts = false;            // requests the share of each light
+    unsigned threads = 0;          // 0 = all hardware threads
 };
 
-// Luminance of the surface, as Y of its colour.
+// Luminance of the surface, as the Y of its colour.
 struct ProbeLuminance {
     Nits diffuse;
     Nits specular;
-    Nits error_estimate; // of both, by quadrature; 0 else
+    Nits error_estimate; // of both, by quadrature; otherwise 0
 
     Nits total() const { return diffuse + specular; }
 };
 
-// Something about pairs of a receiver and a light: how many, and the first in the order of receivers.
+// A condition that holds for pairs of a receiver and a light: how often, and the first pair in the order of receivers.
 struct ProbeOccurrence {
     std::size_t count = 0;
     std::size_t receiver = 0;
     std::size_t light = 0;
 
-    // `others` counts its receivers from `offset`.
+    // The receivers of `others` are numbered from `offset`.
     void add(const ProbeOccurrence& others, std::size_t offset = 0);
 };
 
 struct ProbeRemarks {
-    ProbeOccurrence on_light;      // the receiver lies on a light without size, which has no direction from there: 0
+    ProbeOccurrence on_light;      // the receiver lies on a light without size, so there is no direction: 0
     ProbeOccurrence inside;        // the receiver lies inside a sphere or tube: E = π L
-    ProbeOccurrence unseen;        // the view is not above the surface: the luminance is 0; counted once a receiver
-    ProbeOccurrence at_ceiling;    // what would exceed shading::illuminance_ceiling, which ends there
-    ProbeOccurrence not_converged; // the quadrature ended before the error that was asked for
+    ProbeOccurrence unseen;        // the view is not above the surface: the luminance is 0; counted once per receiver
+    ProbeOccurrence at_ceiling;    // the value would exceed shading::illuminance_ceiling and is limited to it
+    ProbeOccurrence not_converged; // the quadrature ended before the requested error was reached
 
     void add(const ProbeRemarks& others, std::size_t offset = 0);
 };
 
 struct ProbeResult {
-    std::vector<double> illuminance_lx;       // one a receiver
-    std::vector<double> illuminance_error_lx; // its estimate by `reference`; empty by other methods
-    std::vector<double> parts_lx;             // [receiver][light]; empty unless asked for
-    std::vector<ProbeLuminance> luminance;    // one a receiver; empty unless asked for
-    std::vector<ProbeLuminance> parts_nt;     // [receiver][light]; empty unless both are asked for
+    std::vector<double> illuminance_lx;       // one per receiver
+    std::vector<double> illuminance_error_lx; // its estimate by `reference`; empty for other methods
+    std::vector<double> parts_lx;             // [receiver][light]; empty unless requested
+    std::vector<ProbeLuminance> luminance;    // one per receiver; empty unless requested
+    std::vector<ProbeLuminance> parts_nt;     // [receiver][light]; empty unless both are requested
     ProbeRemarks remarks;
 };
 
-// Luminance: Lambert by any method (E·albedo/π), other materials by `exact` and `reference`; those whose lobe is GGX
-// alone or that have none (Frostbite, UE4, GGX, EON) also by `ltc` and the methods after it that share its illuminance.
-// Fails: usage on a normal or view that is zero or not finite (an eye on a point too), on a position out of range and
-// on a light whose luminance or intensity is not finite, unsupported on the luminance of a material by a method that
-// has it not.
+// Luminance: Lambert by any method (E·albedo/π), other materials by `exact` and `reference`. Materials with GGX as the
+// only lobe or without a lobe (Frostbite, UE4, GGX, EON) also by `ltc` and the methods after it that share its
+// illuminance. Fails: usage on a normal or view that is zero or not finite (also an eye on a point), on a position out
+// of range and on a light with a luminance or intensity that is not finite; unsupported on the luminance of a material
+// by a method that does not support it.
 Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receiver> receivers,
                           const ProbeOptions& options = {});
 
-// Warnings for receivers on a light, for values at the ceiling and for errors that were not reached, notes for
-// receivers inside a light and for views from below the surface; points count from 1.
+// Warnings for receivers on a light, for values at the ceiling and for errors that were not reached; notes for
+// receivers inside a light and for views from below the surface. Points are numbered from 1.
 Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> lights);
 
 // The least, mean and greatest of values; all 0 for none.
@@ -134,7 +133,8 @@ struct Spread {
 
 Spread spread(std::span<const double> values);
 
-// Of any vector whose length is greater than 0 and finite components, without overflow; nothing of others.
+// The unit vector of any vector with finite components and a length greater than 0, without overflow; nothing for
+// others.
 std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector);
 
 } // namespace gonio

@@ -19,7 +19,7 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-// A sum or product of finite terms ≥ 0, whatever overflow made of it; NaN becomes 0.
+// A sum or product of finite terms ≥ 0, made finite if it overflowed; NaN becomes 0.
 double bounded(double lx) {
     return simd::min(simd::max(lx, 0.0), shading::illuminance_ceiling);
 }
@@ -36,7 +36,7 @@ double luminance_y(const glm::dvec3& rgb) {
     return glm::dot(rgb, rec709_luminance);
 }
 
-// E/L of each area light by each method; `c` is the way from the receiver to the centre.
+// E/L of each area light by each method; `c` is the vector from the receiver to the centre.
 struct AreaIrradiance {
     Vec c;
     Vec n;
@@ -77,7 +77,7 @@ private:
     }
 };
 
-// Whether a point is inside a light, where it sees nothing else.
+// Whether a point is inside a light, where it sees only that light.
 bool is_within(const shading::SphereLight<double>& light, const glm::dvec3& to_center) {
     return glm::length(to_center) < light.radius;
 }
@@ -98,13 +98,14 @@ bool is_within(const Flat& /*light*/, const glm::dvec3& /*to_center*/) {
     return false;
 }
 
-// Whether the light is taken as a point: it is one, it is asked for, or the method has no form of its shape.
+// Whether the light counts as a point: because it is one, because the method is `point`, or because the method has no
+// form for its shape.
 bool as_point(const Shape& shape, IrradianceMethod method) {
     if (!has_extent(shape) || method == IrradianceMethod::point) return true;
     return method == IrradianceMethod::ue4 && is_flat(shape);
 }
 
-// 1/d² with the guard of 1 cm that the method has.
+// 1/d² with the method's guard of 1 cm.
 double inverse_square(double inverse_distance, IrradianceMethod method) {
     constexpr double most = 1.0 / (0.01 * 0.01);
     const double unguarded = inverse_distance * inverse_distance;
@@ -121,7 +122,7 @@ ProbeShare of_point(const Light& light, const Vec& to_light, const Vec& normal, 
     return {bounded(cd * d.n_dot_l * inverse_square(d.scale * d.inverse_distance, method) * window(light, to_light))};
 }
 
-// A uniform cap of half angle δ/2 around the direction that the sun stands in, with the receiver's horizon.
+// A uniform cap of half angle δ/2 around the direction of the sun, clipped by the receiver's horizon.
 double of_sun(const SunShape& sun, const Frame& frame, const glm::dvec3& normal) {
     const double s = std::sin(0.5 * sun.diameter.value);
     const double c = glm::dot(normal, frame.z);
@@ -130,7 +131,7 @@ double of_sun(const SunShape& sun, const Frame& frame, const glm::dvec3& normal)
     return std::max(shading::irradiance_straddling_cap(s, std::max(std::cos(0.5 * sun.diameter.value), 0.0), c), 0.0);
 }
 
-// Whose illuminance the method takes.
+// The method that gives the illuminance.
 IrradianceMethod illuminance_method(IrradianceMethod method) {
     return is_specular_method(method) ? IrradianceMethod::exact : method;
 }
@@ -139,7 +140,7 @@ ReferenceGoal goal_of(const ProbeWay& way) {
     return way.method == IrradianceMethod::reference ? way.goal : ReferenceGoal{};
 }
 
-// The BRDF towards the one direction that there is.
+// The BRDF towards the single direction.
 ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                            const ProbeSurface& surface, const ProbeShare& share) {
     if (!(share.illuminance_lx > 0.0)) return {};
@@ -163,7 +164,7 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
                                         [&](const auto& core) { return is_within(core, to_center); });
     const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
     const bool masked_area = has_extent(light.shape) && mask_of(light.shape).web != nullptr;
-    // Behind a mask there is no closed form.
+    // There is no closed form behind a mask.
     const bool integrated =
         way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && masked_area);
     if (integrated && has_extent(light.shape)) {

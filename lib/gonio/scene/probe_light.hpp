@@ -10,11 +10,11 @@ namespace gonio::detail {
 
 enum class ProbeRemark : std::uint8_t {
     none,
-    at_light, // the receiver lies on a punctual light, which has no direction from there
+    at_light, // the receiver lies on a punctual light, so there is no direction
     inside    // the receiver lies inside a sphere or tube
 };
 
-// Who computes it: a method and, for `reference`, its goal.
+// How to compute it: a method and, for `reference`, its goal.
 struct ProbeWay {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal;
@@ -23,7 +23,7 @@ struct ProbeWay {
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]
-    double error_lx = 0.0;       // as `reference` estimates it
+    double error_lx = 0.0;       // as estimated by `reference`
     ProbeRemark remark = ProbeRemark::none;
     bool converged = true;
 };
@@ -32,11 +32,11 @@ struct ProbeShare {
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way);
 
-// What the mask of a light with a size lets through towards the receiver from its centre, the fast way to take it; 1
-// without a mask.
+// The transmission of an area light's mask from its centre towards the receiver, the fast approximation; 1 without a
+// mask.
 double mask_share(const Light& light, const glm::dvec3& position);
 
-// A material as the shading core takes it, and the view to it.
+// A material in the form that the shading core uses, and the view of it.
 struct ProbeSurface {
     const Material& material;
     glm::dvec3 view; // unit
@@ -47,14 +47,14 @@ struct ProbeShine {
     bool converged = true;
 };
 
-// `share` is the illuminance that the light gives the same way.
+// `share` is the illuminance that the light gives in the same way.
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                         const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way);
 
-// The methods that are named after how they take the lobe: ltc and those after it that share its illuminance.
+// The methods named after their treatment of the lobe: ltc and the methods after it that share its illuminance.
 bool is_specular_method(IrradianceMethod method);
 
-// Whether they know the material's lobe: GGX alone, or none.
+// Whether these methods support the material's lobe: GGX alone, or none.
 bool has_named_lobe(const Material& material);
 
 struct NamedLuminance {
@@ -62,12 +62,12 @@ struct NamedLuminance {
     double specular_nt = 0.0;
 };
 
-// By one of these methods, under a light with a size. Diffuse parts are of the exact irradiance towards one direction,
-// by ltc Frostbite's of its own transformed cosine. The view is above the surface.
+// By one of these methods, under an area light. Diffuse parts use the exact irradiance towards one direction; with ltc,
+// Frostbite's uses a separate transformed cosine. The view is above the surface.
 NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                                const ProbeSurface& surface, IrradianceMethod method);
 
-// Whether luminance_of() knows the material by this method.
+// Whether luminance_of() supports the material by this method.
 bool has_luminance(const Material& material, IrradianceMethod method);
 
 } // namespace gonio::detail

@@ -43,7 +43,8 @@ template<class CoreLight>
     }
 }
 
-// The sun as a sphere at distance 1 is the same cap; short of a hemisphere, where that sphere would touch the receiver.
+// The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
+// the receiver.
 shading::SphereLight<double> as_sphere(const shading::SunLight<double>& sun) {
     return {sun.toward, sun.luminance, std::min(sun.sine, 1.0 - 1e-12), 0.0};
 }

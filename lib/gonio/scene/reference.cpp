@@ -25,10 +25,10 @@ using detail::PolarPeak;
 using detail::Vec;
 using detail::vec;
 
-// Lights that are seen smaller than this have no digits left of their own outline; they are a direction.
+// Lights of a smaller apparent size have no digits left of their own outline; they count as a direction.
 constexpr double least_reach = 1e-8; // [rad]
 
-// Where a light is seen from a receiver at the origin; lengths of the light are multiplied by `scale`.
+// The region of a light as seen from a receiver at the origin; lengths of the light are multiplied by `scale`.
 LightRegion region_of(const shading::SphereLight<double>& light, Vec center, Vec normal, double scale) {
     return LightRegion::sphere(center, scale * light.radius, normal);
 }
@@ -46,7 +46,7 @@ LightRegion region_of(const shading::SunLight<double>& light, Vec /*center*/, Ve
     return LightRegion::cap(light.toward, light.sine, light.cosine, normal);
 }
 
-// The light's luminance towards the receiver from the direction ω, over that of its brightest.
+// The light's luminance towards the receiver from the direction ω, relative to its brightest direction.
 class EmissionByDirection {
 public:
     explicit EmissionByDirection(const Light& light) : light_(light), mask_(mask_of(light.shape).web) {}
@@ -62,7 +62,7 @@ private:
     const Web* mask_;
 };
 
-// Of a function without a peak of its own: the pole in the light's middle.
+// For a function without a peak: the pole is in the light's middle.
 PolarPeak smooth(const LightRegion& region, Vec normal) {
     const Vec middle = region.middle();
     Vec along = normal - middle * dot(normal, middle);
@@ -70,9 +70,9 @@ PolarPeak smooth(const LightRegion& region, Vec normal) {
     return {middle, along, 1.0, 1.0};
 }
 
-// Of a lobe of normals of the width α: about the mirrored view the light's direction moves by 2 in the plane of
-// incidence and by 2 n·v across it, for 1 of the normal. From views at the horizon the pole is lifted off it by α, by
-// which nothing of the lobe changes: seen from within its width the horizon would turn sharply.
+// For a lobe of normals of the width α: about the mirrored view the light's direction moves by 2 in the plane of
+// incidence and by 2 n·v across it when the normal moves by 1. For views at the horizon the pole is lifted off it by α,
+// which changes nothing in the lobe: from within the lobe's width the horizon would appear to turn sharply.
 PolarPeak lobe(const LightRegion& region, Vec normal, Vec view, double alpha) {
     const double cosine = dot(normal, view);
     const double lifted = std::clamp(alpha, 1e-3, 0.5);
@@ -80,7 +80,7 @@ PolarPeak lobe(const LightRegion& region, Vec normal, Vec view, double alpha) {
     const Vec pole = mirrored * (1.0 / shading::length(mirrored));
     const double squeeze = std::min(std::max(cosine, lifted), 1.0);
     const double width = 2.0 * alpha;
-    // From far, or before a wide lobe, nothing happens within a small light.
+    // Far from the pole, or with a wide lobe, the integrand hardly changes within a small light.
     const double away = shading::length(region.middle() - pole);
     if (region.reach() >= least_reach && region.reach() < 1e-4 * std::max(width * squeeze, away))
         return smooth(region, normal);
@@ -106,7 +106,7 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
     const LightRegion none = LightRegion::cap(vec(normal), 0.0, 1.0, vec(normal));
     const auto region = [&](const auto& core) {
         const auto seen = shading::seen_from(core, center);
-        // Squares of what is scaled neither overflow nor vanish.
+        // Squares of scaled lengths neither overflow nor underflow.
         const double scale = simd::reciprocal_power_of_two(
             std::max(shading::largest_component(seen.to_center), shading::detail::largest_size(seen.light)));
         return region_of(seen.light, seen.to_center * scale, vec(normal), scale);
@@ -123,7 +123,7 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, doubl
     const double relative_error = std::max(goal.relative_error, 1e-13);
     const double reach = p.region.reach();
     if (reach < least_reach) {
-        // f varies by the square of the light's extent in its lobe's.
+        // f varies by the square of the light's extent relative to the lobe's.
         const double value = f(p.region.middle()) * closed_lx;
         const double extent = reach / (peak.width * peak.squeeze);
         const double error = value * (1e-10 + extent * extent);
@@ -136,7 +136,7 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, doubl
             result.converged};
 }
 
-// By the closed form, without the mask.
+// The closed form, without the mask.
 double closed_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
     Light bare = light;
     std::visit(

@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, 9> light_keys{"name",      "shape", "inte
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
 constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
 
-// Where a shape keeps the name of its profile or mask, and what was read from it.
+// Where a shape stores the name of its profile or mask, and the web read from it.
 struct FileOfShape {
     std::string* file = nullptr;
     std::shared_ptr<const Web>* web = nullptr;
@@ -123,7 +123,7 @@ private:
         return {};
     }
 
-    // Texts of colours repeat too: what is to be said of one is said where it stands first.
+    // Colour texts repeat too: remarks about a colour are reported where it first occurs.
     Result<void> color(const std::string& text, glm::dvec3& target, const std::string& path) {
         if (const auto known = colors_.find(text); known != colors_.end()) {
             target = known->second;
@@ -142,7 +142,7 @@ private:
         return {};
     }
 
-    // Texts of shapes repeat; what was parsed once, with its file read, is copied.
+    // Shape texts repeat; a shape that was parsed once, with its file read, is copied.
     Result<void> shape(const std::string& text, Shape& target) {
         if (const auto known = shapes_.find(text); known != shapes_.end()) {
             target = known->second;
@@ -162,7 +162,7 @@ private:
         Result<std::string> path = files_.path_of(*of.file);
         if (!path) return pass_on(path);
         *of.file = std::move(*path);
-        // A mask may be kept in another form than a profile of the same file.
+        // A mask may be stored in another form than a profile of the same file.
         const bool mask = !std::holds_alternative<ProfileShape>(shape);
         const auto key = std::pair(mask, *of.file);
         if (const auto known = webs_.find(key); known != webs_.end()) {
@@ -198,7 +198,7 @@ private:
         } else if (key == "materials") {
             return materials(json);
         } else if (!schema_seen_ && nearest(key, top_keys).empty()) {
-            // Any JSON text, of which nothing is to be told.
+            // This may be any JSON text: do not report its content.
             return refuse("RIG0101", {}, "not a rig: it begins with another key",
                           fmt::format(R"(write "schema": "{}" first)", schema_name));
         } else {
@@ -249,7 +249,7 @@ private:
         return {};
     }
 
-    // At the end, because the stage may be named behind its materials and camera.
+    // At the end, because the stage may follow its materials and camera.
     Result<void> check_stage() const {
         const Result<Stage> stage = rig_.stage ? Result<Stage>(*rig_.stage) : make_stage(stage_kinds().front().name);
         if (!stage) return Unexpected(stage.error());

@@ -1,4 +1,4 @@
-// Rig: the lights of a scene, and what they are shown on, from a JSON file of schema gonio.rig/1.
+// Rig: the lights of a scene and the stage they are shown on, from a JSON file of schema gonio.rig/1.
 //
 //   { "schema": "gonio.rig/1",
 //     "lights": [ { "name": "key", "shape": "sphere:r=10cm", "intensity": "800lm", "color": "#ffd9a0",
@@ -8,7 +8,7 @@
 //     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
 //     "materials": { "floor": "lambert:albedo=0.5" } }
 //
-// `stage` is a name, or a stage of one's own, Z up:
+// `stage` is a name, or a custom stage, Z up:
 //
 //   "stage": { "name": "desk", "figure": [1, 1, 0], "surfaces": [
 //       { "name": "floor", "plane": { "point": [0, 0, 0], "normal": [0, 0, 1] }, "material": "lambert:albedo=0.3" },
@@ -19,16 +19,16 @@
 //       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" } },
 //       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
 //
-// Of a light only `shape` is required; the defaults are those of LightDescription. Arrays are metres. Files named by a
-// shape, a mask or a spectrum are relative to the rig's folder and must be regular files under it, symbolic links
-// resolved, unless RigReadOptions allow others; a profile is read once and shared by every light that names it.
-// The JSON is read as a stream: memory grows with the lights alone (about 0.5 kB each, resolving included), nesting and
-// the size of one light are limited. A million lights take 2.4 s.
-// rig.schema.json beside this file says the same to editors.
+// Only `shape` is required for a light; the defaults are those of LightDescription. Arrays are in metres. Files named
+// by a shape, a mask or a spectrum are relative to the rig's folder and must be regular files under it, symbolic links
+// resolved, unless RigReadOptions allows others; a profile is read once and shared by every light that names it. The
+// JSON is read as a stream: memory grows only with the lights (about 0.5 kB each, including resolving); nesting and the
+// size of one light are limited. A million lights take 2.4 s.
+// rig.schema.json beside this file is the schema for editors.
 //
-// A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is broken, else
+// A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is invalid, else
 // "rig.json: error[RIG0106]: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a
-// file that cannot be read or may not be named; unsupported: what a shape or colour asks for and gonio has not.
+// file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio does not have.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -45,40 +45,40 @@
 
 namespace gonio {
 
-// A material for the surface of that name on the stage.
+// A material for the surfaces of that name on the stage.
 struct SurfaceMaterial {
     std::string surface;
     Material material;
 };
 
 struct Rig {
-    std::string source;                   // named in messages
+    std::string source;                   // the name used in messages
     std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
-    std::optional<Stage> stage;           // as the file has it: the materials are not applied
+    std::optional<Stage> stage;           // as in the file: the materials are not applied
     std::optional<Camera> camera;
     std::vector<SurfaceMaterial> materials;
-    std::vector<std::string> files; // all that were read for it: profiles, masks, spectra; sorted, each once
-    Diagnostics diagnostics;        // of reading: what was odd in a profile
+    std::vector<std::string> files; // all files read for it: profiles, masks, spectra; sorted, each once
+    Diagnostics diagnostics;        // of reading: anything unusual in a profile
 };
 
-// Which files a rig may name. A rig of somebody else must not name what it likes.
+// Which files a rig may name. A rig from an untrusted source must not read arbitrary files.
 struct RigReadOptions {
     bool allow_outside = false; // any file, not only regular ones under the rig's folder
-    std::string outside_hint;   // what a refusal advises, as a command's option; empty: to put the file there
+    std::string outside_hint;   // the advice of a refusal, such as a command's option; empty: to put the file there
 };
 
-// `source` names the text in messages; relative files are looked for in `folder` (empty: the current one).
+// `source` names the text in messages; relative file names are looked up in `folder` (empty: the current one).
 Result<Rig> read_rig(std::string_view text, const std::string& source, const std::string& folder,
                      const RigReadOptions& options = {});
 
-// Reads the file at `path`, "-" being standard input, whose files are relative to the current folder.
+// Reads the file at `path`. For "-", standard input, file names are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
 
-// Fails (malformed) on a rig without lights, of which there is nothing to show or to export.
+// Fails (malformed) on a rig without lights: there is nothing to show or to export.
 Result<void> require_lights(const Rig& rig);
 
-// Every light resolved, in order; spread over threads. Fails as resolve_light does, with the light's JSON path.
-// What was noticed is appended to `diagnostics`.
+// Resolves every light, in order; runs on several threads. Fails as resolve_light does, with the light's JSON path.
+// Remarks are appended to `diagnostics`.
 Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads = 0);
 
 // The keys that a rig, one of its lights and its camera may have.

@@ -19,10 +19,10 @@ namespace {
 constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// What decides how much a light with a web emits.
+// Everything that determines how much a light with a web emits.
 using Emitter = std::tuple<std::size_t, std::vector<double>, const Web*, std::string_view, double, double, double>;
 
-// The values of the shape's keys, whatever they are.
+// The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
     struct Number {
         double operator()(Meters length) const { return length.value; }
@@ -36,7 +36,7 @@ std::vector<double> numbers_of(const Shape& shape) {
     return numbers;
 }
 
-// Nothing for lights without a web: theirs is arithmetic.
+// Nothing for lights without a web: they need only arithmetic.
 std::optional<Emitter> emitter_of(const LightDescription& light) {
     const auto* const profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
@@ -51,7 +51,7 @@ std::optional<Emitter> emitter_of(const LightDescription& light) {
                    value.unit.efficacy_lm_per_w.value_or(0.0)};
 }
 
-// Frame, name, colour and range of the description on what another light of the same emission is resolved to.
+// Combines frame, name, colour and range of the description with another resolved light of the same emission.
 Result<Light> like(const Light& prototype, LightDescription description, Diagnostics& diagnostics) {
     description.shape = PointShape{};
     description.intensity = PhotometricValue{0.0, {find_unit("cd"), std::nullopt, std::nullopt}};
@@ -70,7 +70,7 @@ Result<Light> like(const Light& prototype, LightDescription description, Diagnos
 Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, unsigned threads) {
     std::move(rig.diagnostics.begin(), rig.diagnostics.end(), std::back_inserter(diagnostics));
 
-    // The flux and the peak of a web cost a walk over it: lights that emit alike share one.
+    // The flux and the peak of a web need a pass over it: lights with the same emission share one.
     std::map<Emitter, std::size_t> known;
     std::vector<std::size_t> first_light;                      // of each kind of emitter
     std::vector<std::size_t> emitter(rig.lights.size(), none); // of each light

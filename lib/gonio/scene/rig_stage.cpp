@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 4> box_keys{"center", "size", "up", "rota
 constexpr std::array<std::string_view, 2> sphere_keys{"center", "radius"};
 constexpr std::array<std::string_view, 3> capsule_keys{"from", "to", "radius"};
 
-// The values of an object under one path. The first failure stays; what is read after it is not looked at.
+// The values of an object under one path. Keeps the first failure and ignores everything read after it.
 class Members {
 public:
     Members(const RigJson& json, Keys keys, const std::string& source, std::string path)
@@ -44,7 +44,7 @@ public:
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail_at(path_, unknown_name("key", key, keys));
     }
 
-    // Leaves `target` as it is where the key is not there.
+    // Leaves `target` unchanged if the key is missing.
     template<class T, class Read>
     void optional(const char* key, T& target, const Read& read) {
         if (failure_ || !json_.contains(key)) return;
@@ -73,7 +73,7 @@ private:
 
 Result<glm::dvec3> unit_vector_of(const RigJson& json) {
     Result<glm::dvec3> vector = nonzero_vector_of(json);
-    // Divided by its greatest component first: the square of a large one would overflow.
+    // Divided by its largest component first: the square of a large one would overflow.
     if (!vector) return vector;
     const glm::dvec3 size = glm::abs(*vector);
     return glm::normalize(*vector / std::max({size.x, size.y, size.z}));
@@ -104,7 +104,7 @@ Result<glm::dvec3> size_of(const RigJson& json) {
     return size;
 }
 
-// Each primitive from its members, which keep what was wrong.
+// Reads each primitive from its members, which record the failure.
 Plane read_plane(Members& members) {
     Plane plane;
     members.optional("point", plane.point, place_of);
@@ -217,7 +217,7 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
     return surface;
 }
 
-// Around the stage's subjects as far as they have bounds.
+// The bounds of the stage's subjects, if they have any.
 std::optional<Ball> subject_bounds(const Stage& stage) {
     constexpr double far = std::numeric_limits<double>::infinity();
     glm::dvec3 low(far);
@@ -238,7 +238,7 @@ Camera camera_for(const Stage& stage) {
     Camera camera;
     camera.target = subjects->center;
     camera.least_horizontal_fov_deg = camera.vertical_fov_deg;
-    // From the front and above where nothing hides it from there, else from the sides, from behind, closer by.
+    // From the front and above if the view from there is free, else from the sides, from behind, or from closer.
     for (const double distance : {2.6, 1.8, 1.2})
         for (const glm::dvec3& from : {glm::dvec3(-0.3, -1.0, 0.45), glm::dvec3(1.0, -0.3, 0.45),
                                        glm::dvec3(-1.0, 0.3, 0.45), glm::dvec3(0.3, 1.0, 0.45)}) {

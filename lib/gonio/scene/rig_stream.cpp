@@ -90,14 +90,14 @@ private:
         return false;
     }
 
-    // What is beyond a limit, with the place where it is.
+    // Refuses a value beyond a limit, with its place.
     bool refuse_beyond(const std::string& path, std::string message) {
         refuse("RIG0108", path, std::move(message), std::string(limits_hint));
         error_->diagnostics.back().location = bytes_.place(source_);
         return false;
     }
 
-    // Puts a value where the text has it; nullptr where it may not be.
+    // Puts a value where the text has it; nullptr where it is not allowed.
     RigJson* place(RigJson value) {
         if (where_ == Where::outside) {
             refuse("RIG0101", {}, "a rig is a JSON object", R"(write { "schema": "gonio.rig/1", "lights": [ … ] })");
@@ -179,7 +179,7 @@ std::string at_path(std::string_view path, std::string message) {
     return path.empty() ? std::move(message) : fmt::format("{}: {}", path, message);
 }
 
-// What a grammar says of a value, as the rig's: a text is refused for the same reasons on a command line.
+// Translates the code of a grammar's error into the rig's: the same errors occur on a command line.
 std::string_view code_in_rig(std::string_view code) {
     struct Twin {
         CodeOf<failure_codes> of;

@@ -15,7 +15,7 @@ std::string_view type_of(const RigJson& json) {
     return json.is_array() ? "an array" : "an object";
 }
 
-// Of a number that was given where one with its unit is wanted: "800" → "800lm".
+// The hint for a plain number where a number with a unit is expected: "800" → "800lm".
 std::string unit_hint(const RigJson& json, std::string_view unit) {
     return json.is_number() ? fmt::format("write it with its unit, for example \"{}{}\"", json.dump(), unit)
                             : std::string();
@@ -45,7 +45,7 @@ Result<glm::dvec3> vector_of(const RigJson& json) {
 }
 
 Result<glm::dvec3> position_of(const RigJson& json) {
-    constexpr double farthest = 1e100; // [m], as far as a probe reaches
+    constexpr double farthest = 1e100; // [m], the range of a probe
     Result<glm::dvec3> vector = vector_of(json);
     if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
         return rig_value_error("RIG0106", fmt::format("must lie within {} m", farthest));

@@ -13,7 +13,7 @@ namespace gonio::detail {
 
 namespace {
 
-// The real roots of a t² + 2 b t + c in their order, without cancellation; none of the linear one's at infinity.
+// The real roots of a t² + 2 b t + c, without cancellation; a linear equation has only its finite root.
 template<class Take>
 void for_roots(double a, double b, double c, const Take& take) {
     const double under = b * b - a * c;
@@ -27,7 +27,7 @@ bool on_line(double t) {
     return t >= 0.0 && t <= 1.0;
 }
 
-// A line of the light and a body, the receiver in the origin.
+// A line of the light, with the receiver at the origin.
 struct Line {
     glm::dvec3 from;
     glm::dvec3 along; // to − from
@@ -36,7 +36,7 @@ struct Line {
     glm::dvec3 normal() const { return glm::cross(from, along); } // of the plane of the rays, of any length
 };
 
-// How a line passes a ball, or the endless cylinder that the same formulas are of in the plane across its axis.
+// How a line passes a sphere, or an infinite cylinder, which follows the same formulas in the plane across its axis.
 struct Round {
     glm::dvec3 from, along, center;
     double power; // of the receiver: |c|² − r²
@@ -49,7 +49,7 @@ struct Round {
           power(glm::dot(middle, middle) - radius * radius),
           radius2(radius * radius) {}
 
-    // Where rays touch it, with the share of the way to the line at which they do.
+    // Where rays are tangent to it, with the share of the way to the line at which they touch.
     template<class Take>
     void tangents(const Take& take) const {
         const double fc = glm::dot(from, center);
@@ -69,7 +69,7 @@ struct Round {
             if (on_line(t)) take(t);
         });
     }
-    // The shares of the way to the line at t at which a ray enters; above 1 where it misses.
+    // The share of the way to the point t of the line at which a ray enters; above 1 where it misses.
     double entry(double t) const {
         const glm::dvec3 way = from + t * along;
         const double middle = glm::dot(way, center);
@@ -112,7 +112,7 @@ struct Hidden {
         const glm::dvec3 center = capsule.center - receiver;
         const glm::dvec3& w = capsule.axis;
         const std::array<glm::dvec3, 2> ends{center - capsule.half_length * w, center + capsule.half_length * w};
-        // What the plane of the rays misses hides nothing, and costs nearly nothing.
+        // An object that the plane of the rays misses hides nothing, and costs almost nothing.
         const glm::dvec3 normal = line.normal();
         const double reach = capsule.radius * glm::length(normal);
         const std::array<double, 2> heights{glm::dot(normal, ends[0]), glm::dot(normal, ends[1])};
@@ -157,7 +157,7 @@ struct Hidden {
         for (unsigned i = 0; i < 8; ++i)
             for (unsigned bit = 1; bit < 8; bit *= 2)
                 if ((i & bit) == 0) add_edge(hidden, normal, from, along, corner, side, i, i | bit);
-        // Where the line itself and the rays to its ends meet it.
+        // Where the line itself and the rays to its ends enter the box.
         add_slabs(hidden, half, origin + from, along, [](double entry, double exit, HiddenPiece& to) {
             if (entry <= exit && exit >= 0.0 && entry <= 1.0) {
                 to.add(std::max(entry, 0.0));
@@ -211,21 +211,21 @@ struct Hidden {
     }
 
 private:
-    // Whether the plane of the rays misses all of the corners' body.
+    // Whether the plane of the rays misses the whole object with these corners.
     template<std::size_t n>
     static bool is_one_sided(const std::array<double, n>& side) {
         return std::all_of(side.begin(), side.end(), [](double height) { return height > 0.0; }) ||
                std::all_of(side.begin(), side.end(), [](double height) { return height < 0.0; });
     }
 
-    // Where the plane of the rays cuts an edge, if that is before the line.
+    // Where the plane of the rays cuts an edge, if that point is in front of the line.
     template<std::size_t n>
     static void add_edge(HiddenPiece& hidden, const glm::dvec3& normal, const glm::dvec3& from, const glm::dvec3& along,
                          const std::array<glm::dvec3, n>& corner, const std::array<double, n>& side, std::size_t a,
                          std::size_t b) {
         if ((side[a] < 0.0) == (side[b] < 0.0)) return;
         const glm::dvec3 cut = corner[a] + side[a] / (side[a] - side[b]) * (corner[b] - corner[a]);
-        // cut = u from + v along, where u is the share of the way and v/u the place on the line.
+        // cut = u from + v along, where u is the share of the way and v/u the position on the line.
         const double area = glm::dot(normal, normal);
         const double u = glm::dot(glm::cross(cut, along), normal) / area;
         const double v = glm::dot(glm::cross(from, cut), normal) / area;
@@ -303,7 +303,8 @@ private:
         return {2.0 * std::asin(std::min(0.5 * glm::length(off), 1.0)) - std::asin(radius / distance), off};
     }
 
-    // The plane through it and the receiver where the direction passes it, else its nearer end.
+    // The plane through the segment and the receiver if the direction passes the segment, else the segment's nearer
+    // end.
     ShadowEdge segment(const glm::dvec3& a, const glm::dvec3& b) const {
         const glm::dvec3 normal = glm::cross(a, b);
         const double length2 = glm::dot(normal, normal);
@@ -313,7 +314,7 @@ private:
             if (!(length_a > 0.0) || !(length_b > 0.0) || glm::dot(a, b) < 0.0) return {0.0, towards};
             return {glm::length(a / length_a - towards), a / length_a - towards};
         }
-        // The direction within that plane: u a + v b.
+        // The direction projected into that plane: u a + v b.
         const double u = glm::dot(glm::cross(towards, b), normal);
         const double v = glm::dot(glm::cross(a, towards), normal);
         if (u > 0.0 && v > 0.0) return {std::abs(glm::dot(normal, towards)) / std::sqrt(length2), normal};

@@ -1,6 +1,6 @@
-// What a body hides of a line on a light: of all rays from a receiver to the points of a line, those that meet a convex
-// body form one piece. Its ends are where the line begins or ends, where it runs into the body, or where a ray only
-// touches it: closed forms, without sampling.
+// The part of a line on a light that an object hides: of all rays from a receiver to the points of a line, those that
+// hit a convex object form one piece. Its ends are where the line begins or ends, where it enters or leaves the object,
+// or where a ray is tangent to it: closed forms, without sampling.
 #pragma once
 
 #include <gonio/scene/primitives.hpp>
@@ -23,19 +23,18 @@ struct HiddenPiece {
     bool empty() const { return !(low < high); }
 };
 
-// `from` and `to` are relative to the receiver. Sheets that the receiver lies in and solids that it lies in hide
-// nothing.
+// `from` and `to` are relative to the receiver. One-sided surfaces and solids that the receiver lies in hide nothing.
 HiddenPiece hidden_piece(const Primitive& body, const glm::dvec3& receiver, const glm::dvec3& from,
                          const glm::dvec3& to);
 
-// The edge of a body's shadow that a receiver sees nearest to a direction: lines on the light that run across it are
-// cut evenly.
+// The edge of an object's shadow that is nearest to a direction, as seen from a receiver: lines on the light that run
+// across it are cut uniformly.
 struct ShadowEdge {
-    double distance = 1e300; // not above the angle between them [rad]; of round bodies negative towards their inside
+    double distance = 1e300; // at most the angle between them [rad]; negative inside round objects
     glm::dvec3 across{0.0};  // across the edge, of any length
 };
 
-// `towards` is unit. An edge at no distance of bodies that the receiver touches, or that reach up to it.
+// `towards` is unit. The distance is 0 for objects that the receiver touches, or that extend to it.
 ShadowEdge nearest_edge(const Primitive& body, const glm::dvec3& receiver, const glm::dvec3& towards);
 
 } // namespace gonio::detail

@@ -29,7 +29,7 @@ struct CoveredSky {
     double operator()(const Plane& plane) const {
         const double height = glm::dot(point - plane.point, plane.normal);
         if (std::abs(height) <= detail::touching(point)) return 0.0;
-        // The half space of directions towards it, above the receiver's horizon.
+        // The half space of directions towards the plane, above the receiver's horizon.
         return 0.5 * (1.0 - std::copysign(1.0, height) * glm::dot(normal, plane.normal));
     }
     double operator()(const Panel& panel) const {

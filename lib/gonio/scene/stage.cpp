@@ -10,13 +10,13 @@ namespace gonio {
 
 namespace {
 
-// An `up` that nothing was said of gives way where it is parallel to the view (aimed_frame); one that was chosen
-// cannot be meant.
+// The default `up` is replaced where it is parallel to the view (aimed_frame); a chosen one in that direction must be a
+// mistake.
 bool is_chosen(const glm::dvec3& up) {
     return up != Camera().up;
 }
 
-// How far what has a long side reaches along it, from its middle [m]; 0 of what is round.
+// How far a shape with a long side extends along it from its middle [m]; 0 for round shapes.
 double reach_along_c0(const Shape& shape) {
     return std::visit(
         [](const auto& kind) {

@@ -1,4 +1,4 @@
-// The stages that are there by name.
+// The stages that are available by name.
 #include <gonio/base/named.hpp>
 #include <gonio/scene/stage.hpp>
 
@@ -27,7 +27,7 @@ Box upright_box(const Vec& from, const Vec& to) {
     return {{0.5 * (from + to), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.5 * (to - from)};
 }
 
-// A room's corner: the light hangs 2.6 m high and 0.9 m before the wall, where a downlight draws its scallop.
+// A room's corner: the light is 2.6 m high and 0.9 m in front of the wall, where a downlight produces its scallop.
 Stage floor_stage() {
     Stage stage;
     stage.surfaces = {
@@ -41,8 +41,8 @@ Stage floor_stage() {
     return stage;
 }
 
-// A wall 3 m high, with the light 0.5 m before it just under the ceiling, as wall washers are hung: C0 to the wall,
-// or along it where the light would reach it.
+// A wall 3 m high, with the light 0.5 m in front of it just under the ceiling, the usual position of wall washers: C0
+// towards the wall, or along it if the light would reach the wall.
 Stage wall_stage() {
     Stage stage;
     stage.surfaces = {
@@ -56,7 +56,7 @@ Stage wall_stage() {
     return stage;
 }
 
-// 2.2 m wide, 2.7 m high and 16 m long; the light is on the ceiling, 4 m from where the camera stands, C0 across.
+// 2.2 m wide, 2.7 m high and 16 m long; the light is on the ceiling, 4 m from the camera, C0 across.
 Stage corridor_stage() {
     Stage stage;
     const LambertMaterial plaster = matte(0.62);
@@ -73,11 +73,11 @@ Stage corridor_stage() {
     return stage;
 }
 
-// A street along X: the pole stands on the pavement, its head reaches over the road at +Y, 8 m high. C0 of the light is
-// along the street, C90 across it, as EULUMDAT has it.
+// A street along X: the pole is on the pavement, its head reaches over the road at +Y, 8 m high. C0 of the light is
+// along the street, C90 across it, as in EULUMDAT.
 Stage street_stage() {
     constexpr double width = 7.0; // of the road [m]
-    constexpr double far = 300.0; // half the length of what does not end
+    constexpr double far = 300.0; // half the length of objects without an end
     constexpr double kerb = 0.12; // its height
     const LambertMaterial concrete = matte(0.3);
     const FrostbiteMaterial paint{Vec(0.3), 0.4, 0.0, 0.5};
@@ -126,8 +126,9 @@ Stage spheres_stage() {
     return stage;
 }
 
-// Cards of 18 % grey 0.5, 1, 2, 4 and 8 m before a light that shines at them along +Y, 1.2 m high, C0 to the right.
-// Each has a sector of its own around the axis, which its corner touches: none stands in the light of another.
+// Cards of 18 % grey 0.5, 1, 2, 4 and 8 m in front of a light that emits towards them along +Y, 1.2 m high, C0 to the
+// right. Each card has a separate sector around the axis and touches the axis with its corner, so no card shades
+// another.
 Stage card_stage() {
     struct Card {
         double distance; // along the axis
@@ -156,7 +157,7 @@ Stage card_stage() {
     return stage;
 }
 
-// 4 m wide, 5 m deep, 2.6 m high and closed. Its walls are seen from inside only: a camera outside looks into it.
+// 4 m wide, 5 m deep, 2.6 m high and closed. Its walls are visible from inside only: a camera outside looks into it.
 Stage room_stage() {
     const LambertMaterial plaster = matte(0.6);
     Stage stage;

@@ -1,7 +1,7 @@
-// All materials of the shading core: brdf_sample.hpp says what they have in common.
+// The list of all materials of the shading core. brdf_sample.hpp describes what they have in common.
 //
-// Kernels, their constants, the tables of measure/ and the tests of all materials go through the list `Materials`. A
-// material that stands in it and lacks a part does not compile.
+// The kernels, their constants, the tables of measure/ and the tests that cover all materials go through the list
+// `Materials`. If a material in the list lacks a part, the library does not compile.
 #pragma once
 
 #include <gonio/shading/brdf_blinn.hpp>
@@ -33,7 +33,7 @@ template<template<class> class One, template<class> class... Material>
 constexpr MaterialConstants::Kind place_in(MaterialList<Material...> /*list*/) {
     constexpr bool found[] = {__is_same(One<float>, Material<float>)...};
     std::uint8_t place = 0;
-    while (!found[place]) // not a constant where it is not in the list
+    while (!found[place]) // not a constant if it is not in the list
         ++place;
     return MaterialConstants::Kind{place};
 }
@@ -71,7 +71,7 @@ static_assert(are_materials(Materials()), "a material of the list lacks a part t
 template<template<class> class Material>
 inline constexpr MaterialConstants::Kind kind_of = detail::place_in<Material>(Materials());
 
-// Its numbers, rounded to float.
+// The material's numbers, rounded to float.
 template<template<class> class Material, class T>
 GONIO_FORCE_INLINE MaterialConstants constants_of(const Material<T>& material) {
     constexpr std::size_t count = detail::number_count<Material>;
@@ -84,7 +84,7 @@ GONIO_FORCE_INLINE MaterialConstants constants_of(const Material<T>& material) {
     return constants;
 }
 
-// The material of constants of its kind, the same in every lane.
+// The material that the constants describe, the same in every lane.
 template<template<class> class Material, class S>
 GONIO_FORCE_INLINE Material<S> material_of(const MaterialConstants& constants) {
     constexpr std::size_t count = detail::number_count<Material>;
@@ -106,7 +106,7 @@ GONIO_FORCE_INLINE void visit_kind(MaterialConstants::Kind kind, const Visit& vi
 
 } // namespace detail
 
-// visit.template operator()<Material>() for the material of that kind.
+// Calls visit.template operator()<Material>() for the material of that kind.
 template<class Visit>
 GONIO_FORCE_INLINE void with_material(MaterialConstants::Kind kind, const Visit& visit) {
     detail::visit_kind(kind, visit, Materials());

@@ -1,9 +1,9 @@
-// The material of "The Art of Remember Me" (S. Lagarde and L. Harduin, 2013): Lambert and Blinn's cosine power, and
-// what water does to both.
+// The material of "The Art of Remember Me" (S. Lagarde and L. Harduin, 2013): Lambert, Blinn's cosine power, and the
+// effect of water on both.
 //
-// f = albedo/π + F (p + 2)/(8π) (n·h)^p with Schlick's F to 1 at grazing. There is no shadowing between facets, and so
-// the specular albedo falls with n·v; nothing lessens the diffuse part by it. Reciprocal, not energy conserving:
-// README.md gives the measured albedos.
+// f = albedo/π + F (p + 2)/(8π) (n·h)^p, where Schlick's F rises to 1 at grazing. There is no shadowing between facets,
+// so the specular albedo falls with n·v; the diffuse part is not reduced by the specular albedo. Reciprocal, not energy
+// conserving: README.md gives the measured albedos.
 #pragma once
 
 #include <gonio/shading/brdf_lambert.hpp>
@@ -33,8 +33,8 @@ GONIO_FORCE_INLINE S specular_power(S smoothness) {
     return simd::exp2(simd::mul_add(S(10), smoothness, S(1)));
 }
 
-// Albedo, linear f0, smoothness and wetness, each in [0, 1]. Water darkens what is rough and no metal, for it fills its
-// pores, and smooths all.
+// Albedo, linear f0, smoothness and wetness, each in [0, 1]. Water darkens rough surfaces that are not metal, because
+// it fills their pores, and makes every surface smoother.
 template<class S>
 GONIO_FORCE_INLINE Blinn<S> blinn_material(vec3<S> albedo, vec3<S> f0, S smoothness, S wetness) {
     const auto saturate = [](S x) { return simd::min(simd::max(x, S(0)), S(1)); };
@@ -46,8 +46,8 @@ GONIO_FORCE_INLINE Blinn<S> blinn_material(vec3<S> albedo, vec3<S> f0, S smoothn
     return {albedo * blend(S(1), darkest, wetness), f0, specular_power(smooth)};
 }
 
-// (n·h)^p, ‖n×h‖² given: the logarithm of n·h from it, where n·h itself has lost its digits. 0 where n·h is not
-// positive.
+// (n·h)^p, given ‖n×h‖²: the logarithm of n·h is computed from ‖n×h‖² where n·h itself has lost its digits. 0 where n·h
+// is not positive.
 template<class S>
 GONIO_FORCE_INLINE S cosine_power(S n_dot_h, S n_cross_h_square, S power) {
     constexpr double log2_e = std::numbers::log2e;
@@ -61,7 +61,8 @@ GONIO_FORCE_INLINE S cosine_power(S n_dot_h, S n_cross_h_square, S power) {
 }
 
 // The specular part [1/sr] is f0 + (1 − f0)·grazing times scale, as for specular_ggx. `widened` is p, or less where a
-// lobe is widened for an area light; its peak is lowered with the square of (p + 2), as a GGX lobe's with α⁻².
+// lobe is widened for an area light; the peak is then lowered with the square of (p + 2), as the peak of a GGX lobe is
+// with α⁻².
 template<class S>
 GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, vec3<S> v, S power, S widened) {
     const auto lit = simd::both(above_surface(dot(n, l)), above_surface(dot(n, v)));
@@ -72,7 +73,7 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_cosine_power(vec3<S> n, vec3<S> l, 
     return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
 }
 
-// A power of n·h; `alpha` is that of the GGX lobe of the same peak.
+// The lobe of a power of n·h; `alpha` is that of the GGX lobe with the same peak.
 template<class S>
 struct CosinePowerLobe {
     S alpha, power;
@@ -80,7 +81,7 @@ struct CosinePowerLobe {
     GONIO_FORCE_INLINE S value(S /*n_dot_l*/, S /*n_dot_v*/, const HalfVector<S>& h) const {
         return (power + S(2)) * S(0.125 * std::numbers::inv_pi) * cosine_power(simd::sqrt(h.along2), h.across2, power);
     }
-    // As it has no shadowing: by that towards the mirrored eye.
+    // Without shadowing V is 1/4; this is its ratio to the V of GGX for light from the mirrored eye.
     GONIO_FORCE_INLINE S albedo_share(S n_dot_v) const {
         const S mu = simd::max(n_dot_v, S(least_cosine));
         return S(0.25) / visibility_ggx(mu, mu, alpha);
@@ -92,7 +93,7 @@ struct CosinePowerLobe {
     }
 };
 
-// Of the GGX lobe whose distribution has the same peak: α² = 2/(p + 2).
+// α of the GGX lobe with the same peak of the distribution: α² = 2/(p + 2).
 template<class S>
 GONIO_FORCE_INLINE S lobe_alpha(const Blinn<S>& material) {
     return simd::sqrt(S(2) / (material.power + S(2)));
@@ -117,8 +118,8 @@ GONIO_FORCE_INLINE Lambert<S> diffuse_alone(const Blinn<S>& material) {
     return {material.albedo};
 }
 
-// The normals of a GGX surface whose distribution has the same peak, α² = 2/(p + 2): its tails cover a cosine power's,
-// and unlike the power's own half vectors all that are drawn face the eye.
+// Samples the normals of a GGX surface with the same peak of the distribution, α² = 2/(p + 2). Its tails cover those of
+// a cosine power, and all sampled normals face the eye, unlike half vectors drawn from the power itself.
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes(const Blinn<S>& material, S n_dot_v) {
     const S f0 = mean(material.f0);

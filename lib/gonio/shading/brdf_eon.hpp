@@ -1,10 +1,11 @@
 // EON: the energy-preserving Oren–Nayar diffuse reflectance (J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical
 // Energy-Preserving Rough Diffuse BRDF", Journal of Computer Graphics Techniques 14(1), 2025).
 //
-// Fujii's Oren–Nayar for single scattering, with r its roughness in [0, 1] and A = 1/(1 + (1/2 − 2/3π) r),
-//     f = A/π (1 + r s/t),   s = l·v − n·l n·v,   t = max(n·l, n·v) where s > 0, else 1,
-// whose albedo is E(μ) = A (1 + r G(μ)/π), with mean Ē = A (1 + (2/3 − 28/15π) r), in closed form; and for what is lost
-// a lobe of Kulla and Conty's kind. Both are reciprocal, and a white surface gives back all of the light.
+// Single scattering is Fujii's Oren–Nayar, with roughness r in [0, 1] and A = 1/(1 + (1/2 − 2/3π) r),
+//     f = A/π (1 + r s/t),   s = l·v − n·l n·v,   t = max(n·l, n·v) where s > 0, else 1.
+// Its albedo E(μ) = A (1 + r G(μ)/π) and its mean Ē = A (1 + (2/3 − 28/15π) r) are in closed form. A lobe of the kind
+// of Kulla and Conty adds the energy that single scattering loses. Both are reciprocal, and a white surface reflects
+// all of the light.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>
@@ -20,13 +21,13 @@ struct Eon {
     static constexpr Scattering scattering = Scattering::colored;
     static constexpr LobeKind lobe = LobeKind::none;
 
-    vec3<S> albedo; // [0, 1] of a single scattering; the colour saturates with roughness as light scatters again
+    vec3<S> albedo; // [0, 1], of single scattering; the colour saturates with roughness because of multiple scattering
     S roughness;    // [0, 1]; 0 is Lambert
 };
 
 namespace detail {
 
-inline constexpr double eon_grazing = 0.5 - 2.0 / (3.0 * std::numbers::pi);      // G(0)/π: no loss in the surface
+inline constexpr double eon_grazing = 0.5 - 2.0 / (3.0 * std::numbers::pi);      // G(0)/π: no loss at grazing
 inline constexpr double eon_mean = 2.0 / 3.0 - 28.0 / (15.0 * std::numbers::pi); // ∫ 2μ G(μ)/π dμ
 
 // (1 − E(μ))/(A r) = (G(0) − G(μ))/π, for μ in [0, 1].
@@ -84,7 +85,8 @@ GONIO_FORCE_INLINE Eon<S> diffuse_alone(const Eon<S>& material) {
 
 namespace detail {
 
-// Rough surfaces send much of the light of grazing views to grazing directions: the share that is sampled evenly.
+// Rough surfaces reflect much of the light of grazing views towards grazing directions: the share that is sampled
+// uniformly.
 template<class S>
 GONIO_FORCE_INLINE S even_share(const Eon<S>& material) {
     return S(0.5) * material.roughness;

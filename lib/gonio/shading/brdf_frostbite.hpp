@@ -1,7 +1,7 @@
 // The material of "Moving Frostbite to Physically Based Rendering" (S. Lagarde and C. de Rousiers, 2014): renormalised
 // Disney diffuse and GGX with height-correlated shadowing.
 //
-// It is reciprocal and not energy conserving: README.md gives the measured albedos, up to 1.117 at grazing.
+// Reciprocal, not energy conserving: README.md gives the measured albedos, up to 1.117 at grazing.
 #pragma once
 
 #include <gonio/shading/brdf_lobes.hpp>
@@ -22,12 +22,12 @@ struct Frostbite {
 
     vec3<S> albedo;     // of the diffuse part
     vec3<S> f0;         // reflectance at normal incidence
-    S f90;              // and at grazing
+    S f90;              // reflectance at grazing incidence
     S linear_roughness; // 1 − smoothness
-    S alpha;            // linear_roughness², what enters D and V
+    S alpha;            // linear_roughness², used in D and V
 };
 
-// base colour, smoothness, metal mask and reflectance, each in [0, 1] and clamped to it.
+// Base colour, smoothness, metal mask and reflectance, each in [0, 1] and clamped to it.
 template<class S>
 GONIO_FORCE_INLINE Frostbite<S> frostbite_material(vec3<S> base, S smoothness, S metal, S reflectance) {
     const auto saturate = [](S x) { return simd::min(simd::max(x, S(0)), S(1)); };
@@ -41,7 +41,7 @@ GONIO_FORCE_INLINE Frostbite<S> frostbite_material(vec3<S> base, S smoothness, S
     return {color * (S(1) - m), f0, f90, r, simd::max(r * r, S(minimum_alpha))};
 }
 
-// Diffuse part for albedo 1.
+// The diffuse part for albedo 1.
 template<class S>
 GONIO_FORCE_INLINE S diffuse_frostbite(S n_dot_l, S n_dot_v, S l_dot_h, S linear_roughness) {
     const S bias = S(0.5) * linear_roughness;

@@ -1,5 +1,5 @@
-// GGX alone, scattered once: the microfacets of ggx.hpp with a reflectance of 1 at grazing, no diffuse part. README.md
-// gives what is lost between facets.
+// GGX alone, single scattering: the microfacets of ggx.hpp with a reflectance of 1 at grazing, no diffuse part.
+// README.md gives the light lost between facets.
 #pragma once
 
 #include <gonio/shading/brdf_lambert.hpp>
@@ -16,7 +16,7 @@ struct Ggx {
     static constexpr LobeKind lobe = LobeKind::ggx;
 
     vec3<S> f0; // reflectance at normal incidence, [0, 1]
-    S alpha;    // [0, 1], what enters D and V
+    S alpha;    // [0, 1], used in D and V
 };
 
 template<class S>

@@ -1,14 +1,14 @@
-// The metallic-roughness material of glTF 2.0 as appendix B of its specification writes it (Khronos, "glTF 2.0
+// The metallic-roughness material of glTF 2.0, following appendix B of its specification (Khronos, "glTF 2.0
 // Specification", B.2 and B.3): material = mix(dielectric_brdf, metal_brdf, metallic) with
 //     dielectric_brdf = mix(base/π, D V, F_d),   F_d = 0.04 + 0.96 w,   w = (1 − l·h)⁵,
 //     metal_brdf = (base + (1 − base) w) D V,    α = roughness²,
 // GGX and height-correlated Smith. Reflectances are linear in f0, so the two lobes are one, with f0 between 0.04 and
-// base, and what is diffuse is base (1 − metallic) (1 − F_d)/π: all channels are dimmed alike. Editions before 2024
-// print (1 − F) of the mixed f0 in the diffuse part, which is not the mix of the two that they define and was mended;
-// for metallic = 0 and 1 both are the same.
+// base, and the diffuse part is base (1 − metallic) (1 − F_d)/π: all channels are dimmed alike. Editions before 2024
+// print (1 − F) of the mixed f0 in the diffuse part. That is not the mix of the two parts that they define, and was
+// corrected later; for metallic = 0 and 1 both are the same.
 //
-// It is reciprocal. It does not conserve energy: w is that of the microfacet, and a white dielectric gives back up to
-// 1.93 at grazing views. README.md gives the measured albedos.
+// Reciprocal, not energy conserving: w is that of the microfacet, and a white dielectric reflects up to 1.93 at grazing
+// views. README.md gives the measured albedos.
 #pragma once
 
 #include <gonio/shading/brdf_lobes.hpp>
@@ -29,13 +29,13 @@ struct Gltf {
 
     vec3<S> albedo; // base (1 − metallic)
     vec3<S> f0;     // reflectance at normal incidence
-    S f90;          // and at grazing: 1
+    S f90;          // reflectance at grazing incidence: 1
     S alpha;        // roughness²
 };
 
 inline constexpr double gltf_dielectric_f0 = 0.04; // an index of refraction of 1.5
 
-// base colour, metallic and roughness, each in [0, 1].
+// Base colour, metallic and roughness, each in [0, 1].
 template<class S>
 GONIO_FORCE_INLINE Gltf<S> gltf_material(vec3<S> base, S metallic, S roughness) {
     const auto blend = [&](S channel) {
@@ -55,7 +55,7 @@ template<class S>
 GONIO_FORCE_INLINE vec3<S> diffuse_part(const Gltf<S>& material, vec3<S> n, vec3<S> l, vec3<S> v) {
     const auto lit = simd::both(above_surface(dot(n, l)), above_surface(dot(n, v)));
     const S x = simd::min(simd::max(dot(l, normalized(l + v)), S(0)), S(1));
-    // 1 − y⁵ = (1 − y)(1 + y + y² + y³ + y⁴) for y = 1 − l·h: no difference to lose digits in.
+    // 1 − y⁵ = (1 − y)(1 + y + y² + y³ + y⁴) for y = 1 − l·h: avoids a difference that would lose digits.
     const S y = S(1) - x;
     const S entered = x * (S(1) + y * (S(1) + y * (S(1) + y * (S(1) + y))));
     const S diffuse = S((1.0 - gltf_dielectric_f0) * std::numbers::inv_pi) * entered;

@@ -1,12 +1,13 @@
-// GGX with the light that its facets scatter more than once: the single scattering of brdf_ggx.hpp and a wide lobe that
-// carries what it loses (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017).
+// GGX with multiple scattering between facets: the single scattering of brdf_ggx.hpp and a wide lobe that carries the
+// light it loses (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017).
 //
-// With L(μ) = 1 − E(μ), the loss at F = 1, and L̄ = ∫ 2μ L dμ the lobe is F_ms L(n·l) L(n·v)/(π L̄): reciprocal, and with
-// F = 1 nothing is lost. F_ms = F̄² (1 − L̄)/(1 − F̄ L̄), F̄ = f0 + (1 − f0)/21 the mean of Schlick's reflectance.
-// L is a polynomial within 6e-5 of the truth (fit/ggx_loss.cpp), and L̄ its own mean, so a white surface gives back
-// 1 ± 1e-4; below α = 0.01, and within μ = 10 α, 1 ± 6e-4. Smooth surfaces lose next to nothing, which the polynomial's
-// terms would leave as their rounding: it is kept as its value at μ = 1 and (1 − s) times another one. So L in float is
-// that in double within 3e-7 (1 − s) and 3e-6 of itself.
+// Let L(μ) = 1 − E(μ) be the loss at F = 1, and L̄ = ∫ 2μ L dμ. The lobe is F_ms L(n·l) L(n·v)/(π L̄): reciprocal, and
+// with F = 1 nothing is lost. F_ms = F̄² (1 − L̄)/(1 − F̄ L̄), F̄ = f0 + (1 − f0)/21 is the mean of Schlick's
+// reflectance. L is a polynomial within 6e-5 of the exact loss (fit/ggx_loss.cpp), and L̄ is the mean of that
+// polynomial, so a white surface reflects 1 ± 1e-4; below α = 0.01, and within μ = 10 α, 1 ± 6e-4. Smooth surfaces lose
+// almost nothing, and the rounding of the polynomial's terms would exceed that loss. It is therefore stored as its
+// value at μ = 1 plus (1 − s) times another polynomial. L in float then agrees with L in double to within 3e-7 (1 − s)
+// and 3e-6 relative.
 #pragma once
 
 #include <gonio/base/gauss_legendre.hpp>
@@ -42,7 +43,7 @@ GONIO_FORCE_INLINE S chebyshev_series(const T* c, std::size_t count, S x) {
 
 } // namespace detail
 
-// L(μ) of one α: what is lost by scattering once, c₀ + (1 − s) Σ c_{k+1} T_k(2s − 1), s = √(μ(1 + α)/(μ + α)).
+// L(μ) of one α: the loss of single scattering, c₀ + (1 − s) Σ c_{k+1} T_k(2s − 1), s = √(μ(1 + α)/(μ + α)).
 template<class S>
 struct GgxLoss {
     S alpha;
@@ -56,7 +57,7 @@ struct GgxLoss {
         const S sum = detail::chebyshev_series(c + 1, detail::ggx_loss_of_cosine - 1, s + s - S(1));
         return simd::max(simd::mul_add(rest, sum, c[0]), S(0));
     }
-    // ∫ 2μ L(μ) dμ, evenly in ln(μ + α): what is lost is α² for each step of it, down to μ = α.
+    // ∫ 2μ L(μ) dμ, with uniform steps in ln(μ + α): the loss is α² for each step, down to μ = α.
     GONIO_FORCE_INLINE S mean() const {
         const S range = simd::log2(S(1) + alpha) - simd::log2(alpha);
         S sum = S(0);
@@ -80,7 +81,8 @@ GONIO_FORCE_INLINE void ggx_loss_in_double(double alpha, double (&c)[ggx_loss_of
         terms[i] = chebyshev_series(ggx_loss_terms + i * ggx_loss_of_alpha, ggx_loss_of_alpha, alpha + alpha - 1.0);
         c[0] += terms[i]; // the value at x = 1
     }
-    // Less that, over x − 1 = −2(1 − s): as x T_k = (T_{k+1} + T_{k−1})/2, b_{k−1} = 2(a_k + b_k) − b_{k+1}.
+    // The series minus that value, divided by x − 1 = −2(1 − s): as x T_k = (T_{k+1} + T_{k−1})/2,
+    // b_{k−1} = 2(a_k + b_k) − b_{k+1}.
     double b = 0.0;
     double above = 0.0;
     for (std::size_t k = ggx_loss_of_cosine - 1; k > 0; --k) {
@@ -156,14 +158,14 @@ template<class S>
 GONIO_FORCE_INLINE vec3<S> diffuse_part(const KullaConty<S>& /*none*/, vec3<S> /*n*/, vec3<S> /*l*/, vec3<S> /*v*/) {
     return {S(0), S(0), S(0)};
 }
-// Of the lobe that scatters once and the wide one, which stays as it is.
+// The single-scattering lobe plus the wide one. Only the first is widened.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> specular_part(const KullaConty<S>& material, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
     return specular_part(Ggx<S>{material.f0, material.loss.alpha}, n, l, v, widening) +
            multiple_scattering(material, n, l, v);
 }
 
-// Of what is scattered once.
+// The single-scattering lobe.
 template<class S>
 GONIO_FORCE_INLINE Gloss<S, GgxLobe<S>> gloss(const KullaConty<S>& material) {
     return {{lobe_alpha(material)}, material.f0, S(1), S(1)};

@@ -1,4 +1,4 @@
-// Lambert: the same radiance into every direction.
+// Lambert: the same radiance in every direction.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>

@@ -1,7 +1,7 @@
-// Sampling of materials that have a diffuse part and a GGX lobe, or one that a GGX lobe covers.
+// Sampling of materials that have a diffuse part and a GGX lobe, or a lobe that a GGX lobe covers.
 //
-// Such a material M has a function Lobes<S> lobes(const M<S>&, S n_dot_v); what stands here is then its sample_brdf and
-// pdf_brdf: visible normals for the lobe, the cosine for the rest.
+// Such a material M has a function Lobes<S> lobes(const M<S>&, S n_dot_v). The functions here are then its sample_brdf
+// and pdf_brdf: visible normals for the lobe, the cosine for the rest.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>
@@ -17,7 +17,8 @@ struct Lobes {
     S specular_share; // how often it is sampled, [0, 1]
 };
 
-// By the reflectance of both parts towards the mirrored view; each that there is takes at least one case of ten.
+// Shares by the reflectance of both parts towards the mirrored view. A part that is not zero gets at least one sample
+// in ten.
 template<class S>
 GONIO_FORCE_INLINE Lobes<S> lobes_by_weight(S alpha, S specular, S diffuse) {
     const auto matte = diffuse > S(0);

@@ -1,30 +1,30 @@
-// What all reflectances share: which directions are above a surface, a frame on it, and sampling by its cosine.
+// What all reflectances share: which directions are above a surface, a frame on the surface, and cosine sampling.
 //
 // Each material M<S> of the brdf_*.hpp has the same functions, for S = float, double and packs. All directions are unit
-// and point away from the surface: n its normal, l towards the light, v towards the eye.
+// and point away from the surface: n is its normal, l points towards the light, v towards the eye.
 //
 //   vec3<S> brdf(const M<S>&, n, l, v)
 //       The value [1/sr] of the three channels: finite, ≥ 0, the same with l and v exchanged, 0 where n·l or n·v is not
 //       above_surface().
 //   vec3<S> diffuse_part(const M<S>&, n, l, v), specular_part(const M<S>&, n, l, v, widening)
-//       Its two parts: what enters the surface and comes out again, and what its facets mirror. Their lobe is widened
-//       for area lights by adding `widening` to α; its peak is then lowered.
+//       Its two parts: light that enters the surface and leaves it again, and light that its facets mirror. The
+//       specular lobe is widened for area lights by adding `widening` to α; its peak is then lowered.
 //   S lobe_alpha(const M<S>&)
-//       α of that lobe, 1 where there is none.
+//       α of that lobe, 1 if there is none.
 //   Gloss<S, L> gloss(const M<S>&)
-//       The lobe L by itself and its reflectance (gloss.hpp), where there is one.
+//       The lobe L by itself and its reflectance (gloss.hpp), if there is one.
 //   D<S> diffuse_alone(const M<S>&)
-//       The material of the diffuse part alone: its own kind with a black lobe, or Lambert.
+//       The material of the diffuse part alone: the same kind with a black lobe, or Lambert.
 //   BrdfSample<S> sample_brdf(const M<S>&, n, v, u)
 //       A direction towards the light, for three numbers u in [0, 1).
 //   S pdf_brdf(const M<S>&, n, v, l)
 //       The density of sample_brdf [1/sr], summed over all lobes; 0 where n·v is not above_surface().
 //
-// M<S> consists of numbers S and nothing else, which the kernels' constants rely on, and says M<S>::scattering and
-// M<S>::lobe. A part that is missing does not compile (brdf.hpp).
+// M<S> consists only of numbers S, which the kernels' constants rely on, and defines M<S>::scattering and M<S>::lobe.
+// If a part is missing, the library does not compile (brdf.hpp).
 //
 // A sampled l may lie below the surface, where the value is 0: the density integrates to 1 over the whole sphere, and
-// over the hemisphere to 1 less what a lobe loses there. So E[brdf · n·l / pdf] is the directional albedo.
+// over the hemisphere to 1 minus what a lobe loses below the surface. So E[brdf · n·l / pdf] is the directional albedo.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -34,7 +34,8 @@
 
 namespace gonio::shading {
 
-// A direction as close to the surface as this lies in it: half vectors of two such would leave float's range.
+// A direction this close to the surface counts as lying in it: half vectors of two such directions would exceed float's
+// range.
 inline constexpr double least_cosine = 1e-18;
 
 template<class S>
@@ -47,22 +48,22 @@ GONIO_FORCE_INLINE vec3<S> brdf(const Material<S>& material, vec3<S> n, vec3<S> 
     return diffuse_part(material, n, l, v) + specular_part(material, n, l, v, S(0));
 }
 
-// How what is no glossy lobe depends on the directions.
+// How the part without glossy lobes depends on the directions.
 enum class Scattering : unsigned char {
     uniform,   // not at all
-    one_color, // all channels alike: scattered_color(m) times what white(m) scatters
+    one_color, // all channels alike: scattered_color(m) times the scattering of white(m)
     colored    // each channel in its own way
 };
 
-// What a material has of glossy lobes.
+// The glossy lobes of a material.
 enum class LobeKind : unsigned char {
     none,
     ggx,
-    ggx_and_more, // and multiple_scattering(m, n, l, v), which the lobe leaves over; there is no diffuse part
+    ggx_and_more, // plus multiple_scattering(m, n, l, v), the light that the lobe loses; there is no diffuse part
     cosine_power
 };
 
-// Luminance of the three channels, of the two parts of a material.
+// Luminance of the three channels, for the two parts of a material.
 template<class S>
 struct Reflected {
     vec3<S> diffuse, specular;
@@ -91,7 +92,7 @@ struct TangentFrame {
     GONIO_FORCE_INLINE vec3<S> to_world(vec3<S> local) const { return x * local.x + y * local.y + n * local.z; }
 };
 
-// Of the frame's upper hemisphere with density cosθ/π, for two numbers in [0, 1).
+// A direction in the frame's upper hemisphere with density cosθ/π, for two numbers in [0, 1).
 template<class S>
 GONIO_FORCE_INLINE vec3<S> cosine_direction(S u0, S u1) {
     const S r = simd::sqrt(u0);
@@ -103,7 +104,7 @@ GONIO_FORCE_INLINE S pdf_cosine(S n_dot_l) {
     return simd::max(n_dot_l, S(0)) * S(std::numbers::inv_pi);
 }
 
-// Of the upper hemisphere with density 1/(2π).
+// A direction in the upper hemisphere with density 1/(2π).
 template<class S>
 GONIO_FORCE_INLINE vec3<S> even_direction(S u0, S u1) {
     const S r = simd::sqrt(u0 * (S(2) - u0));

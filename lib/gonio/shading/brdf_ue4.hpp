@@ -1,8 +1,8 @@
 // The material of "Real Shading in Unreal Engine 4" (B. Karis, 2013): Lambert and GGX, with V height-correlated as for
-// the other materials (Unreal of 2013 took V of G. Smith and C. Schlick with k = (roughness + 1)²/8) and Schlick's own
-// power of 5 (Unreal an exponential fit of it).
+// the other materials (Unreal of 2013 used the V of G. Smith and C. Schlick with k = (roughness + 1)²/8) and Schlick's
+// own power of 5 (Unreal used an exponential fit of it).
 //
-// It is reciprocal and not energy conserving: the diffuse part is not lessened by what the specular part reflects.
+// Reciprocal, not energy conserving: the diffuse part is not reduced by the light that the specular part reflects.
 // README.md gives the measured albedos.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Ue4 {
     S alpha;        // roughness²
 };
 
-// base colour, metallic, roughness, specular (0.5 is f0 = 0.04) and cavity, each in [0, 1].
+// Base colour, metallic, roughness, specular (0.5 is f0 = 0.04) and cavity, each in [0, 1].
 template<class S>
 GONIO_FORCE_INLINE Ue4<S> ue4_material(vec3<S> base, S metallic, S roughness, S specular, S cavity) {
     const S dielectric = S(0.08) * specular;

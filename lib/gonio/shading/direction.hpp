@@ -1,4 +1,4 @@
-// The way from a receiver to a light's centre, safe from overflow and underflow.
+// The vector from a receiver to a light's centre, safe from overflow and underflow.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -11,7 +11,7 @@ struct Direction {
     vec3<S> scaled;     // the vector to the centre times `scale`; its largest component is in [1, 2)
     S scale;            // a power of two, so that scaling is exact
     S inverse_distance; // 1/|scaled|, 0 where the vector is zero
-    S n_dot_l;          // cosine between the receiver's normal and the centre, 0 where the vector is zero
+    S n_dot_l;          // cosine between the receiver's normal and the vector to the centre, 0 where that is zero
 };
 
 // `to_center`: any finite vector. `normal`: unit.

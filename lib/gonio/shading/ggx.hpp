@@ -1,5 +1,5 @@
 // GGX microfacets: the distribution of their normals, height-correlated shadowing, Schlick's reflectance, and sampling
-// of the normals that the eye sees. One scattering only.
+// of the normals that the eye sees. Single scattering only.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>
@@ -10,11 +10,11 @@
 
 namespace gonio::shading {
 
-// α below it, 0 too, counts as it: the lobe of a mirror is 0.006° wide. Below it D would overflow its own peak in
-// float.
+// Smaller α, 0 included, count as this value: the lobe of a mirror is 0.006° wide. For smaller α the peak of D would
+// overflow in float.
 inline constexpr double minimum_alpha = 1e-4;
 
-// GGX normal distribution, ‖n×h‖² given: never 1 − (n·h)², which cancels. `widened` is α, or more where a lobe is
+// GGX normal distribution, given ‖n×h‖²: never 1 − (n·h)², which cancels. `widened` is α, or more where a lobe is
 // widened for an area light; the lobe's peak is then lowered by (α/widened)² (Karis 2013).
 template<class S>
 GONIO_FORCE_INLINE S distribution_ggx(S n_dot_h, S n_cross_h_square, S alpha, S widened) {
@@ -22,7 +22,7 @@ GONIO_FORCE_INLINE S distribution_ggx(S n_dot_h, S n_cross_h_square, S alpha, S 
     return alpha * alpha / (S(std::numbers::pi) * t * t);
 }
 
-// √(α² + (1 − α²)c²): the cosine c of a direction, and for rough surfaces more.
+// √(α² + (1 − α²)c²): the cosine c of a direction, larger for rough surfaces.
 template<class S>
 GONIO_FORCE_INLINE S widened_cosine_ggx(S cosine, S alpha) {
     const S one_less_a2 = (S(1) - alpha) * (S(1) + alpha);
@@ -69,9 +69,9 @@ GONIO_FORCE_INLINE SpecularTerms<S> specular_ggx(vec3<S> n, vec3<S> l, vec3<S> v
     return {simd::select(lit, scale, S(0)), schlick_weight(dot(l, h))};
 }
 
-// A microfacet normal in the frame of v, in proportion to what the eye sees of it: D(h) G₁(v) ⟨v·h⟩/n·v. Spherical
-// caps: J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", Computer Graphics Forum 42(8),
-// 2023. A v below the surface is taken as in it.
+// A microfacet normal in the frame of v, with density in proportion to the projected area that the eye sees:
+// D(h) G₁(v) ⟨v·h⟩/n·v. Spherical caps: J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps",
+// Computer Graphics Forum 42(8), 2023. A v below the surface counts as lying in it.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> visible_normal_ggx(vec3<S> v, S alpha, S u0, S u1) {
     const vec3<S> stretched = normalized(vec3<S>{alpha * v.x, alpha * v.y, simd::max(v.z, S(0))});
@@ -83,14 +83,14 @@ GONIO_FORCE_INLINE vec3<S> visible_normal_ggx(vec3<S> v, S alpha, S u0, S u1) {
                               (S(1) - u0) * (S(1) + stretched.z)});
 }
 
-// v mirrored at a visible normal; both in the frame on the surface.
+// v mirrored at a visible normal; both are in the frame of the surface.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> reflected_direction_ggx(vec3<S> v, S alpha, S u0, S u1) {
     const vec3<S> h = visible_normal_ggx(v, alpha, u0, u1);
     return normalized(h * (S(2) * dot(v, h)) - v);
 }
 
-// Its density [1/sr]: D G₁(v)/(4 n·v). α ≥ minimum_alpha.
+// The density of reflected_direction_ggx [1/sr]: D G₁(v)/(4 n·v). α ≥ minimum_alpha.
 template<class S>
 GONIO_FORCE_INLINE S pdf_reflected_ggx(vec3<S> n, vec3<S> v, vec3<S> l, S alpha) {
     const vec3<S> h = normalized(l + v);

@@ -1,5 +1,5 @@
-// The glossy lobe of a material, as what a light with a size makes of it is asked for. A lobe other than GGX's stands
-// beside its material.
+// The glossy lobe of a material, in the form that area lights evaluate. A lobe other than GGX is defined beside its
+// material.
 #pragma once
 
 #include <gonio/shading/ggx.hpp>
@@ -10,7 +10,8 @@
 
 namespace gonio::shading {
 
-// How a half vector lies to the normal, of directions in the surface's own frame: shares of the square of its length.
+// The position of a half vector relative to the normal, for directions in the surface's own frame: shares of the square
+// of its length.
 template<class S>
 struct HalfVector {
     S along2;  // (n·h)²
@@ -18,7 +19,7 @@ struct HalfVector {
     S l_dot_h;
 };
 
-// l and v of unit length, in a frame whose z is the normal. Where both are in the surface and opposite, any.
+// l and v are of unit length, in a frame with the normal as z. Any value where both are in the surface and opposite.
 template<class S>
 GONIO_FORCE_INLINE HalfVector<S> half_vector(vec3<S> l, vec3<S> v) {
     const vec3<S> h = l + v;
@@ -40,16 +41,16 @@ struct GgxLobe {
         const S l = n_dot_v * widened_cosine_ggx(n_dot_l, alpha);
         return alpha * alpha * S(0.5 * std::numbers::inv_pi) / (t * t * (v + l));
     }
-    // Of its directional albedo, that of the GGX lobe of the same α.
+    // The ratio of this lobe's directional albedo to that of the GGX lobe with the same α.
     GONIO_FORCE_INLINE S albedo_share(S /*n_dot_v*/) const { return S(1); }
 
-    // `widened` is α, or more: ggx.hpp.
+    // `widened` is α or more: ggx.hpp.
     GONIO_FORCE_INLINE SpecularTerms<S> operator()(vec3<S> n, vec3<S> l, vec3<S> v, S widened) const {
         return specular_ggx(n, l, v, alpha, widened);
     }
 };
 
-// A lobe times its reflectance, f0 + (f90 − f0)·grazing, and times `factor`.
+// A lobe times its reflectance f0 + (f90 − f0)·grazing and times `factor`.
 template<class S, class Lobe>
 struct Gloss {
     Lobe lobe;

@@ -1,4 +1,4 @@
-// The irradiance of every light that has a size by the approximations of other renderers, under one name for all.
+// The irradiance of every area light by the approximations of other renderers, under one name for all.
 #pragma once
 
 #include <gonio/shading/irradiance_named.hpp>
@@ -8,7 +8,7 @@
 
 namespace gonio::shading::detail {
 
-// E/L of one side. Where the method has no form of the shape, that of a point.
+// E/L of one side. If the method has no form for the shape, that of a point light.
 template<class S, Approximation method>
 GONIO_FORCE_INLINE S approximate(const SphereLight<S>& light, vec3<S> center, vec3<S> n) {
     if constexpr (method == Approximation::frostbite) return irradiance_sphere_frostbite(center, light.radius, n);
@@ -36,7 +36,7 @@ GONIO_FORCE_INLINE S approximate(const TubeLight<S>& light, vec3<S> center, vec3
     return irradiance_tube_point(center, light.axis, light.radius, light.length, n);
 }
 
-// A light that the methods know by another: an ellipse, which to them is the disk of its area.
+// A light that the methods treat as another light: an ellipse counts as the disk of its area.
 template<class S, Approximation method, class Light>
 requires requires(const Light& light) {
     light.approximated();

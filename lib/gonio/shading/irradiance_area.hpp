@@ -1,4 +1,4 @@
-// Exact irradiance and illuminance of every light that has a size, under one name for all.
+// Exact irradiance and illuminance of every area light, under one name for all.
 #pragma once
 
 #include <gonio/shading/irradiance_disk.hpp>
@@ -19,7 +19,7 @@ template<class S>
 GONIO_FORCE_INLINE S irradiance(const SphereLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     return irradiance_sphere(to_center, light.radius, normal);
 }
-// The cap: irradiance_sphere.hpp.
+// A cap of the sky, as in irradiance_sphere.hpp.
 template<class S>
 GONIO_FORCE_INLINE S irradiance(const SunLight<S>& light, vec3<S> toward, vec3<S> normal) {
     const S c = dot(normal, toward);
@@ -71,8 +71,8 @@ GONIO_FORCE_INLINE auto survey_end(const TubeLight<S>& light, vec3<S> to_center,
     return survey_tube_end(to_center, light.axis, light.radius, light.length, normal);
 }
 
-// As `survey`, where the horizon passes between a tube's ends, and where it cuts a tube that is well apart; hard are
-// the lanes that `survey` should be asked for.
+// As `survey`, for a horizon that passes between a tube's ends, and for one that cuts a tube well apart from the
+// receiver. Hard lanes need `survey`.
 template<class S>
 GONIO_FORCE_INLINE auto survey_split(const TubeLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     return survey_tube_split(to_center, light.axis, light.radius, light.length, normal);
@@ -82,7 +82,7 @@ GONIO_FORCE_INLINE auto survey_cut(const TubeLight<S>& light, vec3<S> to_center,
     return survey_tube_cut(to_center, light.axis, light.radius, light.length, normal);
 }
 
-// The same where the sphere about the light is above the horizon; hard are the lanes that `survey` should be asked for.
+// The same where the sphere about the light is above the horizon. Hard lanes need `survey`.
 template<class Light, class S>
 GONIO_FORCE_INLINE auto survey_above(const Light& light, vec3<S> to_center, vec3<S> normal) {
     return survey(light, to_center, normal);
@@ -108,7 +108,7 @@ GONIO_FORCE_INLINE auto survey_above(const RectangleLight<S>& light, vec3<S> to_
 
 } // namespace detail
 
-// Illuminance [lx] for a luminance of 1 nt of an area light or a sun: E/L times the window.
+// Illuminance [lx] of an area light or a sun with a luminance of 1 nt: E/L times the window.
 template<class S, class Light>
 GONIO_FORCE_INLINE S illuminance(const SurfacePoint<S>& point, const Light& light) {
     const vec3<S> to_center = detail::way_to(light, point.position);

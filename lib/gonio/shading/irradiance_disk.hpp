@@ -1,14 +1,14 @@
 // Irradiance from a uniform one-sided disk of any orientation, exact with horizon clipping.
 //
-// E/L [sr] in [0, π]. With w = −axis, the centre C = z w + x û and the rim p(t) = C + r(û cos t + v̂ sin t), the visible
-// arc t0 … t1 and the horizon arc that closes it give (README.md)
+// E/L [sr] in [0, π]. With w = −axis, the centre C = z w + x û and the rim p(t) = C + r(û cos t + v̂ sin t), the
+// visible arc t0 … t1 and the horizon arc that closes it give (README.md)
 //
 //     E/L = F ψ + (n_w − n_u z/x) ω/2 + z n_v ln(|p1|²/|p0|²)/(4x) + ½ ∠(p1, p0),   F = E/(π L) of the whole disk
 //
-// where ψ and ω are what the arc spans as seen from the two limiting points of the rim's pencil of circles. Everything
-// is formed from cosine and sine of t0/2 and t1/2, which the heights over the horizon give by square roots: no angle of
-// t is taken, nothing jumps, and there is no 0/0 on the axis, near the rim or in the plane. Distances that cancel near
-// the rim are formed in double and rounded once.
+// where ψ and ω are the angles that the arc subtends at the two limiting points of the rim's pencil of circles.
+// Everything is computed from the cosine and sine of t0/2 and t1/2, which follow from the heights over the horizon by
+// square roots: the angles t themselves are not needed, there are no jumps, and there is no 0/0 on the axis, near the
+// rim or in the plane. Distances that cancel near the rim are computed in double and rounded once.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -21,7 +21,7 @@ namespace detail {
 template<class S>
 struct DiskPose {
     S z, x, r;       // z > 0 in front; x ≥ 0
-    S inverse_x;     // where x is 0, of something that is as good as 0
+    S inverse_x;     // where x is 0, the inverse of a tiny number
     S gap;           // x − r
     S beyond2;       // x² − r²
     S n_w, n_u, n_v; // the receiver's normal
@@ -57,10 +57,10 @@ GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius,
     [[maybe_unused]] const auto on_axis = x2 < S(least * least);
     d.x = simd::sqrt(simd::max(x2, S(least * least)));
     d.inverse_x = S(1) / d.x;
-    d.n_u = dot(mul_add(axis, d.n_w, normal), u) * d.inverse_x; // u may be little more than rounding along the axis
+    d.n_u = dot(mul_add(axis, d.n_w, normal), u) * d.inverse_x; // u may be mostly rounding error along the axis
     d.n_v = simd::abs(dot(normal, fused_cross(axis, u))) * d.inverse_x;
     if constexpr (__is_same(S, double)) {
-        if (on_axis) { // û is then free: along the normal
+        if (on_axis) { // û is then arbitrary: along the normal
             d.n_u = length(perpendicular(normal, axis));
             d.n_v = 0.0;
         }
@@ -74,10 +74,12 @@ GONIO_FORCE_INLINE DiskPose<S> disk_pose(vec3<S> center, vec3<S> axis, S radius,
     return d;
 }
 
-// The horizon cuts the disk: |k| < m, k the height of the centre over it and m = r n_across. `whole` is F.
+// The horizon cuts the disk: |k| < m, where k is the height of the centre over the horizon and m = r n_across. `whole`
+// is F.
 template<class S>
 GONIO_FORCE_INLINE S disk_straddling(const DiskPose<S>& d, S k, S m, S near2, S far2, S rim, S whole) {
-    // Half angles: t0/2 = (t_c − h)/2 and t1/2 = (t_c + h)/2, t_c the direction of n in the disk's plane, cos h = −k/m.
+    // Half angles: t0/2 = (t_c − h)/2 and t1/2 = (t_c + h)/2, where t_c is the direction of n in the disk's plane and
+    // cos h = −k/m.
     constexpr double least = 1e-37;
     const S inverse_m = S(0.5) / simd::max(m, S(least));
     const S cos_h = simd::sqrt(simd::min(simd::max((m - k) * inverse_m, S(0)), S(1)));
@@ -123,14 +125,15 @@ GONIO_FORCE_INLINE S disk_straddling(const DiskPose<S>& d, S k, S m, S near2, S 
 
     const S turn_v = simd::mul_add(cos1, sin1, -(cos0 * sin0));
     const S two_r = d.r + d.r;
-    // From p1, the nearer: as a sum from p0 it would not know where it is.
+    // From p1, the nearer point: as a sum from p0 its position would be lost to rounding.
     const vec3<S> from{d.z, simd::mul_add(two_r, cos1 * cos1, d.gap), two_r * cos1 * sin1};
     const vec3<S> step{S(0), -(two_r * turn_u), -(two_r * turn_v)};
     const S across = S(0.5) * omega * (d.n_w - d.n_u * d.z * d.inverse_x);
     return (simd::mul_add(whole, psi, across) + slope) + horizon_arc(from, step, {d.n_w, d.n_u, d.n_v});
 }
 
-// The least height over the light that is told from 0, of the size of the scene: its square is a normal number.
+// The smallest height over the light that counts as different from 0, relative to the size of the scene: its square is
+// a normal number.
 template<class S>
 inline constexpr double least_disk_height = 0x1p-60;
 template<>
@@ -138,9 +141,9 @@ inline constexpr double least_disk_height<double> = 0x1p-500;
 
 struct DiskInDouble;
 
-// E/L of what is all above the horizon, in front and apart from the rim; the other lanes are named hard. Needs no more
-// than float: without n_u and n_v by themselves nothing is divided by x, and no difference is small that is not so by
-// the light's own angle.
+// E/L of a disk entirely above the horizon, in front of it and apart from the rim; the other lanes are marked hard.
+// Float is enough: without separate n_u and n_v nothing is divided by x, and a difference is small only if the light
+// itself subtends a small angle.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
     constexpr double pi = 3.14159265358979323846;
@@ -158,7 +161,7 @@ GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S r
     const S x2 = dot(across, across);
     const S z2 = depth * depth;
     const S q = x2 + (r2 + z2);
-    const S rim2 = simd::mul_add(q, q, S(-4) * x2 * r2); // of the nearest and the farthest distance of the rim
+    const S rim2 = simd::mul_add(q, q, S(-4) * x2 * r2); // product of the rim's squared nearest and farthest distances
     const auto above = simd::both(height > S(0), height * height >= r2 * dot(tilt, tilt));
     const auto apart = simd::both(rim2 > S(0.04) * q * q, r2 > S(0));
     auto easy = simd::both(above, apart);
@@ -168,10 +171,10 @@ GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S r
         n_w = simd::select(z < S(0), facing, n_w);
         z = simd::abs(z);
     }
-    easy = simd::both(easy, simd::both(z > S(0), z2 > S(1e-11) * q)); // surely in front
+    easy = simd::both(easy, simd::both(z > S(0), z2 > S(1e-11) * q)); // certainly in front
     if (!simd::any(easy)) return {S(0), !easy};
     const S rim = simd::sqrt(simd::max(rim2, S(1e-30)));
-    // Y as in survey_disk, its denominator left for the one division.
+    // Y as in survey_disk; its denominator is left to the single division.
     const S behind = (x2 - r2) - z2;
     const S sum = rim + simd::abs(behind);
     const auto is_behind = behind > S(0);
@@ -181,17 +184,17 @@ GONIO_FORCE_INLINE Survey<S> survey_disk_above(vec3<S> center, vec3<S> axis, S r
     return {clamp_irradiance(S(pi) * r2 * numerator / (divisor * rim * (rim + q))), !easy};
 }
 
-// As irradiance_disk, but for the hard lanes.
+// As irradiance_disk, except in the hard lanes.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided) {
     DiskPose<S> d = disk_pose(center, axis, radius, normal, two_sided);
     const S k = simd::mul_add(d.z, d.n_w, d.x * d.n_u);
     const S m = d.r * d.n_across;
-    // What rounding leaves open counts as seen: beside the rim it may be half of the light.
+    // Points that rounding leaves undecided count as lit: beside the rim they may see half of the light.
     const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) * (d.x + d.r + simd::abs(d.z));
     const auto in_front = simd::both(d.z > S(0), d.r > S(0));
     const auto lit = simd::both(in_front, k > -m - slack);
-    // Near the axis, which is of unit length within rounding only, û needs a second step; even m is wrong without it.
+    // Near the axis, which is of unit length within rounding only, û needs a second step; without it m is wrong too.
     const auto axial = simd::both(in_front, d.x * d.x < S(1e-8) * d.z * d.z);
     S easy = S(0);
     if (simd::any(d.z == S(0))) {
@@ -212,7 +215,7 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
     const S sum = rim + simd::abs(behind);
     const S y = simd::select(behind > S(0), S(4) * d.x * d.x * z2 / sum, sum);
     const S whole = r2 * simd::mul_add(d.n_w, y, S(2) * d.x * d.z * d.n_u) / (rim * (rim + q));
-    // Where the arcs turn within the rounding of the way to the rim.
+    // Where the arcs turn by the rounding error of the distance to the rim.
     const auto close = simd::either(near2 < S(9e-7) * r2, simd::both(z2 < S(1e-7) * r2, near2 < S(4e-3) * r2));
     constexpr double pi = 3.14159265358979323846;
     const auto straddling = simd::both(lit, k < m);
@@ -224,11 +227,10 @@ GONIO_FORCE_INLINE Survey<S> survey_disk(vec3<S> center, vec3<S> axis, S radius,
 } // namespace detail
 
 // E/L [sr] of a disk about `center` [m, from the receiver] that emits towards +`axis` only; `axis` and the receiver's
-// `normal` are unit. Behind its plane 0; in the plane, inside the rim, the limit π(1 + n·w)/2 from the front,
-// w = −axis, and outside 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs,
-// receivers within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.06, or 1e-4 of the distance from
-// the axis, are evaluated in double, lane by lane. `two_sided`: it emits to both sides, and is seen from whichever the
-// receiver is on.
+// `normal` are unit. 0 behind its plane. In the plane: inside the rim the limit π(1 + n·w)/2 from the front, w = −axis;
+// outside the rim 0. Any finite input; a negative radius counts as positive; 0 gives 0. In float and packs, receivers
+// within 1e-3 of the radius from the rim, or lower than 3e-4 and within 0.06, or 1e-4 of the distance from the axis,
+// are evaluated in double, lane by lane. `two_sided`: it emits to both sides, and the receiver sees the side it is on.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_disk(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal, bool two_sided = false) {
     if constexpr (!__is_same(S, double)) {

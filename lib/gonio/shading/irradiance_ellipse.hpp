@@ -1,18 +1,19 @@
-// An ellipse as a light: for every receiver it is exactly a disk. E/L [sr] in [0, π], exact with horizon clipping.
+// An ellipse as a light: for every receiver it is exactly equivalent to a disk. E/L [sr] in [0, π], exact with horizon
+// clipping.
 //
-// What a receiver sees of a uniform flat light is its cone of directions, and every elliptic cone has circular sections
+// A receiver sees a uniform flat light only as a cone of directions, and every elliptic cone has circular sections
 // (Apollonius, "Conics", I.5): a disk with the same cone gives the same irradiance, the horizon included, the same
-// highlights, and the same directions to sample. So an ellipse needs no integral of its own.
+// highlights, and the same directions to sample. So an ellipse does not need a separate integral.
 //
-// The cone of the ellipse p(t) = A + U cos t + V sin t is put on its axes as in ltc_cone.hpp, by boosts and rotations
-// of A, U, V that keep the null cone of (1, cos t, sin t); A, U, V are given in the ellipse's own axes, where turning
-// columns keeps the digits of each row, so that the depth of a grazing view is not lost. Then the cone is x²/α² + y²/β²
-// = z² with α = |U|/|A| ≥ β = |V|/|A|. The plane y √(α² − β²) + z β √(1 + α²) = β (1 + β²), which holds the long axis,
-// cuts it in the circle with
+// The cone of the ellipse p(t) = A + U cos t + V sin t is transformed to its axes as in ltc_cone.hpp, by boosts and
+// rotations of A, U, V that keep the null cone of (1, cos t, sin t). A, U, V are given in the ellipse's own axes, where
+// rotating columns keeps the digits of each row, so that the depth of a grazing view is not lost. The cone is then
+// x²/α² + y²/β² = z² with α = |U|/|A| ≥ β = |V|/|A|. The plane y √(α² − β²) + z β √(1 + α²) = β (1 + β²), which
+// contains the long axis, cuts it in the circle with
 //
 //     centre  (0, −β s, C),   radius  α √(1 + β²),   s = √(α² − β²),   C = √(1 + α²)
 //
-// where only α − β is a difference, of two numbers that are known to their last digits.
+// where the only difference is α − β, and both numbers are accurate to their last digits.
 #pragma once
 
 #include <gonio/shading/irradiance_disk.hpp>
@@ -26,16 +27,16 @@ namespace gonio::shading {
 
 namespace detail {
 
-// A cone of directions on its axes: x²/α² + y²/β² = z², z > 0.
+// A cone of directions in its own axes: x²/α² + y²/β² = z², z > 0.
 template<class S>
 struct EllipticCone {
     vec3<S> x, y, z; // unit
     S alpha, beta;   // α ≥ β ≥ 0
 };
 
-// Boosts a and u until they are perpendicular, by any amount. Of p = a + u and m = a − u, which a boost multiplies by
-// e^η and e^−η, both get the same length: tanh η = −4 a·u/(|p| + |m|)². Small boosts are formed from a and u, in which
-// a narrow cone has its digits, large ones from p and m, in which a cone that is open to one side has them. Gives
+// Boosts a and u by any amount until they are perpendicular. The boost multiplies p = a + u and m = a − u by e^η and
+// e^−η, and both get the same length: tanh η = −4 a·u/(|p| + |m|)². Small boosts are computed from a and u, which hold
+// the digits of a narrow cone, large ones from p and m, which hold those of a cone that is open to one side. Returns
 // tanh² η.
 template<class S>
 GONIO_FORCE_INLINE S boost_fully(vec3<S>& a, vec3<S>& u) {
@@ -57,7 +58,7 @@ GONIO_FORCE_INLINE S boost_fully(vec3<S>& a, vec3<S>& u) {
     return t * t;
 }
 
-// The cone of a + u cos t + v sin t; u and v perpendicular, lengths of moderate size.
+// The cone of a + u cos t + v sin t; u and v are perpendicular, lengths are of moderate size.
 template<class S>
 GONIO_FORCE_INLINE EllipticCone<S> elliptic_cone(vec3<S> a, vec3<S> u, vec3<S> v) {
     constexpr int most_sweeps = 12; // poses within 1e-6 of the rim take 7, others 3 or 4
@@ -65,7 +66,7 @@ GONIO_FORCE_INLINE EllipticCone<S> elliptic_cone(vec3<S> a, vec3<S> u, vec3<S> v
         const S by_u = boost_fully(a, u);
         const S by_v = boost_fully(a, v);
         make_perpendicular(u, v);
-        // What is left goes with the square.
+        // The remaining error is the square of this one.
         if (!simd::any(simd::max(by_u, by_v) > S(__is_same(S, double) ? 1e-18 : 1e-9))) break;
     }
     const S inverse = reciprocal_or_zero(length(a));
@@ -80,22 +81,22 @@ GONIO_FORCE_INLINE EllipticCone<S> elliptic_cone(vec3<S> a, vec3<S> u, vec3<S> v
 
 } // namespace detail
 
-// An ellipse of the half axes a along `width_direction` and b across it, both > 0.
+// An ellipse with the half axes a along `width_direction` and b across it, both > 0.
 template<class S>
 struct EllipseLight {
     vec3<S> center;            // [m]
     vec3<S> luminance;         // [nt], three channels, of each side that emits
-    vec3<S> axis;              // unit, where it emits to
+    vec3<S> axis;              // unit, the direction of emission
     vec3<S> width_direction;   // unit, perpendicular to the axis
     S half_width, half_height; // [m]
     S inverse_range;           // [1/m] of window_squared, by the distance of the centre; 0 = no window
     bool two_sided;
 
-    // The disk of the same cone, one-sided and without a window; of radius 1. In the ellipse's plane the receiver lies
-    // on the disk inside the rim, and sees nothing outside.
+    // The disk with the same cone, of radius 1, one-sided and without a window. In the ellipse's plane, a receiver
+    // inside the rim lies on the disk, and one outside sees nothing.
     GONIO_FORCE_INLINE Seen<DiskLight<S>, S> seen_from(vec3<S> to_center) const;
 
-    // What the approximations of other renderers take it for: the disk of its area.
+    // The disk of the same area, which the approximations of other renderers use instead.
     GONIO_FORCE_INLINE DiskLight<S> approximated() const {
         return {center, luminance, axis, simd::sqrt(half_width * half_height), inverse_range, two_sided};
     }
@@ -108,8 +109,8 @@ GONIO_FORCE_INLINE S largest_size(const EllipseLight<S>& light) {
     return simd::max(simd::abs(light.half_width), simd::abs(light.half_height));
 }
 
-// How far it reaches from its centre along the receiver's normal, up and down: up to 8 % more than √(x² + y²), whose
-// squares would leave the range of floats.
+// How far the ellipse reaches from its centre along the receiver's normal, up and down: up to 8 % more than √(x² + y²),
+// because its squares would exceed the range of floats.
 template<class S>
 GONIO_FORCE_INLINE S reach(const EllipseLight<S>& light, vec3<S> normal) {
     constexpr double root_2 = 1.41421356237309504880;
@@ -148,19 +149,19 @@ struct SeenEllipse {
         dark = simd::either(dark, !(a * b > S(0)));
     }
 
-    // To the world.
+    // Transforms to the world.
     GONIO_FORCE_INLINE vec3<S> world(const EllipseLight<S>& light, vec3<S> p) const {
         return light.width_direction * p.x + across * p.y - light.axis * p.z;
     }
 };
 
-// The disk of the same cone, in lengths of its radius.
+// The disk with the same cone, in units of its radius.
 template<class S>
 struct EquivalentDisk {
     vec3<S> across, along; // unit, in its plane
-    vec3<S> away;          // unit, from the receiver: it emits to the other side
+    vec3<S> away;          // unit, from the receiver: the disk emits the other way
     S offset;              // from its centre to the foot of the receiver, along `along`
-    S height;              // of the receiver over its plane; −1 where nothing is seen
+    S height;              // height of the receiver over its plane; −1 where nothing is seen
     S opening;             // α
 
     GONIO_FORCE_INLINE EquivalentDisk(const EllipseLight<S>& light, vec3<S> to_center) {
@@ -183,14 +184,14 @@ struct EquivalentDisk {
     }
 };
 
-// From cones that open wider the rim is so close that float does not know where it is.
+// For wider cones the rim is so close that float cannot resolve its position.
 inline constexpr double widest_float_cone = 1.0;
 
-// As irradiance_ellipse, but for the hard lanes.
+// As irradiance_ellipse, except in the hard lanes.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey(const EllipseLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     const EquivalentDisk<S> disk(light, to_center);
-    // In the disk's own axes, whose vectors are exact.
+    // In the disk's own axes: those vectors are exact.
     const vec3<S> n{dot(normal, disk.across), dot(normal, disk.along), dot(normal, disk.away)};
     const Survey<S> seen =
         survey_disk(vec3<S>{S(0), -disk.offset, disk.height}, vec3<S>{S(0), S(0), S(-1)}, S(1), n, false);
@@ -223,10 +224,10 @@ GONIO_FORCE_INLINE Seen<DiskLight<S>, S> EllipseLight<S>::seen_from(vec3<S> to_c
     return {{to_disk, luminance, disk.away * S(-1), S(1), S(0), false}, to_disk};
 }
 
-// E/L [sr] of an ellipse about `to_center` [m, from the receiver]; the receiver's `normal` is unit. Behind a one-sided
-// one 0; in its plane, inside the rim, the limit from the front, and outside 0. Any finite input; an axis of 0 gives 0.
-// In float and packs, receivers that see it under a half angle of more than 45°, and those that irradiance_disk says,
-// are evaluated in double, lane by lane.
+// E/L [sr] of an ellipse about `to_center` [m, from the receiver]; the receiver's `normal` is unit. 0 behind a
+// one-sided ellipse. In its plane: inside the rim the limit from the front, outside the rim 0. Any finite input; an
+// axis of 0 gives 0. In float and packs, receivers that see the ellipse under a half angle of more than 45°, and those
+// listed at irradiance_disk, are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_ellipse(const EllipseLight<S>& light, vec3<S> to_center, vec3<S> normal) {
     const auto seen = detail::survey(light, to_center, normal);

@@ -1,10 +1,10 @@
-// How renderers take the irradiance of disks, rectangles and tubes, kept for comparison with the exact forms.
+// The irradiance of disks, rectangles and tubes as renderers approximate it, kept for comparison with the exact forms.
 //
 // Arguments are those of irradiance_disk, irradiance_rectangle and irradiance_tube. The listings are those of "Moving
-// Frostbite to Physically Based Rendering" (S. Lagarde and C. de Rousiers, course notes 2014) with what their print has
-// wrong put right: balanced parentheses and one clamp per point, the solid angle by arctangents, guards where the
-// receiver lies on the light. Never NaN nor negative where the square of the distance is a finite number other than 0;
-// no limit to π unless said.
+// Frostbite to Physically Based Rendering" (S. Lagarde and C. de Rousiers, course notes 2014) with the printed errors
+// corrected: balanced parentheses and one clamp per point, the solid angle by arctangents, guards where the receiver
+// lies on the light. Never NaN nor negative where the square of the distance is a finite number other than 0; not
+// limited to π unless stated.
 #pragma once
 
 #include <gonio/shading/irradiance_sphere_named.hpp>
@@ -21,7 +21,8 @@ GONIO_FORCE_INLINE S solid_angle(vec3<S> a, vec3<S> b, vec3<S> c) {
     return S(2) * simd::atan2(dot(a, cross(b, c)), S(1) + dot(a, b) + dot(b, c) + dot(c, a));
 }
 
-// Frostbite's rectangle: its solid angle times the mean of ⟨n·l⟩ over the corners and the centre. Half edges x, y.
+// Frostbite's rectangle: its solid angle times the mean of ⟨n·l⟩ over the corners and the centre. x and y are half
+// edges.
 template<class S>
 GONIO_FORCE_INLINE S five_points(vec3<S> center, vec3<S> x, vec3<S> y, vec3<S> normal) {
     const vec3<S> corner[4] = {normalized(center - x - y), normalized(center - x + y), normalized(center + x + y),
@@ -34,7 +35,7 @@ GONIO_FORCE_INLINE S five_points(vec3<S> center, vec3<S> x, vec3<S> y, vec3<S> n
     return omega * S(0.2) * cosines;
 }
 
-// A finite sum that is not negative, or 0 for a NaN.
+// A finite sum if it is not negative, or 0 for a NaN.
 template<class S>
 GONIO_FORCE_INLINE S not_negative(S x) {
     return simd::max(x, S(0));
@@ -52,7 +53,7 @@ GONIO_FORCE_INLINE S irradiance_disk_point(vec3<S> center, vec3<S> axis, S radiu
     return detail::not_negative(S(std::numbers::pi) * s * s * facing * simd::max(d.n_dot_l, S(0)));
 }
 
-// The merged sphere-or-disk cap, as if the disk faced the receiver (exact then), times ⟨a·−l⟩. In [0, π].
+// The merged sphere-or-disk cap, as if the disk faced the receiver (then it is exact), times ⟨a·−l⟩. In [0, π].
 template<class S>
 GONIO_FORCE_INLINE S irradiance_disk_frostbite(vec3<S> center, vec3<S> axis, S radius, vec3<S> normal) {
     const S square_distance = dot(center, center);
@@ -82,7 +83,7 @@ GONIO_FORCE_INLINE S irradiance_rectangle_frostbite(vec3<S> center, vec3<S> axis
     return simd::select(dot(axis, center) < S(0), detail::not_negative(e), S(0));
 }
 
-// Intensity (2 r l sinγ + π r²), γ from the axis, by the inverse square, as if at the centre.
+// Intensity (2 r l sinγ + π r²), γ measured from the axis, by the inverse square, as if at the centre.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube_point(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const Direction<S> d = direction(center, normal);
@@ -94,7 +95,7 @@ GONIO_FORCE_INLINE S irradiance_tube_point(vec3<S> center, vec3<S> axis, S radiu
 }
 
 // A rectangle of the tube's length and diameter turned to face the receiver, plus the sphere at the nearest point of
-// the axis as a point light whose distance is at least the radius.
+// the axis as a point light at a distance of at least the radius.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube_frostbite(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const S half = S(0.5) * length_m;
@@ -109,9 +110,10 @@ GONIO_FORCE_INLINE S irradiance_tube_frostbite(vec3<S> center, vec3<S> axis, S r
     return detail::not_negative(rectangle + sphere);
 }
 
-// The isotropic line of B. Karis, "Real Shading in Unreal Engine 4", 2013, with the tube's flux, that is the intensity
-// I = π r (l + 2r)/2 in every direction: I ½(n·p0/|p0| + n·p1/|p1|)·2/(|p0||p1| + p0·p1), p0 and p1 the axis' ends;
-// exact for such a line above the horizon. In the listing's centimetres a guard of 1 is added below; not here.
+// The isotropic line of B. Karis, "Real Shading in Unreal Engine 4", 2013, with the tube's flux, that is, the intensity
+// I = π r (l + 2r)/2 in every direction: I ½(n·p0/|p0| + n·p1/|p1|)·2/(|p0||p1| + p0·p1), p0 and p1 being the axis'
+// ends; exact for such a line above the horizon. The listing, in centimetres, adds a guard of 1 to the denominator;
+// this code does not.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube_ue4(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const vec3<S> half = axis * (S(0.5) * length_m);

@@ -1,11 +1,11 @@
 // Irradiance from a uniform one-sided rectangle, exact with horizon clipping.
 //
 // E/L [sr] in [0, π]: four great arcs, each cut where the receiver's plane cuts it, and one horizon arc (outline.hpp).
-// The pose is taken to the light's own axes in double and rounded once, each coordinate to its own last digit, so that
-// float stays exact next to the outline. Mirrored so that n_x, n_y ≥ 0 the corners sink in a fixed order: one half of
-// the outline from the highest to the lowest has at most one crossing, and so has the other; no case is left. Far from
-// an uncut rectangle the arcs cancel by (size/distance); there opposite edges are taken together, as the difference of
-// their angles, which is formed from the known differences of their distances.
+// The pose is transformed to the light's own axes in double and rounded once, each coordinate to its own last digit, so
+// that float stays exact next to the outline. After mirroring so that n_x, n_y ≥ 0, the corners go below the horizon in
+// a fixed order: each half of the outline from the highest to the lowest corner has at most one crossing, so no other
+// cases arise. Far from an uncut rectangle the arcs cancel by (size/distance); there opposite edges are combined as the
+// difference of their angles, which is computed from the known differences of their distances.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -18,19 +18,19 @@ namespace detail {
 template<class S>
 struct RectanglePose {
     S x, y, z;            // of the centre; z > 0 in front
-    S x_rest, y_rest;     // what rounding has left of x and y
+    S x_rest, y_rest;     // the rounding error of x and y
     S half_x, half_y;     // ≥ 0
     S n_x, n_y, n_z;      // the receiver's normal
     S up, rise_x, rise_y; // heights over the receiver's plane: of the centre, and by half_x and half_y
 };
 
-// Formed in W: `wider<S>`, or S itself where roundings of the distance do no harm.
+// Computed in W: `wider<S>`, or S itself where rounding errors of the distance do no harm.
 template<class W, class S>
 GONIO_FORCE_INLINE RectanglePose<S> rectangle_pose(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width,
                                                    S height, vec3<S> normal, bool two_sided) {
     const S w = simd::abs(width);
     const S h = simd::abs(height);
-    // 1/8: sums of three such numbers stay finite at the largest scale too.
+    // 1/8: sums of three such numbers stay finite even at the largest scale.
     const S scale = S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(center), simd::max(w, h)));
     const vec3<S> scaled = center * scale;
     RectanglePose<S> p;
@@ -67,7 +67,7 @@ GONIO_FORCE_INLINE RectanglePose<S> rectangle_pose(vec3<S> center, vec3<S> axis,
     return p;
 }
 
-// The same seen in mirrors, so that n_x, n_y ≥ 0.
+// Mirrors the pose so that n_x, n_y ≥ 0.
 template<class S>
 GONIO_FORCE_INLINE void mirror(RectanglePose<S>& p) {
     const auto left = p.n_x < S(0);
@@ -82,15 +82,15 @@ GONIO_FORCE_INLINE void mirror(RectanglePose<S>& p) {
     p.rise_y = simd::abs(p.rise_y);
 }
 
-// A piece of a straight line that subtends the angle θ: tan(θ/2) or, where θ is obtuse, cot(θ/2), is v.
+// A piece of a straight line that subtends the angle θ. v is tan(θ/2) or, where θ is obtuse, cot(θ/2).
 template<class S>
 struct EdgeAngle {
     S inverse;     // v = length · distance of the line · inverse
     S excess;      // atan(v)/v − 1
-    S by_distance; // 2 atan(v) over the line's distance
+    S by_distance; // 2 atan(v) divided by the line's distance
 };
 
-// Its length, the square of the line's distance, and 1 over the sum of the product of its ends' lengths and the
+// Takes its length, the square of the line's distance, and 1 over the sum of the product of its ends' lengths and the
 // magnitude of their dot product.
 template<class S>
 GONIO_FORCE_INLINE EdgeAngle<S> edge_angle(S length, S distance2, S inverse) {
@@ -99,15 +99,15 @@ GONIO_FORCE_INLINE EdgeAngle<S> edge_angle(S length, S distance2, S inverse) {
     return {inverse, excess, S(2) * simd::mul_add(t, excess, t)};
 }
 
-// Where the horizon cuts the outline: offsets from the centre, both at the lowest corner where it does not.
+// Where the horizon cuts the outline: offsets from the centre, both at the lowest corner if it does not cut.
 template<class S>
 struct RectangleCut {
     S a_x, a_y, b_x, b_y;
     simd::mask_of<S> before3, before1; // A lies before corner 3, B before corner 1
 };
 
-// Corners: 0 the lowest (−x, −y), 1 (−x, +y), 2 the highest (+x, +y), 3 (+x, −y). A is on the way from 2 over 3 to 0,
-// B on the way over 1; both are corner 2 where nothing is above.
+// Corners: 0 the lowest (−x, −y), 1 (−x, +y), 2 the highest (+x, +y), 3 (+x, −y). A is on the way from 2 via 3 to 0, B
+// on the way via 1; both are corner 2 where nothing is above.
 template<class S>
 GONIO_FORCE_INLINE RectangleCut<S> rectangle_cut(const RectanglePose<S>& p) {
     constexpr double least = 1e-30;
@@ -129,9 +129,9 @@ GONIO_FORCE_INLINE RectangleCut<S> rectangle_cut(const RectanglePose<S>& p) {
             before1};
 }
 
-// An uncut rectangle from no nearer than a fifth of its half diagonal, no edge of which subtends more than 90°:
-// opposite edges are taken together, as the difference of their angles from the known differences of their distances.
-// Without that, far rectangles cancel. Nothing else cancels either, so the pose may be rounded like any other product.
+// An uncut rectangle, no nearer than a fifth of its half diagonal, with no edge that subtends more than 90°: opposite
+// edges are combined, as the difference of their angles from the known differences of their distances. Without that,
+// far rectangles cancel. Nothing else cancels, so the pose may be rounded like any other product.
 template<class S>
 struct RectangleApart {
     S irradiance;
@@ -181,7 +181,7 @@ GONIO_FORCE_INLINE RectangleApart<S> rectangle_apart(const RectanglePose<S>& p) 
     const EdgeAngle<S> arc_x1 = edge_angle(whole_y, to_x1, inverse_x * sum_x0);
     const EdgeAngle<S> arc_y0 = edge_angle(whole_x, to_y0, inverse_y * sum_y1);
     const EdgeAngle<S> arc_y1 = edge_angle(whole_x, to_y1, inverse_y * sum_y0);
-    const S over_x0 = simd::mul_add(p.n_x, p.z, -(p.n_z * x0)); // the arcs' plane normals on n
+    const S over_x0 = simd::mul_add(p.n_x, p.z, -(p.n_z * x0)); // the arcs' plane normals, projected on n
     const S over_y0 = simd::mul_add(p.n_y, p.z, -(p.n_z * y0));
     const S grows_x = (p.x + p.x) * whole_x;
     const S grows_y = (p.y + p.y) * whole_y;
@@ -190,7 +190,7 @@ GONIO_FORCE_INLINE RectangleApart<S> rectangle_apart(const RectanglePose<S>& p) 
     const S inverse = S(1) / (both_x * both_y);
     const S more_x = grows_x * simd::mul_add(square0 + square1 + grows_x, inverse * both_y, S(1));
     const S more_y = grows_y * simd::mul_add(square0 + square3 + grows_y, inverse * both_x, S(1));
-    // Halves of: the outline's sum is twice what stands here, and E/L is half of the sum.
+    // Halves: the outline's sum is twice the value here, and E/L is half of the sum.
     const S less_x = whole_y * arc_x0.inverse *
                      simd::mul_add(more_x * arc_x1.inverse, S(1) + arc_x1.excess, arc_x0.excess - arc_x1.excess);
     const S less_y = whole_x * arc_y0.inverse *
@@ -253,11 +253,11 @@ GONIO_FORCE_INLINE S rectangle_in_front(RectanglePose<S>& p) {
     const EdgeAngle<S> arc_y1 = edge_angle(p.half_x - c.b_x, to_y1, inverse_y * sum_y0);
     const S over_x = p.n_x * p.z;
     const S over_y = p.n_y * p.z;
-    const S over_x0 = simd::mul_add(-p.n_z, x0, over_x); // the arcs' plane normals on n
+    const S over_x0 = simd::mul_add(-p.n_z, x0, over_x); // the arcs' plane normals, projected on n
     const S over_y0 = simd::mul_add(-p.n_z, y0, over_y);
 
-    // Uncut and not close, opposite edges are taken together: their angles' difference is formed from the known
-    // differences of their distances, without which far rectangles cancel.
+    // Where uncut and not close, opposite edges are combined: the difference of their angles is computed from the known
+    // differences of their distances; otherwise far rectangles cancel.
     const S half_diagonal2 = simd::mul_add(p.half_x, p.half_x, p.half_y * p.half_y);
     const S least_dot = simd::min(simd::min(dot_x0, dot_x1), simd::min(dot_y0, dot_y1));
     const S least_distance2 = simd::min(simd::min(to_x0, to_x1), simd::min(to_y0, to_y1));
@@ -302,7 +302,7 @@ GONIO_FORCE_INLINE S rectangle_in_front(RectanglePose<S>& p) {
         sum = simd::select(apart, sum, direct);
     }
     if (!simd::any(cut)) return clamp_irradiance(S(0.5) * sum);
-    // From the nearer end: as a sum from the other it would not know where it is.
+    // From the nearer end: as a sum from the other end its position would be lost to rounding.
     const vec3<S> step{c.b_x - c.a_x, c.b_y - c.a_y, S(0)};
     const auto from_b = d_b < d_a;
     const S closing = horizon_arc({simd::select(from_b, b.x, a.x), simd::select(from_b, b.y, a.y), p.z},
@@ -310,7 +310,8 @@ GONIO_FORCE_INLINE S rectangle_in_front(RectanglePose<S>& p) {
     return clamp_irradiance(simd::mul_add(S(0.5), sum, simd::select(cut, closing, S(0))));
 }
 
-// The least height over the light that is told from 0, of the size of the scene: its square is a normal number.
+// The smallest height over the light that counts as different from 0, relative to the size of the scene: its square is
+// a normal number.
 template<class S>
 inline constexpr double least_rectangle_height = 0x1p-60;
 template<>
@@ -318,7 +319,8 @@ inline constexpr double least_rectangle_height<double> = 0x1p-500;
 
 struct RectangleInDouble;
 
-// E/L of what is all above the horizon, in front and apart; the other lanes are named hard. Needs no more than float.
+// E/L of a rectangle entirely above the horizon, in front of it and apart from it; the other lanes are marked hard.
+// Float is enough.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_rectangle_above(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width,
                                                     S height, vec3<S> normal, bool two_sided) {
@@ -331,22 +333,22 @@ GONIO_FORCE_INLINE Survey<S> survey_rectangle_above(vec3<S> center, vec3<S> axis
     return {clamp_irradiance(apart.irradiance), !simd::both(easy, apart.valid)};
 }
 
-// As irradiance_rectangle, but for the hard lanes: just over the light, where arcs turn within the rounding of the way
-// to an edge.
+// As irradiance_rectangle, except in the hard lanes: just over the light, where arcs turn by the rounding error of the
+// distance to an edge.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
                                               vec3<S> normal, bool two_sided) {
     RectanglePose<S> p =
         rectangle_pose<simd::wider<S>>(center, axis, width_direction, width, height, normal, two_sided);
     const auto area = simd::both(p.half_x > S(0), p.half_y > S(0));
-    // What rounding leaves open counts as seen: beside the outline it may be half of the light.
+    // Points that rounding leaves undecided count as lit: beside the outline they may see half of the light.
     const S slack = S(__is_same(S, double) ? 1e-15 : 1e-6) *
                     (simd::abs(p.x) + simd::abs(p.y) + simd::abs(p.z) + p.half_x + p.half_y);
     const auto seen = simd::both(area, p.up > -(simd::abs(p.rise_x) + simd::abs(p.rise_y)) - slack);
     const auto lit = simd::both(p.z > S(0), seen);
     S e = S(0);
     if (simd::any(p.z == S(0))) {
-        // Each side to its own last digit: on an edge a rounding would be the whole light.
+        // Each side to its own last digit: on an edge a rounding error could amount to the whole light.
         const auto within_x = simd::both((p.x - p.half_x) + p.x_rest<S(0), (p.x + p.half_x) + p.x_rest> S(0));
         const auto within_y = simd::both((p.y - p.half_y) + p.y_rest<S(0), (p.y + p.half_y) + p.y_rest> S(0));
         const auto inside = simd::both(within_x, within_y);
@@ -365,10 +367,10 @@ GONIO_FORCE_INLINE Survey<S> survey_rectangle(vec3<S> center, vec3<S> axis, vec3
 
 // E/L [sr] of a rectangle about `center` [m, from the receiver] that emits towards +`axis` only, `width` along
 // `width_direction` and `height` across it. `axis`, `width_direction` (perpendicular) and the receiver's `normal` are
-// unit. Behind its plane 0; in the plane, inside the outline, the limit π(1 + n·w)/2 from the front, w = −axis, and
-// outside 0. Any finite input; negative sizes count as positive; no area gives 0. J. H. Lambert (outline.hpp). In float
-// and packs, receivers within 3e-4 of the larger half side over it are evaluated in double, lane by lane. `two_sided`:
-// it emits to both sides, and is seen from whichever the receiver is on.
+// unit. 0 behind its plane. In the plane: inside the outline the limit π(1 + n·w)/2 from the front, w = −axis; outside
+// 0. Any finite input; negative sizes count as positive; zero area gives 0. J. H. Lambert (outline.hpp). In float and
+// packs, receivers lower over it than 3e-4 of the larger half side are evaluated in double, lane by lane. `two_sided`:
+// it emits to both sides, and the receiver sees the side it is on.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_rectangle(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height,
                                           vec3<S> normal, bool two_sided = false) {

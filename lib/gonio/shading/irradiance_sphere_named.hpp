@@ -1,4 +1,4 @@
-// Ways in which renderers take the irradiance of a sphere, kept for comparison with the exact one.
+// The irradiance of a sphere as renderers approximate it, kept for comparison with the exact one.
 #pragma once
 
 #include <gonio/shading/direction.hpp>
@@ -8,7 +8,8 @@
 
 namespace gonio::shading {
 
-// The sphere as a point: I⟨n·l⟩/d² with I = π r² L. Exact above the horizon; no limit inside: E/L may exceed π.
+// The sphere as a point: I⟨n·l⟩/d² with I = π r² L. Exact above the horizon; not limited inside the sphere: E/L may
+// exceed π.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_sphere_point(vec3<S> to_center, S radius, vec3<S> normal) {
     const Direction<S> d = direction(to_center, normal);
@@ -19,8 +20,8 @@ GONIO_FORCE_INLINE S irradiance_sphere_point(vec3<S> to_center, S radius, vec3<S
 namespace detail {
 
 // The cap of "Moving Frostbite to Physically Based Rendering" (Lagarde and de Rousiers, course notes 2014, listing 7)
-// from the cosine of its centre, kept in ±0.999, and sin²σ, kept to 0.9999; the arguments of acos and sqrt are clamped,
-// without which it is NaN at case boundaries.
+// from the cosine of its centre, clamped to ±0.999, and sin²σ, clamped to 0.9999. The arguments of acos and sqrt are
+// clamped; otherwise the result is NaN at case boundaries.
 template<class S>
 GONIO_FORCE_INLINE S frostbite_cap(S cosine, S square_sine) {
     const S cos_theta = simd::max(simd::min(cosine, S(0.999)), S(-0.999));
@@ -37,8 +38,8 @@ GONIO_FORCE_INLINE S frostbite_cap(S cosine, S square_sine) {
 
 } // namespace detail
 
-// The tilted sphere of the same notes, its distance at least the radius. Always exact in theory; its cotangents lose
-// digits in float.
+// The tilted sphere of the same notes, with its distance clamped to at least the radius. Always exact in theory; its
+// cotangents lose digits in float.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_sphere_frostbite(vec3<S> to_center, S radius, vec3<S> normal) {
     const S square_distance = dot(to_center, to_center);
@@ -46,7 +47,7 @@ GONIO_FORCE_INLINE S irradiance_sphere_frostbite(vec3<S> to_center, S radius, ve
                                  radius * radius * reciprocal_or_zero(square_distance));
 }
 
-// B. Karis, "Real Shading in Unreal Engine 4", 2013: as a point, and so exact above the horizon.
+// B. Karis, "Real Shading in Unreal Engine 4", 2013: the sphere as a point, and therefore exact above the horizon.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_sphere_ue4(vec3<S> to_center, S radius, vec3<S> normal) {
     return irradiance_sphere_point(to_center, radius, normal);

@@ -3,9 +3,9 @@
 // E/L [sr] in [0, π]. Seen from outside, its outline is two great arcs (the tangent planes through the receiver) and
 // two arcs of the end spheres' circles. In the frame a (axis), f (from the receiver to the axis line, distance D), g =
 // a × f, with s = r/D and κ = √(1 − s²), the tangent planes have the unit normals −m±, m± = ±κ g − s f, and both great
-// arcs span the same angle θ. Summing all four arcs where nothing is cut leaves a form without cancellation
-// (`tube_above`, tube_apart.hpp). Where the horizon cuts, tube_clipped.hpp. What cancels near the surface and beside
-// the ends is formed in double and rounded once. README.md derives both.
+// arcs span the same angle θ. Where nothing is cut, the sum of all four arcs has a form without cancellation
+// (`tube_above`, tube_apart.hpp). Where the horizon cuts: tube_clipped.hpp. Terms that cancel near the surface and
+// beside the ends are computed in double and rounded once. README.md derives both.
 #pragma once
 
 #include <gonio/shading/irradiance_sphere.hpp>
@@ -45,21 +45,21 @@ GONIO_FORCE_INLINE TubePose<S> tube_pose(vec3<S> center, vec3<S> axis, S radius,
     const S side = simd::copysign(S(1), t.n_a);
     t.z = z * side;
     t.z_rest = z_rest * side;
-    t.z0 = (t.z - t.half) + t.z_rest; // where this cancels the difference is exact
+    t.z0 = (t.z - t.half) + t.z_rest; // where this cancels, the difference is exact
     t.z1 = (t.z + t.half) + t.z_rest;
     t.tangent0 = simd::mul_add(t.z0, t.z0, t.gap2);
     t.tangent1 = simd::mul_add(t.z1, t.z1, t.gap2);
-    constexpr double least_d = 1e-15; // on the axis line, where the tube is not what is seen
+    constexpr double least_d = 1e-15; // on the axis line, where the receiver sees an end sphere instead of the tube
     t.d = simd::sqrt(simd::max(dot(f, f), S(least_d * least_d)));
     t.inverse_d = S(1) / t.d;
-    t.n_f = dot(mul_add(axis, -t.n_a, normal), f) * t.inverse_d; // f may be little more than rounding along the axis
+    t.n_f = dot(mul_add(axis, -t.n_a, normal), f) * t.inverse_d; // f may be mostly rounding error along the axis
     t.n_a = simd::abs(t.n_a);
     t.n_g = simd::abs(dot(normal, fused_cross(axis, f))) * t.inverse_d;
     t.up = simd::mul_add(t.d, t.n_f, t.z * t.n_a);
     return t;
 }
 
-// The nearer end's sphere alone: what is seen from beyond an end and within the prolonged tube.
+// The nearer end's sphere alone: all that is seen from beyond an end and within the prolonged tube.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_tube_end(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const ScaledTube<S> scaled(center, radius, length_m);
@@ -75,14 +75,14 @@ GONIO_FORCE_INLINE Survey<S> survey_tube_end(vec3<S> center, vec3<S> axis, S rad
     return {irradiance_sphere(to_end, r, normal), simd::abs(dot(to_end, to_end) - r * r) < least2};
 }
 
-// The same as a function of its own that takes copies, as in_double. Inputs: center, axis, radius, length, normal.
+// The same as a separate function that takes copies, as in_double. Inputs: center, axis, radius, length, normal.
 template<simd::SinglePrecision S>
 [[gnu::noinline]] Survey<S> nearer_end(const S (&inputs)[11]) {
     return survey_tube_end<S>({inputs[0], inputs[1], inputs[2]}, {inputs[3], inputs[4], inputs[5]}, inputs[6],
                               inputs[7], {inputs[8], inputs[9], inputs[10]});
 }
 
-// D² − r² is at least this share of D²: on the surface the tangent points would fall together; a trace apart, they keep
+// The minimum of D² − r² as a share of D²: on the surface the tangent points would coincide; slightly apart, they keep
 // their order.
 template<class S>
 inline constexpr double least_tube_gap2 = 1e-13;
@@ -99,11 +99,11 @@ GONIO_FORCE_INLINE FlatTubePose<S> flat(const TubePose<S>& t) {
 template<class S>
 struct TubeSurvey {
     S irradiance;
-    simd::mask_of<S> hard; // the tangent points turn within the rounding of the way to the surface
+    simd::mask_of<S> hard; // the tangent points turn by the rounding error of the distance to the surface
     simd::mask_of<S> end;  // beyond an end and within the prolonged tube: the nearer sphere hides the rest
 };
 
-// As irradiance_tube, but for the lanes that are left.
+// As irradiance_tube, except in the hard and end lanes.
 template<class S>
 GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     constexpr double pi = 3.14159265358979323846;
@@ -118,7 +118,7 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
     const auto outside = simd::both(lit, !simd::either(inside, end));
     const S easy = simd::select(inside, S(pi), S(0));
     if (!simd::any(outside)) return {easy, S(0) > S(1), end};
-    // Square of the distance to the nearest point of the axis, less r².
+    // Square of the distance to the nearest point of the axis, minus r².
     const S nearest2 = simd::select(beyond0, t.tangent0, simd::select(beyond1, t.tangent1, t.gap2));
     const S least2 = simd::max(S(1e-4) * t.r * t.r, S(2.5e-6) * t.half * t.half);
     const auto hard = simd::both(outside, simd::either(nearest2 < least2, t.gap2 < S(1e-9) * t.d * t.d));
@@ -130,11 +130,11 @@ GONIO_FORCE_INLINE TubeSurvey<S> survey_tube(vec3<S> center, vec3<S> axis, S rad
 
 } // namespace detail
 
-// E/L [sr] of a capsule about `center` [m, from the receiver] along `axis`: a cylinder of `length_m` without its ends,
-// which are half spheres of the same radius. `axis` and the receiver's `normal` are unit. Inside π; on the surface the
-// limit π(1 + n·l)/2 from outside. Any finite input; negative sizes count as positive; radius 0 gives 0, length 0 the
-// sphere. In float and packs, receivers within 5e-5 of the radius from the surface, and those whose squared
-// distance from it is below 2.5e-6 of the square of half the length, are evaluated in double, lane by lane.
+// E/L [sr] of a capsule about `center` [m, from the receiver] along `axis`: a cylinder of `length_m` with half spheres
+// of the same radius at its ends, not included in `length_m`. `axis` and the receiver's `normal` are unit. Inside π; on
+// the surface the limit π(1 + n·l)/2 from outside. Any finite input; negative sizes count as positive; radius 0 gives
+// 0, length 0 the sphere. In float and packs, receivers within 5e-5 of the radius from the surface, and those with a
+// squared distance from it below 2.5e-6 of the square of half the length, are evaluated in double, lane by lane.
 template<class S>
 GONIO_FORCE_INLINE S irradiance_tube(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     if constexpr (!__is_same(S, double)) {

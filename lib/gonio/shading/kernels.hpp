@@ -1,11 +1,11 @@
-// Shading of many surface points by one light, on the widest unit that the machine has.
+// Shading of many surface points by one light, with the widest instruction set that the machine has.
 //
-// Everything is float and in structures of arrays; positions in metres, directions of unit length, one frame for all.
-// Units: candela, luminance in cd/m² (nt), illuminance in lx. Results are finite and not negative for any finite
-// input: light on the point, point inside the sphere, n·v ≤ 0, coordinates up to the largest float. Nothing fails,
-// allocates or throws; calls are independent of each other and may run on any thread. Cost: see README.md.
+// All arrays are float, in structures of arrays; positions in metres, directions of unit length, all in one frame.
+// Units: candela, luminance in cd/m² (nt), illuminance in lx. Results are finite and not negative for any finite input:
+// light on the point, point inside the sphere, n·v ≤ 0, coordinates up to the largest float. The functions do not fail,
+// allocate or throw; calls are independent of each other and may run on any thread. Cost: see README.md.
 //
-// The formulas stand in shade.hpp, once for float, double and packs; the double ones are the truth these are tested by.
+// The formulas are in shade.hpp, once for float, double and packs; the double versions are the reference for the tests.
 #pragma once
 
 #include <gonio/shading/specular_method.hpp>
@@ -16,7 +16,7 @@
 
 namespace gonio::shading {
 
-// `count` need not be a multiple of anything; arrays need no alignment.
+// `count` can be any number; arrays need no alignment.
 struct Surfaces {
     const float* position[3] = {}; // [m]
     const float* normal[3] = {};   // unit
@@ -30,51 +30,51 @@ struct LightConstants {
     Kind kind = Kind::punctual;
     float position[3] = {}; // [m], of the centre; not read for a sun
     float radius = 0.0F;    // sphere, disk, tube [m], ≥ 0
-    // Area lights: luminance of the three channels [nt]; punctual: weights of a colour whose luminance Y is 1. All ≥ 0.
+    // Area lights: luminance of the three channels [nt]; punctual: weights of a colour with luminance Y = 1. All ≥ 0.
     float color[3] = {1.0F, 1.0F, 1.0F};
     const float* intensity_cd = nullptr; // punctual: towards each surface point, ≥ 0, `count` of them; else not read
     float inverse_range = 0.0F;          // [1/m] of the squared window (falloff.hpp); 0 = no window; not read for a sun
-    // How `shade` takes the glossy part of a light with a size; of no meaning for a punctual one.
+    // The method `shade` uses for the glossy part of an area light; ignored for a punctual light.
     SpecularMethod specular_method = standard_specular_method;
     float angular_radius = 0.0F; // sun [rad], half of its diameter; in [0, π/2]
-    // The rest is read by flat lights (disk, ellipse, rectangle), the tube and (the axis alone) the sun.
-    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: where flat lights and the sun emit to; along the tube
+    // The rest is read by flat lights (disk, ellipse, rectangle), the tube and (only the axis) the sun.
+    float axis[3] = {0.0F, 0.0F, -1.0F};           // unit: emission of flat lights and the sun; along the tube
     float width_direction[3] = {1.0F, 0.0F, 0.0F}; // ellipse, rectangle: unit, perpendicular to the axis
     float width = 0.0F;                            // ellipse, rectangle [m], along width_direction
     float height = 0.0F;                           // ellipse, rectangle [m], across it
-    float length = 0.0F;                           // tube [m], of the cylinder without its round ends
+    float length = 0.0F;                           // tube [m], of the cylinder without its hemispherical ends
     bool two_sided = false;                        // flat lights: emit to both sides, the luminance on each
 };
 
-// A material of brdf.hpp, as constants_of() there makes it.
+// A material of brdf.hpp, as constants_of() there creates it.
 struct MaterialConstants {
     static constexpr std::size_t most_numbers = 24;
 
     enum class Kind : std::uint8_t {}; // kind_of<Lambert> … of brdf.hpp
 
     Kind kind{};
-    float numbers[most_numbers] = {}; // those of its struct, in their order
+    float numbers[most_numbers] = {}; // the numbers of its struct, in their order
 };
 
-// Ways in which renderers take the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,
-// irradiance_named.hpp). `ue4` is of its own for the tube only; for the other shapes it is `point`.
+// Methods of other renderers for the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,
+// irradiance_named.hpp). `ue4` has a separate form for the tube only; for the other shapes it equals `point`.
 enum class Approximation : std::uint8_t { point, frostbite, ue4 };
 
 struct Kernels {
     simd::InstructionSet set;
-    const char* name; // of the set
+    const char* name; // of the instruction set
     std::size_t lanes;
 
     // Outgoing luminance [nt] of the three channels towards the eye, one per surface point; `rgb` is overwritten and
     // must not overlap the input.
     void (*shade)(const Surfaces&, const LightConstants&, const MaterialConstants&, float* const rgb[3]);
 
-    // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (so E/L
-    // in sr, times the window) for an area light or a sun. Receivers are sorted by their horizon before they are
+    // Illuminance [lx], one per surface point: of `intensity_cd` for a punctual light, of a luminance of 1 nt (that is,
+    // E/L in sr, times the window) for an area light or a sun. Receivers are sorted by their horizon before they are
     // packed, so `lx` must not overlap the input.
     void (*irradiance)(const Surfaces&, const LightConstants&, float* lx);
 
-    // The same by an approximation, of one side; 0 for a punctual light, the point's for a sun. May exceed π.
+    // The same by an approximation, of one side; 0 for a punctual light, the value of `point` for a sun. May exceed π.
     void (*approximate_irradiance)(const Surfaces&, const LightConstants&, Approximation, float* lx);
 };
 

@@ -1,7 +1,7 @@
-// The bodies of the kernels, for one scalar: shade.hpp over arrays. Included by kernels_<set>.cpp and by nothing else.
+// The bodies of the kernels, for one scalar: shade.hpp over arrays. Included only by kernels_<set>.cpp.
 //
-// Only templates with S in their name may be instantiated from here: what is compiled for a wide instruction set must
-// not be a function that other files could call.
+// Only templates with S in their name may be instantiated from here: code compiled for a wide instruction set must not
+// be a function that other files could call.
 #pragma once
 
 #include <gonio/shading/irradiance_approximate.hpp>
@@ -27,7 +27,7 @@ void irradiance_punctual(const Surfaces& surfaces, const LightConstants& light_c
     });
 }
 
-// One float skips by itself what it does not need.
+// A single float skips the work it does not need without sorting.
 template<class S, template<class> class Light>
 void irradiance_area(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
     if constexpr (simd::Traits<S>::lanes == 1) {
@@ -74,7 +74,7 @@ void irradiance_sun(const Surfaces& surfaces, const LightConstants& light_consta
 
 template<class S>
 void irradiance_any(const Surfaces& surfaces, const LightConstants& light, float* lx) {
-    using Two = simd::paired<S>; // two chains fill each other's gaps
+    using Two = simd::paired<S>; // two dependency chains fill each other's gaps
     if (light.kind == LightConstants::Kind::punctual) return irradiance_punctual<S>(surfaces, light, lx);
     if (light.kind == LightConstants::Kind::sun) return irradiance_sun<S>(surfaces, light, lx);
     with_area_light(light.kind, [&]<template<class> class Light>(OfKind<Light>) {
@@ -96,7 +96,7 @@ void shade_punctual(const Surfaces& surfaces, const LightConstants& light_consta
     });
 }
 
-// What a light with a size leaves at the points of a part: illuminance [lx] and luminances of the glossy part, both for
+// The effect of an area light at the points of a part: illuminance [lx] and luminances of the glossy part, both for
 // 1 nt.
 template<class S>
 struct PartUnderLight {
@@ -108,7 +108,7 @@ struct PartUnderLight {
     PartUnderLight() {} // NOLINT(*-member-init, *-use-equals-default): what is read is written first
 };
 
-// Lambert needs neither view nor direction.
+// Lambert needs neither the view nor the direction of the light.
 template<class S>
 void reflect_part(const Surfaces& surfaces, const LightConstants& light, const Lambert<S>& material,
                   const PartUnderLight<S>& under, float* const rgb[3]) {
@@ -147,7 +147,7 @@ void glossy_under(const Surfaces& part, const LightConstants& light, const Cosin
     specular.specular_power(part, light, lobe.power, light.specular_method, &under.scale[0], &under.grazing[0]);
 }
 
-// The exact irradiance and the glossy luminance have kernels of their own; here they are put together, part by part.
+// The exact irradiance and the glossy luminance have separate kernels; here they are combined, part by part.
 template<class S, template<class> class Material, const SpecularKernels& specular>
 void shade_area(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material_constants,
                 float* const rgb[3]) {
@@ -179,7 +179,7 @@ void shade_any(const Surfaces& surfaces, const LightConstants& light, const Mate
     });
 }
 
-// All of them take it as one direction.
+// All methods treat the sun as one direction.
 template<class S>
 void approximate_sun(const Surfaces& surfaces, const LightConstants& light_constants, float* lx) {
     SunLight<S> light;
@@ -200,7 +200,7 @@ void approximate_any(const Surfaces& surfaces, const LightConstants& light, Appr
     });
 }
 
-// The tables, each in the file that is compiled for its set.
+// The tables, each defined in the file that is compiled for its instruction set.
 extern const Kernels kernels_scalar;
 extern const Kernels kernels_sse2;
 extern const Kernels kernels_avx2;

@@ -1,7 +1,8 @@
-// The specular luminance of an area light at many surface points, by any named method, on the widest unit there is.
+// The specular luminance of an area light at many surface points, by any named method, with the widest instruction set
+// available.
 //
-// As kernels.hpp: floats in structures of arrays, metres, unit directions; nothing fails, allocates or throws, and
-// results are finite and not negative for any finite input.
+// As kernels.hpp: floats in structures of arrays, metres, unit directions; the functions do not fail, allocate or
+// throw, and results are finite and not negative for any finite input.
 #pragma once
 
 #include <gonio/shading/kernels.hpp>
@@ -14,16 +15,15 @@ namespace gonio::shading {
 
 struct SpecularKernels {
     simd::InstructionSet set;
-    const char* name; // of the set
+    const char* name; // of the instruction set
     std::size_t lanes;
 
-    // GGX of α under `light`, per luminance of the light, one per surface point: scale is that of F = 1, and with
-    // Schlick's reflectance it is scale·(f0 + (f90 − f0)·grazing). 0 and 0 for a punctual light. The window is not
-    // applied.
+    // GGX of α under `light`, per luminance of the light, one per surface point: scale is for F = 1, and Schlick's
+    // reflectance gives scale·(f0 + (f90 − f0)·grazing). 0 and 0 for a punctual light. The window is not applied.
     void (*specular)(const Surfaces&, const LightConstants& light, float alpha, SpecularMethod, float* scale,
                      float* grazing);
 
-    // The same of a power of n·h, ≥ 2 (brdf_blinn.hpp).
+    // The same for a power of n·h, ≥ 2 (brdf_blinn.hpp).
     void (*specular_power)(const Surfaces&, const LightConstants& light, float power, SpecularMethod, float* scale,
                            float* grazing);
 };

@@ -1,5 +1,5 @@
-// The bodies of the specular kernels, for one scalar. Included by kernels_specular_<set>.cpp and by nothing else; the
-// rule of kernels_impl.hpp holds here too.
+// The bodies of the specular kernels, for one scalar. Included only by kernels_specular_<set>.cpp; the rule of
+// kernels_impl.hpp applies here too.
 #pragma once
 
 #include <gonio/shading/kernels_specular.hpp>
@@ -25,7 +25,7 @@ void specular_batch(const Surfaces& surfaces, const LightConstants& light_consta
     });
 }
 
-// One α, so one row of the table of lobes for all.
+// There is one α, so one row of the table of lobes serves all points.
 template<class S, class Light, class Lobe>
 void specular_ltc_batch(const Surfaces& surfaces, const LightConstants& light_constants, const Lobe& lobe, float* scale,
                         float* grazing) {

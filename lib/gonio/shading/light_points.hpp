@@ -1,10 +1,10 @@
-// A few points of a light with their solid angles: what a material makes of a light that is small as seen, or of one
-// over which it changes slowly, is a sum over them.
+// A few points of a light with their solid angles. The light that a material reflects is a sum over them, if the light
+// is small as seen from the receiver or the material changes slowly over it.
 //
 // Rules of degree 5 over disk and rectangle (A. H. Stroud, "Approximate Calculation of Multiple Integrals", 1971; C. F.
-// Gauss), 7 and 9 points; a sphere is the disk within the circle that is seen of it. A tube is the strip that is seen
-// of its cylinder, 3 by 2 points, and half a disk at each end, 2 points each. Solid angles are right to the order of
-// the rule, and 0 for what turns away. What the horizon cuts off is not left out.
+// Gauss), 7 and 9 points; a sphere is the disk within its visible circle. A tube is the visible strip of its cylinder,
+// 3 by 2 points, and half a disk at each end, 2 points each. Solid angles are accurate to the order of the rule, and 0
+// for what faces away. Points below the horizon are included.
 #pragma once
 
 #include <gonio/shading/lights.hpp>
@@ -21,7 +21,7 @@ struct RulePoint {
     float x, y, weight;
 };
 
-// The plane patch center + u·x + v·y, of which the receiver sees dω = strength·weight/|p|³.
+// The plane patch center + u·x + v·y; the receiver sees each point under the solid angle dω = strength·weight/|p|³.
 template<class S>
 struct LightPatch {
     vec3<S> center, u, v;
@@ -34,8 +34,8 @@ struct LightPatch {
     }
 };
 
-// A light, all lengths scaled alike; what asks for a transform or for heights wants it in the receiver's frame
-// (ltc_frame).
+// A light with all lengths scaled by the same factor. Functions that use a transform or heights expect it in the
+// receiver's frame (ltc_frame).
 template<class S>
 struct DiskPoints {
     static constexpr RulePoint rule[7] = {{0.0F, 0.0F, 0.25F},
@@ -50,7 +50,7 @@ struct DiskPoints {
 
     // How far the light reaches from the centre along the normal.
     GONIO_FORCE_INLINE S rise() const { return simd::sqrt(simd::mul_add(patch.u.z, patch.u.z, patch.v.z * patch.v.z)); }
-    // The square of the radius of what a lobe's transform makes of it.
+    // The square of the radius after a lobe's transform.
     GONIO_FORCE_INLINE S transformed_size2(const LtcLobe<S>& lobe) const {
         const vec3<S> u = lobe(patch.u);
         const vec3<S> v = lobe(patch.v);
@@ -95,7 +95,7 @@ struct TubePoints {
 
     LightPatch<S> patch; // u along the axis
     S radius, half;
-    vec3<S> end[2];    // where the half disks have their centroids
+    vec3<S> end[2];    // the centroids of the half disks
     vec3<S> beside;    // half a radius across
     S end_strength[2]; // of one half disk
 
@@ -115,14 +115,14 @@ struct TubePoints {
     }
 };
 
-// So that no square leaves the range of numbers: the centre's largest component, or the light's size where that is
-// larger, becomes a quarter at most.
+// Scales so that no square exceeds the range of numbers: the centre's largest component, or the light's size where that
+// is larger, becomes at most a quarter.
 template<class S, class Light>
 GONIO_FORCE_INLINE S points_scale(const Light& light, vec3<S> to_center) {
     return S(0.125) * simd::reciprocal_power_of_two(simd::max(largest_component(to_center), largest_size(light)));
 }
 
-// The frame that all is given in.
+// The identity: keeps the frame of the input.
 struct SameFrame {
     template<class S>
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const {
@@ -130,7 +130,7 @@ struct SameFrame {
     }
 };
 
-// The disk within the circle that is seen of a sphere of angular radius σ about the unit vector `toward`.
+// The disk within the visible circle of a sphere of angular radius σ about the unit vector `toward`.
 template<class S>
 GONIO_FORCE_INLINE DiskPoints<S> points_of_cap(vec3<S> toward, S sine, S cosine) {
     const TangentFrame<S> frame(toward);

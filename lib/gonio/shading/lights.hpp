@@ -1,4 +1,4 @@
-// The lights of the core: what a surface point sees of each, as templates on the scalar.
+// The lights of the core, as a surface point sees each of them: templates on the scalar.
 #pragma once
 
 #include <gonio/shading/direction.hpp>
@@ -28,7 +28,7 @@ template<class S>
 struct DiskLight {
     vec3<S> center;    // [m]
     vec3<S> luminance; // [nt], three channels, of each side that emits
-    vec3<S> axis;      // unit, where it emits to
+    vec3<S> axis;      // unit, the direction of emission
     S radius;          // [m]
     S inverse_range;   // [1/m] of window_squared, by the distance of the centre; 0 = no window
     bool two_sided;
@@ -38,7 +38,7 @@ template<class S>
 struct RectangleLight {
     vec3<S> center;          // [m]
     vec3<S> luminance;       // [nt], three channels, of each side that emits
-    vec3<S> axis;            // unit, where it emits to
+    vec3<S> axis;            // unit, the direction of emission
     vec3<S> width_direction; // unit, perpendicular to the axis
     S width, height;         // [m]
     S inverse_range;         // [1/m]; 0 = no window
@@ -50,11 +50,11 @@ struct TubeLight {
     vec3<S> center;    // [m]
     vec3<S> luminance; // [nt], three channels
     vec3<S> axis;      // unit
-    S radius, length;  // [m], of the cylinder without its round ends
+    S radius, length;  // [m]; length of the cylinder without its hemispherical ends
     S inverse_range;   // [1/m]; 0 = no window
 };
 
-// A cone of directions of even luminance: a disk so far away that every point sees it alike.
+// A cone of directions with uniform luminance: a disk so far away that it looks the same from every point.
 template<class S>
 struct SunLight {
     vec3<S> toward;    // unit, from the surface to its middle
@@ -62,12 +62,12 @@ struct SunLight {
     S sine, cosine;    // of its angular radius, which is at most π/2
 };
 
-// Takes the place of I/d² → ∞ where a point light lies on the surface, and of products beyond the range of float.
+// Replaces I/d² → ∞ where a point light lies on the surface, and products beyond the range of float.
 inline constexpr double illuminance_ceiling = 1e30; // [lx]
 
 namespace detail {
 
-// A sum or product of finite terms that are not negative, whatever overflow made of it.
+// A sum or product of finite terms that are not negative, made finite if it overflowed.
 template<class S>
 GONIO_FORCE_INLINE S finite(S x) {
     return simd::min(simd::max(x, S(0)), S(illuminance_ceiling));
@@ -93,7 +93,7 @@ GONIO_FORCE_INLINE vec3<S> color_of(const AreaLight& light) {
     return light.luminance;
 }
 
-// From a receiver to the light's centre [m].
+// The vector from a receiver to the light's centre [m].
 template<class S>
 GONIO_FORCE_INLINE vec3<S> way_to(const PunctualLight<S>& light, vec3<S> position) {
     return light.position - position;
@@ -107,7 +107,7 @@ GONIO_FORCE_INLINE vec3<S> way_to(const SunLight<S>& light, vec3<S> /*position*/
     return light.toward;
 }
 
-// What the window leaves.
+// The factor of the window.
 template<class S, class Light>
 GONIO_FORCE_INLINE S faded(const Light& light, vec3<S> to_center) {
     return window(to_center, light.inverse_range);

@@ -1,17 +1,18 @@
 // Contour integrals over a circle's cone after a linear transform: an elliptic cone, in closed form.
 //
-// A circle (the rim of a disk, or of a sphere's or a tube's end as it is seen) is p(t) = A + U cos t + V sin t, and so
-// is what a matrix makes of it, with other A, U, V. The wanted ½∮ z·(p × dp)/|p|² does not change when p is scaled or
-// t re-parametrised; so A, U, V may be turned into each other by what keeps (1, cos t, sin t) on its null cone:
-// rotations of U, V and boosts of A, U or A, V. They are, until all three are perpendicular: the one-sided Jacobi
-// method for a product of a matrix with a hyperbolic one (after K. Veselić, Numerische Mathematik 64, 1993). The
-// columns themselves are turned, never their products, so that narrow and long cones keep their digits in float; it
-// converges quadratically. Then, with a = |U|/|A|, b = |V|/|A| and s for t,
+// A circle (the rim of a disk, or the visible rim of a sphere or of a tube's end) is p(t) = A + U cos t + V sin t, and
+// its image under a matrix has the same form with other A, U, V. The wanted ½∮ z·(p × dp)/|p|² does not change when p
+// is scaled or t re-parametrised; so A, U, V may be transformed into each other by anything that keeps (1, cos t,
+// sin t) on its null cone: rotations of U, V and boosts of A, U or A, V. These are applied until all three are
+// perpendicular: the one-sided Jacobi method for a product of a matrix with a hyperbolic one (after K. Veselić,
+// Numerische Mathematik 64, 1993). The columns themselves are transformed, never their products, so that narrow and
+// long cones keep their digits in float. The method converges quadratically. Then, with a = |U|/|A|, b = |V|/|A| and s
+// for t,
 //
 //     z·(p × dp)/|p|² = (ab n_A − b n_U cos s − a n_V sin s) ds / (1 + a² cos² s + b² sin² s)
 //
-// whose antiderivatives are angles and one logarithm. The whole cone gives π n_A ab/√((1 + a²)(1 + b²)), in which
-// nothing cancels however small it is.
+// The antiderivatives are angles and one logarithm. The whole cone gives π n_A ab/√((1 + a²)(1 + b²)), in which nothing
+// cancels however small it is.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -42,7 +43,8 @@ GONIO_FORCE_INLINE void make_perpendicular(vec3<S>& u, vec3<S>& v) {
     u = turned_u;
 }
 
-// Boosts a and u until they are perpendicular; how far they were from it, the boost's hyperbolic tangent.
+// Boosts a and u until they are perpendicular. Returns how far they were from perpendicular: the boost's hyperbolic
+// tangent.
 template<class S>
 GONIO_FORCE_INLINE S boost(vec3<S>& a, vec3<S>& u) {
     constexpr double least = 1e-36;
@@ -60,7 +62,7 @@ GONIO_FORCE_INLINE S boost(vec3<S>& a, vec3<S>& u) {
     return simd::abs(t);
 }
 
-// A cone on its axes.
+// A cone in its own axes.
 template<class S>
 struct LtcCone {
     vec3<S> a, u, v;
@@ -68,13 +70,13 @@ struct LtcCone {
 
     // p(t) = a + u cos t + v sin t, right-handed: a·(u × v) > 0.
     GONIO_FORCE_INLINE LtcCone(vec3<S> center, vec3<S> cosine, vec3<S> sine) : a(center), u(cosine), v(sine) {
-        constexpr int sweeps = __is_same(S, double) ? 6 : 3; // tested: 3 leave 1e-5 of what is subtended at most
+        constexpr int sweeps = __is_same(S, double) ? 6 : 3; // tested: 3 leave at most 1e-5 of the subtended angle
         make_perpendicular(u, v);
         for (int i = 0; i < sweeps; ++i) {
             const S by_u = boost(a, u);
             const S by_v = boost(a, v);
             make_perpendicular(u, v);
-            // What is left goes with the square.
+            // The remaining error is the square of this one.
             if (!simd::any(simd::max(by_u, by_v) > S(__is_same(S, double) ? 1e-9 : 3e-4))) break;
         }
         constexpr double least = 1e-36;
@@ -89,7 +91,7 @@ struct LtcCone {
         return S(pi) * a.z * share / simd::sqrt(a2);
     }
 
-    // From p on to q, both of the outline. `sliver`: the arc is shorter than its rounding.
+    // The arc from p to q, both on the outline. `sliver`: the arc is shorter than its rounding error.
     GONIO_FORCE_INLINE S arc(vec3<S> p, vec3<S> q, simd::mask_of<S> sliver) const {
         constexpr double tau = 6.28318530717958647693;
         constexpr double least = 1e-30;

@@ -1,10 +1,11 @@
-// The lobe of a BRDF as a linearly transformed cosine: a matrix that takes directions to where the lobe is a cosine.
+// The lobe of a BRDF as a linearly transformed cosine: a matrix that maps directions to a space where the lobe is a
+// cosine.
 //
 // E. Heitz, J. Dupuy, S. Hill, D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", ACM
-// Transactions on Graphics 35(4), 2016. The table is of this tree (fit/ltc.cpp). A lobe here keeps its sign: it is
-// normalised to 1 over the receiver's hemisphere z > 0, and where z' < 0 within it, it is (faintly) negative. So
-// what a light takes of it is one contour integral over the outline clipped at z = 0, and nothing is clipped after the
-// transform. Everything is finite for finite input.
+// Transactions on Graphics 35(4), 2016. The table comes from this tree (fit/ltc.cpp). A lobe here keeps its sign: it is
+// normalised to 1 over the receiver's hemisphere z > 0, and where z' < 0 within it, it is (slightly) negative. So the
+// share of a lobe that a light covers is one contour integral over the outline clipped at z = 0, and nothing is clipped
+// after the transform. Everything is finite for finite input.
 #pragma once
 
 #include <gonio/shading/brdf_sample.hpp>
@@ -16,7 +17,7 @@
 
 namespace gonio::shading {
 
-// In the frame x (where the mirrored view leans to), y, z (the normal), z' = slope·x + lift·z and so on.
+// In the frame x (towards which the mirrored view leans), y, z (the normal), z' = slope·x + lift·z and so on.
 template<class S>
 struct LtcLobe {
     S m00, m02, m11, m20, m22;
@@ -32,7 +33,7 @@ struct LtcLobe {
 
 namespace detail {
 
-// Of an entry's six numbers (LtcEntry), for n·v = μ and ‖n×v‖ = s; `width` is α, or 1 of a diffuse lobe.
+// The lobe of an entry's six numbers (LtcEntry), for n·v = μ and ‖n×v‖ = s; `width` is α, or 1 for a diffuse lobe.
 template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> lobe_from(S along, S raised, S across, S slant, S albedo, S grazing, S width, S mu, S s) {
     constexpr double least = 1e-18;
@@ -50,7 +51,7 @@ GONIO_FORCE_INLINE LtcLobe<S> lobe_from(S along, S raised, S across, S slant, S 
     return lobe;
 }
 
-// Between the four entries about (x, y), both in [0, 1], by their columns and rows.
+// Interpolates between the four entries about (x, y), both in [0, 1], by their columns and rows.
 template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> interpolated_lobe(const LtcEntry* table, std::size_t size, S x, S y, S width, S mu, S s) {
     using T = simd::value_of<S>;
@@ -107,8 +108,8 @@ GONIO_FORCE_INLINE S sine_of_cosine(S cosine) {
     return simd::sqrt(simd::max((S(1) - cosine) * (S(1) + cosine), S(0)));
 }
 
-// GGX with height-correlated Smith shadowing. α counts as at least 1e-4 and at most 1, n·v as in [0, 1]. `sine` is
-// ‖n×v‖: where n·v is near 1 it knows the mirrored direction to the last digit, which n·v does not.
+// GGX with height-correlated Smith shadowing. α is clamped to [1e-4, 1], n·v to [0, 1]. `sine` is ‖n×v‖: where n·v is
+// near 1, `sine` determines the mirrored direction to the last digit, and n·v does not.
 template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v, S sine) {
     const S a = simd::min(simd::max(alpha, S(1e-4)), S(1));
@@ -120,8 +121,8 @@ GONIO_FORCE_INLINE LtcLobe<S> ltc_ggx(S alpha, S n_dot_v) {
     return ltc_ggx(alpha, n_dot_v, sine_of_cosine(n_dot_v));
 }
 
-// The lobes of one α: what a whole array of surface points with the same α looks up, between two entries instead of
-// four.
+// The lobes of one α, for arrays of surface points with the same α: each lookup interpolates between two entries
+// instead of four.
 template<class S>
 class LtcGgxOfAlpha {
 public:
@@ -144,7 +145,7 @@ public:
         }
     }
 
-    // As ltc_ggx(α, n·v, ‖n×v‖), but for rounding.
+    // As ltc_ggx(α, n·v, ‖n×v‖), within rounding.
     GONIO_FORCE_INLINE LtcLobe<S> operator()(S n_dot_v, S sine) const {
         constexpr std::size_t lanes = simd::Traits<S>::lanes;
         constexpr auto last = static_cast<double>(ltc_ggx_size - 1);
@@ -173,7 +174,7 @@ private:
     simd::value_of<S> rows_[ltc_ggx_size][padded] = {};
 };
 
-// The renormalised Disney diffuse of albedo 1 (brdf_frostbite.hpp), whose linear roughness counts as in [0, 1].
+// The renormalised Disney diffuse of albedo 1 (brdf_frostbite.hpp); the linear roughness is clamped to [0, 1].
 template<class S>
 GONIO_FORCE_INLINE LtcLobe<S> ltc_diffuse(S linear_roughness, S n_dot_v) {
     const S mu = simd::min(simd::max(n_dot_v, S(0)), S(1));
@@ -181,7 +182,7 @@ GONIO_FORCE_INLINE LtcLobe<S> ltc_diffuse(S linear_roughness, S n_dot_v) {
                                      mu, sine_of_cosine(mu));
 }
 
-// x, y, z of the lobe's frame, and ‖n×v‖.
+// The axes x, y, z of the lobe's frame, and ‖n×v‖.
 template<class S>
 struct LtcFrame {
     vec3<S> x, y, z;
@@ -190,7 +191,7 @@ struct LtcFrame {
     GONIO_FORCE_INLINE vec3<S> operator()(vec3<S> p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
 };
 
-// `normal` and `view` (towards the eye) are unit. Any x perpendicular to the normal where both are the same.
+// `normal` and `view` (towards the eye) are unit. x is any vector perpendicular to the normal where both are the same.
 template<class S>
 GONIO_FORCE_INLINE LtcFrame<S> ltc_frame(vec3<S> normal, vec3<S> view) {
     const vec3<S> away = normal * dot(normal, view) - view;

@@ -1,12 +1,13 @@
-// What a light takes of a lobe: the integral of an LtcLobe over each shape, clipped by the receiver's horizon.
+// The share of a lobe that a light covers: the integral of an LtcLobe over each shape, clipped by the receiver's
+// horizon.
 //
-// In [0, 1], and 1 from inside a sphere or a tube: luminance towards the eye per luminance of the light is that times
-// the lobe's albedo. Poses are given in the lobe's frame (ltc_frame), so the horizon is z = 0. The outline is clipped
-// there, transformed, and integrated as in outline.hpp: great arcs stay great arcs, circles become elliptic cones
-// (ltc_cone.hpp), what the horizon cuts off is closed by an arc in the transformed horizon. In float and packs, the
-// lanes in which the sum would cancel (a tube that is small after the transform, or a disk that is seen at its edge,
-// cut by the horizon; what is all but touched) are evaluated in double. Finite and not negative for any finite input; a
-// shape without size gives 0.
+// In [0, 1], and 1 from inside a sphere or a tube: luminance towards the eye per luminance of the light is this share
+// times the lobe's albedo. Poses are given in the lobe's frame (ltc_frame), so the horizon is z = 0. The outline is
+// clipped there, transformed, and integrated as in outline.hpp: great arcs stay great arcs, circles become elliptic
+// cones (ltc_cone.hpp), and an arc in the transformed horizon closes the outline where the horizon cuts it. In float
+// and packs, lanes in which the sum would cancel are evaluated in double: a tube that is small after the transform, or
+// a disk seen edge-on, if the horizon cuts it; and a light that the receiver almost touches. Finite and not negative
+// for any finite input; a shape without size gives 0.
 #pragma once
 
 #include <gonio/shading/ltc_cone.hpp>
@@ -16,7 +17,7 @@ namespace gonio::shading {
 
 namespace detail {
 
-// A sum of arcs as a share of what is above the horizon.
+// A sum of arcs as a share of the lobe above the horizon.
 template<class S>
 GONIO_FORCE_INLINE S lobe_share(S integral, const LtcLobe<S>& lobe) {
     constexpr double pi = 3.14159265358979323846;
@@ -27,10 +28,11 @@ GONIO_FORCE_INLINE S lobe_share(S integral, const LtcLobe<S>& lobe) {
 template<class S>
 struct LtcSurvey {
     S integral;
-    simd::mask_of<S> hard; // to be asked for in double
+    simd::mask_of<S> hard; // to be evaluated in double
 };
 
-// Half of the transformed horizon's arc from where the outline sinks to where it rises, both transformed.
+// Half of the transformed horizon's arc from the point where the outline goes below the horizon to the point where it
+// rises again, both transformed.
 template<class S>
 GONIO_FORCE_INLINE S ltc_closing(const LtcLobe<S>& lobe, vec3<S> sink, vec3<S> rise) {
     return lobe.horizon_z * horizon_arc(sink, rise - sink, lobe.horizon());
@@ -41,7 +43,7 @@ template<class S>
 struct CircleCut {
     simd::mask_of<S> cut, below;
     S cos_middle, sin_middle; // the highest point
-    S cos_reach, sin_reach;   // what is above reaches from the middle to both sides
+    S cos_reach, sin_reach;   // the part above the horizon reaches this far from the middle to both sides
 
     GONIO_FORCE_INLINE CircleCut(S up, S by_u, S by_v) {
         constexpr double least = 1e-30;
@@ -63,7 +65,7 @@ struct CircleCut {
 // Below this size after the transform (the tangent of its half angle) the arcs of a cut outline would cancel.
 inline constexpr double least_ltc_size = 0.02;
 
-// ∫ over a flat patch of `area` (a vector), small as seen, about its centroid p; both transformed.
+// ∫ over a flat patch of `area` (a vector) about its centroid p, small as seen from the receiver; both transformed.
 template<class S>
 GONIO_FORCE_INLINE S ltc_patch(vec3<S> p, vec3<S> area) {
     constexpr double least = 1e-36;
@@ -71,8 +73,8 @@ GONIO_FORCE_INLINE S ltc_patch(vec3<S> p, vec3<S> area) {
     return (p.z * inverse) * (dot(p, area) * inverse);
 }
 
-// The cone about a + u cos t + v sin t, a·(u × v) > 0. Hard where it is cut and so flat that floats do not know where
-// on it the cut is: the ends of the arc are off by a rounding over the shorter axis.
+// The cone about a + u cos t + v sin t, a·(u × v) > 0. Hard where it is cut and so flat that floats cannot resolve
+// where the cut is: the ends of the arc are off by a rounding error over the shorter axis.
 template<class S>
 GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, vec3<S> u, vec3<S> v) {
     const CircleCut<S> horizon(a.z, u.z, v.z);
@@ -90,7 +92,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, ve
     const vec3<S> rise = at(horizon.cos_rise(), horizon.sin_rise());
     const auto sliver = horizon.cos_reach > S(__is_same(S, double) ? 0.99999999 : 0.9999);
     const S cut = cone.arc(rise, sink, sliver) + ltc_closing(lobe, sink, rise);
-    // A small one, and a sliver: the disk's segment above the horizon, x = −t … 1 of a unit disk's, at its centroid.
+    // A small circle, or a sliver: the disk's segment above the horizon, x = −t … 1 of a unit disk, at its centroid.
     const S t = -horizon.cos_reach;
     const S chord = horizon.sin_reach;
     const S segment = simd::mul_add(t, chord, simd::atan2_above(chord, horizon.cos_reach));
@@ -99,16 +101,17 @@ GONIO_FORCE_INLINE LtcSurvey<S> ltc_circle(const LtcLobe<S>& lobe, vec3<S> a, ve
     const S patch = ltc_patch(centroid, cross(u1, v1) * segment);
     constexpr double least = __is_same(S, double) ? 1e-8 : least_ltc_size * least_ltc_size;
     const auto small = simd::either(dot(u1, u1) + dot(v1, v1) < S(least), sliver);
-    // All but whole: the arc's span, just below 2π, could be rounded to just above 0.
+    // Almost whole: the arc's span, just below 2π, could be rounded to just above 0.
     const auto whole = horizon.cos_reach < S(__is_same(S, double) ? -0.99999999 : -0.9999);
     const auto cut_by_arc = simd::both(horizon.cut, !whole);
-    constexpr double flattest = 2e-4; // as good as 1e-3; from 1e-4 down errors grow to 1e-3 of the light's luminance
+    constexpr double flattest = 2e-4; // as good as 1e-3; below 1e-4 errors grow to 1e-3 of the light's luminance
     const auto flat = cone.v2 * cone.a2 < S(flattest * flattest) * (cone.a2 + cone.u2) * cone.u2;
     return {simd::select(cut_by_arc, simd::select(small, patch, cut), e),
             simd::both(simd::both(cut_by_arc, !small), flat)};
 }
 
-// The straight edge from p on to q, as far as it is above the horizon, and where it sinks or rises through it.
+// The part above the horizon of the straight edge from p to q, and where the edge goes below the horizon or rises above
+// it.
 template<class S>
 struct LtcEdge {
     vec3<S> from, to; // transformed; both the same where nothing is above
@@ -143,7 +146,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_sphere(const LtcLobe<S>& lobe, vec3<S
     const S distance = length(c);
     const S inverse = reciprocal_or_zero(distance);
     const S sine = simd::min(r * inverse, S(1));
-    // At the surface the cone is all but flat, not flat: it would not know its axis.
+    // At the surface the cone is almost flat, but not completely: otherwise its axis would be undefined.
     const S cosine = simd::max(simd::sqrt(simd::max(gap, S(0))) * inverse, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const vec3<S> l = select(distance > S(0), c * inverse, vec3<S>{S(0), S(0), S(1)});
     const TangentFrame<S> frame(l);
@@ -216,8 +219,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
     }
     S e = by_area;
     if (!simd::all(small)) {
-        // Corner by corner, counter-clockwise seen from outside the sphere of directions where the front is seen; from
-        // the centre, so that far edges keep their digits.
+        // Corner by corner, counter-clockwise seen from outside the sphere of directions where the front is seen;
+        // relative to the centre, so that far edges keep their digits.
         const vec3<S> p[4] = {x1 * S(-1) - y1, y1 - x1, x1 + y1, x1 - y1};
         const S up[4] = {c.z - x.z - y.z, c.z - x.z + y.z, c.z + x.z + y.z, c.z + x.z - y.z};
         const vec3<S> n = cross(y1, x1);
@@ -226,7 +229,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
         vec3<S> sink{S(0), S(0), S(0)};
         vec3<S> rises = sink;
         S sum = S(0);
-        S twice_area = S(0); // of what is above the horizon, over n², and its first moment
+        S twice_area = S(0); // of the part above the horizon, over n², and its first moment
         vec3<S> moment = sink;
         const auto add_area = [&](vec3<S> from, vec3<S> to) __attribute__((always_inline)) {
             const S triangle = dot(cross(from, to), n);
@@ -260,8 +263,8 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_rectangle(const LtcLobe<S>& lobe, vec
     return {simd::select(lit, sign * e, S(0)), simd::both(lit, close)};
 }
 
-// Evaluates lane by lane in double what `hard` says; Shape names what to evaluate. Inputs: the lobe's five entries and
-// the shape's numbers.
+// Evaluates the lanes marked `hard` one by one in double; Shape names what to evaluate. Inputs: the lobe's five entries
+// and the shape's numbers.
 template<class Shape, class S, std::size_t count>
 GONIO_FORCE_INLINE S finish_ltc(const LtcSurvey<S>& survey, const LtcLobe<S>& lobe, const S (&inputs)[count]) {
     S e = survey.integral;
@@ -313,16 +316,16 @@ GONIO_FORCE_INLINE S ltc_sphere(const LtcLobe<S>& lobe, vec3<S> center, S radius
         {lobe.m00, lobe.m02, lobe.m11, lobe.m20, lobe.m22, center.x, center.y, center.z, radius});
 }
 
-// A cap of directions about `toward` (unit), given sine and cosine of its angular radius, at most π/2.
+// A cap of directions about `toward` (unit), given the sine and cosine of its angular radius, at most π/2.
 template<class S>
 GONIO_FORCE_INLINE S ltc_cap(const LtcLobe<S>& lobe, vec3<S> toward, S sine, S cosine) {
-    // A hemisphere's cone is all but flat, not flat: it would not know its axis.
+    // A hemisphere's cone is almost flat, but not completely: otherwise its axis would be undefined.
     const S narrow = simd::max(cosine, S(__is_same(S, double) ? 1e-9 : 1e-4));
     const TangentFrame<S> frame(toward);
     return detail::lobe_share(detail::ltc_circle(lobe, toward * narrow, frame.x * sine, frame.y * sine).integral, lobe);
 }
 
-// A disk that emits towards +`axis` (unit), or to both sides. Behind its plane 0.
+// A disk that emits towards +`axis` (unit), or to both sides. 0 behind its plane.
 template<class S>
 GONIO_FORCE_INLINE S ltc_disk(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, bool two_sided = false) {
     return detail::finish_ltc<detail::LtcDiskInDouble>(

@@ -5,8 +5,8 @@
 
 namespace gonio::shading {
 
-// One lobe in the frame x (where the mirrored view leans to), y, z (the normal). With μ = n·v and s = √(1 − μ²) the
-// inverse of its matrix, times α (of the diffuse part: times 1), is
+// One lobe in the frame x (towards which the mirrored view leans), y, z (the normal). With μ = n·v and s = √(1 − μ²)
+// the inverse of its matrix, times α (for the diffuse part: times 1), is
 //
 //     ( along·μ + raised·s²   0        (raised·μ − along)·s )
 //     ( 0                     across   0                    )

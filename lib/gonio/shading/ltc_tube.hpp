@@ -1,5 +1,5 @@
-// What a capsule (a tube with hemispherical ends) takes of a lobe: ltc_share.hpp's integral over irradiance_tube.hpp's
-// outline, two great arcs and two arcs of the ends' circles.
+// The share of a lobe that a capsule (a tube with hemispherical ends) covers: ltc_share.hpp's integral over
+// irradiance_tube.hpp's outline, two great arcs and two arcs of the ends' circles.
 #pragma once
 
 #include <gonio/shading/ltc_share.hpp>
@@ -8,8 +8,8 @@ namespace gonio::shading {
 
 namespace detail {
 
-// What of an end's circle is on the outline (azimuths −h … h) and above the horizon: an arc, or two where the horizon
-// dips into it.
+// The part of an end's circle that is on the outline (azimuths −h … h) and above the horizon: one arc, or two where the
+// horizon dips into it.
 template<class S>
 struct LtcEnd {
     vec3<S> a, u, v; // transformed
@@ -46,7 +46,7 @@ struct LtcEnd {
     }
 };
 
-// Both end's axis p/d, u and v local and of unit length, sine and cosine of the circle's angle about the axis.
+// Takes the end's axis p/d, u and v (local, of unit length), and sine and cosine of the circle's angle about the axis.
 template<class S>
 GONIO_FORCE_INLINE LtcEnd<S> ltc_end(const LtcLobe<S>& lobe, vec3<S> axis, vec3<S> u, vec3<S> v, S sine, S cosine,
                                      S cos_h, S sin_h, simd::mask_of<S> start, simd::mask_of<S> end) {
@@ -111,7 +111,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> 
         e = simd::select(end, sphere.integral, e);
         hard = simd::both(end, sphere.hard);
     }
-    const S reach = simd::mul_add(half, simd::abs(axis.z), r); // over and under the centre
+    const S reach = simd::mul_add(half, simd::abs(axis.z), r); // above and below the centre
     const auto outside = simd::both(simd::both(exists, c.z > -reach), !within);
     if (simd::any(outside)) {
         const auto cut = c.z < reach;
@@ -156,7 +156,7 @@ GONIO_FORCE_INLINE LtcSurvey<S> survey_ltc_tube(const LtcLobe<S>& lobe, vec3<S> 
                                        point(f1, axis1, g1, z1, plus));
             const LtcEdge<S> edge_minus(up1_minus, up0_minus, point(f1, axis1, g1, z1, minus),
                                         point(f1, axis1, g1, z0, minus));
-            // Always inline: a lambda of the double form, kept apart, would be shared between instruction sets.
+            // Always inline: an out-of-line lambda of the double form would be shared between instruction sets.
             const auto end_of = [&](S along, S sense, simd::mask_of<S> start, simd::mask_of<S> stop)
                 __attribute__((always_inline)) {
                 const S distance = simd::sqrt(simd::mul_add(d, d, along * along));
@@ -211,7 +211,8 @@ struct LtcTubeInDouble {
 
 } // namespace detail
 
-// A cylinder of `length_m` about `center` along `axis` (unit), its ends half spheres of the same radius. Inside it 1.
+// A cylinder of `length_m` about `center` along `axis` (unit), with half spheres of the same radius as ends. 1 inside
+// it.
 template<class S>
 GONIO_FORCE_INLINE S ltc_tube(const LtcLobe<S>& lobe, vec3<S> center, vec3<S> axis, S radius, S length_m) {
     return detail::finish_ltc<detail::LtcTubeInDouble>(detail::survey_ltc_tube(lobe, center, axis, radius, length_m),

@@ -1,8 +1,8 @@
-// How much of a uniform sky an occluder leaves: the irradiance of the occluder, turned round.
+// The share of a uniform sky that an occluder leaves visible: the irradiance of the occluder, subtracted.
 //
-// A sky of luminance L gives a receiver π L. A body in front takes away what it would give if it shone with L, so
-// 1 − E/(π L) is left, exactly, horizon included: the occlusion volumes of Remember Me (DONTNOD, 2013) without their
-// approximation. Two bodies that overlap as seen from the receiver take their common part away twice.
+// A sky of luminance L gives a receiver π L. An object in front of it removes the irradiance that it would give if it
+// emitted L, so 1 − E/(π L) is left, exactly, horizon included: the occlusion volumes of Remember Me (DONTNOD, 2013)
+// without their approximation. If two objects overlap as seen from the receiver, their common part is subtracted twice.
 #pragma once
 
 #include <gonio/shading/irradiance_sphere.hpp>

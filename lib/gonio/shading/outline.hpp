@@ -2,9 +2,10 @@
 //
 // E/L [sr] = ½ ∮ n·(ω × dω) over the visible part of a uniform light, the outline taken counter-clockwise as seen from
 // outside the sphere (J. H. Lambert, "Photometria", 1760; D. R. Baum, H. E. Rushmeier, J. M. Winget, "Improving
-// Radiosity Solutions Through the Use of Analytically Determined Form-Factors", 1989). Each function here is the share
-// of one arc, the ½ included; n is unit. Where the receiver's horizon cuts the outline, the pieces above it are joined
-// by a `horizon_arc` from where the outline sinks to where it rises. Finite for finite input; nothing fails.
+// Radiosity Solutions Through the Use of Analytically Determined Form-Factors", 1989). Each function here returns the
+// contribution of one arc, the ½ included; n is unit. Where the receiver's horizon cuts the outline, the pieces above
+// it are joined by a `horizon_arc` from the point where the outline goes below the horizon to the point where it rises
+// again. Finite for finite input; nothing fails.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -14,8 +15,8 @@
 
 namespace gonio::shading {
 
-// Great arc from p to q = p + edge, of any length, p ≠ 0. Given the edge, the plane p × edge has no cancellation where
-// the light is far; 0 where p and edge are parallel.
+// Great arc from p to q = p + edge, of any length, p ≠ 0. Taking the edge as input, the plane p × edge does not cancel
+// where the light is far; 0 where p and edge are parallel.
 template<class S>
 GONIO_FORCE_INLINE S great_arc(vec3<S> p, vec3<S> edge, vec3<S> normal) {
     const vec3<S> plane = cross(p, edge);
@@ -32,8 +33,8 @@ GONIO_FORCE_INLINE S cap_arc(S sin_sigma, S cos_sigma, S n_a, S n_u, S n_v, S ph
     return S(0.5) * sin_sigma * (sin_sigma * (phi1 - phi0) * n_a - cos_sigma * slanted);
 }
 
-// Half the angle from p to q = p + step about the normal, in [0, π/2]. Both lie on the horizon but for rounding: what
-// takes them off it is left out, as between opposite points it would be the whole error.
+// Half the angle from p to q = p + step about the normal, in [0, π/2]. Both lie on the horizon within rounding: their
+// components off the horizon are ignored, because between opposite points they would make up the whole error.
 template<class S>
 GONIO_FORCE_INLINE S horizon_arc(vec3<S> p, vec3<S> step, vec3<S> normal) {
     const vec3<S> q = p + step;
@@ -49,23 +50,24 @@ GONIO_FORCE_INLINE S clamp_irradiance(S e) {
     return simd::min(simd::max(e, S(0)), S(3.14159265358979323846));
 }
 
-// The vector less its part along the unit vector `axis`, twice, so that what is left of it is rounding of the rest.
+// The vector minus its component along the unit vector `axis`, subtracted twice, so that only the rounding error of the
+// rest is left along the axis.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> perpendicular(vec3<S> v, vec3<S> axis) {
     const vec3<S> once = v - axis * dot(axis, v);
     return once - axis * dot(axis, once);
 }
 
-// What a form gives in straight code, without the call of a function (packets would keep their numbers in memory for
-// its sake), and the lanes that are left for others.
+// The result of a form in straight code, without a function call (for which packets would have to keep their numbers in
+// memory), and the lanes that it leaves to other forms.
 template<class S>
 struct Survey {
     S irradiance;
-    simd::mask_of<S> hard; // to be asked for otherwise, in double: the receiver all but touches the light
+    simd::mask_of<S> hard; // to be evaluated otherwise, in double: the receiver almost touches the light
 };
 
 // `easy` where `hard` is false; elsewhere Exact::evaluate in double, lane by lane, on the same float inputs: for
-// receivers that all but touch the light. A function of its own, so that other packets do not carry its burden.
+// receivers that almost touch the light. A separate function, so that other packets do not bear its cost.
 template<class Exact, class S, std::size_t count>
 [[gnu::noinline]] S in_double(simd::mask_of<S> hard, S easy, const S (&inputs)[count]) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;

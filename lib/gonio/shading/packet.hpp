@@ -1,4 +1,4 @@
-// Packets of the kernels' arrays, and the kernels' constants spread over lanes.
+// Packets from the kernels' arrays, and the kernels' constants spread over lanes.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
@@ -79,8 +79,8 @@ GONIO_FORCE_INLINE void constants(const LightConstants& from, SunLight<S>& to) {
 template<template<class> class Light>
 struct OfKind {};
 
-// work(OfKind<SphereLight>{}) and so on; not for a punctual light or a sun. The one place that knows which light of the
-// core a kind is.
+// Calls work(OfKind<SphereLight>{}) and so on; not for a punctual light or a sun. The only place that maps a kind to a
+// light of the core.
 template<class Work>
 GONIO_FORCE_INLINE void with_area_light(LightConstants::Kind kind, const Work& work) {
     switch (kind) {
@@ -100,7 +100,7 @@ GONIO_FORCE_INLINE void with_area_light(LightConstants::Kind kind, const Work& w
     }
 }
 
-// work(light), of the light's own type; not for a punctual one.
+// Calls work(light) with the light's own type; not for a punctual light.
 template<class S, class Work>
 GONIO_FORCE_INLINE void with_light(const LightConstants& from, const Work& work) {
     const auto spread = [&]<template<class> class Light>(OfKind<Light>) {
@@ -122,7 +122,7 @@ GONIO_FORCE_INLINE vec3<S> load_view(const Packet<S>& /*packet*/, const Surfaces
     return {S(0), S(0), S(0)};
 }
 
-// One receiver a lane, from `first` on; without the view.
+// One receiver per lane, from `first` on; without the view.
 template<class S>
 GONIO_FORCE_INLINE SurfacePoint<S> receiver(const Surfaces& surfaces, std::size_t first) {
     SurfacePoint<S> point;
@@ -148,7 +148,7 @@ GONIO_FORCE_INLINE Surfaces part_of(const Surfaces& all, std::size_t first, std:
     return part;
 }
 
-// The same with the view, where there is one.
+// The same with the view, if there is one.
 template<class S>
 GONIO_FORCE_INLINE Surfaces seen_part_of(const Surfaces& all, std::size_t first, std::size_t count) {
     Surfaces part = part_of<S>(all, first, count);
@@ -157,7 +157,7 @@ GONIO_FORCE_INLINE Surfaces seen_part_of(const Surfaces& all, std::size_t first,
     return part;
 }
 
-// The receivers from `first` on, fewer than a packet, and the last of them repeated.
+// The receivers from `first` on, fewer than a packet; the last one is repeated to fill it.
 template<class S>
 struct PaddedPacket {
     static constexpr std::size_t lanes = simd::Traits<S>::lanes;

@@ -1,4 +1,4 @@
-// What a surface sends to the eye of light that comes from one direction.
+// The light that a surface reflects towards the eye, from one direction.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
@@ -14,7 +14,7 @@ struct SurfacePoint {
     vec3<S> view;     // unit, towards the eye; not read for Lambert
 };
 
-// What a BRDF is asked with.
+// The light that a BRDF is evaluated for.
 template<class S>
 struct Incidence {
     S lx;           // per unit of the light's colour
@@ -23,15 +23,16 @@ struct Incidence {
 
 namespace detail {
 
-// The diffuse part of a light that is partly above the horizon is asked for just above it, if its centre is below.
+// If the centre of a light that is partly above the horizon is below it, the diffuse part is evaluated just above the
+// horizon.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> above_horizon(vec3<S> n, vec3<S> l) {
     constexpr double least = 1e-6;
     return normalized(l + n * simd::max(S(least) - dot(n, l), S(0)));
 }
 
-// What a material scatters [1/sr] in all directions of light from `l`: of its two parts what is no glossy lobe. Light
-// that is scattered more than once counts as specular.
+// The part without a glossy lobe, of the two parts that a material scatters [1/sr], for light from `l`. Light that is
+// scattered more than once counts as specular.
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> scattered(const SurfacePoint<S>& point, const Material<S>& material, vec3<S> l) {
     const vec3<S> none{S(0), S(0), S(0)};
@@ -54,7 +55,7 @@ GONIO_FORCE_INLINE vec3<S> reflect(const SurfacePoint<S>& point, const Material<
                                    const Incidence<S>& light) {
     return brdf(material, point.normal, light.toward, point.view) * light.lx;
 }
-// The same for the material that most surfaces have, in fewer steps.
+// The same for the most common material, in fewer steps.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> reflect(const SurfacePoint<S>& point, const Frostbite<S>& material,
                                    const Incidence<S>& light) {

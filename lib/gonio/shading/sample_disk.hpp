@@ -1,15 +1,15 @@
-// Directions towards an oriented disk, whose outline is a spherical ellipse.
+// Directions towards an oriented disk: its outline is a spherical ellipse.
 //
-// The bisector of the nearest and the farthest point of the rim is an axis of the oblique cone; a plane across it at
-// the distance 1 cuts the cone in an ellipse with the half axes a and b, whose points are (a r cos φ, b r sin φ). Along
-// r the map is even over solid angle in closed form, 1 − 1/√(1 + ρ²r²) with ρ² = a² cos²φ + b² sin²φ; what a wedge dφ
-// holds is g(φ) = a b (1 − 1/√(1 + ρ²))/ρ². With tan φ = κ tan ψ, κ such that both ends of a quarter hold as much of
-// g dφ/dψ, what is left to vary is within a few percent even where the ellipse is wide and long; ψ is drawn from a step
-// function that follows it, so that the density is exact (I. Guillén et al., "Area-Preserving Parameterizations for
-// Spherical Ellipses", Computer Graphics Forum 36(4), 2017, invert an elliptic integral instead).
+// The bisector of the nearest and the farthest point of the rim is an axis of the oblique cone. A plane across it at
+// the distance 1 cuts the cone in an ellipse with the half axes a and b and the points (a r cos φ, b r sin φ). Along r
+// the map is uniform over solid angle in closed form, 1 − 1/√(1 + ρ²r²) with ρ² = a² cos²φ + b² sin²φ; a wedge dφ
+// contains g(φ) = a b (1 − 1/√(1 + ρ²))/ρ². With tan φ = κ tan ψ, and κ such that g dφ/dψ is equal at both ends of a
+// quarter, the remaining variation is within a few percent even if the ellipse is wide and long. ψ is drawn from a step
+// function that follows this variation, so that the density is exact (I. Guillén et al., "Area-Preserving
+// Parameterizations for Spherical Ellipses", Computer Graphics Forum 36(4), 2017, invert an elliptic integral instead).
 //
-// In the disk's plane: inside the rim the cone has opened to the hemisphere before the emitting side, all directions of
-// which are drawn evenly; on the rim and outside nothing is seen. So it is with −0 as with +0.
+// In the disk's plane: inside the rim the cone has opened to the hemisphere in front of the emitting side, and all its
+// directions are drawn uniformly; on the rim and outside nothing is seen. −0 behaves as +0.
 #pragma once
 
 #include <gonio/shading/sample_light.hpp>
@@ -22,21 +22,22 @@ namespace gonio::shading {
 template<class S>
 class DiskSampler {
 public:
-    // Of either side: the receiver is before whichever it sees, in the plane before the one that `axis` points from.
+    // Either side: the receiver is in front of the side it sees; in the plane, of the side that `axis` points away
+    // from.
     DiskSampler(vec3<S> center, vec3<S> axis, S radius) {
         vec3<S> w = axis * S(-1);
         S z = dot(w, center);
         if (z < S(0)) w = axis;
-        z = simd::abs(z); // −0 too
+        z = simd::abs(z); // makes −0 positive too
         const vec3<S> flat = center - w * z;
         const S x = length(flat);
-        // Near the axis what is left of the way along the disk is rounding, and need not lie in it.
+        // Near the axis the remaining component along the disk is rounding error, and may not lie in the disk.
         const vec3<S> way = normalized(flat);
         const vec3<S> in_plane = way - w * dot(w, way);
         const vec3<S> u = length(in_plane) > S(0.5) ? normalized(in_plane) : detail::Across<S>(w).x;
         short_ = cross(w, u);
-        // The rim's nearest and farthest point in the plane of w and u, and their bisector. Inside the rim their ways
-        // along u point apart and cancel; what is left of the sum is formed over z.
+        // The rim's nearest and farthest point in the plane of w and u, and their bisector. Inside the rim their
+        // components along u have opposite signs and cancel; the remaining sum is computed over z.
         const S far = x + radius;
         const S near = x - radius;
         const S far_length = simd::sqrt(far * far + z * z);
@@ -46,9 +47,9 @@ public:
                     ? normalized(u * (S(4) * x * radius * z / (far * near_length - near * far_length)) + w * both)
                     : normalized(u * (far * near_length + near * far_length) + w * (z * both));
         long_ = cross(short_, axis_);
-        // Between the two: sine and cosine of the angle, by the product h of the lengths. The axis meets the disk where
-        // it divides the chord as the lengths are to each other, so h has the half chord across it as well:
-        // a = tan of half the angle, b = √2 r/√(h + cosine).
+        // Sine and cosine of the angle between the two, times the product h of the lengths. The axis meets the disk
+        // where it divides the chord in the ratio of the lengths, so h also gives the half chord across it: a = tan of
+        // half the angle, b = √2 r/√(h + cosine).
         const S sine = S(2) * radius * z;
         const S cosine = near * far + z * z;
         const S h = far_length * near_length;
@@ -71,10 +72,10 @@ public:
             share = share / sum;
     }
 
-    // Where nothing is seen the density is 0, and the direction that to the centre.
+    // Where nothing is seen, the density is 0 and the direction is that to the centre.
     LightSample<S> sample(S u0, S u1) const {
         if (!seen_) return {axis_, S(0)};
-        // A quarter, then a step of it.
+        // Chooses a quarter, then a step of it.
         const S four = S(4) * u0;
         const S quarter = four < S(1) ? S(0) : four < S(2) ? S(1) : four < S(3) ? S(2) : S(3);
         const S u = four - quarter;
@@ -113,10 +114,10 @@ public:
     }
 
 private:
-    static constexpr std::size_t steps = 16; // of a quarter
-    // Of a and b: what is cut off a hemisphere is a share of 1/widest.
+    static constexpr std::size_t steps = 16; // per quarter
+    // Limit of a and b: cuts off a share of 1/widest of a hemisphere.
     static constexpr S widest = __is_same(S, double) ? S(1e12) : S(1e6);
-    // Of a b: where densities would overflow.
+    // Limit of a b, below which densities would overflow.
     static constexpr S least_seen = __is_same(S, double) ? S(1e-280) : S(1e-30);
 
     struct Turned {
@@ -129,12 +130,12 @@ private:
         const S root = simd::sqrt(S(1) + rho2);
         return rho2 / (root * (root + S(1)));
     }
-    // g over a b.
+    // g divided by a b.
     static S wedge_of(S rho2) {
         const S root = simd::sqrt(S(1) + rho2);
         return S(1) / (root * (root + S(1)));
     }
-    // At ψ as a share of a quarter turn.
+    // The direction at ψ, given as a share of a quarter turn.
     Turned direction_of(S share) const {
         const S psi = S(0.5 * std::numbers::pi) * share;
         const S c = simd::cos(psi);
@@ -142,7 +143,7 @@ private:
         const S inverse = S(1) / simd::sqrt(c * c + s * s);
         return {c * inverse, s * inverse};
     }
-    // g dφ/dψ over a b.
+    // g dφ/dψ divided by a b.
     S wedge(Turned at) const {
         return wedge_of(square(a_ * at.c) + square(b_ * at.s)) * (square(kappa_ * at.c) + square(at.s)) / kappa_;
     }
@@ -154,7 +155,7 @@ private:
 
     vec3<S> axis_, long_, short_;
     S a_, b_, kappa_;
-    bool seen_; // all but the axis is meaningless where it is not
+    bool seen_; // if false, only axis_ is meaningful
     S up_to_[steps];
 };
 

@@ -1,13 +1,14 @@
-// Directions drawn towards a light with a size, each with its density over solid angle.
+// Directions drawn towards an area light, each with its density over solid angle.
 //
-// One sampler for each shape, made once for a light and a receiver and asked as often as wanted:
+// There is one sampler for each shape, constructed once for a light and a receiver and used any number of times:
 //
 //   sample(u0, u1)      a unit direction within the light's outline, for two numbers in [0, 1), and its density [1/sr]
 //   pdf(direction)      the density of sample() there; 0 outside the outline
 //
-// Densities integrate to 1 over the outline, whether the receiver's horizon cuts it or not. They are as even over the
-// solid angle as each header says, so that an estimate's variance is that of what is estimated. For float and double.
-// Lengths are metres from the receiver to the light's centre; axes are unit. Radii and lengths are > 0.
+// Densities integrate to 1 over the outline, whether the receiver's horizon cuts it or not. Each header states how
+// uniform they are over the solid angle; the closer to uniform, the closer an estimate's variance is to that of the
+// integrand. For float and double. Lengths are in metres from the receiver to the light's centre; axes are unit. Radii
+// and lengths are > 0.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>

@@ -1,13 +1,13 @@
-// Directions towards a rectangle: even over its solid angle (C. Ureña, M. Fajardo, A. King, "An Area-Preserving
+// Directions towards a rectangle: uniform over its solid angle (C. Ureña, M. Fajardo, A. King, "An Area-Preserving
 // Parametrization for Spherical Rectangles", Computer Graphics Forum 32(4), 2013).
 //
-// The solid angle is a sum of four angles, here arctangents, that cancels for far rectangles: they are drawn by area
-// instead, with the density d²/(A cos) that this has; there it is even enough, and exact. The map is ill-conditioned
-// for rectangles that fill their half of the sky. They are drawn about their foot, evenly in azimuth and then in solid
-// angle as far as the edge reaches, which is within 4 % of even, and exact.
+// The solid angle is a sum of four angles, here arctangents, that cancel for far rectangles. Those are sampled by area
+// instead, with the resulting density d²/(A cos), which is nearly uniform there, and exact. The map is ill-conditioned
+// for rectangles that fill their half of the sky. Those are sampled about their foot, uniformly in azimuth and then in
+// solid angle up to the edge, which is within 4 % of uniform, and exact.
 //
-// In the rectangle's plane: inside the outline that is the hemisphere before the emitting side, whose directions are
-// drawn evenly; on the outline and outside nothing is seen. So it is with −0 as with +0.
+// In the rectangle's plane: inside the outline it is the hemisphere in front of the emitting side, and its directions
+// are drawn uniformly; on the outline and outside nothing is seen. −0 behaves as +0.
 #pragma once
 
 #include <gonio/shading/sample_light.hpp>
@@ -19,7 +19,7 @@ namespace gonio::shading {
 template<class S>
 class RectangleSampler {
 public:
-    // Of either side: the receiver is before whichever it sees, in the plane before the emitting one. `width_direction`
+    // Either side: the receiver is in front of the side it sees; in the plane, of the emitting side. `width_direction`
     // is perpendicular to the axis.
     RectangleSampler(vec3<S> center, vec3<S> axis, vec3<S> width_direction, S width, S height)
         : x_(width_direction), y_(cross(axis, width_direction)), z_(axis) {
@@ -39,7 +39,7 @@ public:
         solid_angle_ = corner(x1_, y1_) - corner(x0_, y1_) - corner(x1_, y0_) + corner(x0_, y0_);
         b0_ = -y0_ / simd::sqrt(y0_ * y0_ + z0_ * z0_);
         b1_ = y1_ / simd::sqrt(y1_ * y1_ + z0_ * z0_);
-        // 2π less the angles at the two corners of x0.
+        // 2π minus the angles at the two corners of x0.
         k_ = S(std::numbers::pi) + corner(x0_, y1_) - corner(x0_, y0_);
         const bool over = x0_ < S(0) && x1_ > S(0) && y0_ < S(0) && y1_ > S(0);
         const S reach = simd::max(simd::max(x1_, -x0_), simd::max(y1_, -y0_));
@@ -51,10 +51,10 @@ public:
             map_ = solid_angle_ > least_even && solid_angle_ < most_even ? Map::even : Map::by_area;
     }
 
-    // Of the rectangle, to about the last digits of 2π.
+    // The rectangle's solid angle, accurate to about the last digits of 2π.
     S solid_angle() const { return solid_angle_; }
 
-    // Where nothing is seen the density is 0, and the direction that to the middle.
+    // Where nothing is seen, the density is 0 and the direction is that to the middle.
     LightSample<S> sample(S u0, S u1) const {
         if (map_ == Map::nothing) return {normalized(x_ * (S(0.5) * (x0_ + x1_)) + y_ * (S(0.5) * (y0_ + y1_))), S(0)};
         if (map_ == Map::about_the_foot) return about_the_foot(u0, u1);
@@ -96,10 +96,10 @@ public:
     }
 
 private:
-    // What cancels in the solid angle is below 1e-3 of it in float, 1e-7 in double.
+    // Above it, the cancellation error of the solid angle is below 1e-3 of it in float, 1e-7 in double.
     static constexpr S least_even = __is_same(S, double) ? S(1e-8) : S(3e-4);
     static constexpr S most_even = S(6.22);
-    // Of the height over the plane to the way along it: where densities would overflow.
+    // Limit of the height over the plane relative to the distance along it, below which densities would overflow.
     static constexpr S least_slope = __is_same(S, double) ? S(1e-280) : S(1e-30);
 
     enum class Map { even, by_area, about_the_foot, nothing };
@@ -116,7 +116,7 @@ private:
 
     // 1 − cos of the angle from the foot to the edge in the direction (c, s) along the rectangle.
     S fall(S c, S s) const {
-        S edge2 = S(-1); // squared way to the edge
+        S edge2 = S(-1); // squared distance to the edge
         const auto nearer = [&](S to, S along) {
             if (along == S(0)) return;
             const S way = to / along;

@@ -1,4 +1,4 @@
-// Directions towards a sphere, or any circular cap: even over its solid angle.
+// Directions towards a sphere, or any circular cap: uniform over its solid angle.
 #pragma once
 
 #include <gonio/shading/sample_light.hpp>
@@ -7,7 +7,7 @@
 
 namespace gonio::shading {
 
-// 1 − cos σ is formed from sin²σ, so that far spheres keep their digits. From inside, all directions see the sphere;
+// 1 − cos σ is computed from sin²σ, so that far spheres keep their digits. From inside, all directions meet the sphere;
 // on its surface, the hemisphere about the centre.
 template<class S>
 class SphereSampler {
@@ -25,7 +25,7 @@ public:
         }
     }
 
-    // The directions on the side of a plane through the receiver to which the unit `axis` points.
+    // The directions on the side of a plane through the receiver that the unit `axis` points to.
     static SphereSampler hemisphere(vec3<S> axis) {
         SphereSampler half({S(0), S(0), S(0)}, S(1));
         half.axis_ = axis;

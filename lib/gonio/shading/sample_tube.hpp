@@ -1,9 +1,9 @@
-// Directions towards a capsule: a mixture of its ends' cones and of what is seen of its side.
+// Directions towards a capsule: a mixture of its ends' cones and the visible part of its side.
 //
-// The great arcs of the outline join the touching points of two tangent planes, which are the corners of a flat
-// rectangle; what is seen is that rectangle and both ends. Each of the three is drawn evenly, in proportion to its
-// solid angle, so the density is the number of them that a direction meets over the sum of their solid angles: between
-// once and three times that of an even one.
+// The great arcs of the outline join the touching points of two tangent planes. These points are the corners of a flat
+// rectangle, and the visible part is that rectangle and both ends. Each of the three is sampled uniformly, in
+// proportion to its solid angle. The density is therefore the number of them that a direction meets, divided by the sum
+// of their solid angles: between one and three times a uniform density.
 #pragma once
 
 #include <gonio/shading/sample_rectangle.hpp>
@@ -35,7 +35,7 @@ public:
         } else if (along > half || along < -half) {
             weights_[along > S(0) ? 1 : 0] = S(0); // within the prolonged tube the nearer end hides the rest
         } else {
-            // Inside the first end's sphere is all directions; on the side it is those before the tangent plane.
+            // Inside the first end's sphere: all directions. On the side: the directions in front of the tangent plane.
             weights_[1] = S(0);
             ends_[0] = d < radius ? SphereSampler<S>({S(0), S(0), S(0)}, radius)
                                   : SphereSampler<S>::hemisphere(to_line * (S(1) / d));
@@ -56,7 +56,7 @@ public:
         if (!(weights_[part] > S(0))) part = weights_[0] > S(0) ? 0 : 1;
         const S within = simd::min(simd::max(u / weights_[part], S(0)), S(below_1));
         const LightSample<S> drawn = part < 2 ? ends_[part].sample(within, u1) : side_.sample(within, u1);
-        // A direction drawn belongs to its part whatever rounding says of the outline.
+        // A sampled direction belongs to its part even if rounding puts it outside the outline.
         S pdf_here = weights_[part] * drawn.pdf;
         for (std::size_t other = 0; other < 3; ++other)
             if (other != part) pdf_here = pdf_here + part_pdf(other, drawn.direction);
@@ -75,7 +75,7 @@ private:
     }
 
     SphereSampler<S> ends_[2];
-    RectangleSampler<S> side_;          // anything where its weight is 0
+    RectangleSampler<S> side_;          // arbitrary where its weight is 0
     S weights_[3] = {S(0), S(0), S(0)}; // of the ends and the side, their sum 1
 };
 

@@ -1,12 +1,12 @@
-// What a receiver sees of a light: the light itself, or another that has the same cone of directions.
+// The light as a receiver sees it: the light itself, or another that has the same cone of directions.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
 
 namespace gonio::shading {
 
-// A light that is another one for every receiver, as an ellipse is a disk: `seen_from(to_center)` gives that, without a
-// window, and `to_center` of it.
+// A light that is equivalent to another light for every receiver, as an ellipse is to a disk: `seen_from(to_center)`
+// returns the other light, without a window, and the `to_center` of it.
 template<class Light, class S>
 concept SeenAsAnother = requires(const Light& light, vec3<S> to_center) {
     light.seen_from(to_center);

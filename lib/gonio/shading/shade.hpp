@@ -1,11 +1,11 @@
 // One surface point lit by one light: outgoing luminance, as templates on the scalar.
 //
-// With double this is the truth that the kernels are tested against and what numbers are probed with; with packs it is
-// what kernels.cpp runs. Light and material are types, so each pair is its own straight code.
-// Results are finite and not negative for any finite input; illuminance ends at `illuminance_ceiling`.
+// With double this is the reference that the kernels are tested against and the source of probed numbers; with packs it
+// is what kernels.cpp runs. Light and material are types, so each pair compiles to its own straight code. Results are
+// finite and not negative for any finite input; illuminance is limited to `illuminance_ceiling`.
 //
-// Under a light with a size the diffuse part takes the exact irradiance, its factors of direction the mean over a few
-// points of the light (light_points.hpp), and the glossy part is specular_named.hpp's, by the method asked for.
+// Under an area light the diffuse part uses the exact irradiance; its directional factors are the mean over a few
+// points of the light (light_points.hpp). The glossy part comes from specular_named.hpp, by the selected method.
 #pragma once
 
 #include <gonio/shading/direction.hpp>
@@ -43,8 +43,8 @@ GONIO_FORCE_INLINE Incidence<S> incidence(const SurfacePoint<S>& point, const Pu
     return {illuminance(point, light), d.scaled * d.inverse_distance};
 }
 
-// What `scattered` is over a light, by the irradiance of its points above the horizon; towards the centre, raised to
-// the horizon, where none is.
+// The mean of `scattered` over a light, weighted by the irradiance of its points above the horizon; where no point is
+// above it, the value towards the centre, raised to the horizon.
 template<class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, const Light& light,
                                                const Material<S>& material) {
@@ -80,7 +80,7 @@ GONIO_FORCE_INLINE Reflected<S> mean_scattered(const SurfacePoint<S>& point, con
         return mean;
     }
 }
-// The same, of one channel where all are alike.
+// The same, computed for one channel if all channels are alike.
 template<class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> scattered_under(const SurfacePoint<S>& point, const Light& light,
                                                 const Material<S>& material) {
@@ -108,7 +108,7 @@ GONIO_FORCE_INLINE vec3<S> glossy_part(const SurfacePoint<S>& point, const Light
 
 } // namespace detail
 
-// Outgoing luminance [nt] of the three channels, of the two parts of a material.
+// Outgoing luminance [nt] of the three channels, for the two parts of a material.
 template<SpecularMethod method = standard_specular_method, class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const Light& light,
                                             const Material<S>& material) {
@@ -127,7 +127,7 @@ GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const 
     }
 }
 
-// Both parts together; Lambert's does not read the view.
+// The sum of both parts; for Lambert it does not read the view.
 template<SpecularMethod method = standard_specular_method, class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE vec3<S> shade(const SurfacePoint<S>& point, const Light& light, const Material<S>& material) {
     if constexpr (__is_same(Material<S>, Lambert<S>)) {

@@ -1,9 +1,10 @@
-// The exact irradiance of many receivers, those that share a packet sorted by what their horizon does to the light.
+// The exact irradiance of many receivers, sorted so that those in a packet have a similar horizon relative to the
+// light.
 //
-// A packet takes the time of the dearest of its lanes, so lanes that the horizon cuts, lanes that see all of the light
-// and lanes that see nothing should not share one. Receivers are taken by blocks and told apart by height and reach,
-// and before a tube by where they are. A block of one kind is computed where it lies; of others the receivers are
-// copied into a queue for each kind and packed full. Which packet a receiver gets into depends on the arrays alone.
+// A packet takes as long as the slowest of its lanes, so lanes that the horizon cuts, lanes that see all of the light
+// and lanes that see nothing should not share one. Receivers are taken in blocks and classified by height and reach,
+// and for a tube also by their position. A block of one kind is computed in place; otherwise the receivers are copied
+// into one queue per kind and packed full. Which packet a receiver gets into depends on the arrays alone.
 #pragma once
 
 #include <gonio/shading/irradiance_area.hpp>
@@ -23,7 +24,7 @@ inline constexpr bool is_tube = false;
 template<class S>
 inline constexpr bool is_tube<TubeLight<S>> = true;
 
-// The integers first, first + 1, … as bits of lanes, to be stored and moved but not calculated with.
+// The integers first, first + 1, … as bits of lanes, to be stored and moved but not used in arithmetic.
 template<class S>
 GONIO_FORCE_INLINE S places(std::size_t first) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
@@ -40,8 +41,8 @@ GONIO_FORCE_INLINE std::size_t place_of(float bits) {
     return static_cast<std::size_t>(__builtin_bit_cast(std::int32_t, bits));
 }
 
-// So cheap above the horizon that telling the kinds apart would take as long: all are computed so, and only the cut
-// ones are copied.
+// True if the form above the horizon is so cheap that classification would take as long: all receivers are computed
+// that way, and only those that the horizon cuts are copied.
 template<class Light>
 inline constexpr bool is_cheap_above = false;
 template<class S>
@@ -69,7 +70,7 @@ GONIO_FORCE_INLINE S reach(const TubeLight<S>& light, vec3<S> normal) {
     return simd::mul_add(along, S(0.5) * simd::abs(light.length), simd::abs(light.radius));
 }
 
-// Receivers of one kind from here and there. S: what they will be computed with.
+// Receivers of one kind, gathered from several places. S: the type used to compute them.
 template<class S>
 struct ReceiverQueue {
     std::size_t count = 0;
@@ -77,12 +78,12 @@ struct ReceiverQueue {
     static constexpr std::size_t rows = 7;
     float values[rows * queue_length];
 
-    // What lies beyond `count` is not read, and filling it would take as long as a packet.
+    // Values beyond `count` are not read, and filling them would take as long as a packet.
     ReceiverQueue() {} // NOLINT(*-member-init, *-use-equals-default)
 
     GONIO_FORCE_INLINE void add(std::uint32_t lanes_chosen, const SurfacePoint<S>& point, S places) {
         const simd::Choice<S> which(lanes_chosen);
-        // Packets may be stored over anything, `count` too for all that the compiler knows.
+        // A local pointer: for all the compiler knows, storing a packet may overwrite anything, including `count`.
         float* const to = row(0) + count;
         simd::store_chosen(which, point.position.x, to);
         simd::store_chosen(which, point.position.y, to + queue_length);
@@ -94,20 +95,20 @@ struct ReceiverQueue {
         count += simd::bit_count(lanes_chosen);
     }
 
-    // The last receiver repeated until a packet is full, and beyond.
+    // Repeats the last receiver until a packet is full, and beyond.
     void pad() {
         for (std::size_t k = 0; k < rows; ++k)
             simd::store(S(row(k)[count - 1]), row(k) + count);
     }
 
-    // All but fewer than a packet.
+    // Drops all but fewer than a packet.
     void drop(std::size_t first_ones) {
         for (std::size_t k = 0; k < rows; ++k)
             copy(row(k) + first_ones, row(k));
         count -= first_ones;
     }
 
-    // Fewer than a packet.
+    // Takes fewer than a packet.
     void append(const ReceiverQueue& other) {
         for (std::size_t k = 0; k < rows; ++k)
             copy(other.row(k), row(k) + count);
@@ -127,7 +128,7 @@ struct ReceiverQueue {
     }
 
 private:
-    // A packet; what lies beyond the last receiver is not read.
+    // Copies a packet; values beyond the last receiver are not read.
     GONIO_FORCE_INLINE static void copy(const float* from, float* to) {
         S packet;
         simd::load(from, packet);
@@ -148,9 +149,9 @@ template<class S, template<class> class Light>
     return static_cast<float>(illuminance(point, light));
 }
 
-// What a block is sorted into; what is left is dark. `plain`: all that no other kind takes, for disks and rectangles
-// the cut ones. Only a tube is split between its ends by the horizon, cut though well apart, or seen from beyond an
-// end.
+// The kinds that a block is sorted into; the remaining receivers are dark. `plain`: everything that does not belong to
+// another kind; for disks and rectangles, receivers with a horizon that cuts the light. Only for a tube: split between
+// its ends by the horizon, cut though well apart, or seen from beyond an end.
 enum class Kind : std::uint8_t { above, plain, split, cut, end };
 
 template<class Light>
@@ -160,7 +161,7 @@ constexpr std::size_t index_of(Kind kind) {
     return static_cast<std::size_t>(kind);
 }
 
-// From where a tube is seen. The few that rounding leaves open are neither.
+// The position from which a tube is seen. The few receivers that rounding leaves undecided are in neither mask.
 template<class S>
 struct TubeSight {
     simd::mask_of<S> end; // beyond an end and within the prolongation
@@ -169,7 +170,7 @@ struct TubeSight {
 
 template<class S>
 GONIO_FORCE_INLINE TubeSight<S> sight(const TubeLight<S>& light, vec3<S> c) {
-    // In units of the light, so that squares are normal numbers; what is too far for that is plain.
+    // In units of the light, so that squares are normal numbers; receivers too far away for that are plain.
     const S size = simd::max(simd::abs(light.radius), simd::abs(light.length));
     const S scale = simd::reciprocal_power_of_two(size);
     const S r = simd::abs(light.radius) * scale;
@@ -219,8 +220,8 @@ struct SortedBatch {
         return queues[index_of(kind)];
     }
 
-    // A block of whole packets, of which the first `count` receivers are real; the first of them is the `first` of all.
-    // Each gets its illuminance [lx] for 1 nt, or 0 and is queued.
+    // A block of whole packets. The first `count` receivers are real; the first of them has the index `first` overall.
+    // Each one gets its illuminance [lx] for 1 nt, or 0 and is queued.
     void take(const Surfaces& block, std::size_t count, std::size_t first, float* lx) {
         if constexpr (is_cheap_above<Light<S>>) {
             take_computed(block, count, first, lx);
@@ -276,7 +277,7 @@ struct SortedBatch {
         }
     }
 
-    // For each kind the lanes that are of it.
+    // For each kind, a mask of its lanes.
     struct Kinds {
         std::uint32_t bits[kind_count<Light<S>>];
     };
@@ -285,16 +286,17 @@ struct SortedBatch {
                                                std::uint32_t real) {
         const S height = dot(normal, c);
         const S most = reach(spread, normal);
-        // More than rounding leaves open: a receiver on the light, turned to it, sees all of it in its own plane.
+        // More than rounding leaves undecided: a receiver on the light, facing it, sees all of the light in its own
+        // plane.
         const S least = -(most + S(3e-6) * ((simd::abs(c.x) + simd::abs(c.y)) + (simd::abs(c.z) + size)));
-        // What is not a number, of a product that overflows, is not dark.
+        // A NaN from a product that overflows does not count as dark.
         const std::uint32_t lit = ~simd::lane_bits(height < least) & real;
         const std::uint32_t is_above = simd::lane_bits(height > most) & lit;
         if constexpr (is_tube<Light<S>>) {
             const TubeSight<S> seen = sight(spread, c);
             const std::uint32_t is_end = simd::lane_bits(seen.end) & lit;
             const std::uint32_t is_apart = simd::lane_bits(seen.apart.whole) & lit;
-            // From the middle to an end's sphere.
+            // The height from the middle to an end's sphere.
             const std::uint32_t is_split =
                 simd::lane_bits(simd::abs(height) < most - S(2) * simd::abs(spread.radius)) & is_apart;
             const std::uint32_t is_whole = is_above & is_apart;
@@ -305,7 +307,8 @@ struct SortedBatch {
         }
     }
 
-    // Computes a block where it lies that is nearly all of one kind, the rest dark or known by that kind as hard.
+    // If a block is nearly all of one kind, and the rest is dark or marked hard by the form for that kind, computes it
+    // in place.
     template<Kind kind>
     bool take_in_order(const Surfaces& block, const std::size_t* counts, std::size_t first, float* lx) {
         if constexpr (index_of(kind) == kind_count<Light<S>>) {
@@ -323,15 +326,15 @@ struct SortedBatch {
         }
     }
 
-    // Copying takes the time of a tenth of a packet.
+    // Copying takes a tenth of the time of a packet.
     static std::size_t nearly_all(std::size_t count) { return count - count / 8; }
 
-    // A bit for each of `count` lanes, at most all.
+    // One bit for each of `count` lanes, at most all lanes.
     GONIO_FORCE_INLINE static std::uint32_t lanes_below(std::size_t count) {
         return ~std::uint32_t{0} >> (32 - (count < lanes ? count : lanes));
     }
 
-    // Those lanes of a packet that are not of the kind after all; the others get their illuminance [lx] for 1 nt.
+    // Returns the lanes of a packet that are not of the kind after all; the others get their illuminance [lx] for 1 nt.
     template<Kind kind, class Lanes>
     GONIO_FORCE_INLINE static std::uint32_t step(const Light<Lanes>& spread, const Surfaces& surfaces, std::size_t at,
                                                  float* lx) {
@@ -350,9 +353,9 @@ struct SortedBatch {
         return step<kind>(spread, surfaces, at, lx);
     }
 
-    // The illuminance [lx] for 1 nt of `surfaces`, packet after packet: a whole number of packets and half packets, no
-    // more than a queue. The few that are not of their kind after all are queued as plain; their places are `place` or
-    // count from `first` on. Those beyond the first `count` only fill their packet.
+    // The illuminance [lx] for 1 nt of `surfaces`, packet by packet: a whole number of packets and half packets, no
+    // more than a queue. The few receivers that are not of their kind after all are queued as plain; their indices are
+    // in `place`, or count from `first` on. Receivers after the first `count` only fill their packet.
     template<Kind kind>
     [[gnu::noinline]] void in_order(const Surfaces& surfaces, std::size_t count, const float* place, std::size_t first,
                                     float* lx) {
@@ -386,7 +389,7 @@ struct SortedBatch {
         }
     }
 
-    // Computes what fills packets, or all, of a queue.
+    // Computes the full packets of a queue, or all of it.
     template<Kind kind>
     void compute(bool all, float* lx) {
         Queue& of_kind = queue<kind>();
@@ -407,7 +410,7 @@ struct SortedBatch {
         of_kind.drop(some);
     }
 
-    // What fills no packet of its kind joins one of a kind that can compute it and has room.
+    // Receivers that do not fill a packet of their kind join another kind that can compute them and has room.
     template<Kind kind, Kind other>
     void join() {
         Queue& few = queue<kind>();
@@ -434,7 +437,7 @@ struct SortedBatch {
     }
 };
 
-// Fewer than 2³¹ receivers.
+// For fewer than 2³¹ receivers.
 template<class S, template<class> class Light>
 void irradiance_of_part(const Surfaces& surfaces, const LightConstants& light, float* lx) {
     constexpr std::size_t lanes = simd::Traits<S>::lanes;
@@ -456,7 +459,7 @@ void irradiance_of_part(const Surfaces& surfaces, const LightConstants& light, f
     batch.compute(true, lx);
 }
 
-// Illuminance [lx] for 1 nt of a disk, rectangle or tube.
+// Illuminance [lx] for 1 nt of an area light.
 template<class S, template<class> class Light>
 void irradiance_sorted(const Surfaces& surfaces, const LightConstants& light, float* lx) {
     constexpr std::size_t part = std::size_t{1} << 16;

@@ -45,12 +45,12 @@ GONIO_FORCE_INLINE S ltc_share(const LtcLobe<S>& lobe, const LtcFrame<S>& frame,
 
 namespace detail {
 
-// Sums over the points of a light that are above the horizon, in ltc_frame's frame.
+// Sums over those points of a light that are above the horizon, in ltc_frame's frame.
 template<class S>
 struct PointSums {
     S value;     // ∫ f n·l dω, of the lobe itself with F = 1
     S grazing;   // the same with F = (1 − l·h)⁵
-    S by_cosine; // ∫ of the transformed cosine that stands for it, but for a factor
+    S by_cosine; // ∫ of the transformed cosine that approximates the lobe, up to a factor
 };
 
 template<bool with_cosine, class S, class Points, class Lobe>
@@ -77,8 +77,8 @@ GONIO_FORCE_INLINE PointSums<S> point_sums(const Points& points, const Lobe& lob
     return sums;
 }
 
-// Below the first of these sizes after the transform (a length over its distance) the points alone are taken, above
-// the second they only correct the transformed cosine's share, less and less from the third to the fourth.
+// Sizes after the transform (a length over its distance). Below the first only the points are used; above the second
+// they only correct the transformed cosine's share, with less and less weight from the third to the fourth.
 inline constexpr double ltc_points_alone[2] = {0.15, 0.25};
 inline constexpr double ltc_points_useful[2] = {0.8, 1.6};
 
@@ -88,9 +88,10 @@ inline constexpr double ltc_points_useful[2] = {0.8, 1.6};
 // n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight, TubeLight or SunLight; its window is not
 // applied.
 //
-// The true lobe is summed over a few points of the light (light_points.hpp). A light that is small against the lobe is
-// that sum. Of another it is a measure for the transformed cosine, whose exact share is multiplied by the ratio of both
-// sums over the same points, as far as these points are to be trusted: by how well they give that exact share itself.
+// The true lobe is summed over a few points of the light (light_points.hpp). If the light is small compared with the
+// lobe, that sum is the result. Otherwise the sum corrects the transformed cosine: its exact share is multiplied by the
+// ratio of both sums over the same points. The weight of this correction depends on how well the points reproduce the
+// exact share.
 //
 // `cosine_of(n·v, ‖n×v‖)` gives the transformed cosine of the lobe's α.
 template<class S, class Light, template<class> class Lobe, class CosineOf>
@@ -125,7 +126,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
     const auto fall = [&](const double(&range)[2]) {
         return simd::min(simd::max((S(range[1]) - relative_size) * S(1.0 / (range[1] - range[0])), S(0)), S(1));
     };
-    // (κ + 1/κ − 2)/0.3² of the ratio κ of both, which is (ln κ/0.3)² where it is near 1.
+    // (κ + 1/κ − 2)/0.3² for the ratio κ of both, which is (ln κ/0.3)² where κ is near 1.
     const S product = by_cosine * share;
     const S apart = (by_cosine - share) * S(1.0 / 0.3);
     const S trust = product / simd::max(simd::mul_add(apart, apart, product), S(1e-36));
@@ -150,7 +151,7 @@ requires SeenAsAnother<Light, S> GONIO_FORCE_INLINE SpecularLuminance<S> specula
     return specular_ltc(seen.light, seen.to_center, normal, view, lobe, cosine_of);
 }
 
-// The same, with its cosine from the table of all α.
+// The same, with the transformed cosine from the table of all α.
 template<class S, class Light, template<class> class Lobe>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S> to_center, vec3<S> normal,
                                                      vec3<S> view, const Lobe<S>& lobe) {
@@ -159,7 +160,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_ltc(const Light& light, vec3<S>
         lobe, [&](S n_dot_v, S sine) __attribute__((always_inline)) { return ltc_ggx(lobe.alpha, n_dot_v, sine); });
 }
 
-// The renormalised Disney diffuse of albedo 1, likewise: luminance per luminance of the light.
+// The renormalised Disney diffuse of albedo 1, in the same way: luminance per luminance of the light.
 template<class S, class Light>
 GONIO_FORCE_INLINE S diffuse_ltc(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
                                  S linear_roughness) {

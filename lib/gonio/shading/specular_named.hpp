@@ -1,22 +1,21 @@
-// The specular luminance of an area light from one direction, as renderers took it: kept for comparison with ltc.
+// The specular luminance of an area light from one direction, by the methods of other renderers: kept for comparison
+// with ltc.
 //
-// All evaluate GGX once, towards one point, with the light's whole solid angle; none knows what the horizon cuts off.
-// README.md has their errors.
+// All evaluate GGX once, towards one point, with the light's whole solid angle; none accounts for the part that the
+// horizon cuts off. README.md gives their errors.
 //
 // * representative-point (B. Karis, "Real Shading in Unreal Engine 4", 2013): the light's point nearest to the mirrored
-//   ray, α widened by a third of the light's angle, the peak lowered as if the lobe kept its own width; a line's peak
-//   once more by α/(α + l/3d).
+//   ray, α widened by a third of the light's angle, the peak lowered as if the lobe kept its own width; for a line, the
+//   peak is also multiplied by α/(α + l/3d).
 // * dominant-direction (S. Lagarde and C. de Rousiers, 2014): the same with the ray lerp(n, mirrored, 1 − √α): rough
-// lobes
-//   lean towards the normal.
+//   lobes lean towards the normal.
 // * specular-d (Karis 2013, before it was replaced): towards the centre, α widened by a third of the light's angle, the
-//   lobe normalised anew.
+//   lobe normalised again.
 // * spherical-hack (the idea of SpecularPowerHack in "The Art of Remember Me", S. Lagarde and L. Harduin, 2013):
-// towards the
-//   centre, Blinn's power lowered so that the lobe's variance grows by the half vector's over the light's disk, s²/16
-//   in each direction. The power stands for α by p + 2 = 2/α².
-// * sun-disk (Lagarde and de Rousiers 2014): the point of the light's disk closest to the mirrored ray, nothing
-// widened.
+//   towards the centre, Blinn's power lowered so that the lobe's variance grows by that of the half vector over the
+//   light's disk, s²/16 in each direction. The power replaces α by p + 2 = 2/α².
+// * sun-disk (Lagarde and de Rousiers 2014): the point of the light's disk closest to the mirrored ray, nothing is
+//   widened.
 #pragma once
 
 #include <gonio/shading/gloss.hpp>
@@ -28,7 +27,7 @@
 
 namespace gonio::shading {
 
-// A narrow lobe and a method that does not widen it give more than the light's own luminance, by any factor.
+// A narrow lobe with a method that does not widen it may exceed the light's own luminance by any factor.
 inline constexpr double specular_ceiling = 1e30;
 
 // The direction within a disk about `toward` of angular radius `sine` that is closest to `ray`; all unit.
@@ -43,17 +42,17 @@ GONIO_FORCE_INLINE vec3<S> sun_disk_direction(vec3<S> toward, S sine, vec3<S> ra
 
 namespace detail {
 
-// One point that stands for the whole light, everything divided by the distance of the centre (and again by that of the
-// largest size where this is larger, so that nothing overflows).
+// One point that represents the whole light, everything divided by the distance of the centre (and also by the largest
+// size where this is larger, so that nothing overflows).
 template<class S>
 struct Representative {
     vec3<S> at;       // from the receiver
-    S projected_area; // towards the receiver
+    S projected_area; // projected towards the receiver
     S stretch;        // length of a line light, 0 for others
 };
 
-// Where the ray along `mirrored` meets the light's plane; where it does not, below or above its point at the centre's
-// distance. From the centre, in the plane.
+// Where the ray along `mirrored` meets the light's plane; where it does not, the plane's point below or above the ray's
+// point at the centre's distance. Relative to the centre, in the plane.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> ray_in_plane(vec3<S> center, vec3<S> axis, vec3<S> mirrored) {
     const S toward = dot(center, axis);
@@ -93,7 +92,7 @@ GONIO_FORCE_INLINE Representative<S> representative(const TubeLight<S>& light, v
                                                     vec3<S> mirrored) {
     const S r = simd::abs(light.radius) * scale;
     const S l = simd::abs(light.length) * scale;
-    // The axis' point nearest to the ray's line, then the point of the sphere about it nearest to the ray.
+    // The axis' point nearest to the ray's line, then the point nearest to the ray on the sphere about it.
     const S a_dot_m = dot(light.axis, mirrored);
     const S sine2 = S(1) - a_dot_m * a_dot_m;
     const auto crossing = sine2 > S(1e-4);
@@ -122,7 +121,7 @@ GONIO_FORCE_INLINE Representative<S> representative(const SunLight<S>& light, ve
     return representative(SphereLight<S>{toward, light.luminance, light.sine, S(0)}, toward, scale, mirrored);
 }
 
-// One direction that stands for the light.
+// One direction that represents the light.
 template<class S>
 struct Approach {
     vec3<S> toward; // unit
@@ -166,7 +165,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> 
     const detail::Approach<S> light_at = detail::approach(light, to_center, ray);
     vec3<S> toward = light_at.toward;
     S widened = a;
-    S peak = S(1); // of the lobe, over α²/widened² of a normalised one
+    S peak = S(1); // of the lobe, relative to the α²/widened² of a normalised lobe
     S cosine = dot(normal, toward);
     if constexpr (method == SpecularMethod::representative_point || method == SpecularMethod::dominant_direction) {
         widened = simd::min(simd::mul_add(light_at.sine, S(1.0 / 3.0), a), S(1));
@@ -177,7 +176,7 @@ GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> 
         peak = (widened / a) * (widened / a);
     }
     if constexpr (method == SpecularMethod::spherical_hack) {
-        // 1/p = α²/2 but for the 2, so α'² = α² + s²/8.
+        // 1/p = α²/2 except for the 2, so α'² = α² + s²/8.
         const S s2 = light_at.sine * light_at.sine;
         widened = simd::min(simd::sqrt(simd::mul_add(s2, S(1.0 / 8.0), a * a)), S(1));
         peak = (widened / a) * (widened / a);
@@ -195,7 +194,7 @@ specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
     return specular_by<method>(seen.light, seen.to_center, normal, view, lobe);
 }
 
-// GGX of α, which counts as in [minimum_alpha, 1].
+// GGX of α, clamped to [minimum_alpha, 1].
 template<SpecularMethod method, class S, class Light>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
                                                     S alpha) {

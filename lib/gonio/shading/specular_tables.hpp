@@ -5,7 +5,7 @@
 
 namespace gonio::shading::detail {
 
-// The tables, each in the file that is compiled for its set.
+// The tables, each defined in the file that is compiled for its instruction set.
 extern const SpecularKernels specular_kernels_scalar;
 extern const SpecularKernels specular_kernels_sse2;
 extern const SpecularKernels specular_kernels_avx2;

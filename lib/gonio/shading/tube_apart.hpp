@@ -1,5 +1,5 @@
-// The irradiance of a capsule that the receiver is well apart from, which needs no more than float: all of it above the
-// horizon, one end above it and the other below (irradiance_tube.hpp's outline in fewer terms), or cut as it may be.
+// The irradiance of a capsule that is well apart from the receiver, for which float is enough: all of it above the
+// horizon, one end above it and the other below (irradiance_tube.hpp's outline in fewer terms), or cut in any way.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
@@ -7,18 +7,18 @@
 
 namespace gonio::shading::detail {
 
-// In (f, a, g) as TubePose, but for D itself, of which nothing here needs the root.
+// In (f, a, g) as TubePose, without D itself: nothing here needs the root.
 template<class S>
 struct FlatTubePose {
     S r, half;
     S z, z0, z1; // along the axis: the centre and the ends' centres
     S d2, gap2;  // D², D² − r²
-    S n_a;       // the receiver's normal along the axis
+    S n_a;       // component of the receiver's normal along the axis
     S d_n_f;     // D n_f
 };
 
-// The whole capsule above the horizon, D > r. The arcs' sum: ends' circles by their azimuths h, great arcs θ s n·f, and
-// what is left of the circles' and arcs' slopes, joined over one denominator.
+// The whole capsule above the horizon, D > r. The sum of the arcs: ends' circles by their azimuths h, great arcs
+// θ s n·f, and the remaining slopes of circles and arcs, combined over one denominator.
 template<class S>
 GONIO_FORCE_INLINE S tube_above(const FlatTubePose<S>& t) {
     const S distance0 = simd::sqrt(simd::mul_add(t.z0, t.z0, t.d2));
@@ -28,7 +28,7 @@ GONIO_FORCE_INLINE S tube_above(const FlatTubePose<S>& t) {
     const S h0 = simd::atan2_above(distance0 * gap, -t.r * t.z0);
     const S h1 = simd::atan2_above(distance1 * gap, t.r * t.z1);
     const S product = distance0 * distance1;
-    const S inverse_all = S(1) / (product * t.d2); // one division for three
+    const S inverse_all = S(1) / (product * t.d2); // a single division for three inverses
     const S inverse = inverse_all * t.d2;
     const S n_f_over_d = inverse_all * product * t.d_n_f;
     const S inverse0 = inverse * distance1;
@@ -41,15 +41,15 @@ GONIO_FORCE_INLINE S tube_above(const FlatTubePose<S>& t) {
     return t.r * simd::mul_add(theta, n_f_over_d, simd::mul_add(t.r, cap0 + cap1, slopes));
 }
 
-// How far from the tube and from its prolongation float is enough: so near in angle to the axis line that its distance
-// has lost digits is too near, and that is sooner where the outline is cut.
+// Where float is enough, by the distance from the tube and from its prolongation. A receiver so near in angle to the
+// axis line that its distance from it has lost digits is too near; the limit is stricter where the outline is cut.
 template<class S>
 struct TubeApart {
     simd::mask_of<S> whole; // or split between the ends
     simd::mask_of<S> cut;
 };
 
-// D² and z² of the centre, and the light's own sizes.
+// Takes D² and z² of the centre, and the light's own sizes.
 template<class S>
 GONIO_FORCE_INLINE TubeApart<S> tube_apart(S d2, S z2, S r, S half) {
     const auto aside = d2 >= S(1.25) * r * r;
@@ -61,7 +61,7 @@ GONIO_FORCE_INLINE TubeApart<S> tube_apart(S d2, S z2, S r, S half) {
 template<class S>
 struct ApartPose {
     FlatTubePose<S> tube;
-    vec3<S> across; // from the receiver square to the axis line
+    vec3<S> across; // from the receiver, perpendicular to the axis line
     TubeApart<S> apart;
 };
 
@@ -101,7 +101,7 @@ GONIO_FORCE_INLINE S d_n_g(const ApartPose<S>& pose, vec3<S> axis, vec3<S> norma
     return simd::abs(dot(normal, fused_cross(axis, pose.across)));
 }
 
-// E/L of what is all above the horizon and well apart; the other lanes are named hard.
+// E/L of a capsule entirely above the horizon and well apart; the other lanes are marked hard.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_tube_above(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     const ApartPose<S> pose = apart_pose(center, axis, radius, length_m, normal);
@@ -113,13 +113,13 @@ GONIO_FORCE_INLINE Survey<S> survey_tube_above(vec3<S> center, vec3<S> axis, S r
 }
 
 // One end's sphere above the horizon, the other's below. The horizon cuts both great arcs, all of the higher end's
-// circle is seen and nothing of the lower one's: tube_clipped.hpp's sum without its cases.
+// circle is seen and nothing of the lower one's: tube_clipped.hpp's sum without its case distinctions.
 template<class S>
 GONIO_FORCE_INLINE S tube_split(const FlatTubePose<S>& t, S d_n_g) {
     const S gap = simd::sqrt(t.gap2);
     const S square1 = simd::mul_add(t.z1, t.z1, t.d2);
     const S distance1 = simd::sqrt(square1);
-    const S inverse_all = S(1) / (t.d2 * square1 * t.n_a); // one division for three
+    const S inverse_all = S(1) / (t.d2 * square1 * t.n_a); // a single division for three inverses
     const S inverse_d2 = inverse_all * square1 * t.n_a;
     const S inverse_square1 = inverse_all * t.d2 * t.n_a;
     const S inverse_n_a = inverse_all * t.d2 * square1;
@@ -127,7 +127,7 @@ GONIO_FORCE_INLINE S tube_split(const FlatTubePose<S>& t, S d_n_g) {
     const S n_g_over_d = d_n_g * inverse_d2;
     const S width = t.r * gap;
 
-    // The crossings (D κ², z, ±r κ) of the tangent lines, in (f, a, g), and their way to the higher end.
+    // The crossings (D κ², z, ±r κ) of the tangent lines, in (f, a, g), and the distance from them to the higher end.
     const S level = simd::mul_add(t.z, t.n_a, t.gap2 * n_f_over_d);
     const S out = width * n_g_over_d;
     const S from_plus = -(level + out) * inverse_n_a;
@@ -136,13 +136,13 @@ GONIO_FORCE_INLINE S tube_split(const FlatTubePose<S>& t, S d_n_g) {
     const S z_minus = t.z + from_minus;
     const S angle_plus = simd::atan2_above(gap * (t.half - from_plus), simd::mul_add(z_plus, t.z1, t.gap2));
     const S angle_minus = simd::atan2_above(gap * (t.half - from_minus), simd::mul_add(z_minus, t.z1, t.gap2));
-    // Both lie on the horizon, so that their cross product points along the normal.
+    // Both lie on the horizon, so their cross product points along the normal.
     const S slant = simd::mul_add(n_f_over_d, z_minus + z_plus, S(-2) * t.gap2 * inverse_d2 * t.n_a);
     const S turn = simd::mul_add(width, slant, t.gap2 * n_g_over_d * (from_plus - from_minus));
     const S along = simd::mul_add(z_minus, z_plus, t.gap2 * simd::mul_add(-t.r, t.r, t.gap2) * inverse_d2);
     const S closing = simd::atan2_above(simd::abs(turn), along);
 
-    const S azimuth = simd::atan2_above(distance1 * gap, t.r * t.z1); // half of the circle's
+    const S azimuth = simd::atan2_above(distance1 * gap, t.r * t.z1); // half of the circle's azimuth
     const S toward = simd::mul_add(t.z1, t.n_a, t.d_n_f) * distance1 * inverse_square1;
     const S across = simd::mul_add(-t.z1, n_f_over_d, t.n_a);
     const S end = t.r * inverse_square1 * simd::mul_add(t.r * azimuth, toward, -(gap * across));
@@ -152,7 +152,7 @@ GONIO_FORCE_INLINE S tube_split(const FlatTubePose<S>& t, S d_n_g) {
     return simd::mul_add(S(0.5), great + closing, end);
 }
 
-// E/L of what is so split by the horizon and well apart; the other lanes are named hard.
+// E/L of a capsule split in this way by the horizon and well apart; the other lanes are marked hard.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_tube_split(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     ApartPose<S> pose = apart_pose(center, axis, radius, length_m, normal);
@@ -165,7 +165,7 @@ GONIO_FORCE_INLINE Survey<S> survey_tube_split(vec3<S> center, vec3<S> axis, S r
     return {clamp_irradiance(tube_split(t, d_n_g(pose, axis, normal))), !easy};
 }
 
-// E/L of what the horizon cuts anywhere and is well apart; the other lanes are named hard.
+// E/L of a capsule that the horizon cuts anywhere and that is well apart; the other lanes are marked hard.
 template<class S>
 GONIO_FORCE_INLINE Survey<S> survey_tube_cut(vec3<S> center, vec3<S> axis, S radius, S length_m, vec3<S> normal) {
     ApartPose<S> pose = apart_pose(center, axis, radius, length_m, normal);

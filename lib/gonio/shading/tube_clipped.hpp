@@ -1,30 +1,32 @@
 // The irradiance of a capsule that the receiver's plane cuts: irradiance_tube.hpp's outline, clipped.
 //
 // The outline is walked T0+ → T1+ (great arc), end 1's circle, T1− → T0− (great arc), end 0's circle. Mirrored so that
-// n_a, n_g ≥ 0, the first great arc can only rise over the horizon and the second only sink; it sinks on end 1's circle
-// or rises on end 0's; or both happen on one circle. So each of the four arcs has at most the points where one interval
-// of it ends, and what is visible of a circle is the angle of one complex number, made of exp(±iφ) of those ends.
+// n_a, n_g ≥ 0, along the outline the first great arc can only rise above the horizon and the second only go below it.
+// The outline otherwise goes below on end 1's circle or rises on end 0's, or both happen on one circle. So each of the
+// four arcs has at most the two end points of one interval, and the visible part of a circle is the angle of one
+// complex number, made from exp(±iφ) of those end points.
 #pragma once
 
 #include <gonio/shading/outline.hpp>
 
 namespace gonio::shading::detail {
 
-// In (f, a, g): from the receiver square to the axis line, along the axis, and across; mirrored, of moderate size.
+// In (f, a, g): from the receiver perpendicular to the axis line, along the axis, and across; mirrored, of moderate
+// size.
 template<class S>
 struct TubePose {
     S r, half; // radius, half of the length
     S inverse_r;
-    S z, z_rest;          // of the centre along the axis, and what rounding has left of it
+    S z, z_rest;          // of the centre along the axis, and its rounding error
     S z0, z1;             // of the ends' centres, each to its last digit
-    S d, inverse_d;       // D, of the axis line
+    S d, inverse_d;       // D, the distance of the axis line
     S gap2;               // D² − r²
     S tangent0, tangent1; // |P|² − r² of the ends' centres
     S n_f, n_a, n_g;      // the receiver's normal; n_a, n_g ≥ 0
     S up;                 // height of the centre over the receiver's plane
 };
 
-// A tube scaled to moderate size, by a power of two, which is exact. Its sizes are magnitudes.
+// A tube scaled to moderate size by a power of two, which is exact. Negative sizes become positive.
 template<class S>
 struct ScaledTube {
     vec3<S> center;
@@ -41,7 +43,7 @@ struct ScaledTube {
     }
 };
 
-// One end's circle, whose azimuth φ runs from −h to h along the outline; what is above the horizon is |φ − μ| < reach.
+// One end's circle. Its azimuth φ runs from −h to h along the outline; the part above the horizon is |φ − μ| < reach.
 template<class S>
 struct EndCircle {
     S inverse_distance, tangent; // 1/d; τ = √(d² − r²)
@@ -50,10 +52,10 @@ struct EndCircle {
     S cos_sink, sin_sink, cos_rise, sin_rise; // at μ + reach and μ − reach
     S across;                                 // d n_u
     S n_v;
-    simd::mask_of<S> dips, bumps; // where both of its ends are above, or below: there is a part that is not
+    simd::mask_of<S> dips, bumps; // both of its ends are above (below) the horizon and a part between them is not
 };
 
-// `up`: height of the end's centre; `sign`: of the outline's sense there, 1 for end 1, −1 for end 0.
+// `up`: height of the end's centre; `sign`: the direction of the outline there, 1 for end 1, −1 for end 0.
 template<class S>
 GONIO_FORCE_INLINE EndCircle<S> end_circle(const TubePose<S>& t, S gap, S z, S tangent2, S up, S sign) {
     constexpr double least = 1e-24;
@@ -65,7 +67,7 @@ GONIO_FORCE_INLINE EndCircle<S> end_circle(const TubePose<S>& t, S gap, S z, S t
     c.n_v = -sign * t.n_g;
     const S side = distance * c.n_v;
     const S n = simd::sqrt(simd::max(simd::mul_add(c.across, c.across, side * side), S(least)));
-    // One division for three.
+    // A single division for three inverses.
     const S product = distance * c.tangent;
     const S inverse = S(1) / (product * n);
     const S inverse_tangent = inverse * distance * n;
@@ -87,7 +89,7 @@ GONIO_FORCE_INLINE EndCircle<S> end_circle(const TubePose<S>& t, S gap, S z, S t
     return c;
 }
 
-// What is left of the slopes of circles and great arcs where nothing is cut, by 1/(|P0| |P1|)², over r κ.
+// The remaining slopes of circles and great arcs where nothing is cut, divided by r κ; `inverse` is 1/(|P0| |P1|)².
 template<class S>
 GONIO_FORCE_INLINE S whole_slope(const TubePose<S>& t, S inverse) {
     const S along = t.d * t.n_a * (t.z0 + t.z1);
@@ -95,7 +97,7 @@ GONIO_FORCE_INLINE S whole_slope(const TubePose<S>& t, S inverse) {
     return S(2) * t.half * (along + across) * inverse;
 }
 
-// Which ends of the intervals a circle has.
+// The interval ends that a circle has.
 template<class S>
 struct EndFlags {
     simd::mask_of<S> start, end; // −h and h are above the horizon
@@ -104,7 +106,7 @@ struct EndFlags {
 
 template<class S>
 struct EndArcs {
-    S azimuth; // what is visible of it, in [0, 2π]
+    S azimuth; // of its visible part, in [0, 2π]
     S slanted; // ∮ of the circle's slope: Σ (sin φ) d n_u − (cos φ) d n_v over the intervals' ends
 };
 
@@ -114,7 +116,7 @@ GONIO_FORCE_INLINE S unit_angle(S sine, S cosine) {
     if constexpr (__is_same(S, double)) {
         return simd::atan2_above(sine, cosine);
     } else {
-        const S t = sine / (S(1) + simd::abs(cosine)); // tangent of half of it, or of half of what is left to π
+        const S t = sine / (S(1) + simd::abs(cosine)); // tangent of half of it, or of half of its difference to π
         const S half = simd::mul_add(t, simd::atan_ratio_excess(t * t), t);
         return simd::select(cosine < S(0), S(3.14159274F) - (half + half), half + half);
     }
@@ -124,8 +126,8 @@ GONIO_FORCE_INLINE S unit_angle(S sine, S cosine) {
 template<bool apart, class S>
 GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags<S>& has, S distance_n_v) {
     const S zero = S(0);
-    // From −h or the rise to h or the sink. Where there are two intervals, from −h to the sink and from the rise to h,
-    // they are as much as from the rise to the sink and 2h more.
+    // From −h or the rise to h or the sink. If there are two intervals, from −h to the sink and from the rise to h,
+    // their sum is the interval from the rise to the sink plus 2h.
     const auto twice = simd::both(has.start, has.rises);
     const auto to_end = simd::both(has.end, !twice);
     const auto from_start = simd::both(has.start, !twice);
@@ -147,8 +149,8 @@ GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags
         sines = sines + more;
     }
     const S angle = unit_angle(simd::abs(sine), cosine);
-    // Of its values modulo 2π the one in [0, 2π], but for rounding at its ends: close to 2π are visible only where both
-    // h and the reach are above π/2, and where both are close to π, no less than 4 are.
+    // Takes the value in [0, 2π] modulo 2π, except for rounding at its ends: an angle close to 2π can be visible only
+    // if both h and the reach are above π/2; if both are close to π, at least 4 is visible.
     const auto large = simd::both(c.cos_h < zero, c.cos_reach < zero);
     auto beyond = simd::both(sine < zero, simd::either(large, angle > S(1)));
     if constexpr (!apart) { // else |cos h| ≤ r/D < 0.9
@@ -161,7 +163,7 @@ GONIO_FORCE_INLINE EndArcs<S> visible_arcs(const EndCircle<S>& c, const EndFlags
             simd::select(seen, simd::mul_add(sines, c.across, -(cosines * distance_n_v)), zero)};
 }
 
-// A point where the horizon cuts the outline: from the receiver, and from the light's centre.
+// A point where the horizon cuts the outline, relative to the receiver and relative to the light's centre.
 template<class S>
 struct Crossing {
     vec3<S> direct, offset;
@@ -172,14 +174,14 @@ GONIO_FORCE_INLINE Crossing<S> select(simd::mask_of<S> condition, const Crossing
     return {select(condition, a.direct, b.direct), select(condition, a.offset, b.offset)};
 }
 
-// Circles of end 0 and 1 at their azimuths.
+// Points on the circles of ends 0 and 1 at their azimuths.
 template<class S>
 GONIO_FORCE_INLINE Crossing<S> on_circle(const TubePose<S>& t, const EndCircle<S>& end0, const EndCircle<S>& end1,
                                          simd::mask_of<S> at0, S cosine, S sine) {
     const S inverse = simd::select(at0, end0.inverse_distance, end1.inverse_distance);
     const S tangent = simd::select(at0, end0.tangent, end1.tangent);
     const S z = simd::select(at0, t.z0, t.z1);
-    const S sense = simd::select(at0, S(1), S(-1)); // of v; −u's
+    const S sense = simd::select(at0, S(1), S(-1)); // of v; the sign of u is the opposite
     const S round = t.r * tangent * inverse;
     const S inward = t.r * t.r * inverse * inverse;
     const S u = sense * round * inverse * cosine;
@@ -199,15 +201,16 @@ GONIO_FORCE_INLINE S closing_arc(const TubePose<S>& t, const Crossing<S>& sink, 
     if constexpr (apart) {
         return horizon_arc(p, step, n);
     }
-    // Far away the offsets know the step between them better than the points themselves, and near the other way round.
+    // Far away the offsets give a more accurate step between the crossings than the points themselves; near, the points
+    // do.
     const S size = t.r + t.half;
     const auto far = simd::mul_add(t.d, t.d, t.z * t.z) > S(16) * size * size;
     const vec3<S> across = fused_cross(p, select(far, step, rise.direct));
-    const S along = simd::mul_add(-dot(n, p), dot(n, rise.direct), dot(p, rise.direct)); // as horizon_arc
+    const S along = simd::mul_add(-dot(n, p), dot(n, rise.direct), dot(p, rise.direct)); // as in horizon_arc
     return S(0.5) * simd::atan2_above(simd::abs(dot(n, across)), along);
 }
 
-// What is above the horizon of a tube that it cuts, in two parts.
+// The part above the horizon of a tube that the horizon cuts, as two sums.
 template<class S>
 struct ClippedTube {
     S arcs;    // great arcs, and the circles' azimuths
@@ -225,7 +228,8 @@ GONIO_FORCE_INLINE ClippedTube<S> clipped_tube(const TubePose<S>& t) {
     const S up0 = t.up - up_by;
     const S up1 = t.up + up_by;
 
-    // Heights of the tangent points; all share the rounding of `up`, so that the horizon may shift but does not tilt.
+    // Heights of the tangent points; all share the rounding error of `up`, so that the horizon may shift but does not
+    // tilt.
     const S in = s * t.r * t.n_f;
     const S out = t.r * kappa * t.n_g;
     const S level = t.up - in;
@@ -279,7 +283,7 @@ GONIO_FORCE_INLINE ClippedTube<S> clipped_tube(const TubePose<S>& t) {
     const S r2 = t.r * t.r;
     const S share0 = end0.inverse_distance * end0.inverse_distance * end0.inverse_distance;
     const S share1 = end1.inverse_distance * end1.inverse_distance * end1.inverse_distance;
-    const S up = t.d * t.n_f; // anew for the ends' heights, each to its own last digit
+    const S up = t.d * t.n_f; // computed again for the ends' heights, each to its own last digit
     const S caps = r2 * simd::mul_add(arcs0.azimuth * share0, simd::mul_add(t.z0, t.n_a, up),
                                       arcs1.azimuth * share1 * simd::mul_add(t.z1, t.n_a, up));
     const S slanted = t.r * simd::mul_add(end0.tangent, arcs0.slanted * share0, end1.tangent * arcs1.slanted * share1);
@@ -296,13 +300,13 @@ GONIO_FORCE_INLINE ClippedTube<S> clipped_tube(const TubePose<S>& t) {
             end0.inverse_distance * end1.inverse_distance};
 }
 
-// The same where `cut`, else as tube_above.
+// clipped_tube where `cut`, else as tube_above.
 template<class S>
 GONIO_FORCE_INLINE S tube_clipped(const TubePose<S>& t, simd::mask_of<S> cut) {
     const ClippedTube<S> visible = clipped_tube<false>(t);
     S rest = visible.rest;
     if (!simd::all(cut)) {
-        // Without a cut the slopes are joined, and nothing cancels.
+        // Without a cut the slopes are combined, and nothing cancels.
         const S kappa = simd::sqrt(t.gap2) * t.inverse_d;
         rest = simd::select(cut, rest, t.r * kappa * whole_slope(t, visible.inverse * visible.inverse));
     }

@@ -1,4 +1,5 @@
-// vec3<S>: three numbers of a scalar S: float, double or a pack. GLM is the public vocabulary and rejects packs.
+// vec3<S>: three numbers of a scalar S: float, double or a pack. The public interface uses GLM, which does not accept
+// packs.
 #pragma once
 
 #include <gonio/simd/twin.hpp>
@@ -25,7 +26,7 @@ GONIO_FORCE_INLINE vec3<S> cross(vec3<S> a, vec3<S> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// The same, two roundings per component where there is FMA; a × a is then 0 within rounding only.
+// The same, with two roundings per component where there is FMA; a × a is then 0 only within rounding.
 template<class S>
 GONIO_FORCE_INLINE vec3<S> fused_cross(vec3<S> a, vec3<S> b) {
     return {simd::mul_add(a.y, b.z, -(a.z * b.y)), simd::mul_add(a.z, b.x, -(a.x * b.z)),
@@ -43,7 +44,7 @@ GONIO_FORCE_INLINE S length(vec3<S> a) {
     return simd::sqrt(dot(a, a));
 }
 
-// The magnitude of the component that has the largest.
+// The largest magnitude of a component.
 template<class S>
 GONIO_FORCE_INLINE S largest_component(vec3<S> a) {
     return simd::max(simd::abs(a.x), simd::max(simd::abs(a.y), simd::abs(a.z)));

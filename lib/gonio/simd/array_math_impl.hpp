@@ -1,4 +1,4 @@
-// The bodies of array_math.hpp for one scalar. Included by kernels_math_<set>.cpp and by nothing else.
+// The bodies of array_math.hpp for one scalar. Included only by kernels_math_<set>.cpp.
 #pragma once
 
 #include <gonio/simd/array_math.hpp>
@@ -70,7 +70,7 @@ GONIO_BINARY(copysign)
 #undef GONIO_UNARY
 #undef GONIO_BINARY
 
-// simd::log2 works on the bits of a number without a sign, and pow with it; here any float may come.
+// simd::log2 works on the bits of a number without a sign, and pow relies on that; here any float may occur.
 template<class S>
 struct log2_function {
     GONIO_FORCE_INLINE static S of(S x) { return select(x < S(0), S(__builtin_nanf("")), simd::log2(abs(x))); }

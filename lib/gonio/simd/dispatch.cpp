@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"scalar", "sse2", "neon", "avx2", "avx512"};
 
-// What every machine of the architecture has.
+// The set that every machine of the architecture has.
 #if defined(__x86_64__)
 constexpr InstructionSet architecture_baseline = InstructionSet::sse2;
 #elif defined(__aarch64__)
@@ -18,7 +18,7 @@ constexpr InstructionSet architecture_baseline = InstructionSet::neon;
 constexpr InstructionSet architecture_baseline = InstructionSet::scalar;
 #endif
 
-// What the processor has and the system saves on a context switch; the compiler's run-time asks both.
+// What the processor supports and the system saves on a context switch; the compiler's runtime checks both.
 bool machine_has(InstructionSet set) {
     if (set == InstructionSet::scalar || set == architecture_baseline) return true;
 #if defined(__x86_64__)

@@ -1,7 +1,8 @@
-// Instruction sets at run time: which there are, which this machine has, and their names.
+// Instruction sets at run time: which sets exist, which this machine has, and their names.
 //
-// The library is built for the least processor of its architecture; what needs more lies in source files of its own
-// and is reached through function pointers only after asking here. Nothing fails, nothing allocates.
+// The library is built for the least capable processor of its architecture. Code that needs more is in separate source
+// files and is reached through function pointers, only after a check with the functions below. Nothing fails, nothing
+// allocates.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ enum class InstructionSet : std::uint8_t { scalar, sse2, neon, avx2, avx512 };
 // "scalar", "sse2", "neon", "avx2", "avx512": the names that `--simd` takes.
 const char* to_text(InstructionSet set);
 
-// The set of that name; nothing when there is none. Says nothing about this machine: ask `available`.
+// The set with that name; empty if there is none. Independent of this machine: use `available` for that.
 std::optional<InstructionSet> parse_instruction_set(std::string_view name);
 
 // Every name that parse_instruction_set takes, in the order of the enumeration.

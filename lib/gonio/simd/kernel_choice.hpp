@@ -1,8 +1,8 @@
-// One of the tables of kernels that a room has for each instruction set, by the set asked for at run time.
+// Chooses among a room's tables of kernels, one per instruction set, by the set requested at run time.
 //
-// The tables' names end in the set's, as the sources' do that gonio_kernel_sources() compiles:
-// GONIO_CHOSEN_KERNELS(set, detail::kernels) is detail::kernels_avx2, or detail::kernels_scalar where this build or
-// machine has no such set.
+// The names of the tables end in the name of the set, like the sources that gonio_kernel_sources() compiles:
+// GONIO_CHOSEN_KERNELS(set, detail::kernels) is detail::kernels_avx2, or detail::kernels_scalar if this build or
+// machine does not have the set.
 #pragma once
 
 #include <gonio/simd/dispatch.hpp>

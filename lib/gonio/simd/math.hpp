@@ -1,9 +1,9 @@
 // Elementary functions for one float, one double and packs of floats, under the same names.
 //
 // Floats and packs share the polynomials below (minimax, printed by fit/minimax.cpp), so a pack differs from the float
-// only by what mul_add rounds; doubles call the C library. The bounds are in ulp of the exact result, hold on every
-// instruction set and are tested (tests/unit/simd/math_test.cpp); MEASURED.md has the measured errors.
-// Outside the domain a function returns what its comment says. A NaN argument gives NaN unless stated otherwise.
+// only in the rounding of mul_add; doubles call the C library. The error bounds are in ulp of the exact result, hold on
+// every instruction set and are tested (tests/unit/simd/math_test.cpp); MEASURED.md has the measured errors. Outside
+// its domain a function returns what its comment states. A NaN argument gives NaN unless stated otherwise.
 #pragma once
 
 #include <gonio/simd/twin.hpp>
@@ -32,12 +32,12 @@ GONIO_FORCE_INLINE S asin_small(S x, S x2) {
     return mul_add(x * x2, polynomial(x2, 0.166667521F, 0.0749529749F, 0.0454703756F, 0.0241795145F, 0.0421663076F), x);
 }
 
-// (atan(x) − x)/x³, given x² ≤ 1. In halves and quarters (G. Estrin, 1960), not by Horner's rule: half of the time
-// of an arc would else be spent waiting for this.
+// (atan(x) − x)/x³, given x² ≤ 1. Evaluated in halves and quarters (G. Estrin, 1960) instead of by Horner's rule, which
+// would make half of the time of an inverse function a wait for this result.
 template<class S>
 GONIO_FORCE_INLINE S atan_excess_series(S square) {
-    // Below it nothing changes, and t⁴ and its multiples, rounded by themselves for want of FMA, would be no normal
-    // numbers: slow.
+    // Below this bound the result does not change, and t⁴ and its multiples, which are rounded separately without FMA,
+    // would be subnormal, which is slow.
     const S t = max(square, S(1e-8F));
     const S t2 = t * t;
     const S low = mul_add(t2, polynomial(t, -0.142789081F, 0.11036396F), polynomial(t, -0.333333313F, 0.199997559F));
@@ -87,7 +87,8 @@ GONIO_FORCE_INLINE S pick_quadrant(const SinCosParts<S>& parts, integer_of<S> qu
 
 } // namespace detail
 
-// atan(x) − x for 0 ≤ x ≤ 1, relative to itself: no cancellation for small x. ≤ 6 ulp for floats; in double ≤ 1e-13.
+// atan(x) − x for 0 ≤ x ≤ 1, with a small relative error: no cancellation for small x. ≤ 6 ulp for floats; in double ≤
+// 1e-13.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan_excess(S x) {
     const S t = x * x;
@@ -102,7 +103,7 @@ GONIO_FORCE_INLINE double atan_excess(double x) {
     return x * t * sum;
 }
 
-// atan(√t)/√t − 1 for 0 ≤ t ≤ 1, relative to itself. ≤ 4 ulp for floats; in double ≤ 1e-13.
+// atan(√t)/√t − 1 for 0 ≤ t ≤ 1, with a small relative error. ≤ 4 ulp for floats; in double ≤ 1e-13.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan_ratio_excess(S t) {
     return t * detail::atan_excess_series(t);
@@ -144,17 +145,17 @@ GONIO_FORCE_INLINE S atan2(S y, S x) {
     const auto steep = ay > ax;
     const S larger = select(steep, ay, ax);
     const S t = select(steep, ax, ay) / select(larger > S(0), larger, S(1));
-    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be no normal number: slow
+    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be subnormal, which is slow
     angle = select(steep, S(1.57079637F) - angle, angle);
     angle = select(x < S(0), S(3.14159274F) - angle, angle);
     return copysign(angle, y);
 }
-// The same for y ≥ 0 (−0 too), in [0, π]: a tenth of the time less. What is below 1e-37 counts as 0; a NaN stays one.
+// The same for y ≥ 0 (and −0), in [0, π]: a tenth faster. Values below 1e-37 count as 0; NaN stays NaN.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S atan2_above(S y, S x) {
     const S ax = abs(x);
     const S t = min(ax, y) / max(max(ax, y), S(1e-37F));
-    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be no normal number: slow
+    S angle = mul_add(t, atan_ratio_excess(t * t), t); // t³ alone might be subnormal, which is slow
     angle = select(y > ax, S(1.57079637F) - angle, angle);
     return select(x < S(0), S(3.14159274F) - angle, angle);
 }
@@ -214,7 +215,8 @@ GONIO_FORCE_INLINE double cos(double x) {
     return __builtin_cos(x);
 }
 
-// ≤ 2 ulp, down to where the result is no normal number; then 0 in time, and infinity from 128 on.
+// ≤ 2 ulp while the result is a normal number; smaller results eventually become 0, and from 128 on the result is
+// infinity.
 template<SinglePrecision S>
 GONIO_FORCE_INLINE S exp2(S x) {
     constexpr float round_to_integer = 12582912.0F; // 1.5·2²³
@@ -225,7 +227,7 @@ GONIO_FORCE_INLINE S exp2(S x) {
                             detail::polynomial(fraction, 0.693147182F, 0.240226477F, 0.0555033237F, 0.00961843692F,
                                                0.00133988739F, 0.00015353362F),
                             S(1));
-    // In two steps: 2ⁿ alone may be too large or too small for a float where the result is not.
+    // In two steps: 2ⁿ alone may be too large or too small for a float even if the result is not.
     const integer_of<S> n = bits(shifted) - 0x4B400000;
     const integer_of<S> half = n >> 1;
     const S result = power * detail::power_of_two<S>(half) * detail::power_of_two<S>(n - half);
@@ -252,7 +254,7 @@ GONIO_FORCE_INLINE S log2(S x) {
                            detail::polynomial(f, 0.333333135F, -0.250000089F, 0.200021192F, -0.166679963F, 0.142195523F,
                                               -0.124055885F, 0.11888162F, -0.116756521F, 0.0674664229F),
                            S(-0.5F) * f2);
-    // log₂e = 1 + 0.4427: the larger part multiplies exactly.
+    // log₂e = 1 + 0.4427: multiplication by the larger part is exact.
     constexpr float log2_e_less_1 = 0.442695041F;
     const S result = mul_add(tail, S(log2_e_less_1), f * S(log2_e_less_1)) + tail + f + e;
     const S infinity = S(__builtin_inff());

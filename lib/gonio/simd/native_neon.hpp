@@ -1,4 +1,4 @@
-// What vector extensions cannot say, in intrinsics of 64-bit Arm, where NEON is always there.
+// Operations that vector extensions cannot express, in intrinsics of 64-bit Arm, which always has NEON.
 #pragma once
 
 #include <gonio/simd/scalar.hpp>
@@ -21,7 +21,7 @@ struct Native<neon> {
     using real = float32x4_t;
     using half_double = float64x2_t;
     GONIO_FORCE_INLINE static real sqrt(real x) { return vsqrtq_f32(x); }
-    // Not vminq and vmaxq, which hand a NaN on whichever side it stands.
+    // Not vminq and vmaxq, which return NaN if either argument is NaN.
     GONIO_FORCE_INLINE static real min(real a, real b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return vfmaq_f32(c, a, b); }
@@ -43,7 +43,8 @@ struct Native<neon> {
     GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
         return vcombine_f32(vcvt_f32_f64(low), vcvt_f32_f64(high));
     }
-    // Which lanes, bit by bit; `store_chosen` writes them side by side and may write rubbish up to a register's length.
+    // The chosen lanes, as bits; `store_chosen` writes them side by side and may write garbage up to a register's
+    // length.
     using choice = std::uint32_t;
     GONIO_FORCE_INLINE static choice choose(std::uint32_t bits) { return bits; }
     GONIO_FORCE_INLINE static void store_chosen(choice bits, real x, float* to) {

@@ -1,5 +1,5 @@
-// What vector extensions cannot say, in x86 intrinsics. Each part exists only where its instruction set is enabled for
-// the file being compiled, so that no other file can use it by accident.
+// Operations that vector extensions cannot express, in x86 intrinsics. Each part exists only where its instruction set
+// is enabled for the file being compiled, so that no other file can use it by accident.
 #pragma once
 
 #include <gonio/simd/scalar.hpp>
@@ -35,7 +35,7 @@ struct Native<sse2> {
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return _mm_add_pd(_mm_mul_pd(a, b), c);
     }
-    // By the sign bit of each lane of the mask, all bits of which are the same.
+    // Selects by the sign bit of each lane of the mask; all bits of a lane are equal.
     template<class Mask>
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         const real m = reinterpret_cast<real>(mask);
@@ -48,7 +48,8 @@ struct Native<sse2> {
     GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
         return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
     }
-    // Which lanes, bit by bit; `store_chosen` writes them side by side and may write rubbish up to a register's length.
+    // The chosen lanes, as bits; `store_chosen` writes them side by side and may write garbage up to a register's
+    // length.
     using choice = std::uint32_t;
     GONIO_FORCE_INLINE static choice choose(std::uint32_t bits) { return bits; }
     GONIO_FORCE_INLINE static void store_chosen(choice bits, real x, float* to) {
@@ -74,7 +75,7 @@ struct Native<avx2> {
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return _mm256_fmadd_pd(a, b, c);
     }
-    // The compilers would first compare a mask that is a product of others with 0.
+    // Without the intrinsic, compilers first compare a mask that is a product of other masks with 0.
     template<class Mask>
     GONIO_FORCE_INLINE static real select(Mask mask, real a, real b) {
         return _mm256_blendv_ps(b, a, reinterpret_cast<real>(mask));
@@ -86,7 +87,7 @@ struct Native<avx2> {
     GONIO_FORCE_INLINE static real narrow(half_double low, half_double high) {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
     }
-    using choice = __m256i; // where each lane comes from
+    using choice = __m256i; // source of each lane
     struct ChoiceTable {
         unsigned char lane[256][8];
     };
@@ -134,7 +135,7 @@ struct Native<avx512> {
     using choice = __mmask16;
     GONIO_FORCE_INLINE static choice choose(std::uint32_t bits) { return static_cast<choice>(bits); }
     GONIO_FORCE_INLINE static void store_chosen(choice which, real x, float* to) {
-        _mm512_storeu_ps(to, _mm512_maskz_compress_ps(which, x)); // compressing into memory itself is slow on some
+        _mm512_storeu_ps(to, _mm512_maskz_compress_ps(which, x)); // compressing directly to memory is slow on some
     }
 };
 #endif

@@ -1,9 +1,9 @@
-// pack<float, Isa>: as many floats as one register of an instruction set holds, with the arithmetic of a float.
-// pack<double, Isa>: the same number of doubles, with the arithmetic alone.
+// pack<float, Isa>: as many floats as fit into one register of an instruction set, with the arithmetic of a float.
+// pack<double, Isa>: the same number of doubles, with arithmetic only.
 //
-// `Isa` is a type (sse2, avx2, avx512, neon), so that it stands in the mangled name of every template that uses the
-// pack: code of one set can never be taken for that of another. Everything is inlined; nothing fails or allocates.
-// The names of scalar.hpp mean the same here, lane by lane.
+// `Isa` is a type (sse2, avx2, avx512, neon), so it is part of the mangled name of every template that uses the pack:
+// code of one set can never be mistaken for that of another. Everything is inlined; nothing fails or allocates. The
+// names of scalar.hpp mean the same here, lane by lane.
 #pragma once
 
 #include <gonio/simd/scalar.hpp>
@@ -18,7 +18,7 @@
 
 namespace gonio::simd {
 
-// Per lane all bits set (true) or none.
+// Each lane has all bits set (true) or none.
 template<class Isa>
 struct mask {
     using vector [[gnu::vector_size(sizeof(std::int32_t) * Isa::lanes)]] = std::int32_t;
@@ -57,7 +57,7 @@ struct pack<float, Isa> {
     GONIO_FORCE_INLINE friend mask<Isa> operator==(pack a, pack b) { return {a.v == b.v}; }
 };
 
-// As many doubles as a pack of floats has lanes, in two registers: for the few sums that cancel in float.
+// As many doubles as a pack of floats has lanes, in two registers, for the few sums that cancel in float.
 template<class Isa>
 struct pack<double, Isa> {
     using half = typename Native<Isa>::half_double;
@@ -212,14 +212,14 @@ GONIO_FORCE_INLINE void store_partial(pack<float, Isa> from, float* to, std::siz
         to[i] = buffer[i];
 }
 
-// Bit i is set where lane i is.
+// Bit i is set if lane i is set.
 template<class Isa>
 GONIO_FORCE_INLINE std::uint32_t lane_bits(mask<Isa> a) {
     return static_cast<std::uint32_t>(Native<Isa>::sign_bits(reinterpret_cast<typename pack<float, Isa>::vector>(a.m)));
 }
 
-// Lanes chosen by bits. `store_chosen` writes them to `to` side by side, in their order; what follows them, up to a
-// whole pack's length, is overwritten with rubbish.
+// Lanes chosen by bits. `store_chosen` writes them to `to` side by side, in order; it may overwrite the space after
+// them, up to a whole pack's length, with garbage.
 template<class S>
 struct Choice;
 template<class Isa>

@@ -1,4 +1,5 @@
-// Arrays in packets of one scalar's lanes, the last one partly filled. Included where kernels are compiled for a set.
+// Arrays in packets of one scalar's lanes; the last packet may be partly filled. Included where kernels are compiled
+// for a set.
 #pragma once
 
 #include <gonio/simd/pack.hpp>
@@ -32,7 +33,7 @@ struct Packet {
     }
 };
 
-// Calls work(packet) for each packet of `count` elements; P is a Packet or derived from one.
+// Calls work(packet) for each packet of `count` elements; P is Packet or a class derived from it.
 template<class P, class Work>
 GONIO_FORCE_INLINE void for_each_packet(std::size_t count, const Work& work) {
     constexpr std::size_t lanes = Traits<typename P::scalar>::lanes;

@@ -1,9 +1,9 @@
-// The vocabulary that templates of the shading core are written in, for one float or one double.
+// The vocabulary of the shading core's templates, for one float or one double.
 //
-// pack.hpp overloads the same names for packs. Written `simd::sqrt(x)`, a template reads the same for all three.
-// Comparisons of floats give bool, of packs a mask; both are combined with `both`, `either`, `!` and asked with `any`
-// and `all`. No std:: function stands here: an inline one, compiled for a wide instruction set, could be the copy that
-// the linker keeps for every machine.
+// pack.hpp overloads the same names for packs. With calls such as `simd::sqrt(x)` a template reads the same for all
+// three. Comparisons of floats give bool, comparisons of packs a mask; both are combined with `both`, `either`, `!` and
+// tested with `any` and `all`. No std:: functions here: the linker might keep the copy of an inline function that was
+// compiled for a wide instruction set, and use it on every machine.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,7 @@ GONIO_FORCE_INLINE bool all(bool condition) {
     return condition;
 }
 
-// Where a or b is NaN: b. So max(x, 0) turns a NaN into 0.
+// b if a or b is NaN. So max(x, 0) turns a NaN into 0.
 template<RealScalar T>
 GONIO_FORCE_INLINE T min(T a, T b) {
     return a < b ? a : b;
@@ -75,7 +75,7 @@ GONIO_FORCE_INLINE double abs(double x) {
     return __builtin_fabs(x);
 }
 
-// Correctly rounded; NaN below 0.
+// Correctly rounded; NaN for x below 0.
 GONIO_FORCE_INLINE float sqrt(float x) {
     return __builtin_sqrtf(x);
 }
@@ -83,8 +83,8 @@ GONIO_FORCE_INLINE double sqrt(double x) {
     return __builtin_sqrt(x);
 }
 
-// a·b + c, rounded once where the instruction set has it (avx2, avx512, neon) and twice elsewhere: for speed, never for
-// an exact remainder.
+// a·b + c, rounded once where the instruction set supports it (avx2, avx512, neon) and twice elsewhere. Use it for
+// speed, never for an exact remainder.
 template<RealScalar T>
 GONIO_FORCE_INLINE T mul_add(T a, T b, T c) {
     return a * b + c;
@@ -98,8 +98,8 @@ GONIO_FORCE_INLINE double copysign(double x, double sign) {
     return __builtin_copysign(x, sign);
 }
 
-// x² + y² + z² − r² without cancellation: formed in double for floats, with an error of 2⁻⁵² of r² at most; in doubled
-// precision for double (T. J. Dekker, Numerische Mathematik 18, 1971).
+// x² + y² + z² − r² without cancellation. For floats it is computed in double, with an error of at most 2⁻⁵² of r²; for
+// doubles in doubled precision (T. J. Dekker, Numerische Mathematik 18, 1971).
 GONIO_FORCE_INLINE float difference_of_squares(float x, float y, float z, float r) {
     const double dx = x, dy = y, dz = z, dr = r;
     return static_cast<float>((dx * dx - dr * dr) + dy * dy + dz * dz);
@@ -118,8 +118,8 @@ GONIO_FORCE_INLINE double difference_of_squares(double x, double y, double z, do
     return high + low;
 }
 
-// The power of two p with 1 ≤ x·p < 2. For 0 and what is smaller than the least normal number the largest power of two,
-// for the top binade the least normal one (x·p < 4). Multiplying by it is exact. x ≥ 0, finite.
+// The power of two p with 1 ≤ x·p < 2. For 0 and subnormal x it is the largest power of two, and for the top binade the
+// smallest normal one (x·p < 4). Multiplying by p is exact. x ≥ 0, finite.
 GONIO_FORCE_INLINE float reciprocal_power_of_two(float x) {
     constexpr std::int32_t exponent_bits = 0x7F800000;
     std::int32_t exponent = __builtin_bit_cast(std::int32_t, x) & exponent_bits;
@@ -133,7 +133,7 @@ GONIO_FORCE_INLINE double reciprocal_power_of_two(double x) {
     return __builtin_bit_cast(double, (std::int64_t{2046} << 52) - exponent);
 }
 
-// The double that stands for a float in between, where differences cancel: widen, compute, narrow.
+// The double type for intermediate results of S, where differences cancel: widen, compute, narrow.
 template<class S>
 struct Wider {
     using type = double;
@@ -154,7 +154,8 @@ GONIO_FORCE_INLINE void narrow(double x, double& to) {
     to = x;
 }
 
-// Loads and stores; the partial ones take the first `count` (1 … lanes) and repeat the last of them in the other lanes.
+// Loads and stores; the partial ones take the first `count` (1 … lanes) elements; partial loads repeat the last of them
+// in the other lanes.
 template<RealScalar T>
 GONIO_FORCE_INLINE void load(const T* from, T& to) {
     to = *from;
@@ -172,7 +173,7 @@ GONIO_FORCE_INLINE void store_partial(T from, T* to, std::size_t /*count*/) {
     *to = from;
 }
 
-// How many bits are set: one instruction where the set has it, and no library call where it has none.
+// The number of set bits: one instruction if the set has it, and otherwise no library call.
 GONIO_FORCE_INLINE std::uint32_t bit_count(std::uint32_t bits) {
 #if defined(__POPCNT__) || defined(__aarch64__)
     return static_cast<std::uint32_t>(__builtin_popcount(bits));

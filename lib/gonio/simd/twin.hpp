@@ -1,8 +1,8 @@
-// twin<pack>: two packs side by side as one scalar, for formulas so long that a processor waits for their results.
+// twin<pack>: two packs side by side as one scalar, for formulas with long dependency chains that stall the processor.
 //
-// A chain of divisions, roots and polynomials keeps a unit busy for a fraction of its length; two chains that know
-// nothing of each other fill the gaps. A formula of a thousand instructions is too long for the processor to find the
-// next one by itself. The names of scalar.hpp mean the same here, lane by lane; `any` and `all` ask both packs.
+// A chain of divisions, roots and polynomials keeps a unit busy only part of the time; two independent chains fill the
+// gaps. A formula of a thousand instructions is too long for the processor to find the next independent one by itself.
+// The names of scalar.hpp mean the same here, lane by lane; `any` and `all` test both packs.
 #pragma once
 
 #include <gonio/simd/pack.hpp>
@@ -17,7 +17,7 @@ struct twin_mask {
     mask_of<P> a, b;
 };
 
-// The integers of both; P stands in the name, so that its instruction set does.
+// The integers of both packs; P is a parameter so that the instruction set is part of the type's name.
 template<class P>
 struct twin_integer {
     integer_of<P> a, b;
@@ -31,7 +31,7 @@ struct twin_integer {
     GONIO_FORCE_INLINE friend twin_integer operator>>(twin_integer x, int bits) { return {x.a >> bits, x.b >> bits}; }
 };
 
-// P is a pack of floats, or what stands for it in double.
+// P is a pack of floats, or the corresponding type in double.
 template<class P>
 struct twin {
     P a, b;
@@ -199,7 +199,7 @@ GONIO_FORCE_INLINE void store_chosen(const Choice<twin<P>>& which, twin<P> from,
     store_chosen(which.b, from.b, to + which.count_a);
 }
 
-// Two packs for a pack; one float stays one.
+// A twin for a pack; a single float stays single.
 template<class S>
 struct Paired {
     using type = S;
@@ -211,7 +211,7 @@ struct Paired<pack<float, Isa>> {
 template<class S>
 using paired = typename Paired<S>::type;
 
-// The pack of a pair; what is not a pair stays itself.
+// The pack type of a twin; other types stay the same.
 template<class S>
 struct Half {
     using type = S;

@@ -19,9 +19,9 @@ namespace gonio {
 
 namespace {
 
-constexpr double darkest_cd_per_klm = 1e-9; // what is below is 0
+constexpr double darkest_cd_per_klm = 1e-9; // smaller values become 0
 
-// To `digits` significant decimal digits.
+// Rounds to `digits` significant decimal digits.
 double rounded_to(double value, int digits) {
     std::array<char, 64> text{};
     char* const end = text.data() + text.size();
@@ -112,7 +112,8 @@ Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options) {
                     "it may be narrower than the steps");
     for (double& cd : relative) {
         const double per_klm = rounded_to(cd * 1000.0 / lumens, 7);
-        // Seven digits of cd/klm times those of the flux. A formula's tail may go down to 1e-300, which no file holds.
+        // Seven digits of cd/klm times the digits of the flux. A formula's tail may go down to 1e-300, which no file
+        // can store.
         cd = per_klm < darkest_cd_per_klm ? 0.0 : rounded_to(per_klm * options.flux.value / 1000.0, 10);
     }
     if (const double greatest = *std::max_element(relative.begin(), relative.end()); !in_amount_range(greatest))

@@ -12,10 +12,10 @@
 
 namespace gonio {
 
-// A light as a formula. `relative` is 0 or more, of any scale, for C in [0°, 360°) and γ in [0°, 180°].
+// A light as a formula. `relative` is ≥ 0, on any scale, for C in [0°, 360°) and γ in [0°, 180°].
 struct AuthoredShape {
     std::function<double(double c_deg, double gamma_deg)> relative;
-    Symmetry symmetry = Symmetry::none; // that the formula has
+    Symmetry symmetry = Symmetry::none; // symmetry of the formula
     double gamma_end_deg = 90.0;        // 90 or 180: dark above
 };
 
@@ -27,8 +27,8 @@ struct AuthoredKind {
 
 std::span<const AuthoredKind> authored_kinds();
 
-// "downlight:beam=30deg,spill=0.05". Angles and lengths carry their units. Fails (usage) on an unknown kind or key and
-// on a value outside its range.
+// "downlight:beam=30deg,spill=0.05". Angles and lengths need units. Fails (usage) on an unknown kind or key and on a
+// value outside its range.
 Result<AuthoredShape> parse_authored(std::string_view text);
 
 struct AuthorOptions {
@@ -38,11 +38,10 @@ struct AuthorOptions {
     Lumens flux{1000.0};              // > 0
 };
 
-// The shape's values at the angles of a uniform grid, with its mirrors, scaled to the flux and rounded to
-// seven significant digits of cd/klm, so that a file of it is short; the flux is met to 1e-7, and less than 1e-9 cd/klm
-// is 0. Fails (usage) on steps
-// that do not divide 90° into at most 1800 parts, a flux that is not greater than 0, and a formula that gives no light
-// or a number that is not finite or below 0.
+// The shape's values at the angles of a uniform grid, with its mirrors, scaled to the flux and rounded to seven
+// significant digits of cd/klm, which keeps a file of it short. The flux is met to 1e-7; values below 1e-9 cd/klm
+// become 0. Fails (usage) on steps that do not divide 90° into at most 1800 parts, a flux that is not greater than 0,
+// and a formula that gives no light or a number that is not finite or is below 0.
 Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options);
 
 } // namespace gonio

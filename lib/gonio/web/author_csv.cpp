@@ -31,8 +31,8 @@ Unexpected malformed(const std::string& source, std::uint32_t line, std::size_t 
                                std::move(message), std::move(hint)));
 }
 
-// One line's numbers, without its first field where `title` says so. Unless the text is `known` to be a table it may be
-// any file, of which nothing is to be told.
+// The numbers of one line, without its first field if `title` is set. Unless the text is `known` to be a table, it may
+// be any file, so messages must not reveal its content.
 Result<Row> read_row(std::string_view line, std::uint32_t number, bool title, bool known, const std::string& source) {
     Row row;
     row.line = number;
@@ -83,7 +83,7 @@ Result<Web> web_from_csv(std::string_view text, const std::string& source) {
                 source, number, 1,
                 fmt::format("{} numbers for {} gamma angles", row->numbers.size(), table.vertical_deg.size()),
                 "a row is C and one candela for each gamma");
-        // One plane would be left of two, and it is of every C only where it is alone.
+        // Merging two equal planes could leave a single one, which would then apply to every C.
         if (!table.horizontal_deg.empty() && table.horizontal_deg.back() == row->numbers.front())
             return malformed(source, number, 1, fmt::format("C {} is listed twice", row->numbers.front()));
         table.horizontal_deg.push_back(row->numbers.front());

@@ -45,12 +45,12 @@ double tan_deg(double deg) {
     return sin_deg(deg) / cos_deg(deg);
 }
 
-// Half at x = ±1.
+// One half at x = ±1.
 double half_at_one(double x) {
     return std::exp2(-x * x);
 }
 
-// 1 up to 20° below the horizon, 0 from it on, smooth between.
+// 1 up to 20° below the horizon, 0 from the horizon on, smooth in between.
 double cut_off(double gamma_deg) {
     const double x = std::clamp((90.0 - gamma_deg) / 20.0, 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x);
@@ -70,7 +70,7 @@ public:
         return fail("USE0106", fmt::format("{}={} is not between 0deg and 90deg", key, *value));
     }
 
-    // The full angle of a beam.
+    // The full beam angle.
     Result<double> beam_deg(std::string_view key, double standard) const {
         const std::string* const value = text_.value(key);
         if (value == nullptr) return standard;
@@ -145,7 +145,7 @@ Result<AuthoredShape> batwing(const Values& values) {
     const Symmetry symmetry = *reach == *across ? Symmetry::axial : Symmetry::quadrant;
     return AuthoredShape{[x = tan_deg(*reach), y = tan_deg(*across), edge = *edge](double c, double gamma) {
                              const double cosine = cos_deg(gamma);
-                             if (cosine < 1e-3) return 0.0; // beyond a thousand heights; the edge has long ended
+                             if (cosine < 1e-3) return 0.0; // beyond a thousand heights; the edge ends long before that
                              const double out = sin_deg(gamma) / cosine;
                              const double rho = std::hypot(out * cos_deg(c) / x, out * sin_deg(c) / y);
                              return half_at_one(std::max(0.0, rho - 1.0) / edge) / (cosine * cosine * cosine);
@@ -163,7 +163,7 @@ Result<AuthoredShape> wall_washer(const Values& values) {
     const Result<double> spill = values.number("spill", 0.03, 0.0, 1.0);
     if (!spill) return Unexpected(spill.error());
     return AuthoredShape{[lean = *lean, height = *height, width = *width, spill = *spill](double c, double gamma) {
-                             // v from nadir towards the wall, h out of the plane C0–C180.
+                             // v from the nadir towards the wall, h out of the plane C0–C180.
                              const double v =
                                  std::atan2(sin_deg(gamma) * cos_deg(c), cos_deg(gamma)) / radians_per_degree;
                              const double h = std::asin(sin_deg(gamma) * sin_deg(c)) / radians_per_degree;

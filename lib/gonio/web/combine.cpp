@@ -18,7 +18,7 @@ void add_angles(std::vector<double>& to, const std::vector<double>& from) {
     sort_unique(to);
 }
 
-// The web with its mirrors, its gaps and the ends of its table written out: linear everywhere within [first, last].
+// The web with its mirrors, gaps and table ends written out: linear everywhere within [first, last].
 web_detail::Grid whole_grid(const Web& web, double first, double last) {
     if (web.photometry() == Photometry::c) {
         web_detail::Grid grid = web_detail::full_turn(web);

@@ -25,7 +25,7 @@ void append(std::vector<double>& to, std::span<const double> from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-// The angles between which both webs are bilinear, mirrors written out.
+// The angles between which both webs are bilinear, with mirrors written out.
 struct Grid {
     std::vector<double> horizontal;
     std::vector<double> vertical;
@@ -46,7 +46,7 @@ Grid union_grid(const Web& a, const Web& b) {
         for (const double v : web->vertical_deg())
             grid.vertical.push_back(-v);
     }
-    // The measure of solid angle bends too: latitudes are cut every 15°, for the mean square.
+    // The measure of solid angle is not linear either: latitudes are cut every 15° for the mean square.
     std::vector<double>& latitudes = a.photometry() == Photometry::b ? grid.horizontal : grid.vertical;
     const auto [low, high] = std::minmax_element(latitudes.begin(), latitudes.end());
     const double first = *low;
@@ -117,7 +117,8 @@ private:
         double high;
     };
 
-    // What a bilinear function is at the corners of a cell, from four points inside it: the web may jump at its edges.
+    // The corner values of a bilinear function in a cell, extrapolated from four points inside it, because the web may
+    // jump at the cell's edges.
     // In the order (low, low), (low, high), (high, low), (high, high).
     using Corners = std::array<double, 4>;
     static Corners corners(const Web& web, Interval h, Interval v) {
@@ -134,7 +135,7 @@ private:
         return {low[0], high[0], low[1], high[1]};
     }
 
-    // The table's own number where the corner found from within a cell is it but for rounding.
+    // Uses the table's own number if it equals the corner value found from within a cell, except for rounding.
     void settle(const Web& web, double top, Candelas& found) const {
         const double cd = web.candela(found_.c_deg, found_.gamma_deg);
         if (std::abs(cd - found.value) <= 1e-12 * std::abs(top)) found = Candelas(cd);
@@ -145,7 +146,7 @@ private:
         return angles_of(Photometry::c, direction_of(a_.photometry(), {h, v}));
     }
 
-    // ∬ d² dω: three Gauss–Legendre nodes each way, exact in the angles and to 1e-9 in the measure.
+    // ∬ d² dω: three Gauss–Legendre nodes in each direction, exact in the angles and to 1e-9 in the measure.
     void add_squares(const Corners& d, Interval h, Interval v) {
         constexpr auto rule = gauss_legendre<3>();
         double sum = 0.0;

@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr double radians_per_degree = pi / 180.0;
 
 constexpr auto rule = gauss_legendre<6>();
-constexpr double widest = 0.2; // in ψ, of a piece that the rule spans
+constexpr double widest = 0.2; // in ψ, of a piece for one quadrature rule
 
 } // namespace
 
@@ -30,7 +30,8 @@ ConeFlux::Halves ConeFlux::cone(double half_angle_rad, bool about_zenith) const 
     const auto azimuth_of = [&](double t) { return about_zenith ? pi - t : t; };
 
     // Cuts of ψ, with t = γ cosψ counted from the cone's axis: where the outline meets the grid, where front and back
-    // part, and around both ends, where a wide cone turns as fast as its distance to the poles.
+    // are separated, and around both ends, where the outline of a wide cone turns over an interval as short as its
+    // distance to the poles.
     std::vector<double> cuts{0.0, 0.5 * pi, pi};
     const auto cut_at = [&](double t) {
         if (std::abs(t) < gamma) cuts.push_back(std::acos(t / gamma));
@@ -65,7 +66,7 @@ ConeFlux::Halves ConeFlux::cone(double half_angle_rad, bool about_zenith) const 
             const double t = gamma * std::cos(psi);
             const double cos_t = std::cos(t);
             const double sine = std::min(cos_gamma / cos_t, 1.0);
-            // 1 − sin²θ without its cancellation at the ends.
+            // 1 − sin²θ without cancellation at the ends.
             const double cosine = std::sqrt(std::max(std::sin(gamma - t) * std::sin(gamma + t), 0.0)) / cos_t;
             const double theta = std::atan2(sine, cosine);
             const double azimuth = azimuth_of(t);

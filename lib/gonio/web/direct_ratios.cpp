@@ -10,7 +10,7 @@ namespace gonio {
 std::array<double, 10> direct_ratios(const Web& web) {
     constexpr std::array indices{0.60, 0.80, 1.00, 1.25, 1.50, 2.00, 2.50, 3.00, 4.00, 5.00};
     constexpr double radians_per_degree = std::numbers::pi / 180.0;
-    constexpr int gamma_parts = 4; // of a degree
+    constexpr int gamma_parts = 4; // per degree
     const auto c_deg = [](std::size_t i) { return 2.0 * static_cast<double>(i) + 1.0; };
     std::array<double, 180> across{}; // |cos C| and |sin C|
     std::array<double, 180> along{};
@@ -23,7 +23,7 @@ std::array<double, 10> direct_ratios(const Web& web) {
     double down = 0.0;
     for (int j = 0; j < 90 * gamma_parts; ++j) {
         const double gamma = (j + 0.5) / gamma_parts;
-        const double out = std::tan(gamma * radians_per_degree); // over the height of fall
+        const double out = std::tan(gamma * radians_per_degree); // over the height of the fall
         const double weight = std::sin(gamma * radians_per_degree);
         std::array<double, 10> reach{}; // over the side of the room
         for (std::size_t k = 0; k < indices.size(); ++k)

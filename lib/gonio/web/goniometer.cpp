@@ -10,7 +10,7 @@ namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
-// Along the polar axis, and the other two of which `ahead` is longitude 0.
+// A direction in components: along the polar axis, and the two others; `ahead` is longitude 0.
 struct Polar {
     double along;
     double across;

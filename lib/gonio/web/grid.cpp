@@ -29,7 +29,7 @@ std::vector<double> between(const Plane& low, const Plane& high, double c_deg) {
     return candela;
 }
 
-// A run of planes without a gap: the stored ones or a mirror image of them.
+// A sequence of planes without a gap: the stored ones or a mirror image of them.
 std::vector<Plane> image(const Web& web, double mirror_deg, bool mirrored, double turn_deg) {
     std::vector<Plane> run;
     const std::span<const double> planes = web.planes_deg();
@@ -57,7 +57,7 @@ std::vector<std::vector<Plane>> images(const Web& web) {
     return {image(web, 0.0, false, 0.0)};
 }
 
-// Zeros in the dark sector between `low_deg` and `high_deg`; none where the lit planes beside it are zero themselves.
+// Adds zeros in the dark sector between `low_deg` and `high_deg`; none beside planes that are already zero.
 void add_dark(std::vector<Plane>& to, double low_deg, double high_deg, bool low_is_dark, bool high_is_dark,
               std::size_t rows) {
     const std::vector<double> zeros(rows, 0.0);
@@ -69,7 +69,7 @@ void add_dark(std::vector<Plane>& to, double low_deg, double high_deg, bool low_
     if (!high_is_dark) to.push_back({high_deg - dark_step_deg, zeros});
 }
 
-// The images one after another from the first plane once around, the last plane 360° behind the first.
+// The images in sequence once around from the first plane; the last plane is 360° after the first.
 std::vector<Plane> ring(const Web& web, Grid& says) {
     std::vector<Plane> planes;
     const std::size_t rows = web.gammas_deg().size();
@@ -112,7 +112,7 @@ bool differ(const Plane& a, const Plane& b) {
     return difference > 1e-9 * peak;
 }
 
-// Turns the ring so that it begins at a multiple of 360°, and counts from there.
+// Rotates the ring so that it begins at a multiple of 360°, and counts angles from there.
 std::vector<Plane> begun_at_zero(std::vector<Plane> planes) {
     const double zero = 360.0 * std::ceil((planes.front().c_deg - same_deg) / 360.0);
     std::size_t at = 0;
@@ -133,7 +133,7 @@ std::vector<Plane> begun_at_zero(std::vector<Plane> planes) {
     if (at == 0) {
         add(planes[last], -zero);
     } else {
-        // Where the ring closes there is one plane, or two that differ: these stay apart.
+        // If the first and last planes of the ring differ, both are kept, slightly apart.
         if (differ(planes[last], planes.front())) {
             const double before = planes[last].c_deg - dark_step_deg;
             add({before, between(planes[last - 1], planes[last], before)}, -zero);
@@ -155,7 +155,7 @@ Grid to_grid(const std::vector<Plane>& planes, std::span<const double> gammas, G
     return grid;
 }
 
-// Angles to be added before and behind a list so that it runs from `first` to `last`; the value at them is 0.
+// Angles to add before and after a list so that it runs from `first` to `last`; the value at them is 0.
 struct Extension {
     std::vector<double> before;
     std::vector<double> behind;

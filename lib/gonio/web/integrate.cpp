@@ -12,20 +12,20 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// ∫ of w cosφ over the latitudes [low, high]: the colatitude's sine.
+// ∫ of w cosφ over the latitudes [low, high], computed with the sine of the colatitude.
 double integrate_linear_cos(double low, double high, double w_low, double w_high) {
     constexpr double quarter = 0.5 * std::numbers::pi;
     return integrate_linear_sin(low + quarter, high + quarter, w_low, w_high);
 }
 
-// The rule of the industry in its place: the mean of the ends.
+// The industry's rule in place of the exact integral: the mean of the ends.
 double mean_cos(double low, double high, double w_low, double w_high) {
     const double mean = 0.5 * (w_low + w_high);
     return integrate_linear_cos(low, high, mean, mean);
 }
 
-// What each stored intensity counts for in an integral over one axis: ∫ of its hat function by `cell`, which integrates
-// a linear function over an interval.
+// The weight of each stored intensity in an integral over one axis: ∫ of its hat function by `cell`, which integrates a
+// linear function over an interval.
 template<class Cell>
 std::vector<double> hat_integrals(std::span<const double> angles_deg, Cell&& cell) {
     std::vector<double> weights(angles_deg.size(), 0.0);
@@ -38,7 +38,7 @@ std::vector<double> hat_integrals(std::span<const double> angles_deg, Cell&& cel
     return weights;
 }
 
-// Types A and B: latitudes by `latitude_cell`, longitudes by the trapezoid rule, which is exact for linear functions.
+// Types A and B: latitudes with `latitude_cell`, longitudes by the trapezoid rule, which is exact for linear functions.
 template<class LatitudeCell>
 Lumens over_latitudes(const Web& web, LatitudeCell&& latitude_cell) {
     const auto longitude_cell = [](double low, double high, double w_low, double w_high) {
@@ -80,7 +80,7 @@ Lumens over_planes(const Web& web, PlaneIntegral&& plane_integral) {
 double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high) {
     // With m the middle, h the half width, w̄ the mean and δ half the rise:
     //   ∫ = 2[ w̄ sin m sin h + δ cos m (sin h/h − cos h) ],
-    // the bracket as a series for small h, where it cancels; at h = ½ its next term is 1e-17 of it.
+    // with a series for the parentheses at small h, where they cancel; at h = ½ the next term is 1e-17 of them.
     const double m = 0.5 * (gamma_low + gamma_high);
     const double h = 0.5 * (gamma_high - gamma_low);
     const double h2 = h * h;

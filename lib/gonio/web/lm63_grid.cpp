@@ -1,4 +1,4 @@
-// The tables of LM-63 and of TM-33, which has the same rules.
+// The tables of LM-63, and of TM-33, which has the same rules.
 #include <gonio/web/make_profile.hpp>
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@ namespace gonio::web_detail {
 
 namespace {
 
-// What LM-63 allows the planes of a web to be: one, a symmetric half or quarter, or the full turn.
+// The forms in which LM-63 allows the planes of a web: one plane, a symmetric half or quarter, or the full turn.
 Grid type_c_grid(const Web& web, Lm63Planes allowed, Losses& losses) {
     const Symmetry symmetry = web.stored_symmetry();
     if (symmetry == Symmetry::axial) {
@@ -27,7 +27,7 @@ Grid type_c_grid(const Web& web, Lm63Planes allowed, Losses& losses) {
     return grid;
 }
 
-// The end of a range that a list ending at `angle` is extended to: the nearest of `ends` beyond it.
+// The range end to which a list ending at `angle` is extended: the nearest of `near` and `far` beyond it.
 double end_for(double angle, double near, double far, bool upwards) {
     if (upwards) return angle <= near ? near : far;
     return angle >= near ? near : far;
@@ -41,7 +41,7 @@ void extend_type_c(Grid& grid, Losses& losses) {
                                       grid.vertical_deg.front(), grid.vertical_deg.back()));
 }
 
-// Types A and B run from -90 to 90 degrees, or from 0 where the other half is a mirror image.
+// Types A and B run from -90 to 90 degrees, or from 0 if the other half is a mirror image.
 void extend_types_ab(Grid& grid, Symmetry symmetry, Losses& losses) {
     const double h = grid.horizontal_deg.front();
     const double h_last = grid.horizontal_deg.back();

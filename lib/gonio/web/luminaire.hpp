@@ -15,20 +15,20 @@ struct Luminaire {
     ProfileHeader header;
 };
 
-// Every intensity and the lamps' flux times `factor`, so that the light output ratio stays; the input watts stay.
-// Fails as scaled_by() does.
+// Every intensity and the lamps' flux multiplied by `factor`, so that the light output ratio stays the same; the input
+// watts do not change. Fails as scaled_by() does.
 Result<Luminaire> dimmed(const Luminaire& luminaire, double factor);
 
-// The same linear luminaire `factor` times as long: intensities, lamps' flux and input watts grow with it, and so do
-// the lengths of the housing and of the luminous opening. Fails as scaled_by() does, and (usage) where the
-// opening has no length (a disk, a sphere, a point).
+// The same linear luminaire `factor` times as long: intensities, lamps' flux and input watts grow in proportion, and so
+// do the lengths of the housing and of the luminous opening. Fails as scaled_by() does, and (usage) if the opening has
+// no length (a disk, a sphere, a point).
 Result<Luminaire> stretched(const Luminaire& luminaire, double factor);
 
-// Scaled to the flux, the lamps' flux with it. Fails as scaled_to() does.
+// Scaled to the flux, with the lamps' flux in proportion. Fails as scaled_to() does.
 Result<Luminaire> scaled_to(const Luminaire& luminaire, Lumens flux);
 
-// Σ weightᵢ · luminaireᵢ by combined(): flux of the lamps and watts are added alike, texts and opening are the first's.
-// Absolute where any of them is.
+// Σ weightᵢ · luminaireᵢ by combined(): the lamps' flux and the watts are added in the same way; texts and opening are
+// those of the first. Absolute if any of them is absolute.
 struct CombinedLuminaire {
     Luminaire luminaire;
     double max_error_cd = 0.0;

@@ -1,4 +1,4 @@
-// Whether every number of a file that was made can be read again.
+// Checks that every number of a file made from a web can be read again.
 #include <gonio/base/amount_range.hpp>
 #include <gonio/web/make_profile.hpp>
 

@@ -13,12 +13,12 @@
 
 namespace gonio::web_detail {
 
-// What was lost or changed while a file was made.
+// Everything that was lost or changed while a file was made.
 class Losses {
 public:
     explicit Losses(std::string source) : source_(std::move(source)) {}
 
-    // Of the whole file.
+    // For the whole file.
     void add(WebCode code, std::string message, std::string hint = {}) {
         add_at({source_, 0, 0}, code, std::move(message), std::move(hint));
     }
@@ -40,21 +40,22 @@ private:
     Diagnostics diagnostics_;
 };
 
-// The nearest number of that many significant digits: what went through a factor and back is not written with sixteen.
+// The nearest number with that many significant digits, so that a value multiplied by a factor and divided again is not
+// written with sixteen digits.
 double rounded_to(double value, int digits);
 
-// What a header holds that no target but its own format can: said for every target.
+// Reports header data that no target except its own format can store; the same for every target.
 void report_other_losses(const ProfileHeader& header, bool keeps_generation_type, Losses& losses);
 
 // Which planes of a type C web a format allows.
 enum class Lm63Planes {
     full_turn,   // one, or all of them
-    half_from_0, // and symmetric ones over 0° to 90° and 0° to 180°
+    half_from_0, // and symmetric planes over 0° to 90° and 0° to 180°
     any_half     // and over 90° to 270°
 };
 
-// The table of a web as LM-63 and TM-33 list it: planes from 0°, closed at 360° where they go around, vertical angles
-// that begin and end where the formats have them.
+// The table of a web as LM-63 and TM-33 list it: planes from 0°, closed at 360° if they cover a full turn; vertical
+// angles begin and end where the formats require.
 Grid lm63_grid(const Web& web, Lm63Planes allowed, Losses& losses);
 
 struct IesRequest {
@@ -70,8 +71,8 @@ LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses);
 
 Tm33File make_tm33(const Web& web, const ProfileHeader& header, Losses& losses);
 
-// What was made. Fails (malformed) where a number in it is above greatest_amount, which no reader would take: a web in
-// range may be the product of factors that are not, or be divided by a flux that is next to nothing.
+// Returns `made`. Fails (malformed) if a number in it is above greatest_amount, which readers reject: a web in range
+// may be the product of factors that are out of range, or be divided by a flux close to 0.
 Result<MadeProfile> with_numbers_in_range(MadeProfile made);
 
 } // namespace gonio::web_detail

@@ -16,7 +16,7 @@ using std::numbers::pi;
 constexpr double radians_per_degree = pi / 180.0;
 constexpr double turn = 2.0 * pi;
 
-// The angles of types A and B with their mirror images, where the table is stored with one.
+// The angles of types A and B with their mirror images, if the table is stored with a mirror.
 std::vector<double> with_mirror(std::span<const double> angles_deg, bool mirrored) {
     std::vector<double> all(angles_deg.begin(), angles_deg.end());
     if (mirrored)
@@ -49,14 +49,14 @@ Meridians::Meridians(const Web& web) {
         azimuth_0_ = {0.0, 0.0, -1.0};
         azimuth_90_ = a ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
         pole_ = a ? glm::dvec3(0.0, -1.0, 0.0) : glm::dvec3(-1.0, 0.0, 0.0);
-        // A table of the whole circle has both −180° and 180°.
+        // A table of the full circle has both −180° and 180°.
         if (azimuths_deg.size() > 1 && azimuths_deg.back() - azimuths_deg.front() >= 360.0) azimuths_deg.pop_back();
     }
     if (azimuths_deg.empty()) azimuths_deg.push_back(0.0);
-    // Images of one angle that differ by their rounding are one.
+    // Images of one angle that differ only by rounding count as one.
     const auto same = [](double a, double b) { return b - a < 1e-9; };
     azimuths_deg.erase(std::unique(azimuths_deg.begin(), azimuths_deg.end(), same), azimuths_deg.end());
-    // A sector of more than half a turn would let an outline around the pole wrap unseen.
+    // A sector of more than half a turn would let an outline wrap around the pole unnoticed.
     for (std::size_t i = 0; i < azimuths_deg.size(); ++i) {
         const double next = i + 1 < azimuths_deg.size() ? azimuths_deg[i + 1] : azimuths_deg.front() + 360.0;
         if (next - azimuths_deg[i] > 90.0)
@@ -69,7 +69,7 @@ Meridians::Meridians(const Web& web) {
         cosines_.push_back(std::cos(polars_.back()));
     }
 
-    // Linear in α inside a sector: what it has at the ends follows from two angles inside, where no jump is met.
+    // I is linear in α inside a sector: its values at the ends follow from two angles inside, where there is no jump.
     std::vector<double> low(polars_.size());
     std::vector<double> high(polars_.size());
     std::vector<char> lit_polars(polars_.size(), 0);
@@ -104,7 +104,7 @@ void Meridians::find_darkness(std::span<const char> lit_polars, std::span<const 
     const auto to = lit_polars.size() - 1 - static_cast<std::size_t>(last - lit_polars.rbegin());
     lit_polar_from_ = polars_[from > 0 ? from - 1 : 0];
     lit_polar_to_ = polars_[std::min(to + 1, polars_.size() - 1)];
-    // The longest run of dark sectors, around.
+    // The longest cyclic run of dark sectors.
     const std::size_t count = lit_sectors.size();
     for (std::size_t begin = 0; begin < count; ++begin) {
         double width = 0.0;
@@ -136,7 +136,7 @@ void Meridians::add_end(std::span<const double> candela) {
     double sum = 0.0;
     for (std::size_t j = 0; j < polars_.size(); ++j) {
         if (j + 1 == polars_.size()) {
-            pieces_.push_back({0.0, 0.0, sum}); // behind the last one
+            pieces_.push_back({0.0, 0.0, sum}); // after the last break
             break;
         }
         const double width = polars_[j + 1] - polars_[j];

@@ -32,20 +32,21 @@ public:
     [[nodiscard]] std::span<const double> polar_breaks() const { return polars_; }
     [[nodiscard]] std::span<const double> polar_break_cosines() const { return cosines_; }
 
-    // Between which breaks an angle lies: the sector, which wraps, and the number of polar breaks at or below θ.
+    // The position of an angle among the breaks: the sector (which wraps around), and the number of polar breaks at or
+    // below θ.
     [[nodiscard]] std::size_t sector_of(double azimuth) const;
     [[nodiscard]] std::size_t cell_of(double polar) const;
 
     // ∫₀^θ and −∫_θ^π of I sinθ' dθ' [cd], continued linearly in α from the sector. `cell` is cell_of(polar).
     struct Integral {
         double to_here = 0.0;
-        double beyond = 0.0; // exactly 0 behind the last light
+        double beyond = 0.0; // exactly 0 beyond the last light
     };
     [[nodiscard]] Integral integral(std::size_t sector, double azimuth, std::size_t cell, double polar,
                                     double cos_polar, double sin_polar) const;
 
-    // I(θ) = intensity + slope·(θ − θⱼ) from the break j on, at one end of a sector; `constant` is G there without its
-    // running terms: G(θ) = constant − I(θ) cosθ + slope·sinθ.
+    // I(θ) = intensity + slope·(θ − θⱼ) from the break j on, at one end of a sector; `constant` is G without the terms
+    // in θ: G(θ) = constant − I(θ) cosθ + slope·sinθ.
     struct Piece {
         double intensity = 0.0;
         double slope = 0.0;
@@ -67,12 +68,12 @@ public:
     // Where there may be light: θ outside [from, to] is dark for every α.
     [[nodiscard]] double lit_polar_from() const { return lit_polar_from_; }
     [[nodiscard]] double lit_polar_to() const { return lit_polar_to_; }
-    // The widest arc of α without light at any θ; of width 0 where there is none.
+    // The widest arc of α without light at any θ; of width 0 if there is none.
     [[nodiscard]] double dark_azimuth_begin() const { return dark_azimuth_begin_; }
     [[nodiscard]] double dark_azimuth_width() const { return dark_azimuth_width_; }
 
 private:
-    // Pieces of one end of a sector, one for each number of breaks passed.
+    // Adds the pieces of one end of a sector, one for each number of breaks passed.
     void add_end(std::span<const double> candela);
     void find_darkness(std::span<const char> lit_polars, std::span<const char> lit_sectors);
 

@@ -14,7 +14,7 @@ namespace gonio {
 
 namespace {
 
-// A section through the web along a great circle: intensity against the signed angle from a pole, towards C positive.
+// A section through the web along a great circle: intensity against the signed angle from a pole, positive towards C.
 class Section {
 public:
     Section(const Web& web, double c_deg, bool around_zenith) : web_(web), c_deg_(c_deg), zenith_(around_zenith) {}
@@ -24,10 +24,10 @@ public:
         return web_.candela(signed_deg >= 0.0 ? c_deg_ : c_deg_ + 180.0, zenith_ ? 180.0 - from_pole : from_pole);
     }
 
-    // Whether the section is linear between its knots; type A and B are not, but nearly so.
+    // Whether the section is linear between its knots; sections of types A and B are only nearly linear.
     bool linear() const { return web_.photometry() == Photometry::c; }
 
-    // The angles from the pole at which the section bends, ascending, 0 and 180 included; of types A and B, every
+    // The angles from the pole at which the section bends, ascending, including 0 and 180; for types A and B, every
     // twentieth of a degree.
     std::vector<double> knots_deg() const {
         if (!linear()) return even_angles(0.0, 180.0, 3600);
@@ -44,7 +44,7 @@ private:
     bool zenith_;
 };
 
-// Where the section falls through the threshold between an angle that is bright enough and one that is not.
+// The angle at which the section falls below the threshold, between one that is bright enough and one that is not.
 double crossing(const Section& section, double sign, double bright, double dark, double threshold) {
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (bright + dark);
@@ -53,8 +53,8 @@ double crossing(const Section& section, double sign, double bright, double dark,
     return bright;
 }
 
-// The outermost angle from the pole on one side (sign ±1) that is at least as bright as the threshold; nothing when the
-// side has none. Searched inside 90°, and outwards from 90° while the light stays that bright.
+// The outermost angle from the pole on one side (sign ±1) that is at least as bright as the threshold; empty if there
+// is none. The search covers 90°, and goes beyond 90° only while the light stays that bright.
 std::optional<double> outermost(const Section& section, double sign, double threshold) {
     const std::vector<double> knots = section.knots_deg();
     std::optional<double> best;
@@ -67,7 +67,7 @@ std::optional<double> outermost(const Section& section, double sign, double thre
         if (to_cd >= threshold) {
             best = to;
         } else if (from_cd >= threshold) {
-            // A table that ends in the dark drops at its edge and is not linear behind it.
+            // At the end of a table the intensity drops, and it is not linear beyond the edge.
             const double inside = section.candela(sign * (from + 1e-9));
             if (inside < threshold)
                 best = from;
@@ -83,7 +83,7 @@ std::optional<double> outermost(const Section& section, double sign, double thre
     return best;
 }
 
-// The side's innermost angle that is bright enough, needed when the other side is dark.
+// The innermost angle on one side that is bright enough; needed if the other side is dark.
 std::optional<double> innermost(const Section& section, double sign, double threshold) {
     const std::vector<double> knots = section.knots_deg();
     double before_cd = section.candela(0.0);
@@ -120,7 +120,7 @@ Peak peak(const Web& web) {
 
 namespace {
 
-// Whether the beam's axis is taken to point to the zenith.
+// Whether the beam's axis points to the zenith.
 bool points_up(const Web& web, const Peak& top) {
     return top.gamma_deg > 90.0 || (web.photometry() == Photometry::c && web.gammas_deg().front() >= 90.0);
 }
@@ -156,7 +156,7 @@ int nema_type(Radians field_angle) {
     const double angle = to_degrees(field_angle);
     int type = 1;
     for (const double limit : limits)
-        type += angle > limit + 1e-9 ? 1 : 0; // degrees that came through radians
+        type += angle > limit + 1e-9 ? 1 : 0; // tolerance because the degrees were converted from radians
     return type;
 }
 

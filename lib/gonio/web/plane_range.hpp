@@ -1,4 +1,4 @@
-// Where the planes of a symmetry lie.
+// The ranges of C-planes of the symmetries.
 #pragma once
 
 #include <gonio/web/web.hpp>
@@ -10,7 +10,7 @@ struct AngleRange {
     double high = 0.0;
 };
 
-// The degrees of C that the planes of a symmetry are stored over: the whole circle for axial and none.
+// The range of C, in degrees, of the stored planes of a symmetry: the full circle for axial and none.
 constexpr AngleRange plane_range(Symmetry stored) {
     switch (stored) {
     case Symmetry::quadrant:

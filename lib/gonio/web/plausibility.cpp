@@ -23,7 +23,7 @@ namespace {
 
 constexpr double sun_nt = 1.6e9;
 
-// What is found, each at the field that says it.
+// The findings, each at the field that it concerns.
 class Findings {
 public:
     Findings(const Profile& profile, int lamp_set) : profile_(profile), lamp_set_(lamp_set) {}
@@ -32,14 +32,14 @@ public:
         found_.add_at(location_of(profile_, field), code, std::move(message), std::move(hint));
     }
 
-    // At the lamps that are looked at.
+    // At the lamp set that is being checked.
     void add_of_lamps(WebCode code, ProfileField field, std::string message, std::string hint = {}) {
         const bool sets = std::holds_alternative<LdtFile>(profile_.file);
         found_.add_at(location_of_lamps(profile_, field, sets ? lamp_set_ : 1), code, std::move(message),
                       std::move(hint));
     }
 
-    // At one of the ten direct ratios, which have a line each.
+    // At one of the ten direct ratios, each of which is on a separate line.
     void add_of_ratio(WebCode code, std::size_t ratio, std::string message) {
         Location location = location_of(profile_, ProfileField::direct_ratios);
         if (ratio > 0 && location.line > 0) {
@@ -103,7 +103,7 @@ void check_opening(const LuminousOpening& opening, double bright_cd, Findings& s
                  "compare the file's unit of length with the sizes");
 }
 
-// A value that is `times` all of its neighbours in the table. A pole is one direction, on every plane.
+// A value more than `times` as great as each of its neighbours in the table. A pole is one direction on every plane.
 void check_lone_values(const Web& web, double bright_cd, Findings& says) {
     const std::size_t columns = web.horizontal_deg().size();
     const std::size_t rows = web.vertical_deg().size();
@@ -190,7 +190,7 @@ void check_planes(const Web& web, Findings& says) {
                  fmt::format("every value {} the horizon is 0", dark_below ? "below" : "above"));
 }
 
-// The number that a text begins with; nothing for "nw".
+// The number at the start of a text; empty for "nw".
 std::optional<double> leading_number(std::string_view text) {
     while (text.starts_with(' '))
         text.remove_prefix(1);
@@ -202,7 +202,7 @@ std::optional<double> leading_number(std::string_view text) {
 void check_color(const ProfileHeader& header, Findings& says) {
     const std::optional<double> cct = leading_number(keyword_text(header, "_CCT"));
     const std::optional<double> cri = leading_number(keyword_text(header, "_CRI"));
-    // Some write the first digits of both: 830 is 3000 K with an index of 80 to 89.
+    // Some files combine the first digits of both: 830 is 3000 K with an index of 80 to 89.
     const bool code = cct && *cct >= 700.0 && *cct < 1000.0;
     if (cct && *cct != 0.0 && !code && (*cct < 1000.0 || *cct > 25000.0))
         says.add_of_lamps("WEB0317", ProfileField::color_temperature,
@@ -243,7 +243,7 @@ void check_ldt_fields(const LdtFile& file, const ProfileHeader& header, const We
     }
     const double length = header.length_m * 1000.0;
     const double width = header.width_m * 1000.0;
-    // A round luminaire has no width of its own; a housing of no size is not given.
+    // A round luminaire has a width of 0; a housing without a size was not specified.
     const bool longer =
         length > 0.0 && file.luminous_length_mm > length * 1.001 && file.luminous_length_mm > width * 1.001;
     const bool wider = length > 0.0 && width > 0.0 && file.luminous_width_mm > std::max(length, width) * 1.001;

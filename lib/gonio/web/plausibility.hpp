@@ -1,4 +1,4 @@
-// The check of plausibility: a file that readers accept, against its own light.
+// The plausibility check: whether a file that readers accept is consistent with its own web.
 //
 // The rules are the codes WEB03… of gonio/base/codes/web.hpp. The reader of a file reports errors of its text, and
 // resolve_web reports unusual angles; neither is repeated here.
@@ -11,7 +11,7 @@
 
 namespace gonio {
 
-// `web` is the profile's own, resolved with `options`. The diagnostics name the questionable field, by
+// `web` must be the profile's web, resolved with `options`. The diagnostics name the questionable field, by
 // profile.places. Costs a few integrations of the web; for types A and B the hemispheres are not checked.
 Diagnostics check_plausibility(const Profile& profile, const Web& web, const ResolveOptions& options = {});
 

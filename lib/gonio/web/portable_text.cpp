@@ -65,7 +65,7 @@ std::string_view ascii_of(std::uint32_t c, char& buffer) {
     }
 }
 
-// The code page 1252 where it is not Latin-1 and the character is one of those above.
+// Code page 1252 where it differs from Latin-1, for the characters handled above.
 std::uint32_t of_1252(unsigned char byte) {
     switch (byte) {
     case 0x80:
@@ -93,7 +93,7 @@ std::uint32_t of_1252(unsigned char byte) {
     }
 }
 
-// The character that begins at `at`, which moves behind it; nothing when the bytes are no UTF-8.
+// The character that begins at `at`; moves `at` past it. Empty if the bytes are not UTF-8.
 std::optional<std::uint32_t> next_utf8(std::string_view text, std::size_t& at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
     const std::uint32_t lead = byte(at);

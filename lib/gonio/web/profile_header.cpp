@@ -57,7 +57,7 @@ ProfileHeader of(const LdtFile& file, const ResolveOptions& options) {
     return header;
 }
 
-// "[BALLAST] driver", as the comments of TM-33 keep keywords that have no element.
+// "[BALLAST] driver": the form in which TM-33 comments keep keywords that have no element.
 IesKeyword keyword_of_comment(const std::string& text) {
     const std::size_t close = text.find(']');
     if (!text.starts_with("[") || close == std::string::npos || close == 1) return {"OTHER", text};
@@ -102,7 +102,7 @@ ProfileHeader of(const Tm33File& file, const ResolveOptions&) {
         if (emitter.cct_k) add("_CCT", fmt::format("{}", *emitter.cct_k));
         if (emitter.cri_ra) add("_CRI", fmt::format("{}", *emitter.cri_ra));
     }
-    // Lamps, lumens and watts of all emitters, where they have a light in common.
+    // Lamps, lumens and watts of all emitters, if the emitters can be combined.
     if (const Result<IesFile> light = lm63_of(file)) {
         header.lamp_count = std::max(1, light->lamp_count);
         if (light->lumens_per_lamp > 0.0) header.lamp_flux_lm = light->lumens_per_lamp * light->lamp_count;

@@ -8,7 +8,7 @@ namespace gonio::web_detail {
 
 namespace {
 
-// The angles and the middles between them.
+// The angles and the midpoints between them.
 std::vector<double> with_middles(const std::vector<double>& angles) {
     std::vector<double> all;
     all.reserve(2 * angles.size() - 1);
@@ -20,7 +20,7 @@ std::vector<double> with_middles(const std::vector<double>& angles) {
     return all;
 }
 
-// A step of one axis, and how far the light in its middle is from the mean of its ends.
+// A step of one axis, and the difference of the light at its midpoint from the mean of its ends.
 struct Step {
     bool of_planes = false;
     std::size_t index = 0;

@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    // Whether a step that holds the angle is one of the finest; at an angle of the grid there are two.
+    // Whether a step that contains the angle is one of the finest; an angle of the grid is in two steps.
     static bool is_narrow(std::span<const double> angles, double angle) {
         const auto step_ends_at = [&](std::ptrdiff_t i) {
             return i > 0 && i < std::ssize(angles) &&
@@ -54,7 +54,7 @@ private:
     ResampledWeb& result_;
 };
 
-// Every fifth of each step of a grid's axis.
+// The ends of all fifths of each step of a grid's axis.
 std::vector<double> fifths(std::span<const double> angles) {
     std::vector<double> all;
     for (std::size_t i = 1; i < angles.size(); ++i)
@@ -74,7 +74,7 @@ void measure(const web_detail::Light& before, ResampledWeb& result) {
         worst.look_at(at.horizontal_deg, at.vertical_deg);
 }
 
-// Lines of H and V cross the planes C0–C180 and C90–C270 at these γ, and are where the light bends in them.
+// Lines of H and V cross the planes C0–C180 and C90–C270 at these γ, and the light bends there.
 std::vector<double> gammas_of_native(const Web& web) {
     std::vector<double> gammas;
     for (const std::span<const double> angles : {web.horizontal_deg(), web.vertical_deg()})
@@ -88,7 +88,7 @@ web_detail::Light light_of(const Web& web) {
             web.photometry() == Photometry::c ? std::vector<double>() : gammas_of_native(web)};
 }
 
-// The whole degrees of γ between which there is light; high below low where there is none.
+// The range of whole degrees of γ that contains light; high is below low if there is none.
 AngleRange bright_gammas(const web_detail::Light& light) {
     AngleRange range{180.0, 0.0};
     for (int gamma = 0; gamma <= 180; ++gamma)
@@ -101,7 +101,8 @@ AngleRange bright_gammas(const web_detail::Light& light) {
     return range;
 }
 
-// The half or whole sphere that holds the light, as LM-63 and EULUMDAT know them, with a step to spare at the horizon.
+// The half or full sphere that contains the light, as in LM-63 and EULUMDAT, with a tolerance of one step at the
+// horizon.
 AngleRange table_gammas(AngleRange bright, double step) {
     if (bright.low > bright.high) return {0.0, 180.0};
     const bool up = bright.high > 90.0;
@@ -109,7 +110,7 @@ AngleRange table_gammas(AngleRange bright, double step) {
     return {down ? 0.0 : 90.0, up ? 180.0 : 90.0};
 }
 
-// Even steps of at most coarse_step_deg between the listed angles.
+// Uniform steps of at most coarse_step_deg between the listed angles.
 std::vector<double> filled(std::vector<double> listed) {
     sort_unique(listed);
     std::vector<double> angles{listed.front()};
@@ -168,7 +169,7 @@ ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens
         if (gamma > gammas.low + finest_step_deg && gamma < gammas.high - finest_step_deg) own.push_back(gamma);
     AngleGrid grid = refined_grid(light, {filled({planes.low, planes.high}), filled(std::move(own))},
                                   Candelas(tolerance * std::abs(peak.value)));
-    // Ascending angles within the range of a symmetry are always a grid.
+    // Ascending angles within the range of a symmetry always form a grid.
     return *resample(light, stored, std::move(grid.planes_deg), std::move(grid.gammas_deg), flux_before);
 }
 

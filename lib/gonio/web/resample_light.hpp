@@ -1,4 +1,4 @@
-// Any light by direction made into a type C web, with its error. Internal to the web room.
+// Any light given by direction, converted to a type C web with its error. Internal to the web room.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -13,19 +13,19 @@ namespace gonio::web_detail {
 
 struct Light {
     std::function<double(double c_deg, double gamma_deg)> candela;
-    std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is looked for there too
-    std::vector<double> gammas_deg = {};  // γ of a bend that follows a C-plane: a chosen grid has them
+    std::vector<GoniometerAngles> points; // (C, γ) at which it may bend: the error is evaluated there too
+    std::vector<double> gammas_deg = {};  // γ of bends that follow a C-plane: a chosen grid includes them
 };
 
-// (C, γ) of every point of a web's own table, mirrors not written out.
+// (C, γ) of every point of a web's table, without mirror images.
 std::vector<GoniometerAngles> table_directions(const Web& web);
 
-// On the given grid, which `stored` mirrors; the flux error is against `flux`.
+// On the given grid, mirrored by `stored`; the flux error is relative to `flux`.
 Result<ResampledWeb> resample(const Light& light, Symmetry stored, std::vector<double> planes_deg,
                               std::vector<double> gammas_deg, Lumens flux);
 
-// On a grid that refined_grid() makes of steps of 2.5° and the light's own γ, for `tolerance` · peak; γ over the half
-// or whole sphere that is not dark.
+// On a grid that refined_grid() makes from steps of 2.5° and the light's own γ, for `tolerance` · peak; γ covers the
+// half or full sphere that is not dark.
 ResampledWeb resample(const Light& light, Symmetry stored, Candelas peak, Lumens flux, double tolerance);
 
 } // namespace gonio::web_detail

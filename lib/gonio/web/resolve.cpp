@@ -35,7 +35,7 @@ void append_column(std::vector<double>& to, const std::vector<double>& from, std
     to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(rows));
 }
 
-// Drops planes and γ rows that repeat the angle before them; the first of a pair stays.
+// Drops planes and γ rows with the same angle as the one before; keeps the first of each pair.
 Table without_duplicates(const Table& table) {
     const auto repeats = [](const std::vector<double>& angles, std::size_t i) {
         return i > 0 && angles[i] == angles[i - 1];
@@ -62,7 +62,7 @@ bool repeats_an_angle(const Table& table) {
     return repeats(table.planes_deg) || repeats(table.gammas_deg);
 }
 
-// A full table lists C0 and 360°; many writers leave the last plane out. Only a gap of one step is taken for that.
+// A full table lists C0 and 360°, but many writers omit the last plane. Only a gap of one step is treated as that.
 void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnostics) {
     const std::size_t n = table.planes_deg.size();
     if (table.photometry != Photometry::c || table.stored != Symmetry::none || n < 2) return;
@@ -74,7 +74,7 @@ void close_the_circle(Table& table, const Profile& profile, Diagnostics& diagnos
     const double gap = 360.0 - span;
     if (gap <= widest * (1.0 + 1e-6)) {
         table.planes_deg.push_back(table.planes_deg.front() + 360.0);
-        table.candela.reserve(table.candela.size() + table.gammas_deg.size()); // else it would grow to twice its size
+        table.candela.reserve(table.candela.size() + table.gammas_deg.size()); // avoids growing to twice the size
         append_column(table.candela, table.candela, 0, table.gammas_deg.size());
         if (std::holds_alternative<IesFile>(profile.file))
             warn(diagnostics, location_of(profile, ProfileField::last_horizontal), "WEB0101",
@@ -91,7 +91,7 @@ bool near_deg(double a, double b) {
     return std::abs(a - b) <= 1e-6;
 }
 
-// The symmetry that the first and last plane tell; where they miss its ends by rounding they are put there.
+// The symmetry implied by the first and last plane; planes that miss its ends by rounding are moved there.
 Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
     if (planes.size() == 1) return Symmetry::axial;
     for (double* const end : {&planes.front(), &planes.back()})
@@ -102,8 +102,8 @@ Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
     return Symmetry::none;
 }
 
-// Types A and B: angles that start at 0 stand for both sides (LM-63: H from 0 is symmetric about the vertical plane;
-// the same is held for V, whose lower half is nowhere else).
+// Types A and B: angles that start at 0 represent both sides (LM-63: H from 0 is symmetric about the vertical plane;
+// the same is assumed for V, because its lower half is not stored anywhere).
 Symmetry take_symmetry_of_types_a_b(Table& table) {
     for (std::vector<double>* angles : {&table.planes_deg, &table.gammas_deg})
         for (double& angle : *angles)
@@ -115,7 +115,7 @@ Symmetry take_symmetry_of_types_a_b(Table& table) {
     return along ? Symmetry::bilateral_0_180 : Symmetry::none;
 }
 
-// TILT's factor at a mounting tilt: linear between the listed angles, the nearest end beyond them.
+// TILT's factor at a mounting tilt: linear between the listed angles, constant beyond the ends.
 double tilt_factor(const IesTilt& tilt, double tilt_deg) {
     if (tilt.angles_deg.empty() || tilt.factors.size() != tilt.angles_deg.size()) return 1.0;
     const auto above = std::upper_bound(tilt.angles_deg.begin(), tilt.angles_deg.end(), tilt_deg);
@@ -126,12 +126,12 @@ double tilt_factor(const IesTilt& tilt, double tilt_deg) {
     return tilt.factors[i - 1] + weight * (tilt.factors[i] - tilt.factors[i - 1]);
 }
 
-// In later editions the twelfth number is reserved, or says how the file came about.
+// In later editions the twelfth number is reserved, or tells how the file was generated.
 bool field_12_is_factor(const IesFile& file) {
     return file.version == IesVersion::lm63_1986 || file.version == IesVersion::lm63_1991;
 }
 
-// Of each: `candela` are the file's own, which the caller copied or took from it.
+// In all overloads, `candela` is the file's table, which the caller copied or moved from it.
 Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<double> candela, const Profile& profile,
                                           const ResolveOptions& options, Diagnostics& diagnostics) {
     Table table{Symmetry::none, file.horizontal_deg, file.vertical_deg, std::move(candela), file.photometry};
@@ -158,13 +158,13 @@ Result<std::pair<Table, double>> table_of(const IesFile& file, std::vector<doubl
     return std::pair{std::move(table), factor};
 }
 
-// The set that is asked for, which must be there.
+// The requested lamp set, which must exist.
 const LdtLampSet& lamps_of(const LdtFile& file, const ResolveOptions& options) {
     return file.lamp_sets[static_cast<std::size_t>(options.lamp_set) - 1];
 }
 
-// Isym 3: the stored planes are Mc1 = 3Mc/4 + 1 to Mc2 = Mc1 + Mc/2 (Stockmar 1990), which is C270 over C0 to C90.
-// Their mirror images in the C90–C270 plane are C270 over C180 to C90: the web's planes, backwards.
+// Isym 3: the stored planes are Mc1 = 3Mc/4 + 1 to Mc2 = Mc1 + Mc/2 (Stockmar 1990), that is, C270 through C0 to C90.
+// Their mirror images in the C90–C270 plane are C270 through C180 to C90: the web's planes in reverse order.
 void take_planes_from_c270(const LdtFile& file, std::size_t stored, Table& table) {
     const std::vector<double> candela = std::exchange(table.candela, {});
     table.candela.reserve(candela.size());
@@ -224,7 +224,7 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<doubl
     return std::pair{std::move(table), lamps.flux_lm / 1000.0 * file.conversion_factor};
 }
 
-// TM-33 holds the same light in other words.
+// TM-33 stores the same data in a different form.
 Result<std::pair<Table, double>> table_of(const Tm33File& file, const Profile& profile, const ResolveOptions& options,
                                           Diagnostics& diagnostics) {
     Result<IesFile> light = lm63_of(file);
@@ -237,7 +237,7 @@ Result<std::pair<Table, double>> table_of(const Tm33File& file, const Profile& p
     return pass_on(light);
 }
 
-// By how much a file of the other tradition is turned; a multiple of 90°, which is exact for every goniometer.
+// The rotation of a file that uses the other convention; a multiple of 90°, which is exact for every goniometer.
 double azimuth_turn_deg(const Profile& profile, AzimuthConvention wanted) {
     const bool eulumdat = std::holds_alternative<LdtFile>(profile.file);
     if (wanted == AzimuthConvention::eulumdat && !eulumdat) return 90.0;
@@ -245,7 +245,7 @@ double azimuth_turn_deg(const Profile& profile, AzimuthConvention wanted) {
     return 0.0;
 }
 
-// The table of LM-63 or EULUMDAT; TM-33 holds several, which are added up elsewhere.
+// The table of LM-63 or EULUMDAT; TM-33 has several, which are added elsewhere.
 template<class AnyProfile>
 auto* candela_of(AnyProfile& profile) {
     if (auto* const ies = std::get_if<IesFile>(&profile.file)) return &ies->candela;
@@ -253,8 +253,8 @@ auto* candela_of(AnyProfile& profile) {
     return ldt != nullptr ? &ldt->candela_per_klm : nullptr;
 }
 
-// The field whose factor is the greatest of those that the table was multiplied by: a reader takes no value beyond the
-// range, so that what is beyond it after resolving is a factor's doing. The table where there is none.
+// The field with the greatest factor by which the table was multiplied, or the table if there is none. A reader rejects
+// values out of range, so a value that is out of range after resolving was caused by a factor.
 ProfileField greatest_factor(const Profile& profile, const ResolveOptions& options) {
     ProfileField field = ProfileField::intensity;
     double greatest = 1.0;
@@ -304,7 +304,7 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
 
     std::size_t negative = 0;
     double greatest = 0.0;
-    for (double& cd : table.candela) { // factor 1 is exact, and one way through the table is cheaper than two
+    for (double& cd : table.candela) { // factor 1 is exact, and one pass over the table is cheaper than two
         cd *= factor;
         negative += cd < 0.0 ? 1 : 0;
         greatest = std::max(greatest, std::abs(cd));

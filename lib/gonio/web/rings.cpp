@@ -21,7 +21,7 @@ constexpr double radians_per_degree = pi / 180.0;
 constexpr auto gamma_rule = gauss_legendre<8>();
 constexpr auto c_rule = gauss_legendre<4>();
 
-// Widest pieces that one rule is asked to span.
+// Widest pieces for one quadrature rule.
 constexpr double widest_gamma_deg = 2.5;
 constexpr double widest_c_deg = 5.0;
 
@@ -43,7 +43,7 @@ Rings::Rings(const Web& web) : web_(web) {
         breaks_deg_.push_back(from_axis);
         breaks_deg_.push_back(180.0 - from_axis);
     };
-    // Both signs: one of them is the image where the table is mirrored, and else cuts what needs no cut.
+    // Both signs: if the table is mirrored, one of them is the image; otherwise the extra cut is harmless.
     for (const double angle : a ? web.vertical_deg() : web.horizontal_deg()) {
         for (const double sign : {-1.0, 1.0})
             latitudes.push_back(sign * std::sin(angle * radians_per_degree));
@@ -54,7 +54,8 @@ Rings::Rings(const Web& web) : web_(web) {
             longitudes.push_back(sign * std::tan(angle * radians_per_degree));
         touch(angle);
     }
-    // Where the table ends in the bright, the ring integral bends wherever it leaves at a grid point of the edge.
+    // Where the table ends at a non-zero value, the ring integral bends wherever the ring leaves it at a grid point of
+    // the edge.
     const auto edge_point = [&](std::size_t i, std::size_t j) {
         if (web.column(i)[j] == 0.0) return;
         const GoniometerAngles at{web.horizontal_deg()[i], web.vertical_deg()[j]};
@@ -86,7 +87,7 @@ void Rings::cut_at_pyramid(double half_x_deg, double half_y_deg) {
         x_slope_.push_back(sign * x);
         y_slope_.push_back(sign * y);
     }
-    // Where a ring touches a face, and where it leaves by an edge.
+    // Where a ring touches a face, and where it leaves through an edge.
     for (const double gamma : {half_x_deg, half_y_deg, std::atan(std::hypot(x, y)) / radians_per_degree})
         breaks_deg_.push_back(gamma);
     sort_unique(breaks_deg_);
@@ -122,7 +123,8 @@ void Rings::add_ring(double gamma_rad, double factor, std::span<const double> c_
     for (const double t : y_slope_)
         at_sine(t * k / s);
     if (web_.photometry() != Photometry::c) {
-        // Near the native poles, on the horizon, longitude turns within azimuths as narrow as the ring is near.
+        // Near the native poles, on the horizon, the longitude turns within a range of azimuths as narrow as the ring's
+        // distance from the pole.
         const double near = std::abs(0.5 * pi - gamma_rad) / radians_per_degree;
         const double pole = web_.photometry() == Photometry::a ? 90.0 : 0.0;
         double offset = std::max(0.5 * near, 1e-6);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// Terms in the order in which they come, each index once. Few are searched through; for many, as of all planes of a
-// fine web, there is a table of where each index is.
+// Terms in the order of their first occurrence, each index once. A few terms are searched linearly; for many, such as
+// all planes of a fine web, a table maps each index to its position.
 class Sum {
 public:
     explicit Sum(std::size_t indices) : indices_(indices) {}
@@ -54,7 +54,7 @@ private:
     std::vector<std::size_t> places_;
 };
 
-// `low`, what of `knots` lies strictly between, and `high`.
+// `low`, the `knots` strictly in between, and `high`.
 std::vector<double> cuts(std::span<const double> knots, double low, double high) {
     std::vector<double> all{low};
     const auto first = std::upper_bound(knots.begin(), knots.end(), low);
@@ -70,7 +70,7 @@ Terms plane_terms(const Web& web, std::span<const double> bends_deg, double low_
     const std::span<const double> planes = web.planes_deg();
     if (web.stored_symmetry() == Symmetry::axial) return {{0, (high_deg - low_deg) * radians_per_degree}};
     Sum terms(planes.size());
-    // Between two bends the web is linear in C, so its mean there is its value in the middle.
+    // Between two bends the web is linear in C, so its mean there is the value at the midpoint.
     const std::vector<double> pieces = cuts(bends_deg, low_deg, high_deg);
     for (std::size_t k = 1; k < pieces.size(); ++k) {
         const double width = (pieces[k] - pieces[k - 1]) * radians_per_degree;
@@ -78,7 +78,7 @@ Terms plane_terms(const Web& web, std::span<const double> bends_deg, double low_
         if (c < planes.front() || c > planes.back()) continue;
         const auto above = std::upper_bound(planes.begin(), planes.end(), c);
         const auto right = std::min(static_cast<std::size_t>(above - planes.begin()), planes.size() - 1);
-        if (right == 0) continue; // one plane of a web that is not axial: no width, no light
+        if (right == 0) continue; // one plane of a web that is not axial: no width, so no light
         const double weight = (c - planes[right - 1]) / (planes[right] - planes[right - 1]);
         terms.add(right - 1, width * (1.0 - weight));
         terms.add(right, width * weight);

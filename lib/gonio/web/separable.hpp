@@ -1,7 +1,7 @@
 // Integrals of a type C web over rectangles of (C, γ), exactly: the interpolant is a sum of products of a hat function
 // of C and one of γ, so an integral over a rectangle is Σ Aᵢ Bⱼ Iᵢⱼ with one weight per plane and one per γ.
 //
-// Cost: a few multiplications for each grid line that the interval meets. Types A and B: gonio/web/rings.hpp.
+// Cost: a few multiplications for each grid line within the interval. For types A and B see gonio/web/rings.hpp.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -13,7 +13,7 @@
 
 namespace gonio {
 
-// What one stored plane or γ counts for.
+// The weight of one stored plane or γ.
 struct Term {
     std::size_t index;
     double weight;

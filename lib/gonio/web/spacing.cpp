@@ -22,7 +22,7 @@ double cube_of_cosine(double gamma_deg) {
     return cosine * cosine * cosine;
 }
 
-// Between a γ where `illuminance` is at least `threshold` and one where it is below.
+// The angle between a γ where `illuminance` is at least `threshold` and one where it is below.
 template<class Illuminance>
 double crossing_deg(double bright, double dark, double threshold, const Illuminance& illuminance) {
     for (int k = 0; k < 50; ++k) {
@@ -33,7 +33,7 @@ double crossing_deg(double bright, double dark, double threshold, const Illumina
 }
 
 // Type C: between two angles of the table the mean is linear in γ, and a linear function times cos³γ is log-concave
-// where it is above 0. So it falls below the threshold between two of them only where it is below it at the second.
+// where it is above 0. So it can fall below the threshold between two of them only if it is below it at the second.
 std::optional<double> first_dark_deg(const Web& web, std::initializer_list<double> planes_deg, double threshold) {
     double before_deg = 0.0;
     double before_cd = mean_candela(web, planes_deg, 0.0);
@@ -49,10 +49,10 @@ std::optional<double> first_dark_deg(const Web& web, std::initializer_list<doubl
         before_deg = at_deg;
         before_cd = at_cd;
     }
-    return before_deg; // the table ends in the bright
+    return before_deg; // the table ends at a non-zero value
 }
 
-// Types A and B: no angles of the table lie on a C-plane.
+// Types A and B: the angles of the table are not on a C-plane.
 std::optional<double> first_dark_by_steps_deg(const Web& web, std::initializer_list<double> planes_deg,
                                               double threshold) {
     const auto illuminance = [&](double gamma_deg) {

@@ -14,7 +14,7 @@ namespace gonio {
 
 namespace {
 
-// A table whose first plane and whose plane a turn later differ jumps there, and has no mirror that maps the jump away.
+// A table with different first and last planes a full turn apart jumps there, and no mirror maps that jump to another.
 bool closes(const Web& web, double limit_cd) {
     const std::span<const double> planes = web.planes_deg();
     if (web.stored_symmetry() != Symmetry::none || planes.back() - planes.front() < 360.0 - 1e-9) return true;
@@ -25,12 +25,12 @@ bool closes(const Web& web, double limit_cd) {
     return true;
 }
 
-// Whether the web of type A or B is its own image with H (`across`) or V negated.
+// Whether a web of type A or B equals its mirror image with H (`across`) or V negated.
 bool mirrors_native(const Web& web, double limit_cd, bool across) {
     for (const double h : web.horizontal_deg())
         for (const double v : web.vertical_deg())
             for (const double sign : {-1.0, 1.0}) {
-                // The image bends at the images of the grid's angles.
+                // The mirror image bends at the images of the grid's angles.
                 const double at_h = across ? sign * h : h;
                 const double at_v = across ? v : sign * v;
                 const double image = web.candela_at(across ? -at_h : at_h, across ? at_v : -at_v);
@@ -54,7 +54,7 @@ bool mirrors(const Web& web, const std::vector<double>& bends, double limit_cd, 
     return true;
 }
 
-// The angles of both sides of a mirrored axis on its positive side, 0 among them.
+// The angles on both sides of a mirrored axis, folded to its positive side, including 0.
 std::vector<double> folded(std::span<const double> angles) {
     std::vector<double> all{0.0};
     for (const double angle : angles)
@@ -71,7 +71,7 @@ std::vector<double> unfolded(std::span<const double> angles) {
     return all;
 }
 
-// The web's intensities at the angles of another grid of its own kind, on which they are exact.
+// The web's intensities at the angles of another grid of the same type, on which they are exact.
 Web on_grid(const Web& web, Symmetry stored, std::vector<double> horizontal, std::vector<double> vertical) {
     std::vector<double> candela;
     candela.reserve(horizontal.size() * vertical.size());
@@ -84,7 +84,8 @@ Web on_grid(const Web& web, Symmetry stored, std::vector<double> horizontal, std
     return std::move(*made);
 }
 
-// Whether the stored planes reach everywhere: a gap is dark and ends in a jump that another set of planes may not have.
+// Whether the stored planes cover the full circle: a gap is dark and ends in a jump that another set of planes may not
+// have.
 bool covers_circle(const Web& web) {
     const std::span<const double> planes = web.planes_deg();
     if (web.stored_symmetry() == Symmetry::axial) return true;
@@ -93,7 +94,7 @@ bool covers_circle(const Web& web) {
     return planes.front() == range.low && planes.back() == range.high;
 }
 
-// The stored planes within the range of a symmetry, and its ends.
+// The candidate planes within the range of a symmetry, and the ends of the range.
 std::vector<double> planes_within(const std::vector<double>& candidates, AngleRange range) {
     std::vector<double> planes{range.low, range.high};
     for (const double c : candidates)
@@ -152,7 +153,7 @@ Web compacted(const Web& web, double tolerance) {
     if (symmetry == stored) return web;
     if (web.photometry() == Photometry::c)
         return compacted_c(web, symmetry, tolerance * std::abs(peak(web).intensity.value));
-    // What was mirrored stays so: every mirror that is stored is also detected.
+    // Existing mirrors are kept: every stored mirror is also detected.
     const auto across = [](Symmetry s) { return s == Symmetry::quadrant || s == Symmetry::bilateral_90_270; };
     const auto along = [](Symmetry s) { return s == Symmetry::quadrant || s == Symmetry::bilateral_0_180; };
     std::vector<double> horizontal(web.horizontal_deg().begin(), web.horizontal_deg().end());

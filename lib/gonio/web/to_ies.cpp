@@ -18,7 +18,7 @@ bool since_2002(IesVersion version) {
     return version == IesVersion::lm63_2002 || version == IesVersion::lm63_2019;
 }
 
-// Since 2002 four keywords must be there.
+// Four keywords are mandatory since 2002.
 void add_required_keywords(IesFile& file, Losses& losses) {
     std::string added;
     for (const std::string_view name : {"MANUFAC", "ISSUEDATE", "TESTLAB", "TEST"}) {
@@ -33,7 +33,7 @@ void add_required_keywords(IesFile& file, Losses& losses) {
                    fmt::format("required by {} but missing in the source: {}", to_text(file.version), added));
 }
 
-// Editions differ in the date's name, and since 1991 there are no lines without a keyword.
+// Editions differ in the name of the date, and since 1991 every line needs a keyword.
 void take_keywords(IesFile& file, const ProfileHeader& header) {
     bool has_issue_date = false;
     for (const IesKeyword& keyword : header.keywords)
@@ -43,7 +43,7 @@ void take_keywords(IesFile& file, const ProfileHeader& header) {
             if (keyword.text.empty()) continue;
             keyword.name = "OTHER";
         }
-        if (same_keyword(keyword.name, "MORE")) keyword.name = "OTHER"; // it continues nothing
+        if (same_keyword(keyword.name, "MORE")) keyword.name = "OTHER"; // it does not continue another keyword
         if (since_2002(file.version) && !has_issue_date && same_keyword(keyword.name, "DATE")) {
             keyword.name = "ISSUEDATE";
             has_issue_date = true;
@@ -68,10 +68,10 @@ void report_header_losses(const ProfileHeader& header, const IesFile& file, Loss
 void make_portable(IesFile& file, const Web& web, Losses& losses) {
     for (std::vector<double>* const list : {&file.vertical_deg, &file.horizontal_deg, &file.candela})
         for (double& value : *list)
-            value = std::abs(value) < 1e-9 ? 0.0 : rounded_to(value, 9); // more than single precision keeps
+            value = std::abs(value) < 1e-9 ? 0.0 : rounded_to(value, 9); // more digits than single precision keeps
     const double lamps = file.lamp_count;
     file.lamp_count = 1;
-    // Not all loaders take an absolute file, and some read the lumens as the light's amount.
+    // Some loaders reject absolute files, and some use the lumens as the amount of light.
     const double declared = file.lumens_per_lamp;
     file.lumens_per_lamp = std::max(0.01, std::round(flux(web).value * 100.0) / 100.0);
     if (declared < 0.0)

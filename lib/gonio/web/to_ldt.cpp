@@ -16,14 +16,14 @@ namespace gonio::web_detail {
 
 namespace {
 
-// The planes over 0° to 360°, without the last, and those of them that Isym stores.
+// The planes over 0° to 360°, without the last, and the table of those that Isym stores.
 struct LdtTable {
     int symmetry = 0;
     std::vector<double> planes_deg;
     Grid stored;
 };
 
-// Isym 0. Readers see no plane at 360° and close the circle with the first one over a gap of at most one step.
+// Isym 0. Readers see no plane at 360° and close the circle with the first plane across a gap of at most one step.
 LdtTable all_planes(const Web& web, Losses& losses) {
     Grid grid = full_turn(web);
     if (web.stored_symmetry() != Symmetry::none)
@@ -45,7 +45,7 @@ LdtTable all_planes(const Web& web, Losses& losses) {
     return {0, grid.horizontal_deg, std::move(grid)};
 }
 
-// Isym 3 stores C270 over C0 to C90: the web's planes from 270° down to 90°, mirrored to the other side.
+// Isym 3 stores C270 through C0 to C90: the web's planes from 270° down to 90°, mirrored to the other side.
 LdtTable half_from_270(const Web& web) {
     LdtTable table{3, {}, stored_grid(web)};
     Grid& grid = table.stored;
@@ -90,11 +90,11 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-// The keywords that EULUMDAT has fields for; everything else is said to be left out.
+// The keywords that EULUMDAT has fields for; everything else is reported as left out.
 void take_texts(LdtFile& file, LdtLampSet& lamps, const ProfileHeader& header, Losses& losses) {
     struct Field {
         std::string* text;
-        std::array<std::string_view, 4> names; // the first that is there
+        std::array<std::string_view, 4> names; // the first one that exists is used
     };
     const std::array fields{
         Field{&file.company, {"MANUFAC"}},
@@ -118,7 +118,7 @@ void take_texts(LdtFile& file, LdtLampSet& lamps, const ProfileHeader& header, L
             }
         }
     }
-    std::vector<std::pair<std::string, int>> left; // names and how often
+    std::vector<std::pair<std::string, int>> left; // names and their counts
     for (std::size_t i = 0; i < used.size(); ++i) {
         const IesKeyword& keyword = header.keywords[i];
         if (used[i] || keyword.text.empty()) continue;
@@ -159,7 +159,8 @@ LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses) {
     take_housing(file, header);
     report_other_losses(header, false, losses);
 
-    // cd/klm of the lamps; of the luminaire itself in absolute photometry, which a negative number of lamps tells.
+    // cd/klm of the lamps, or of the luminaire itself in absolute photometry, which a negative number of lamps
+    // indicates.
     const double light_lm = flux(web).value;
     const bool absolute = !(header.lamp_flux_lm && *header.lamp_flux_lm > 0.0);
     lamps.flux_lm = !absolute ? *header.lamp_flux_lm : light_lm > 0.0 ? light_lm : 1000.0;
@@ -180,7 +181,8 @@ LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses) {
     if (extend_vertical(table.stored, first >= 90.0 ? 90.0 : 0.0, last <= 90.0 ? 90.0 : 180.0))
         losses.add("WEB0206", fmt::format("gamma angles {} to {} extended with zeros to {} to {}", first, last,
                                           table.stored.vertical_deg.front(), table.stored.vertical_deg.back()));
-    // Steps within a thousandth of a degree count as even for readers, who compute the angles from the step.
+    // Steps that differ by less than a thousandth of a degree count as uniform for readers, which compute the angles
+    // from the step.
     file.symmetry = table.symmetry;
     file.plane_count = static_cast<int>(table.planes_deg.size());
     file.plane_step_deg = even_step(table.planes_deg, 1e-3);

@@ -51,7 +51,7 @@ bool is_default(const ResolveOptions& options) {
     return options == ResolveOptions{};
 }
 
-// TILT=<file> as TILT=INCLUDE: the file beside the source need not be beside what is written.
+// Converts TILT=<file> to TILT=INCLUDE: the file beside the source may not exist beside the output.
 void include_tilt(MadeProfile& made) {
     auto* ies = std::get_if<IesFile>(&made.profile.file);
     if (ies == nullptr || ies->tilt.angles_deg.empty() || ies->tilt_keyword == "INCLUDE") return;
@@ -62,7 +62,7 @@ void include_tilt(MadeProfile& made) {
     ies->tilt_keyword = "INCLUDE";
 }
 
-// LM-63 of one edition as LM-63 of another or as TM-33: what the table is multiplied by stays beside it.
+// LM-63 of one edition to another edition or to TM-33: the factors are kept apart from the table.
 Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profile, ProfileTarget target) {
     Profile bare = profile;
     auto& table = std::get<IesFile>(bare.file);
@@ -95,7 +95,7 @@ Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profi
     out.tilt_keyword = file.tilt_keyword;
     out.tilt = file.tilt;
     include_tilt(*made);
-    // The name of a file that could not be read is kept where the edition allows one.
+    // The name of a file that could not be read is kept if the edition allows one.
     if (out.tilt.angles_deg.empty() && out.version == IesVersion::lm63_2019) out.tilt_keyword = "NONE";
     return web_detail::with_numbers_in_range(std::move(*made));
 }

@@ -1,14 +1,14 @@
-// Web + header → Profile: the way back, into any format and dialect.
+// Web + header → Profile: the reverse direction, to any format and dialect.
 //
-// The file that is made means the same web: resolved again it agrees with the one given to 1e-6 of the peak or better
-// (numbers are written exactly; scaling to cd/klm rounds once). Of what the target cannot hold, everything is said in
-// the diagnostics: codes WEB02… of gonio/base/codes/web.hpp. Azimuths are kept; the 90° between the conventions of
-// LM-63 and EULUMDAT are not applied here.
+// The resulting file describes the same web: when resolved again, it agrees with the original to 1e-6 of the peak or
+// better (numbers are written exactly; scaling to cd/klm rounds once). Anything that the target cannot store is
+// reported in the diagnostics: codes WEB02… of gonio/base/codes/web.hpp. Azimuths are kept; the 90° between the
+// conventions of LM-63 and EULUMDAT are not applied here.
 //
 // Tables are written as readers expect them. Vertical angles begin at 0 or 90 and end at 90 or 180 degrees, padded with
-// zeros where the web's table ends elsewhere. LM-63 without symmetry has planes from 0 to 360, both included; symmetric
-// ones are kept as they are, but planes from 90 to 270 in LM-63-1995 only. EULUMDAT lists its planes over 0 to 360
-// without the last and stores those that Isym asks for. TM-33 has the tables of LM-63-1995.
+// zeros if the web's table ends elsewhere. LM-63 without symmetry has planes from 0 to 360, both included; symmetric
+// planes are kept, except that planes from 90 to 270 are kept only in LM-63-1995. EULUMDAT lists its planes over 0 to
+// 360 without the last and stores those that Isym requires. TM-33 has the tables of LM-63-1995.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
@@ -25,59 +25,60 @@
 namespace gonio {
 
 enum class ProfileTarget {
-    lm63, // the edition of the source where it has one, else 2002
+    lm63, // the edition of the source if it has one, else 2002
     lm63_1995,
     lm63_2002,
     lm63_2019,
-    portable, // LM-63-2002 as every loader in use reads it
+    portable, // LM-63-2002 as all common loaders read it
     eulumdat,
     tm33 // ANSI/IES TM-33-23
 };
 
 const char* to_text(ProfileTarget target); // "ies", "lm-63-2002", "portable", "ldt", "tm33"
 
-// Nothing for any other name.
+// Empty for any other name.
 std::optional<ProfileTarget> find_profile_target(std::string_view name);
 
-// A file made from a web, or from another file, and what was lost in the process.
+// A file made from a web, or from another file, and everything lost in the process.
 struct MadeProfile {
-    Profile profile; // its own diagnostics are empty
+    Profile profile; // its `diagnostics` member is empty
     Diagnostics diagnostics;
 };
 
-// Any web and header. The portable dialect is LM-63-2002 with one lamp, multiplier, ballast factor and twelfth field 1,
-// TILT=NONE, the table's flux as the lamps' lumens, metres, ASCII, planes over the full turn or a single one at 0, and
-// values of at most nine digits. A web of type A or B keeps its coordinates in LM-63, and is resampled to type C for
-// the portable dialect and EULUMDAT, with the error said. Fails (malformed) where a number of the file
-// would be above greatest_amount: lumens or watts of the header, or intensities per 1000 lm of next to no lumens.
+// Works for any web and header. The portable dialect is LM-63-2002 with one lamp, multiplier, ballast factor and
+// twelfth field 1, TILT=NONE, the table's flux as the lamps' lumens, metres, ASCII, planes over the full turn or a
+// single one at 0, and values of at most nine digits. A web of type A or B keeps its coordinates in LM-63, and is
+// resampled to type C for the portable dialect and EULUMDAT, with the error reported. Fails (malformed) if a number of
+// the file would be above greatest_amount: lumens or watts of the header, or intensities per 1000 lm of lumens close to
+// 0.
 Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, ProfileTarget target);
 
-// A file as another one. Into its own format and edition it is kept field by field; into another edition of
-// LM-63, and TM-33 from LM-63, the multiplier, the ballast factor and TILT stay factors; else it is resolved with
-// `options` and made anew. `options` other than the default always make it anew.
+// Converts a file to another. Within the same format and edition it is kept field by field. To another edition of
+// LM-63, and from LM-63 to TM-33, the multiplier, the ballast factor and TILT stay factors. Otherwise it is resolved
+// with `options` and made anew; `options` other than the default always make it anew.
 Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options = {});
 
-// As convert_profile, but a table that has a higher symmetry than it is stored under, to within `tolerance` of its
-// peak, is made anew under that one (gonio/web/symmetry.hpp), which is said. One that has not is converted as above.
+// As convert_profile, but a table that has a higher symmetry than its stored one, to within `tolerance` of its peak, is
+// made anew under that symmetry (gonio/web/symmetry.hpp), which is reported. Other tables are converted as above.
 Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget target, double tolerance,
                                       const ResolveOptions& options = {});
 
-// The target that a file already is of: its format, and its edition where there is a dialect of that name.
+// The target that corresponds to a file: its format, and its edition if there is a dialect of that name.
 std::optional<ProfileTarget> target_of(const Profile& profile);
 
-// The error of a written web against its source, at all angles of both tables: that is where the difference of two
-// interpolants is greatest. The 0.0001° beside a dark range are not looked into. Webs of different goniometers are
-// compared by gonio/web/compare.hpp.
+// The error of a written web against its source, at all angles of both tables, where the difference of two interpolants
+// is greatest. The 0.0001° beside a dark range are excluded. Webs of different goniometer types are compared by
+// gonio/web/compare.hpp.
 struct ConversionError {
     Candelas max;
-    double relative = 0.0; // to the source's peak; 0 where that is dark
+    double relative = 0.0; // to the source's peak; 0 if the source is dark
     double c_deg = 0.0;
     double gamma_deg = 0.0;
 };
 
 ConversionError conversion_error(const Web& source, const Web& made);
 
-// The bytes of a profile; the portable dialect has no line above 132 characters, line end included.
+// The bytes of a profile; in the portable dialect no line exceeds 132 characters, including the line end.
 std::string write_profile(const Profile& profile, ProfileTarget target);
 
 } // namespace gonio

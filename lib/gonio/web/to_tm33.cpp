@@ -18,11 +18,11 @@ namespace {
 
 struct HeaderElement {
     const char* name;
-    std::array<std::string_view, 2> keywords; // the first that is there
+    std::array<std::string_view, 2> keywords; // the first one that exists is used
     bool required;
 };
 
-// In the schema's order.
+// In the order of the schema.
 constexpr std::array header_elements{
     HeaderElement{"Manufacturer", {"MANUFAC"}, false},       HeaderElement{"CatalogNumber", {"LUMCAT"}, false},
     HeaderElement{"Description", {"LUMINAIRE"}, true},       HeaderElement{"Laboratory", {"TESTLAB"}, true},
@@ -37,12 +37,12 @@ std::optional<double> leading_number(std::string_view text) {
     return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-// Every keyword goes to its element, and those without one into a Comment that names them.
+// Every keyword goes to its element; keywords without an element go into a Comment that names them.
 class Keywords {
 public:
     explicit Keywords(const ProfileHeader& header) : header_(header), used_(header.keywords.size(), false) {}
 
-    // The text of the first keyword of that name that was not taken yet; nothing when there is none.
+    // The text of the first unused keyword of that name; empty if there is none.
     std::optional<std::string> take(std::string_view name) {
         for (std::size_t i = 0; i < used_.size(); ++i) {
             const IesKeyword& keyword = header_.keywords[i];

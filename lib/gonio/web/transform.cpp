@@ -38,7 +38,7 @@ double in_one_turn(double deg) {
     return turned < 0.0 ? turned + 360.0 : turned;
 }
 
-// A change of azimuth: what shone towards C shines towards sign · C + offset.
+// A change of azimuth: the light towards C moves to sign · C + offset.
 struct Azimuth {
     double sign = 1.0;
     double offset_deg = 0.0;
@@ -52,7 +52,7 @@ Symmetry swapped(Symmetry symmetry) {
     return symmetry == Symmetry::bilateral_90_270 ? Symmetry::bilateral_0_180 : symmetry;
 }
 
-// C of [0°, 360°) brought into the range of the planes that a symmetry stores.
+// Brings C of [0°, 360°) into the range of the planes that a symmetry stores.
 double folded(Symmetry symmetry, double c_deg) {
     double c = c_deg;
     if (symmetry == Symmetry::bilateral_90_270) return c < 90.0 ? 180.0 - c : c > 270.0 ? 540.0 - c : c;
@@ -60,18 +60,18 @@ double folded(Symmetry symmetry, double c_deg) {
     return symmetry == Symmetry::quadrant && c > 90.0 ? 180.0 - c : c;
 }
 
-// What 360° − offset and the like round.
+// Removes the rounding error of 360° − offset and similar.
 double tidy(double deg) {
     const double even = std::round(deg * 1e9) / 1e9;
     return (std::abs(even - deg) < 1e-12 ? even : deg) + 0.0; // no −0
 }
 
-// Type C on the given planes, its columns those of `web` where they come from.
+// Type C on the given planes, with the columns of `web` at their original azimuths.
 Web on_planes(const Web& web, Symmetry stored, std::vector<double> planes_deg, const Azimuth& azimuth) {
     std::vector<double> candela;
     candela.reserve(planes_deg.size() * web.gammas_deg().size());
     for (const double c : planes_deg) {
-        // 360° − offset and the like round: the table's own plane is meant.
+        // 360° − offset and similar values have a rounding error: use the table's own plane.
         const double source = std::round(azimuth.from(c) * 1e9) / 1e9;
         for (const double gamma : web.gammas_deg())
             candela.push_back(web.candela(source, gamma));
@@ -82,8 +82,8 @@ Web on_planes(const Web& web, Symmetry stored, std::vector<double> planes_deg, c
     return std::move(*made);
 }
 
-// The stored planes where a change of azimuth that keeps the mirrors takes them, in the range of `target`. Keeps ends
-// that do not reach those of the range.
+// The stored planes after a change of azimuth that keeps the mirrors, in the range of `target`. Keeps planes that do
+// not reach the ends of the range.
 Web permuted_planes(const Web& web, Symmetry target, const Azimuth& azimuth) {
     const std::span<const double> planes = web.planes_deg();
     std::vector<std::pair<double, std::size_t>> moved;
@@ -93,7 +93,7 @@ Web permuted_planes(const Web& web, Symmetry target, const Azimuth& azimuth) {
     std::vector<double> angles;
     std::vector<double> candela;
     for (const auto& [angle, source] : moved) {
-        if (!angles.empty() && angle == angles.back()) continue; // apart by less than a rounding
+        if (!angles.empty() && angle == angles.back()) continue; // differs by less than rounding
         angles.push_back(angle);
         candela.insert(candela.end(), web.column(source).begin(), web.column(source).end());
     }
@@ -103,7 +103,7 @@ Web permuted_planes(const Web& web, Symmetry target, const Azimuth& azimuth) {
     return std::move(*made);
 }
 
-// Planes without symmetry, one by one where they go: keeps gaps, and a first plane that differs from the last.
+// Planes without symmetry, moved one by one: keeps gaps, and a first plane that differs from the last.
 Web moved_planes(const Web& web, const Azimuth& azimuth) {
     const std::span<const double> planes = web.planes_deg();
     const std::size_t count = planes.size();
@@ -133,8 +133,8 @@ bool is_bright(std::span<const double> candela) {
     return std::any_of(candela.begin(), candela.end(), [](double cd) { return cd != 0.0; });
 }
 
-// Type C: every C in [0°, 360°) at which the web jumps, because its planes end there in the bright or its last plane
-// comes round as another.
+// Type C: every C in [0°, 360°) at which the web jumps, because its planes end there at a non-zero value or its last
+// plane differs from its first a full turn earlier.
 std::vector<double> jumps_deg(const Web& web) {
     const Symmetry stored = web.stored_symmetry();
     const std::span<const double> planes = web.planes_deg();
@@ -146,7 +146,7 @@ std::vector<double> jumps_deg(const Web& web) {
     for (const bool front : {true, false}) {
         const std::size_t end = front ? 0 : last;
         const double c = planes[end];
-        if (!turns && c == (front ? range.low : range.high)) continue; // its image goes on
+        if (!turns && c == (front ? range.low : range.high)) continue; // continued by its mirror image
         const bool whole_turn = turns && planes[last] - planes[0] >= 360.0 - 1e-9;
         if (!whole_turn && !is_bright(web.column(end))) continue;
         jumps.push_back(in_one_turn(c));
@@ -159,9 +159,9 @@ std::vector<double> jumps_deg(const Web& web) {
     return jumps;
 }
 
-// A list of angles of [low, high] at which a function is linear in between, but jumps at some: it is to be followed on
-// either side of a jump, as far off as half the ramp that files have. With the ramp's middle on the jump the integral
-// stays. Angles apart by a rounding count as one.
+// A list of angles in [low, high] between which a function is linear, but with jumps at some of them. A jump is sampled
+// on both sides, at a distance of half the ramp that files use. The middle of the ramp is on the jump, so the integral
+// does not change. Angles that differ only by rounding count as one.
 class RampedAngles {
 public:
     RampedAngles(std::vector<double> angles, std::vector<double> jumps, double low, double high)
@@ -174,8 +174,8 @@ public:
             off_ = std::min(off_, 0.25 * (angles_[i + 1] - angles_[i]));
     }
 
-    // add(angle, value) in ascending order for every angle of the new table, `value` a function of `at`, which asks for
-    // intensities. Where the range itself ends in a jump, the limit from within.
+    // Calls add(angle, value) in ascending order for every angle of the new table; `value` is computed with `at`, which
+    // returns intensities. If the range itself ends in a jump, the value is the limit from within.
     template<class At, class Add>
     void each(const At& at, const Add& add) const {
         for (const double angle : angles_) {
@@ -210,7 +210,7 @@ private:
     double off_ = 0.5 * web_detail::dark_step_deg;
 };
 
-// A type C web with the γ of `web`, `at` the intensities of a plane.
+// A type C web with the γ of `web`; `at` returns the intensities of a plane.
 template<class At>
 Result<Web> on_ramped_planes(const Web& web, Symmetry stored, const RampedAngles& planes, const At& at) {
     std::vector<double> angles;
@@ -223,7 +223,7 @@ Result<Web> on_ramped_planes(const Web& web, Symmetry stored, const RampedAngles
     return Web::create(stored, std::move(angles), std::move(gammas), std::move(candela));
 }
 
-// A mirrored web whose planes leave dark sectors, written out over the whole turn, a ramp for every jump.
+// A mirrored web with dark sectors, written out over the full turn, with a ramp for every jump.
 Web with_ramps(const Web& web) {
     std::vector<double> jumps = jumps_deg(web);
     if (std::find(jumps.begin(), jumps.end(), 0.0) != jumps.end()) jumps.push_back(360.0);
@@ -257,7 +257,7 @@ Web with_azimuth(const Web& web, const Azimuth& azimuth) {
     return on_planes(source, Symmetry::none, std::move(planes), azimuth);
 }
 
-// Types A and B by (H, V) → (±H, ±V) or (±V, ±H), the other type then.
+// Types A and B by (H, V) → (±H, ±V) or (±V, ±H); the latter changes the type.
 struct NativeMap {
     bool swap = false;
     double h_sign = 1.0; // of the new H
@@ -294,7 +294,7 @@ ResampledWeb rotated(const Web& web, double angle_deg) {
     const double angle = in_one_turn(angle_deg);
     if (angle == 0.0) return exact(web);
     if (web.photometry() == Photometry::c) return exact(with_azimuth(web, {1.0, angle}));
-    // By a quarter turn x becomes y: the new H is −V, the new V is H.
+    // A quarter turn moves x to y: the new H is −V, the new V is H.
     if (angle == 90.0) return exact(with_native_map(web, {true, -1.0, 1.0}));
     if (angle == 180.0) return exact(with_native_map(web, {false, -1.0, -1.0}));
     if (angle == 270.0) return exact(with_native_map(web, {true, 1.0, -1.0}));
@@ -331,7 +331,7 @@ ResampledWeb tilted(const Web& web, double angle_deg, double towards_c_deg, doub
     for (const GoniometerAngles at : web_detail::table_directions(web))
         light.points.push_back(
             angles_of(Photometry::c, turned(direction_of(Photometry::c, {at.horizontal_deg, at.vertical_deg}), a)));
-    // Leaning keeps the mirror that contains the direction it leans to.
+    // Tilting keeps the mirror that contains the direction of the tilt.
     const Symmetry has = detected_symmetry(web);
     const double turn = in_one_turn(towards_c_deg);
     const bool along_c0 = turn == 0.0 || turn == 180.0;
@@ -355,7 +355,7 @@ Result<Web> symmetrized(const Web& web, Symmetry symmetry) {
         const Web full = expanded(web);
         std::vector<double> h(full.horizontal_deg().begin(), full.horizontal_deg().end());
         std::vector<double> v(full.vertical_deg().begin(), full.vertical_deg().end());
-        // Both signs of the angles; a table that ends in the bright, nearer to 0 on one side, jumps.
+        // Both signs of the angles; if a table ends at a non-zero value closer to 0 on one side, there is a jump.
         const auto with_images = [](std::vector<double>& angles, bool first_is_bright, bool last_is_bright) {
             std::vector<double> jumps;
             if (first_is_bright) jumps.insert(jumps.end(), {angles.front(), -angles.front()});

@@ -21,7 +21,7 @@ bool strictly_ascending(const std::vector<double>& angles) {
     return !angles.empty();
 }
 
-// Where the planes may be listed: those of no symmetry need not begin at 0°.
+// The range in which planes may be listed: without symmetry they need not begin at 0°.
 AngleRange listed_range(Symmetry stored) {
     const bool free = stored == Symmetry::axial || stored == Symmetry::none;
     return free ? AngleRange{-360.0, 720.0} : plane_range(stored);
@@ -46,7 +46,7 @@ Result<void> check_angles(const std::vector<double>& horizontal, const char* hor
     return {};
 }
 
-// What LM-75's angles of types A and B may be: `mirrored` angles are stored on their positive side only.
+// Checks the range of LM-75's angles of types A and B: `mirrored` angles are stored on their positive side only.
 Result<void> check_range(const std::vector<double>& angles, const char* name, double limit, bool mirrored) {
     const double low = mirrored ? 0.0 : -limit;
     if (angles.front() >= low && angles.back() <= limit) return {};
@@ -54,7 +54,7 @@ Result<void> check_range(const std::vector<double>& angles, const char* name, do
                                                 angles.back(), low, limit));
 }
 
-// A direction's angle may miss the end of the table by rounding: 1e-9° counts as on it.
+// A direction's angle may miss the end of the table by rounding: within 1e-9° it counts as on the end.
 double onto_the_end(double angle_deg, const std::vector<double>& angles_deg) {
     for (const double end : {angles_deg.front(), angles_deg.back()})
         if (std::abs(angle_deg - end) <= 1e-9) return end;
@@ -112,7 +112,7 @@ Web::Axis::Axis(std::vector<double> angles) : angles_deg(std::move(angles)) {
 }
 
 bool Web::Axis::locate(double angle_deg, std::size_t& cell, double& weight) const {
-    // Written so that NaN fails.
+    // Written so that a NaN fails.
     if (!(angle_deg >= angles_deg.front() && angle_deg <= angles_deg.back())) return false;
     const std::size_t last = angles_deg.size() - 1;
     if (last == 0) {
@@ -192,7 +192,7 @@ double Web::folded_c_deg(double c_deg) const {
     case Symmetry::none:
         break;
     }
-    // The planes may begin anywhere: the one turn that starts at the first plane.
+    // The planes may begin anywhere: use the turn that starts at the first plane.
     const double first = planes_.angles_deg.front();
     while (c < first)
         c += 360.0;
@@ -209,7 +209,7 @@ double Web::interpolate(double horizontal_deg, double vertical_deg) const {
     double plane_weight = 0.0;
     if (!planes_.locate(horizontal_deg, plane, plane_weight)) return 0.0;
 
-    // A weight of 0 does not touch its neighbour, which may not exist.
+    // With a weight of 0 the neighbour is not accessed, because it may not exist.
     const auto along_vertical = [&](std::size_t p) {
         const std::span<const double> values = column(p);
         return row_weight == 0.0 ? values[row] : values[row] + row_weight * (values[row + 1] - values[row]);

@@ -1,13 +1,12 @@
-// Web: the photometric web, candela by direction; the one form of a measured light that all further code uses.
+// Web: the photometric web, candela by direction; the only form of measured light that all other code uses.
 //
-// The grid is the file's own and of its own goniometer, A, B or C (gonio/web/goniometer.hpp), angles strictly ascending
-// and in degrees, so that a table angle is hit exactly; symmetry is kept and not expanded; every factor is already
-// applied, candela are absolute. Between the grid's angles the intensity is linear in both of them; outside them,
-// after symmetry, it is 0. Frame: γ = 0 is −Z, C0 is +X, C90 is +Y (gonio/base/frame.hpp).
-// Webs are evaluated by direction or by (C, γ). Code that reads the grid must check photometry() first: a web of
-// type A or B does not have C-planes and γ (gonio/web/resample.hpp makes a web that does).
-// Evaluation costs two searches (none on uniform grids) and no allocation; a Web does not change and may be read
-// by any number of threads.
+// The grid is the file's own, in its goniometer type A, B or C (gonio/web/goniometer.hpp), with angles strictly
+// ascending and in degrees, so that the values at table angles are exact; symmetry is kept and not expanded; every
+// factor is already applied, candela are absolute. Between the grid's angles the intensity is linear in both of them;
+// outside them, after symmetry, it is 0. Frame: γ = 0 is −Z, C0 is +X, C90 is +Y (gonio/base/frame.hpp). Webs are
+// evaluated by direction or by (C, γ). Code that reads the grid must check photometry() first: a web of type A or B
+// does not have C-planes and γ (gonio/web/resample.hpp makes a web that does). Evaluation costs two searches (none on
+// uniform grids) and no allocation; a Web does not change and may be read by any number of threads.
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -24,9 +23,9 @@
 
 namespace gonio {
 
-// How the stored grid covers the directions: which mirrors the light has and the grid therefore leaves out.
+// How the stored grid covers the directions: the mirror symmetries of the light, which the grid omits.
 enum class Symmetry {
-    axial,            // C: one plane for every C; A and B never
+    axial,            // C: one plane for every C; never A and B
     quadrant,         // mirrored in both; C: planes 0°–90°, A and B: H ≥ 0 and V ≥ 0
     bilateral_0_180,  // mirrored in the C0–C180 plane; C: planes 0°–180°, A and B: V ≥ 0
     bilateral_90_270, // mirrored in the C90–C270 plane; C: planes 90°–270°, A and B: H ≥ 0
@@ -35,7 +34,7 @@ enum class Symmetry {
 
 const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 
-// How many images of the stored grid make up the light: 4, 2 or 1.
+// How many images of the stored grid cover all directions: 4, 2 or 1.
 double image_count(Symmetry stored);
 
 class Web {
@@ -46,19 +45,19 @@ public:
     static Result<Web> create(Symmetry stored, std::vector<double> planes_deg, std::vector<double> gammas_deg,
                               std::vector<double> candela);
 
-    // Of any goniometer; `candela` is [horizontal][vertical]. Photometry::c is create(). Fails (malformed) as that
-    // does, and for A and B unless latitudes lie in [−90°, 90°], longitudes in [−180°, 180°], and the angles that
-    // `stored` mirrors are not negative; A and B are never axial.
+    // A web of any goniometer type; `candela` is [horizontal][vertical]. Photometry::c is create(). Fails (malformed)
+    // as that does, and for A and B unless latitudes are in [−90°, 90°], longitudes in [−180°, 180°], and the angles
+    // that `stored` mirrors are not negative; A and B are never axial.
     static Result<Web> create(Photometry photometry, Symmetry stored, std::vector<double> horizontal_deg,
                               std::vector<double> vertical_deg, std::vector<double> candela);
 
-    // Intensity towards (C, γ), whatever the goniometer. Any finite C; γ in [0°, 180°], 0 outside. NaN gives 0.
+    // Intensity towards (C, γ), for any goniometer type. Any finite C; γ in [0°, 180°], 0 outside. NaN gives 0.
     double candela(double c_deg, double gamma_deg) const;
 
-    // Intensity along a direction of the light's own frame, of any length > 0.
+    // Intensity along a direction in the light's frame, of any length > 0.
     double candela(const glm::dvec3& direction) const;
 
-    // Intensity at the grid's own angles: (C, γ), or (H, V) of type A or B. Hits the table exactly. NaN gives 0.
+    // Intensity at the grid's own angles: (C, γ), or (H, V) for type A or B. Exact at table angles. NaN gives 0.
     double candela_at(double horizontal_deg, double vertical_deg) const;
 
     Photometry photometry() const { return photometry_; }
@@ -68,7 +67,7 @@ public:
     std::span<const double> horizontal_deg() const { return planes_.angles_deg; }
     std::span<const double> vertical_deg() const { return gammas_.angles_deg; }
 
-    // The same by their names in type C, which the web must be of.
+    // The same by their type C names; the web must be of type C.
     std::span<const double> planes_deg() const {
         assert(photometry_ == Photometry::c);
         return planes_.angles_deg;
@@ -78,25 +77,25 @@ public:
         return gammas_.angles_deg;
     }
 
-    // The intensities of a stored horizontal angle (a C-plane), one per vertical angle.
+    // The intensities at a stored horizontal angle (a C-plane), one per vertical angle.
     std::span<const double> column(std::size_t horizontal) const {
         return {candela_.data() + horizontal * gammas_.angles_deg.size(), gammas_.angles_deg.size()};
     }
 
-    // The same light with every intensity multiplied by `factor` ≥ 0, which must keep them up to greatest_amount.
+    // The same light with every intensity multiplied by `factor` ≥ 0; the results must not exceed greatest_amount.
     Web scaled(double factor) const;
 
-    // Type C: C folded by the stored symmetry into the range of the stored planes; the planes may still not reach it.
+    // Type C: C folded by the stored symmetry into the range of the stored planes, which may still not reach it.
     double folded_c_deg(double c_deg) const;
 
 private:
-    // Strictly ascending angles with the cell of an angle found at once where they are evenly spaced.
+    // Strictly ascending angles; if they are uniformly spaced, the cell of an angle is found without a search.
     struct Axis {
         std::vector<double> angles_deg;
-        double cells_per_deg = 0.0; // 0 when not uniform
+        double cells_per_deg = 0.0; // 0 if not uniform
 
         explicit Axis(std::vector<double> angles);
-        // The cell [i, i+1] that holds the angle and the weight of its upper end; false outside the angles.
+        // The cell [i, i+1] that contains the angle and the weight of its upper end; false outside the angles.
         bool locate(double angle_deg, std::size_t& cell, double& weight) const;
     };
 

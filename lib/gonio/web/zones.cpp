@@ -12,7 +12,7 @@ namespace gonio {
 
 namespace {
 
-// Flux between two γ, with what does not depend on them done once.
+// Flux between two γ; everything that does not depend on them is computed once.
 class ZoneFlux {
 public:
     explicit ZoneFlux(const Web& web) : web_(web) {

@@ -19,8 +19,8 @@ Lumens zone_flux(const Web& web, double gamma_low_deg, double gamma_high_deg);
 std::array<Lumens, 18> ten_degree_zones(const Web& web);
 
 // CIE 52 (EN 13032-2): the flux within the cones of π/2, π and 3π/2 sr about the nadir (γ of 41.4°, 60° and 75.5°) as
-// parts of that of the lower hemisphere, the lower hemisphere's as a part of the whole (DFF), and the whole as a part
-// of the lamps' (LOR), which is 1 for absolute photometry. Nothing where the divisor is not greater than 0.
+// shares of the flux of the lower hemisphere, that flux as a share of the whole (DFF), and the whole as a share of the
+// lamps' flux (LOR), which is 1 for absolute photometry. Empty if the divisor is not greater than 0.
 struct CieFluxCode {
     std::array<std::optional<double>, 3> within;
     std::optional<double> downward;
@@ -29,7 +29,7 @@ struct CieFluxCode {
 
 CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps);
 
-// IES TM-15: luminaire classification system. Front is the half on the side of C0, back that of C180.
+// IES TM-15: luminaire classification system. Front is the half on the side of C0, back the half on the side of C180.
 // Secondary solid angles: low 0–30°, medium 30–60°, high 60–80°, very high 80–90°; up 90–100° and 100–180°.
 struct LuminaireClassification {
     std::array<Lumens, 4> front;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# gonio beside what others install as a package: reading IES files in three.js and Babylon.js (npm), a picture by
-# Blender's Cycles, and how long programs take to say their version. Needs node, npm and their registry for the first,
-# Blender and oiiotool where they are there; leaves out what is not. No part of the tests.
+# Compares gonio with programs that others install as a package: reading IES files in three.js and Babylon.js (npm), a
+# picture by Blender's Cycles, and how long programs take to print their version. Needs node, npm and their registry for
+# the first, Blender and oiiotool if they are installed; skips what is missing. Not part of the tests.
 #
 #   bash tests/bench/peers/run.sh build/release/cli/gonio
 set -euo pipefail
@@ -15,11 +15,11 @@ cd "$work"
 cp "$here"/*.mjs .
 echo '{ "type": "module" }' > package.json
 
-# A table of 73 planes by 181 gamma, 13 000 values, beside a small one.
+# A table of 73 planes by 181 gamma, 13 000 values, and a small one.
 "$gonio" make street --planes 5deg --gammas 1deg -o large.ies -q
 cp "$here/../../../profiles/street.ies" small.ies
 
-seconds() { # of one run, the least of so many: RUNS PROGRAM…; with CLOCK=processor what it took of a processor
+seconds() { # the shortest of several runs: RUNS PROGRAM…; with CLOCK=processor the CPU time
     python3 - "$@" <<'P'
 import os, sys, time
 runs, command = int(sys.argv[1]), sys.argv[2:]
@@ -41,7 +41,7 @@ echo '| reading | bytes | program | us a file |'
 echo '|---|---|---|---|'
 for file in small.ies large.ies; do
     bytes=$(stat -c %s "$file")
-    # The second thousand of a batch on one thread: without what the start takes.
+    # The second thousand of a batch on one thread: excludes the start-up time.
     for count in 1000 2000; do for ((i = 0; i < count; ++i)); do echo "$file"; done > "$count.txt"; done
     first=$(CLOCK=processor seconds 9 "$gonio" info @1000.txt --jsonl -q -j 1)
     both=$(CLOCK=processor seconds 9 "$gonio" info @2000.txt --jsonl -q -j 1)

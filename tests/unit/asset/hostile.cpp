@@ -1,4 +1,4 @@
-// Files beside what was made, and rigs, of somebody who means harm: nested without end, or of very many lights.
+// Malicious files beside the outputs, and malicious rigs: with unlimited nesting, or with very many lights.
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/manifest.hpp>
@@ -67,7 +67,7 @@ std::vector<Light> suns(std::size_t count) {
     return std::vector<Light>(count, *resolve_light(description, ignored));
 }
 
-// Of equal names the n-th would be sought among n: an hour at 100 000.
+// If each equal name searched for a free number from the start, the n-th would take n steps: an hour at 100 000.
 TEST(ManyLights, OfOneNameAreNumberedInTurn) {
     const Result<LightScene> scene = light_scene(**find_target("gltf"), suns(20000), {"rig", "", Meters(1.0)});
     ASSERT_TRUE(scene);

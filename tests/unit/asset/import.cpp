@@ -1,4 +1,4 @@
-// What import delivers: the light that was asked for, and files that say it.
+// The output of import: the requested light, and files that describe it.
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/asset/target.hpp>
@@ -49,7 +49,7 @@ TEST(MeasuredLight, IsScaledAndTurned) {
     options.flux = Lumens(800);
     options.rotation = degrees(90);
     const MeasuredLight turned = delivered("street.ies", options);
-    EXPECT_NEAR(turned.flux.value, 800.0, 1e-6 * 800.0); // values of nine digits
+    EXPECT_NEAR(turned.flux.value, 800.0, 1e-6 * 800.0); // the values have nine digits
     const double factor = turned.flux.value / measured.flux.value;
     for (const double c : {0.0, 12.0, 93.0, 181.0, 340.0})
         for (const double gamma : {0.0, 33.0, 61.0, 80.0})
@@ -81,7 +81,7 @@ TEST(MeasuredLight, NamesSuitFilesAndNodes) {
     EXPECT_EQ(asset_name("4\xc3\xa9.ldt"), "4__");
 }
 
-// EXT_lights_ies by the schema that stands beside this file, and indices that point to something.
+// Checks EXT_lights_ies against the schema beside this file, and that its indices point to something.
 std::string schema_complaint(const char* part, const json& value) {
     json schema =
         json::parse(*read_file(std::string(test::source_folder) + "/tests/unit/asset/ext_lights_ies.schema.json"));
@@ -139,9 +139,9 @@ void check_gltf(const json& document, const MeasuredLight& light, bool embedded)
         EXPECT_LE(channel, 1.0);
         luminance += channel * rec709_luminance[k];
     }
-    // The candela of the file times multiplier and colour have the file's luminous intensity.
+    // The candela of the file times multiplier and colour give the file's luminous intensity.
     EXPECT_NEAR(luminance * use["multiplier"].get<double>(), 1.0, 1e-12);
-    // The rotation takes the light's −Z, γ = 0, down.
+    // The rotation turns the light's −Z, γ = 0, downwards.
     const auto q = node["rotation"].get<std::vector<double>>();
     EXPECT_NEAR(-2.0 * (q[1] * q[2] - q[0] * q[3]), -1.0, 1e-15);
     const json& fallback = document["extensions"]["KHR_lights_punctual"]["lights"][0];
@@ -191,7 +191,7 @@ TEST(Targets, ShineUpWhereTheProfileDoes) {
     EXPECT_EQ(type("pendant.ies"), "point");
 }
 
-// Every target writes files of plain names and, in its own text, nothing but ASCII.
+// Every target writes files with plain names, and its own text is pure ASCII.
 TEST(Targets, WriteWhatEverySystemTakes) {
     const MeasuredLight light = delivered("street.ies");
     for (const Target& target : targets()) {
@@ -209,7 +209,7 @@ TEST(Targets, WriteWhatEverySystemTakes) {
     EXPECT_FALSE(find_target("gtlf"));
 }
 
-// A spectrum tells more than a colour temperature, and both less than the user.
+// A spectrum takes precedence over a colour temperature, and the user's value over both.
 TEST(MeasuredLight, TakesTheColourOfASpectrum) {
     const std::string path = std::string(test::source_folder) + "/profiles/street.ies";
     const Profile profile = *read_profile_file(path);
@@ -221,7 +221,7 @@ TEST(MeasuredLight, TakesTheColourOfASpectrum) {
     Diagnostics said;
     const MeasuredLight light = *measured_light({path, "", resolved.web, header, one}, {}, said);
     EXPECT_EQ(light.color_text, "spectrum");
-    // The black body's own: color/ sums it at 1 nm in both.
+    // As for the black body itself: color/ sums both at 1 nm.
     EXPECT_LT(glm::length(light.color - *parse_light_color("2700K")), 1e-6);
     EXPECT_TRUE(std::none_of(said.begin(), said.end(),
                              [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::warning; }));
@@ -232,7 +232,7 @@ TEST(MeasuredLight, TakesTheColourOfASpectrum) {
     EXPECT_EQ(measured_light({path, "", resolved.web, header, one}, options, said)->color, glm::dvec3(1.0));
 }
 
-// One light of every kind, in odd places.
+// One light of every kind, in unusual places.
 std::vector<Light> studio() {
     const std::string street = "ies:" + std::string(test::source_folder) + "/profiles/street.ies";
     std::vector<Light> lights;
@@ -267,11 +267,11 @@ std::vector<Light> studio() {
     return lights;
 }
 
-// Every light is in the target's text under its own name, or what becomes of it is said.
+// Every light is in the target's text under its own name, or a diagnostic reports its replacement.
 TEST(LightScene, SaysWhatATargetCannotHold) {
     const std::vector<Light> lights = studio();
     for (const Target& target : targets()) {
-        // Pictures take time to bake: import.scenes looks at these.
+        // Pictures take time to bake: import.scenes checks these targets.
         if (target.name == "pbrt" || target.name == "unity" || target.name == "godot" || target.name == "mitsuba")
             continue;
         const LightScene scene = *light_scene(target, lights, {"studio", "16 lights", Meters(1.0)});
@@ -292,7 +292,7 @@ TEST(LightScene, SaysWhatATargetCannotHold) {
         for (const char* name : {"point", "key_light", "disk", "panel", "tube", "door", "street", "street_2", "masked",
                                  "hard", "default", "soft", "angle", "linear"})
             EXPECT_NE(text.find(name), std::string::npos) << target.name << ' ' << name;
-        // Every spot of the target's own falloff stays one, the others do not.
+        // Spots with the target's own falloff remain spots; all other spots do not.
         const auto stays = [&](const char* name) {
             return said.find(std::string("light '") + name + "': " + std::string(target.name) +
                              " does not have spots") == std::string::npos;
@@ -305,7 +305,7 @@ TEST(LightScene, SaysWhatATargetCannotHold) {
     }
 }
 
-// Lights that differ in place, direction and name alone share a profile: 600 of them took a minute to write.
+// Lights that differ only in position, direction and name share a profile: 600 of them took a minute to write.
 TEST(LightScene, LikeLightsShareAProfile) {
     const std::vector<Light> all = studio();
     const Light& masked = *std::find_if(all.begin(), all.end(), [](const Light& l) { return l.name == "masked"; });
@@ -324,7 +324,7 @@ TEST(LightScene, LikeLightsShareAProfile) {
                              [](const AssetFile& file) { return file.name.ends_with(".ies"); });
     };
     EXPECT_EQ(profiles(), 1);
-    // All that the profile depends on tells them apart.
+    // Everything that the profile depends on makes lights differ.
     lights.resize(8, masked);
     lights[1].intensity = Candelas(2.0 * lights[1].intensity.value);
     lights[2].color = {0.5, 1.0, 2.0};
@@ -335,7 +335,7 @@ TEST(LightScene, LikeLightsShareAProfile) {
     EXPECT_EQ(profiles(), 7);
 }
 
-// Profiles from afar have the shape's flux and its intensity; lights of one profile share it.
+// Far-field profiles have the flux and the intensity of the shape; lights with the same profile share it.
 TEST(LightScene, FarProfilesAreThoseOfTheShapes) {
     const std::vector<Light> lights = studio();
     const LightScene scene = *light_scene(**find_target("raw"), lights, {"studio", "", Meters(1.0)});
@@ -356,7 +356,7 @@ TEST(LightScene, FarProfilesAreThoseOfTheShapes) {
                                        {"hard", 300.0},
                                        {"default", 300.0},
                                        {"linear", 300.0}})
-        // The edge of a hard spot is a ten-thousandth of its angle wide, which is written in nine digits.
+        // The edge of a hard spot is a ten-thousandth of its angle wide and is written with nine digits.
         EXPECT_NEAR(flux(web_of(name)).value, lumens, 1e-5 * lumens) << name;
     for (const std::size_t index : {1U, 2U, 3U, 4U, 9U, 11U}) {
         const Light& light = lights[index];
@@ -368,7 +368,8 @@ TEST(LightScene, FarProfilesAreThoseOfTheShapes) {
             for (const double gamma : {0.0, 14.0, 31.5, 62.0, 85.0, 130.0}) {
                 const double truth =
                     light.intensity_towards(light.frame.to_world(direction_of({degrees(c), degrees(gamma)}))).value;
-                // Lines between the table's angles: h²/8 of the second derivative, and the scaling to the flux.
+                // Linear interpolation between the table's angles: h²/8 of the second derivative, and the scaling to
+                // the flux.
                 EXPECT_NEAR(web.candela(c, gamma), truth, 2e-3 * most) << name << ' ' << c << ' ' << gamma;
             }
     }
@@ -394,7 +395,7 @@ TEST(LightScene, OfGltfHasIndicesAndPlaces) {
     }
 }
 
-// The shapes, sizes and amounts of pbrt's lights, each by itself.
+// The shapes, sizes and amounts of pbrt's lights, each checked separately.
 TEST(LightScene, OfPbrtHoldsEveryKind) {
     const std::vector<Light> lights = studio();
     const Target& pbrt = **find_target("pbrt");
@@ -419,11 +420,11 @@ TEST(LightScene, OfPbrtHoldsEveryKind) {
     holds("tube", "Translate -0.6 0 0\n    Shape \"sphere\" \"float radius\" 0.02");
     holds("tube", "\"cylinder\" \"float radius\" 0.02 \"float zmin\" -0.6 \"float zmax\" 0.6");
     holds("sun", "LightSource \"distant\" \"rgb L\" [ 1 1 1 ] \"float illuminance\" [ 500 ]");
-    holds("soft", "\"float coneangle\" [ 40 ] \"float conedeltaangle\" [ 14.99999999"); // 40° − 25° by radians
+    holds("soft", "\"float coneangle\" [ 40 ] \"float conedeltaangle\" [ 14.99999999"); // 40° − 25° in radians
     holds("point", "LightSource \"point\" \"rgb I\" [ 1 1 1 ] \"float scale\" [ 40 ]");
 }
 
-// Lux over distances in the scene's units, or refused.
+// Illuminance over distances is in the scene's unit, or the light is refused.
 TEST(LightScene, CountsInTheSceneUnit) {
     const std::vector<Light> lights = studio();
     const std::vector<Light> point{lights[0]};

@@ -1,4 +1,4 @@
-// As much of JSON Schema (2020-12) as the schemas in the tree use, for holding real output against them.
+// The part of JSON Schema (2020-12) that the schemas in the tree use, to check real output against them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ class JsonSchema {
 public:
     explicit JsonSchema(nlohmann::json schema) : root_(std::move(schema)) {}
 
-    // What is wrong with it, with the path to it; empty: nothing.
+    // The first violation, with the path to it; empty: none.
     std::string complaint(const nlohmann::json& value) const { return complaint(root_, value, "$"); }
 
 private:

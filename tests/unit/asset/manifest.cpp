@@ -1,4 +1,4 @@
-// Manifests: written, read, merged, held against the schema in the tree.
+// Manifests: written, read, merged, and checked against the schema in the tree.
 #include <gonio/asset/asset_record.hpp>
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/manifest.hpp>
@@ -124,7 +124,7 @@ TEST(AssetRecord, IsReadAsWritten) {
     for (const char* bad : {"", "[]", "{}", R"({"schema": "gonio.asset/2", "files": [1], "instead": []})",
                             R"({"schema": "gonio.asset/1", "files": [], "instead": [], "source": {"sha256": "1"}})"})
         EXPECT_FALSE(read_asset_record(bad)) << bad;
-    // Names that lead elsewhere are not followed.
+    // Names that point outside the folder are not followed.
     for (const char* name : {"../studio.gltf", "/etc/passwd", "a/b", ".", ""}) {
         record.files = {file_record(name, "{}")};
         EXPECT_FALSE(read_asset_record(asset_record_json(record))) << name;

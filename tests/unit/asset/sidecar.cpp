@@ -1,4 +1,4 @@
-// Sidecars and hashes: real ones against the schema in the tree, and what is read back from them.
+// Sidecars and hashes: real ones checked against the schema in the tree, and what is read back from them.
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
 #include <gonio/base/file.hpp>
@@ -53,7 +53,7 @@ TEST(Sidecar, OfEveryLayoutAndEngineFitsTheSchema) {
     }
 }
 
-// The schema's test can fail.
+// Shows that the schema check can fail.
 TEST(Sidecar, SchemaRefusesWhatIsNone) {
     const Texture texture = bake_texture(random_web(Symmetry::axial, {0}, {0, 90}, 1), {}).value();
     const test::JsonSchema fits = schema();
@@ -95,7 +95,7 @@ TEST(Sidecar, SaysWhatWasClampedAndWhatItWasMadeFrom) {
     EXPECT_TRUE(matches(record->files.front(), "bytes"));
     EXPECT_FALSE(matches(record->files.front(), "bytez"));
     EXPECT_FALSE(matches(record->files.front(), "byte"));
-    // A name that leads elsewhere, and a sidecar that does not say what its picture is.
+    // A name that points outside the folder, and a sidecar that does not describe its picture.
     for (const char* name : {"../lamp.exr", "/lamp.exr", "a/b", "..", ""}) {
         TextureFile other = file;
         other.files = {file_record(name, "bytes")};

@@ -1,4 +1,4 @@
-// What preview --export writes: the very geometry, camera and materials of a stage.
+// The output of preview --export: the exact geometry, camera and materials of a stage.
 #include <gonio/asset/detail/scene_stage.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/scene/core_material.hpp>
@@ -47,7 +47,7 @@ LightScene exported(const Stage& stage, const char* file, int width = 64, int he
     return *stage_scene(format, stage, stage.camera, bulb(), options);
 }
 
-// A glTF document's nodes as triangles of the world, Z up.
+// The nodes of a glTF document as triangles in world coordinates, Z up.
 struct Triangle {
     std::array<glm::dvec3, 3> corners;
     std::array<glm::dvec3, 3> normals; // of the corners
@@ -163,7 +163,7 @@ double exact_area(const Primitive& primitive) {
     return plane_size.value * plane_size.value;
 }
 
-// Each edge of a closed body is one of another face too, the other way round.
+// In a closed body each edge of a face belongs to one other face too, in the opposite direction.
 bool is_closed(const Body& body) {
     using Point = std::tuple<long, long, long>;
     const auto place = [](const glm::dvec3& p) {
@@ -186,7 +186,7 @@ std::optional<double> distance_to_triangles(const GltfScene& scene, const Ray& r
         for (const Triangle& t : body.triangles) {
             const glm::dvec3 normal = face_normal(t);
             const double facing = glm::dot(normal, ray.direction);
-            if (!(facing < 0.0)) continue; // seen from its front only, as single-sided materials are
+            if (!(facing < 0.0)) continue; // visible from its front only, as single-sided materials are
             const double distance = glm::dot(normal, t.corners[0] - ray.origin) / facing;
             if (distance <= 0.0 || (nearest && *nearest <= distance)) continue;
             const glm::dvec3 at = ray.origin + distance * ray.direction;
@@ -200,7 +200,7 @@ std::optional<double> distance_to_triangles(const GltfScene& scene, const Ray& r
     return nearest;
 }
 
-// A body of each kind, slanted.
+// One body of each kind, tilted.
 Stage bodies() {
     Stage stage = *make_stage("floor");
     stage.surfaces = {
@@ -223,14 +223,14 @@ TEST(StageScene, MeshesAreClosedOutwardAndOfTheRightArea) {
         const Primitive& truth = stage.surfaces[i].geometry;
         EXPECT_EQ(body.name, stage.surfaces[i].name);
         EXPECT_EQ(is_closed(body), !is_sheet(truth)) << body.name;
-        // Of 256 corners around, faces have 1 − (2π/256)²/6 of the circumference and as much again along.
+        // With 256 corners around, faces have 1 − (2π/256)²/6 of the circumference and the same factor along.
         const double exact = exact_area(truth);
         EXPECT_NEAR(area_of(body), exact, 2.1e-4 * exact) << body.name;
         for (const Triangle& t : body.triangles) {
             const glm::dvec3 flat = glm::normalize(face_normal(t));
             for (std::size_t k = 0; k < 3; ++k) {
                 ASSERT_GT(glm::dot(flat, t.normals[k]), 0.999) << body.name;
-                if (std::holds_alternative<Box>(truth)) continue; // whose corners have three normals
+                if (std::holds_alternative<Box>(truth)) continue; // its corners have three normals
                 ASSERT_GT(glm::dot(normal_at(truth, t.corners[k]), t.normals[k]), 1.0 - 1e-8) << body.name;
             }
         }
@@ -255,7 +255,7 @@ TEST(StageScene, CameraSeesTheSameThroughTriangles) {
                 ASSERT_EQ(hit.has_value(), distance.has_value()) << x << ' ' << y;
                 if (!hit) continue;
                 ++hits;
-                // A face lies inside by the sag at most, which a slanting ray meets later.
+                // A face lies inside the surface by the sag at most; a slanting ray meets it later.
                 const double slant = -glm::dot(hit->normal, ray.direction);
                 EXPECT_NEAR(*distance, hit->distance, (ball_sag * 0.4 + 1e-6) / slant) << x << ' ' << y;
             }
@@ -263,7 +263,7 @@ TEST(StageScene, CameraSeesTheSameThroughTriangles) {
     EXPECT_GE(hits, 40);
 }
 
-// Names that no other has, and the same bytes again.
+// Names are unique, and a second export gives the same bytes.
 TEST(StageScene, HoldsEveryStageInEveryFormat) {
     for (const StageKind& kind : stage_kinds()) {
         Stage stage = *make_stage(kind.name);
@@ -273,7 +273,7 @@ TEST(StageScene, HoldsEveryStageInEveryFormat) {
             const LightScene scene = exported(stage, file.c_str());
             EXPECT_EQ(scene.files.at(0).name, file);
             EXPECT_EQ(scene.files[0].bytes, exported(stage, file.c_str()).files[0].bytes);
-            // All but the matte one have a material that is more than others hold.
+            // All stages except the matte one have a material that other formats cannot store fully.
             EXPECT_EQ(scene.instead.empty(), kind.name == "card") << kind.name;
             if (format.extension != ".gltf") continue;
             const json document = json::parse(scene.files[0].bytes);
@@ -291,7 +291,7 @@ TEST(StageScene, FormatsGoByTheName) {
         EXPECT_EQ(stage_format_of(name).error().failure, Failure::usage) << name;
 }
 
-// (1/π) ∬ f ⟨n·l⟩⟨n·v⟩ by midpoints in μ, another rule than the exporter's.
+// (1/π) ∬ f ⟨n·l⟩⟨n·v⟩ by midpoints in μ, a rule other than the exporter's.
 double mean_albedo(const FrostbiteMaterial& material) {
     const auto core = core_material(material);
     constexpr int steps = 100;
@@ -336,7 +336,7 @@ TEST(StageMaterial, KeepsAlbedoAndLobe) {
         EXPECT_EQ(losses.size(), 1U);
     }
     losses.clear();
-    // Even light on a rough surface of albedo 1: what EON gives back, within its own fit.
+    // Uniform light on a rough surface of albedo 1: the albedo of EON, within the error of its own fit.
     EXPECT_NEAR(scene_material(EonMaterial{glm::dvec3(1.0), 1.0}, losses).diffuse.x, 1.0, 1e-3);
     EXPECT_EQ(losses.size(), 1U);
     scene_material(BlinnMaterial{}, losses);
@@ -347,7 +347,7 @@ TEST(StageMaterial, KeepsAlbedoAndLobe) {
     EXPECT_EQ(losses.size(), 6U);
 }
 
-// glTF's own material is written as it is; others take what stands for it, and that is said.
+// glTF's own material is written unchanged; other materials are replaced, and the replacement is reported.
 TEST(StageMaterial, OfGltfIsWrittenAsItIs) {
     Stage stage = bodies();
     for (Surface& surface : stage.surfaces)
@@ -369,11 +369,11 @@ TEST(StageMaterial, OfGltfIsWrittenAsItIs) {
     EXPECT_EQ(losses.size(), 1U);
     EXPECT_DOUBLE_EQ(made.f0.x, 0.04);
     EXPECT_DOUBLE_EQ(made.alpha, 0.25);
-    // 0.96 of the base less what is reflected at slanting angles: 0.9565, by midpoints.
+    // 0.96 of the base less the reflection at slanting angles: 0.9565, by midpoints.
     EXPECT_NEAR(made.diffuse.x, 0.4782, 2e-4);
     losses.clear();
     asset_detail::scene_material(GltfMaterial{glm::dvec3(0.5), 1.0, 0.5}, losses);
-    EXPECT_TRUE(losses.empty()); // a metal is GGX alone
+    EXPECT_TRUE(losses.empty()); // a metal has only the GGX lobe
 }
 
 TEST(StageMaterial, MixesGiveBackTheWhole) {

@@ -1,4 +1,5 @@
-// The charts' maps, and the texels' flux around their edges against closed forms, sums of points and themselves.
+// The maps of the charts, and the flux of texels near their edges against closed forms, sums over points and
+// themselves.
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/latlong.hpp>
 #include <gonio/bake/texel_flux.hpp>
@@ -20,7 +21,7 @@ using std::numbers::pi;
 using test::random_web;
 using test::steps;
 
-// Of every goniometer, with planes that close, mirror, leave gaps, and γ that begins late.
+// Webs of every goniometer, with planes that close, mirror or leave gaps, and with γ that starts late.
 std::vector<Web> some_webs() {
     std::vector<Web> webs;
     webs.push_back(random_web(Symmetry::axial, {0}, {0, 3, 7.5, 40, 90}, 1));
@@ -96,7 +97,7 @@ TEST(Charts, FindWhatTheyMap) {
                 ASSERT_TRUE(found) << name(size);
                 EXPECT_NEAR(found->x, s, 1e-12) << name(size);
                 EXPECT_NEAR(found->y, t, 1e-12) << name(size);
-                // Its derivatives against differences.
+                // The derivatives against finite differences.
                 const double step = 1e-6;
                 const glm::dvec3 along_s =
                     (placed.chart->at(s + step, t).direction - placed.chart->at(s - step, t).direction) / (2.0 * step);
@@ -115,7 +116,7 @@ TEST(Charts, FindWhatTheyMap) {
 TEST(Charts, FacesLieWhereOpenGlLooks) {
     const std::vector<PlacedChart> faces = charts_of(Layout::cube_strip, 6, 1, {}).value();
     const glm::dvec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    // The specification's table: s grows towards, t grows towards.
+    // The specification's table: the direction in which s grows, and the direction in which t grows.
     const glm::dvec3 towards_s[] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
     const glm::dvec3 towards_t[] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
     for (std::size_t i = 0; i < 6; ++i) {
@@ -135,14 +136,14 @@ TEST(Charts, HoldTheFluxAtEverySize) {
             options.width = size.width;
             options.height = size.height;
             const Texture texture = bake_texture(web, options).value();
-            // Floats round each texel by 6e-8.
+            // Storing floats rounds each texel by 6e-8.
             EXPECT_NEAR(texture.texture_flux.value, flux(web).value, 1e-7 * flux(web).value)
                 << name(size) << " type " << static_cast<int>(web.photometry()) << to_text(web.stored_symmetry());
             EXPECT_NEAR(texture.solid_angle.value, 4.0 * pi, 1e-11) << name(size);
         }
 }
 
-// What a texture of 2N texels has in a texel's four quarters; around poles, folds and gaps as elsewhere.
+// Each texel equals the four quarter texels of a texture of 2N, around poles, folds and gaps as elsewhere.
 TEST(Charts, TexelsSplit) {
     for (const Web& web : some_webs()) {
         const Meridians meridians(web);
@@ -177,7 +178,7 @@ TEST(Charts, TexelsSplit) {
     }
 }
 
-// Each texel against a sum over points, with nothing in common but the map.
+// Each texel against a sum over points; the two share only the map.
 TEST(Charts, TexelsAreMeansOverTheirSolidAngle) {
     constexpr int per_texel = 240;
     for (const Web& web : some_webs()) {
@@ -210,7 +211,7 @@ TEST(Charts, TexelsAreMeansOverTheirSolidAngle) {
                                 measure += area;
                             }
                         EXPECT_NEAR(sr[i], measure, 2e-4 * sr[i]) << name(size) << ' ' << i << ' ' << j;
-                        // The web ends where its table does: points find that edge to a 240th of a texel.
+                        // The web ends where its table ends: the points locate that edge to 1/240 of a texel.
                         EXPECT_NEAR(lumens[i] / sr[i], sum / measure, 1000 * 2e-3)
                             << name(size) << ' ' << i << ' ' << j;
                     }
@@ -220,7 +221,7 @@ TEST(Charts, TexelsAreMeansOverTheirSolidAngle) {
     }
 }
 
-// The same texels in closed form.
+// The same texels by the closed form.
 TEST(Charts, LatlongIsTheClosedForm) {
     for (const Web& web : some_webs()) {
         if (web.photometry() != Photometry::c) continue;
@@ -324,7 +325,7 @@ TEST(TexelTypes, RoundToWhatTheyKeep) {
     EXPECT_EQ(as_stored(TexelType::float32, 0.1), static_cast<double>(0.1F));
 }
 
-// A step of n makes errors of half a step at most, and the flux is that of what is stored.
+// A quantisation step of n makes errors of at most half a step, and the flux is that of the stored values.
 TEST(TexelTypes, SayWhatTheyLose) {
     const Web web = some_webs()[1];
     for (const auto& [type, step] : {std::pair{TexelType::uint8, 1.0 / 255},

@@ -1,4 +1,4 @@
-// Engines' textures by the formulas with which the engines read them, and the smallest texture within an error.
+// Textures for engines, evaluated by the formulas that the engines use, and the smallest texture within an error.
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/integrate.hpp>
 
@@ -17,7 +17,7 @@ using std::numbers::pi;
 using test::random_web;
 using test::steps;
 
-// Smooth and of no symmetry, so that every turn and mirror shows.
+// Smooth and without any symmetry, so that every rotation and mirror shows.
 Web smooth_web() {
     const std::vector<double> planes = steps(0, 360, 49);
     const std::vector<double> gammas = steps(0, 180, 25);
@@ -32,7 +32,7 @@ Web smooth_web() {
     return *Web::create(Symmetry::none, planes, gammas, candela);
 }
 
-// At most 128 texels a side, where the engine does not mind.
+// At most 128 texels per side, if the engine allows it.
 BakeOptions smaller(BakeOptions options) {
     while (options.sampling == Sampling::mean && options.height > 128) {
         options.width /= 2;
@@ -45,7 +45,7 @@ Texture baked(const char* engine, const Web& web) {
     return bake_texture(web, smaller(find_engine(engine).value()->bake)).value();
 }
 
-// In candela, of texel (i, j).
+// The value of texel (i, j) in candela.
 double texel(const Texture& texture, int i, int j) {
     return *texture.image.at(i, j) * texture.cd_per_unit;
 }
@@ -68,7 +68,7 @@ TEST(Engines, RowsStandAtLeftEdges) {
     }
 }
 
-// three.js since r187: the shader's own places of gamma and C, as remap() and the insets of half a texel make them.
+// three.js since r187: the shader's own positions of gamma and C, from remap() and the insets of half a texel.
 TEST(Engines, ThreeLooksUpGammaAndC) {
     const Web web = smooth_web();
     const Texture texture = baked("three", web);
@@ -84,7 +84,7 @@ TEST(Engines, ThreeLooksUpGammaAndC) {
         }
 }
 
-// Babylon.js: u = gamma/180° at the middles of texels, which hold the means over theirs.
+// Babylon.js: u = gamma/180° at the centres of texels; each texel holds the mean over its area.
 TEST(Engines, BabylonStandsAtMiddles) {
     const Web web = smooth_web();
     const Texture texture = baked("babylon", web);
@@ -92,7 +92,7 @@ TEST(Engines, BabylonStandsAtMiddles) {
         EXPECT_NEAR(texel(texture, i, 0), mean_over_c(web, i + 0.5), 1e-3 * texture.peak.value) << i;
 }
 
-// The shaders' text: a direction's half of the double paraboloid, and the panorama's texel that is copied there.
+// From the shaders' text: the half of the double paraboloid for a direction, and the panorama texel copied there.
 TEST(Engines, GodotOmniStandsOnItsHead) {
     const Web web = smooth_web();
     const Texture texture = baked("godot-omni", web);
@@ -105,12 +105,12 @@ TEST(Engines, GodotOmniStandsOnItsHead) {
             const double u = turn / (2.0 * pi) - std::floor(turn / (2.0 * pi));
             const auto i = static_cast<int>(u * w);
             const auto j = static_cast<int>(std::acos(-v.y) / pi * h);
-            // Half a texel is 0.35°, an 8-bit step 2 % of the value where it is dark.
+            // Half a texel is 0.35°; an 8-bit step is 2 % of the value in dark areas.
             EXPECT_NEAR(texel(texture, i, j), web.candela(c, gamma), 0.02 * texture.peak.value) << c << ' ' << gamma;
         }
 }
 
-// Types A and B take thin rings.
+// Types A and B are integrated over thin rings.
 TEST(Engines, RowsOfNativeWebs) {
     const std::vector<double> h = steps(-90, 90, 19);
     const std::vector<double> v = steps(-90, 90, 19);
@@ -121,13 +121,13 @@ TEST(Engines, RowsOfNativeWebs) {
     EXPECT_NEAR(texel(texture, 120, 0), 0.0, 1e-4);
 }
 
-// pbrt-v4: EqualAreaSquareToSphere with y and z swapped, the image's rows downwards.
+// pbrt-v4: EqualAreaSquareToSphere with y and z swapped; the image's rows run downwards.
 TEST(Engines, PbrtLooksUpWhatItMeans) {
     const Web web = smooth_web();
     const Texture texture = baked("pbrt-v4", web);
     const int n = texture.image.width;
     const int near = 1;
-    // Middle: aim. Edges' middles: right +X is C0, bottom +Z is C90. Corners: γ = 180°.
+    // Centre: aim. Midpoints of edges: right +X is C0, bottom +Z is C90. Corners: γ = 180°.
     EXPECT_NEAR(texel(texture, n / 2, n / 2), web.candela(0, 0), 2.0);
     EXPECT_NEAR(texel(texture, n - near, n / 2), web.candela(0, 90), 2.0);
     EXPECT_NEAR(texel(texture, n / 2, n - near), web.candela(90, 90), 2.0);
@@ -187,7 +187,7 @@ TEST(Engines, NablaStandsOnCorners) {
     EXPECT_NEAR(texel(texture, 0, 256), web.candela(0, 180), 0.01);
 }
 
-// An encoded file holds steps of the encoding: fine where it is dark.
+// An encoded file holds steps of the encoding, which are fine in dark areas.
 TEST(Engines, GodotEncodes) {
     const Web web = smooth_web();
     const Texture texture = baked("godot-omni", web);
@@ -227,7 +227,7 @@ TEST(AutoSize, IsTheSmallestWithinTheError) {
         const Result<Texture> found = bake_smallest(of, options, limit);
         ASSERT_TRUE(found) << info_of(layout).name;
         EXPECT_LE(found->max_error.value, limit.value);
-        // One step smaller is not good enough.
+        // A texture one step smaller is not accurate enough.
         const int across = layout == Layout::latlong      ? 2
                            : layout == Layout::cube       ? 6
                            : layout == Layout::cube_cross ? 4
@@ -237,7 +237,7 @@ TEST(AutoSize, IsTheSmallestWithinTheError) {
         options.height = found->image.height - down;
         EXPECT_GT(bake_texture(of, options).value().max_error.value, limit.value) << info_of(layout).name;
     }
-    // A jump is never closer than half of it.
+    // At a jump the error is never less than half of the jump.
     const Web jump = *Web::create(Symmetry::axial, {0}, {0, 60}, {1000, 1000});
     BakeOptions options;
     options.layout = Layout::v180;

@@ -33,8 +33,8 @@ Web web_of(Symmetry stored) {
 constexpr Symmetry all_symmetries[] = {Symmetry::axial, Symmetry::quadrant, Symmetry::bilateral_0_180,
                                        Symmetry::bilateral_90_270, Symmetry::none};
 
-// Exactness at every size is the point of exact means: 1×1 holds the flux as well as 512×256. Floats round each texel
-// by 6e-8, and the errors of many average out.
+// Exact means hold the flux at every size: 1×1 as well as 512×256. Storing floats rounds each texel by 6e-8, and over
+// many texels these errors average out.
 TEST(BakeLatlong, HoldsTheFluxAtEverySize) {
     for (const Symmetry stored : all_symmetries) {
         const Web web = web_of(stored);
@@ -49,7 +49,7 @@ TEST(BakeLatlong, HoldsTheFluxAtEverySize) {
     }
 }
 
-// Each texel against the midpoint rule over 48 × 48 points of its area, weighted by sinγ.
+// Each texel against the midpoint rule over 48 × 48 points of its area, weighted with sinγ.
 TEST(BakeLatlong, TexelsAreMeansOverTheirSolidAngle) {
     for (const Symmetry stored : all_symmetries) {
         const Web web = web_of(stored);
@@ -95,7 +95,7 @@ TEST(BakeLatlong, ScalesAndTurnsWithTheWeb) {
     const Texture twice = bake_texture(web.scaled(2.0), options).value();
     for (std::size_t i = 0; i < plain.image.pixels.size(); ++i)
         EXPECT_EQ(twice.image.pixels[i], 2.0F * plain.image.pixels[i]);
-    // One plane further on is one column further on: 24 planes, 24 columns.
+    // The next plane is the next column: 24 planes, 24 columns.
     std::vector<double> candela;
     for (int p = 0; p <= 24; ++p)
         for (const double cd : web.column(static_cast<std::size_t>((p + 1) % 24)))

@@ -1,4 +1,4 @@
-// What is not evaluated is the same as if it were: mirror images, dark rows and texels, and runs of texels by packs.
+// Skipping does not change the result: mirror images, dark rows and texels, and runs of texels in packs.
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/kernels.hpp>
 #include <gonio/bake/latlong.hpp>
@@ -34,7 +34,7 @@ constexpr Case cases[] = {
     {Layout::panorama, 36, 18},
 };
 
-// Dark beyond some γ, and of each symmetry; numbers without pattern.
+// Dark beyond some γ, one of each symmetry; values without a pattern.
 std::vector<Web> some_webs() {
     std::vector<Web> webs;
     webs.push_back(random_web(Symmetry::axial, {0}, {0, 3, 7.5, 40, 90}, 1));
@@ -83,7 +83,7 @@ TEST(BakeSkip, LeavesEveryTexelTheSame) {
             }
 }
 
-// The share of texels that is evaluated: half are dark, and of the others one in as many as there are images.
+// The fraction of texels that is evaluated: half are dark, and of the others one of each set of mirror images.
 TEST(BakeSkip, EvaluatesWhatDiffers) {
     const auto share = [](const Web& web, Layout layout, int width, int height) {
         BakeOptions options;
@@ -106,8 +106,8 @@ TEST(BakeSkip, EvaluatesWhatDiffers) {
     EXPECT_NEAR(share(quadrant, Layout::gnomonic, 64, 64), 1.0 / 4, 0.001);
 }
 
-// A table that is written out in full is symmetric all the same, and the light's images do not depend on how it is
-// stored: the expanded web knows of no mirror.
+// A table written out in full still has its symmetry, and the mirror images of a light do not depend on how it is
+// stored: the expanded web stores no mirror.
 TEST(BakeSkip, ImagesAreThoseOfTheLight) {
     for (const Web& web : some_webs()) {
         const Web written_out = expanded(web);
@@ -156,7 +156,7 @@ TEST(MirrorImages, AreWholeTexels) {
     }
 }
 
-// The fast rows against the plain sums of latlong.hpp: floats that differ by their rounding at most.
+// The fast rows against the plain sums of latlong.hpp: the floats differ at most by their rounding.
 TEST(BakeLatlong, RunsAreTheClosedForm) {
     for (const Web& web : some_webs()) {
         if (web.photometry() != Photometry::c) continue;
@@ -183,7 +183,7 @@ TEST(BakeLatlong, RunsAreTheClosedForm) {
     }
 }
 
-// Packs of every set and every rest of a packet, against as_stored(), to the last bit.
+// Packs of every instruction set and every remainder of a packet, against as_stored(), to the last bit.
 TEST(BakeKernels, AgreeOnEveryInstructionSet) {
     const bake::Ramp ramps[] = {{-3.0, 0.37, -2.9, 0.36}, {1.0, -0.013, 1.0, -0.012}, {0.5, 0.0, 0.5, 0.0}};
     for (const TexelType type : {TexelType::float32, TexelType::half, TexelType::uint16, TexelType::uint8})

@@ -1,4 +1,4 @@
-// The registry of diagnostic codes, and that every error has one of them.
+// The registry of diagnostic codes: every error has a code from it.
 #include <gonio/base/codes/failure.hpp>
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/result.hpp>
@@ -35,7 +35,7 @@ TEST(DiagnosticCodes, AreFoundByTheirName) {
         EXPECT_EQ(find_diagnostic_code(none), nullptr) << none;
 }
 
-// What the tables are held to when they are compiled.
+// The order that the tables are checked for at compile time.
 TEST(DiagnosticCodes, TablesOutOfOrderAreRefused) {
     const auto kept = [](auto... codes) { return in_order(std::array{row(codes)...}); };
     EXPECT_TRUE(kept("AAA0101", "AAA0102", "AAA0201", "BB30101", "AAB0101"));
@@ -69,7 +69,7 @@ TEST(DiagnosticCodes, AFailureHasTheGeneralCodeOfItsFamily) {
     const Error chosen = fail("FIL0104", "too large", "a hint", "big.ies").value();
     EXPECT_EQ(chosen.failure, Failure::io);
     EXPECT_EQ(to_text(chosen.diagnostics.back()), "big.ies: error[FIL0104]: too large\nhint: a hint");
-    // Every row of the table belongs to a failure, else fail() could not tell the exit status.
+    // Every row of the table has a failure, otherwise fail() could not know the exit status.
     for (const DiagnosticCode& failing : failure_codes) {
         bool known = false;
         for (const FailureFamily& of : failure_families)

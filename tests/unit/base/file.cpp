@@ -93,7 +93,7 @@ TEST_F(File, AnEndlessInputIsAnError) {
     EXPECT_EQ(zeros.error().diagnostics.back().message, "larger than 1 MiB, the limit 'tilt-bytes'");
 }
 
-// In a child process: the limit and the signal's action are the process's.
+// In a child process, because the limit and the signal's action apply to the whole process.
 TEST_F(File, AFileSizeLimitLeavesTheOldFileAndNothingElse) {
     ASSERT_TRUE(write_file(path("x"), "old"));
     const auto child = [&] {

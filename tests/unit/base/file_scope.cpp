@@ -47,7 +47,7 @@ TEST_F(FileScopeTest, TakesRegularFilesUnderItsFolder) {
         FileScope scope = FileScope::under(at(folder));
         for (const std::string name : {"a.ies", "lamps/b.ies", "./a.ies", "lamps/../a.ies", "in.ies", "none.ies"})
             EXPECT_TRUE(scope.path_of(name)) << folder << ' ' << name;
-        // Absolute, by the folder's own name and by that of a link to it.
+        // Absolute, by the folder's own name and by the name of a link to it.
         EXPECT_EQ(*scope.path_of(at("rigs/a.ies")), at("rigs/a.ies"));
         EXPECT_EQ(*scope.path_of(at("link/a.ies")), at("link/a.ies"));
     }

@@ -63,7 +63,7 @@ TEST_F(FileSetTest, AFolderInAFilesPlaceFailsAndTouchesNothing) {
     EXPECT_EQ(added.error().failure, Failure::io);
 }
 
-// What no check before can see: the last file cannot get its name when the others have theirs already.
+// A failure that no earlier check can detect: the last file cannot get its name when the others already have theirs.
 TEST_F(FileSetTest, AFailedCommitGivesEveryFileBackWhatItWas) {
     ASSERT_TRUE(write_file(path("a"), "before a"));
     ASSERT_EQ(chmod(path("a").c_str(), 0640), 0);
@@ -104,7 +104,7 @@ TEST_F(FileSetTest, ADeviceThatFailsLeavesTheFilesAsTheyWere) {
     EXPECT_EQ(entries(), 1);
 }
 
-// In a child process: the limit and the signal's action are the process's.
+// In a child process, because the limit and the signal's action apply to the whole process.
 TEST_F(FileSetTest, AFileSizeLimitLeavesAllFilesAsTheyWere) {
     ASSERT_TRUE(write_file(path("a"), "old a"));
     ASSERT_TRUE(write_file(path("b"), "old b"));
@@ -164,7 +164,7 @@ TEST_F(FileSetTest, DurableFilesAreWrittenAsOthersAre) {
     EXPECT_EQ(entries(), 2);
 }
 
-// A signal's handler at any moment of many writers: nothing is left, and every file is whole.
+// A signal handler runs at any moment while many threads write: no temporary file is left, and every file is complete.
 TEST_F(FileSetTest, ThreadsThatWriteLeaveNothingWhenASignalEndsThem) {
     const auto child = [&] {
         std::signal(SIGTERM, [](int) {
@@ -212,7 +212,7 @@ TEST_F(FileSetTest, IdentityIsThatOfTheFileNotOfItsName) {
     EXPECT_EQ(file_identity(path("soft")), identity);
     EXPECT_EQ(file_identity(path("./a")), identity);
     EXPECT_NE(file_identity(path("b")), identity);
-    EXPECT_EQ(file_identity(path("./b")), file_identity(path("b"))); // not there yet
+    EXPECT_EQ(file_identity(path("./b")), file_identity(path("b"))); // does not exist yet
     fs::create_directory_symlink(".", path("here"));
     EXPECT_EQ(file_identity(path("here/b")), file_identity(path("b")));
     EXPECT_EQ(file_identity("/dev/null"), "");

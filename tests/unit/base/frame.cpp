@@ -28,7 +28,7 @@ TEST(Frame, AnglesRoundTrip) {
             EXPECT_NEAR(to_degrees(angles.c), c, 1e-12);
             EXPECT_NEAR(to_degrees(angles.gamma), gamma, 1e-13);
         }
-    // An acos would lose this angle altogether.
+    // An acos would lose this angle completely.
     EXPECT_NEAR(angles_of(direction_of({degrees(10), Radians(1e-12)})).gamma.value, 1e-12, 1e-27);
 }
 
@@ -41,7 +41,7 @@ TEST(Frame, AimedFramesAreOrthonormalAndRightHanded) {
         EXPECT_NEAR(glm::dot(frame.x, frame.y), 0.0, 1e-15);
         EXPECT_NEAR(glm::length(frame.x), 1.0, 1e-15);
     }
-    // The light frame of a luminaire that hangs from the ceiling is the world's.
+    // The light frame of a luminaire on the ceiling is the world's frame.
     const Frame hanging = aimed_frame({0, 0, 0}, {0, 0, -1}, {0, 1, 0});
     expect_near(hanging.x, {1, 0, 0});
     expect_near(hanging.y, {0, 1, 0});

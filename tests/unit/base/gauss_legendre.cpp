@@ -7,7 +7,7 @@
 namespace gonio {
 namespace {
 
-// Exact for x^p up to p = 2n − 1 and not beyond; ascending, symmetric, weights of sum 2.
+// Exact for x^p up to p = 2n − 1 and not beyond; nodes ascend and are symmetric; the weights add up to 2.
 template<std::size_t count>
 void check() {
     constexpr auto rule = gauss_legendre<count>();

@@ -43,7 +43,7 @@ TEST(Limits, PicturesHaveOneForTheirPixelsAndOneForTheirSides) {
     EXPECT_FALSE(check_picture_size(2147483647, 2147483647));
 }
 
-// What takes long with many keys is refused before it begins.
+// A text with so many keys that it would take long is refused before the work starts.
 TEST(Limits, KindTextsHaveOneForTheirLengthAndOneForTheirKeys) {
     const auto keys = [](int count) {
         std::string text = "sphere:";

@@ -1,4 +1,4 @@
-// Closed sets as tables: rows found by their names, and names refused.
+// Closed sets as tables: rows are found by their names, and unknown names are refused.
 #include <gonio/base/named.hpp>
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ TEST(ThreadsParallel, EveryPieceRunsOnce) {
     parallel_for(0, 4, [](std::size_t) { FAIL(); });
 }
 
-// In a process of another user that may have no more threads; root has no limit.
+// Runs in a process of another user that may not start more threads; root has no limit.
 int in_limited_process() {
     constexpr unsigned nobody = 61234;
     const rlimit none{1, 1};
@@ -43,8 +43,8 @@ TEST(ThreadsParallel, WithoutThreadsTheCallerDoesAll) {
 
 TEST(ThreadsParallel, AnExceptionReachesTheCallerAndStopsTheRest) {
     std::atomic<int> runs{0};
-    // Each of the others takes long enough for the throwing thread to be given time while they run: on a busy machine
-    // it may be stopped for longer than a million empty ones take.
+    // The other calls take long enough for the throwing thread to get time while they run: on a busy machine that
+    // thread may be stopped for longer than a million empty calls take.
     const auto work = [&](std::size_t i) {
         ++runs;
         if (i == 3) throw std::runtime_error("three");

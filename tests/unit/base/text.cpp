@@ -19,7 +19,7 @@ TEST(Text, ComparesWithoutRegardToCase) {
     EXPECT_TRUE(equals_any_case("Tilt", "tILT"));
     EXPECT_TRUE(equals_any_case("", ""));
     EXPECT_FALSE(equals_any_case("TILT", "TILT="));
-    EXPECT_FALSE(equals_any_case("[", "{")); // 0x20 apart, as letters are
+    EXPECT_FALSE(equals_any_case("[", "{")); // 0x20 apart, as upper and lower case are
     EXPECT_FALSE(equals_any_case("\xC4", "\xE4"));
     EXPECT_TRUE(starts_with_any_case("iesna:LM-63", "IESNA"));
     EXPECT_FALSE(starts_with_any_case("IES", "IESNA"));
@@ -33,9 +33,9 @@ TEST(Text, IsTrimmedAtBothEndsOnly) {
     EXPECT_EQ(trimmed(" \r\n"), "");
     EXPECT_EQ(trimmed(""), "");
     EXPECT_EQ(trimmed(" a\r\n", blanks), "a\r\n");
-    EXPECT_EQ(trimmed("\xA0 a"), "\xA0 a"); // a no-break space of CP1252 is a letter's business
+    EXPECT_EQ(trimmed("\xA0 a"), "\xA0 a"); // a no-break space of CP1252 counts as a letter
     const std::string_view text = "  ";
-    EXPECT_EQ(trimmed(text).data(), text.data() + 2); // a view of the same text, where there is nothing too
+    EXPECT_EQ(trimmed(text).data(), text.data() + 2); // a view into the same text, even if it is empty
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Temperatures of chromaticities: known lights, round trips, and where there is none.
+// Temperatures of chromaticities: known lights, round trips, and chromaticities without a temperature.
 #include <gonio/color/cct.hpp>
 #include <gonio/color/planckian.hpp>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// By Newton on the sum, elsewhere (numpy).
+// Computed by Newton's method on the sum, in another program (numpy).
 TEST(CctTest, KnownWhites) {
     struct Known {
         Xy xy;
@@ -36,12 +36,12 @@ TEST(CctTest, KnownWhites) {
 // Illuminant A is a black body by definition: 2848 K with the c2 of 1931, 1.4350e-2.
 TEST(CctTest, IlluminantAIsABlackBody) {
     const double kelvin = 2848.0 * c2_meter_kelvin / 1.4350e-2;
-    const Cct found = exact_cct(to_uv(Xy{0.447574, 0.407439})).value(); // as summed elsewhere, six digits
+    const Cct found = exact_cct(to_uv(Xy{0.447574, 0.407439})).value(); // as summed in another program, six digits
     EXPECT_NEAR(found.temperature.value, kelvin, 0.02);
     EXPECT_NEAR(found.duv, 0.0, 1e-6);
 }
 
-// Points off the locus of the sum, along its own normal: neither way has been used to make them.
+// Points off the locus of the sum, along its own normal: made without either method under test.
 Uv off_the_sum(double kelvin, double duv) {
     const LocusPoint p = planckian_sum(1e3 / kelvin);
     const double length = std::hypot(p.first.u, p.first.v);
@@ -66,7 +66,7 @@ TEST(CctTest, InvertsAGridTo1e3OfAKelvin) {
             worst_duv = std::fmax(worst_duv, std::abs(exact->duv - duv));
         }
     }
-    EXPECT_LT(worst_fast, 1e-4); // asked for: 1e-3
+    EXPECT_LT(worst_fast, 1e-4); // required: 1e-3
     EXPECT_LT(worst_exact, 1e-6);
     EXPECT_LT(worst_duv, 1e-11);
 }
@@ -109,7 +109,7 @@ TEST(CctTest, RefusesWhatHasNoTemperature) {
     }
     for (const Cct bad : {Cct{Kelvin(799), 0.0}, Cct{Kelvin(nan), 0.0}, Cct{Kelvin(2700), 0.11}, Cct{Kelvin(-1), 0.0}})
         EXPECT_TRUE(std::isnan(fast_uv(bad).u));
-    // Too far from the locus on either side, beyond both ends, and no numbers.
+    // Too far from the locus on either side, beyond both ends, and values that are not numbers.
     for (const Xy bad : {Xy{0.2, 0.7}, Xy{0.35, 0.1}, Xy{0.17, 0.01}, Xy{0.15, 0.15}}) {
         EXPECT_FALSE(exact_cct(to_uv(bad))) << bad.x;
         EXPECT_TRUE(std::isnan(fast_cct(to_uv(bad)).temperature.value)) << bad.x;
@@ -124,7 +124,7 @@ TEST(CctTest, RefusesWhatHasNoTemperature) {
 }
 
 TEST(CctTest, DaylightIsTheCieFormula) {
-    // CIE 015: D65 is 6500 K with the constant of its time, 1.4388/1.4380 more by today's.
+    // CIE 015: D65 is 6500 K with the constant of its time; with today's constant 1.4388/1.4380 times as much.
     const Xy d65 = daylight_xy(Kelvin(6500.0 * 1.4388 / 1.4380));
     EXPECT_NEAR(d65.x, 0.31271, 2e-5);
     EXPECT_NEAR(d65.y, 0.32912, 2e-5);
@@ -142,7 +142,7 @@ TEST(CctTest, TheBlendIsContinuous) {
     EXPECT_LT(delta_uv_prime(at(4000), at(4000.001)), 1e-7);
     EXPECT_LT(delta_uv_prime(at(4999.999), at(5000)), 1e-7);
     EXPECT_LT(delta_uv_prime(at(5000), exact_uv({Kelvin(5000), 0.0}, Locus::daylight).value()), 1e-15);
-    // Half of each luminance in the middle: XYZ of Y = 1 are averaged.
+    // Half of each luminance at the midpoint: XYZ with Y = 1 are averaged.
     const glm::dvec3 mean = 0.5 * (to_xyz(exact_uv({Kelvin(4500), 0.0}).value()) +
                                    to_xyz(exact_uv({Kelvin(4500), 0.0}, Locus::daylight).value()));
     EXPECT_LT(delta_uv_prime(at(4500), to_uv(mean)), 1e-15);

@@ -1,4 +1,4 @@
-// The rational functions against the sum, in every scalar, and the kernels of every instruction set.
+// The rational functions against the sum, in every scalar type, and the kernels of every instruction set.
 #include <gonio/color/cct.hpp>
 #include <gonio/color/kernels.hpp>
 #include <gonio/color/locus.hpp>
@@ -15,7 +15,7 @@
 namespace gonio {
 namespace {
 
-// 800 K to 1e6 K, even in mired: what the eye tells apart.
+// 800 K to 1e6 K, uniform in mired, which is close to what the eye distinguishes.
 std::vector<float> temperatures(int count) {
     std::vector<float> kelvin;
     for (int i = 0; i < count; ++i)
@@ -36,8 +36,8 @@ TEST(Locus, TheFitsHoldTheirErrors) {
                                 delta_uv_prime({static_cast<double>(of_float.u), static_cast<double>(of_float.v) / 1.5},
                                                planckian_sum(static_cast<double>(single)).at));
     }
-    EXPECT_LT(worst_double, 1.5e-12); // asked for: 1e-8
-    EXPECT_LT(worst_float, 3e-7);     // asked for: 1e-6
+    EXPECT_LT(worst_double, 1.5e-12); // required: 1e-8
+    EXPECT_LT(worst_float, 3e-7);     // required: 1e-6
 }
 
 TEST(Locus, DerivativesAreThoseOfTheSum) {
@@ -142,7 +142,7 @@ TEST_P(ColorKernels, GiveNanForWhatTheyDoNotKnow) {
     }
 }
 
-// Sets differ by fused multiplication only: a few ulp of numbers near 1.
+// Instruction sets differ only by fused multiplication: a few ulp of numbers near 1.
 TEST_P(ColorKernels, AgreeWithPlainFloat) {
     const std::vector<float> kelvin = temperatures(1000);
     const color::RgbConstants space = color::rgb_constants(*find_rgb_space("acescg"));

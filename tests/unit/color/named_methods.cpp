@@ -1,4 +1,4 @@
-// The formulas of others have the errors that were found of them elsewhere (numpy, 3000 points even in mired).
+// The published formulas have the errors that another program found (numpy, 3000 points, uniform in mired).
 #include <gonio/color/cct.hpp>
 #include <gonio/color/named_methods.hpp>
 

@@ -13,7 +13,7 @@ namespace {
 struct Reference {
     double kelvin, x, y, u, v, lm_per_w, nits;
 };
-// Printed with nine decimals; efficacies by Km = 683.002, three to four digits.
+// Printed with nine decimals; efficacies with Km = 683.002, to three or four digits.
 constexpr Reference references[] = {
     {500, 0.721385535, 0.278568109, 0.588880594, 0.341100588, 4.16e-13, 4.70e-10},
     {800, 0.681334274, 0.317931397, 0.499831819, 0.349855205, 1.09e-6, 8.09e-3},

@@ -41,7 +41,7 @@ TEST(RgbSpaceTest, D65IsWhiteInEachOfThem) {
     }
 }
 
-// Computed elsewhere (numpy), three decimals.
+// Computed by another program (numpy), three decimals.
 TEST(RgbSpaceTest, KnownColours) {
     const auto near = [](double kelvin, const char* space, glm::dvec3 expected, double tolerance) {
         const SpaceColor color = to_space(black_body(kelvin), *find_rgb_space(space));
@@ -55,7 +55,7 @@ TEST(RgbSpaceTest, KnownColours) {
     near(1800, "rec709", {2.771, 0.576, -0.019}, 5.1e-4);
 }
 
-// The row that the rest of gonio computes luminance with is this space's.
+// The row of this space that gives luminance is the one that the rest of gonio uses.
 TEST(RgbSpaceTest, TheWorkingSpaceIsRec709) {
     const glm::dvec3 row = luminance_row(*find_rgb_space("rec709"));
     for (int c = 0; c < 3; ++c)

@@ -21,7 +21,7 @@ SpectrumColor color_of_illuminant(const char* name) {
     return color_of(find_illuminant(name).value()).value();
 }
 
-// Chromaticities as CIE 015 and its publications print them.
+// Chromaticities as printed in CIE 015 and related publications.
 TEST(SpectrumTest, IlluminantsHaveTheirPublishedColours) {
     struct Published {
         const char* name;
@@ -46,7 +46,8 @@ TEST(SpectrumTest, IlluminantsHaveTheirTemperatures) {
         const char* name;
         double kelvin, duv;
     };
-    // From the chromaticities above, printed in four or five digits: within what those leave open.
+    // From the chromaticities above, which are printed with four or five digits: within the uncertainty of those
+    // digits.
     for (const Known& k : {Known{"A", 2855.6, 0.0},
                            {"D50", 5001.75, 0.0032},
                            {"D65", 6502.93, 0.0032},
@@ -61,7 +62,7 @@ TEST(SpectrumTest, IlluminantsHaveTheirTemperatures) {
 }
 
 TEST(SpectrumTest, DaylightTablesAreTheirComponents) {
-    // M1 and M2 of CIE 015, rounded to three decimals as the tables were made.
+    // M1 and M2 of CIE 015 are rounded to three decimals, as in the tables.
     for (const auto& [name, nominal] : {std::pair{"D50", 5000.0}, {"D65", 6500.0}, {"D75", 7500.0}}) {
         const Xy xy = daylight_xy(Kelvin(nominal * 1.4388 / 1.4380));
         const double m = 0.0241 + 0.2562 * xy.x - 0.7341 * xy.y;
@@ -76,7 +77,7 @@ TEST(SpectrumTest, DaylightTablesAreTheirComponents) {
 }
 
 TEST(SpectrumTest, EfficaciesNameTheirBand) {
-    // Sums of 1 nm, computed elsewhere (numpy), by Km = 683.002.
+    // Sums at 1 nm with Km = 683.002, computed by another program (numpy).
     EXPECT_NEAR(color_of_illuminant("E").efficacy_lm_per_w, 154.95, 0.01);
     EXPECT_NEAR(color_of_illuminant("FL2").efficacy_lm_per_w, 337.0, 1.0);
     EXPECT_NEAR(color_of_illuminant("HP1").efficacy_lm_per_w, 395.0, 1.0);
@@ -113,7 +114,7 @@ TEST(SpectrumTest, TheGridHardlyMatters) {
     struct Grid {
         double first, step, slack;
     };
-    // Fine, plain, 5 nm at their own places and 10 nm by interpolation; what the ends leave out is 1e-5.
+    // Fine, plain, 5 nm on its own grid points and 10 nm by interpolation; the omitted ends contribute 1e-5.
     for (const Grid& grid : {Grid{360, 0.25, 2e-6}, {360, 1, 1e-9}, {380, 2, 2e-5}, {360, 5, 4e-5}, {360, 10, 2e-4}}) {
         const Result<Spectrum> spectrum = parse_spectrum_csv(rows(grid.first, 830, grid.step), "grid.csv");
         ASSERT_TRUE(spectrum) << grid.step << spectrum.error().diagnostics.back().message;

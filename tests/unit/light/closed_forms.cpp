@@ -1,4 +1,4 @@
-// The closed forms against 50-digit values, in double and in float, and the conversions that are made of them.
+// The closed forms against 50-digit values, in double and in float, and the conversions built from them.
 #include <gonio/base/exposure_value.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/closed_forms.hpp>
@@ -34,7 +34,7 @@ std::vector<Row> reference() {
     std::vector<Row> rows;
     std::ifstream file(std::string(test::source_folder) + "/tests/unit/light/reference.csv");
     std::string line;
-    std::getline(file, line); // what it is
+    std::getline(file, line); // the description
     std::getline(file, line); // the columns' names
     while (std::getline(file, line)) {
         std::vector<std::string> cells;
@@ -78,8 +78,8 @@ S evaluate(const Row& row) {
     return S(0);
 }
 
-// The distance of `value` from the exact one, in units of the exact one's last place in S. The exact one is read to 64
-// bits: its own error is a thousandth of an ulp of double.
+// The distance of `value` from the exact value, in units of the exact value's last place in S. The exact value is read
+// to 64 bits: its own error is a thousandth of an ulp of double.
 template<class S>
 double ulp_error(S value, const std::string& exact_text) {
     const long double exact = std::strtold(exact_text.c_str(), nullptr);
@@ -113,7 +113,7 @@ TEST(ClosedForms, FloatWithinEightUlpOfFiftyDigits) {
     expect_within<float>(8.0);
 }
 
-// What a spot of 800 lm has in candela, and a tube of 1000 nt in lux, through the conversion itself.
+// The candela of a spot of 800 lm, and the lux of a tube of 1000 nt, through the conversion itself.
 TEST(ClosedForms, ConversionsKeepThem) {
     const PhotometricValue lumens{800.0, {find_unit("lm"), std::nullopt, std::nullopt}};
     const PhotometricValue nits{1000.0, {find_unit("nt"), std::nullopt, std::nullopt}};
@@ -141,7 +141,7 @@ TEST(ClosedForms, ConversionsKeepThem) {
     }
 }
 
-// A web is integrated once, and gives what it gives alone; other shapes likewise.
+// A web is integrated once and gives the same result as without preparation; so do the other shapes.
 TEST(ClosedForms, PreparedAndAloneAgree) {
     const std::string web = std::string("ies:") + test::source_folder + "/profiles/street.ies";
     for (const char* text :
@@ -175,7 +175,7 @@ TEST(ClosedForms, SizesBeyondNumbersAreRefused) {
     EXPECT_TRUE(ShapePhotometry::of(SphereShape{Meters(1e-150)}));
 }
 
-// A ray has an intensity and no flux.
+// A ray has an intensity but no flux.
 TEST(ClosedForms, SpotOfNoAngle) {
     const Result<Shape> ray = parse_shape("spot:outer=0deg");
     ASSERT_TRUE(ray);

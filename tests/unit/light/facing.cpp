@@ -1,4 +1,4 @@
-// Illuminance of facing receivers against integrals over what they see.
+// Illuminance of facing receivers against integrals over the visible light.
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
@@ -24,7 +24,7 @@ double facing_illuminance(const Kind& shape, Meters distance) {
     return ShapeTraits<Kind>::facing(shape, distance).value;
 }
 
-// [0, 1] cut towards 0 in halves, so that a light much nearer than its size is seen sharply.
+// [0, 1] halved repeatedly towards 0, so that a light much closer than its size is resolved.
 template<class F>
 double halving_integral(F&& f) {
     double sum = 0.0;
@@ -66,8 +66,8 @@ TEST(Facing, RectangleIsTheSumOfItsPoints) {
         }
 }
 
-// Half planes through the receiver along the axis, at angle α from the way to the axis, cut the capsule in stadiums:
-// E/L = ∫ cosα (β + sinβ cosβ) dα up to the elevation β at which the stadium ends.
+// Half planes through the receiver along the axis, at angle α from the direction to the axis, cut the capsule in
+// stadiums: E/L = ∫ cosα (β + sinβ cosβ) dα up to the elevation β at which the stadium ends.
 double tube_by_sections(double r, double l, double d) {
     const double s = r / d;
     const auto section = [&](double t) { // sinα = s sin t
@@ -78,7 +78,7 @@ double tube_by_sections(double r, double l, double d) {
         const double beta = std::atan2(0.5 * l, near) + std::asin(std::min(thick / to_end, 1.0));
         return (beta + std::sin(beta) * std::cos(beta)) * s * std::cos(t);
     };
-    // Steep where t nears π/2 on contact: halve towards there.
+    // Steep as t approaches π/2 on contact, so halve towards there.
     return 2.0 * halving_integral([&](double x) { return section(0.5 * pi * (1.0 - x)) * 0.5 * pi; });
 }
 
@@ -93,7 +93,7 @@ TEST(Facing, TubeIsTheSumOfItsSections) {
         }
 }
 
-// What "lx@d" says is what the shading finds for that receiver.
+// "lx@d" gives the same illuminance as the shading for that receiver.
 TEST(Facing, AgreesWithTheShading) {
     using Vec = shading::vec3<double>;
     const Vec up{0.0, 0.0, 1.0};
@@ -118,7 +118,7 @@ TEST(Facing, MeetsItsLimits) {
     const auto tube = [](double r, double l, double d) {
         return facing_illuminance(TubeShape{Meters(r), Meters(l)}, Meters(d));
     };
-    // On contact the light fills the sky.
+    // On contact the light fills the hemisphere.
     EXPECT_NEAR(disk(1, 1e-9), pi, 1e-15);
     EXPECT_NEAR(rect(1, 2, 1e-9), pi, 1e-8);
     EXPECT_NEAR(tube(0.1, 1, 0.1), pi, 1e-15);
@@ -126,10 +126,10 @@ TEST(Facing, MeetsItsLimits) {
     EXPECT_NEAR(disk(1, 1e9) * 1e18, pi, 1e-14);
     EXPECT_NEAR(rect(1, 2, 1e9) * 1e18, 2.0, 1e-14);
     EXPECT_NEAR(tube(0.1, 1, 1e9) * 1e18, 0.2 + pi * 0.01, 1e-15);
-    // A tube without length is a sphere, an endless one is π r/d.
+    // A tube of length 0 is a sphere, an endless tube gives π r/d.
     EXPECT_NEAR(tube(0.1, 1e-300, 0.3), pi / 9, 1e-15);
     EXPECT_NEAR(tube(0.1, 1e9, 0.3), pi / 3, 1e-9);
-    // Nothing overflows on the way.
+    // No intermediate value overflows.
     EXPECT_GT(disk(1e-200, 1e-100), 0.0);
     EXPECT_NEAR(disk(1e200, 1e190), pi, 1e-15);
     EXPECT_NEAR(rect(1e200, 1e200, 1e190), pi, 1e-9);

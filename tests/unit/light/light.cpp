@@ -37,7 +37,7 @@ TEST(Light, TurnsWithItsFrame) {
     const Light hanging = resolve_light(description, diagnostics).value();
     description.rotation = degrees(90);
     const Light turned = resolve_light(description, diagnostics).value();
-    // Turned from C0 towards C90: what went along +X goes along +Y.
+    // Rotated from C0 towards C90: light along +X now goes along +Y.
     EXPECT_NEAR(turned.intensity_towards({0.0, 1.0, -1.0}).value, hanging.intensity_towards({1.0, 0.0, -1.0}).value,
                 1e-9);
     description.rotation = degrees(0);
@@ -64,7 +64,7 @@ TEST(Light, RefusesAnAmountThatFloatsCannotHold) {
     EXPECT_NE(reason("sphere:r=0.000000001m", "1e20cd").find("a luminance of 3"), std::string::npos);
     EXPECT_NE(reason("sun:angle=60deg", "1e30lx").find("a luminance of 1.27"), std::string::npos);
     EXPECT_EQ(reason("sun:angle=180deg", "1e30lx"), "no failure");
-    // A profile with next to no light, of which no factor makes any.
+    // A profile with almost no light: no factor can give it the requested amount.
     Diagnostics diagnostics;
     LightDescription description;
     description.shape = ProfileShape{
@@ -101,7 +101,7 @@ Light resolved(const Shape& shape, const char* amount) {
     return resolve_light(description, diagnostics).value();
 }
 
-// ∬ of what the light emits, over rings around `axis` of its frame (2 = Z, 0 = X), cut at the given angles.
+// ∬ of the emitted light, over rings around `axis` of its frame (2 = Z, 0 = X), split at the given angles.
 double emitted_flux(const Light& light, int axis, std::vector<double> cuts) {
     cuts.insert(cuts.begin(), 0.0);
     cuts.push_back(pi);
@@ -137,8 +137,7 @@ TEST(Light, EmitsTheFluxThatItWasGiven) {
     }
 }
 
-// ∬ over the plane z = −1, of which dω is dx dy/(1 + x² + y²)^(3/2), inside and a margin outside of the pyramid's
-// edges.
+// ∬ over the plane z = −1, where dω is dx dy/(1 + x² + y²)^(3/2), inside the pyramid's edges and a margin outside them.
 TEST(Light, AFrustumEmitsTheFluxThatItWasGiven) {
     for (const auto& [text, h, v] :
          {std::tuple{"frustum:h=60deg,v=40deg", 60.0, 40.0}, {"frustum:h=1deg,v=120deg", 1.0, 120.0}}) {
@@ -162,7 +161,8 @@ TEST(Light, AFrustumEmitsTheFluxThatItWasGiven) {
 }
 
 TEST(Light, OfAMaskedShapeEmitsTheFluxThatItWasGiven) {
-    // Masks whose angles the rings and the cuts below fall on; dark towards some directions, brightest aside.
+    // Masks with angles that coincide with the rings and the cuts below; dark in some directions, brightest off the
+    // axis.
     const Web mask = test::random_web(Symmetry::none, test::steps(0, 360, 5), test::steps(0, 90, 4), 12);
     std::vector<double> cuts;
     for (const double deg : {25.0, 30.0, 40.0, 60.0, 90.0})
@@ -194,7 +194,7 @@ TEST(Light, CarriesWhatTheShadingReads) {
     EXPECT_NEAR(spot.intensity_towards(-spot.frame.z).value, 100.0, 1e-12);
     EXPECT_EQ(spot.intensity_towards(spot.frame.z).value, 0.0);
 
-    // The horizontal angle opens along X.
+    // The horizontal angle spans X.
     const Light frustum = resolved(test::shape("frustum:h=60deg,v=40deg"), "100cd");
     const auto towards = [&](double x_deg, double y_deg) {
         const glm::dvec3 local(std::tan(x_deg * pi / 180), std::tan(y_deg * pi / 180), -1.0);

@@ -13,7 +13,7 @@ TEST(LightColor, HasLuminanceOne) {
         ASSERT_TRUE(rgb) << text;
         EXPECT_NEAR(glm::dot(*rgb, rec709_luminance), 1.0, 1e-15);
     }
-    // No number is too large or too small for a ratio.
+    // A ratio works for any numbers, however large or small.
     for (const char* text : {"rgb(1.7e308,1.7e308,1.7e308)", "rgb(5e-324,5e-324,5e-324)"}) {
         const auto rgb = parse_light_color(text);
         ASSERT_TRUE(rgb) << text;

@@ -1,4 +1,4 @@
-// Lights of a few words, for tests.
+// Lights from short texts, for tests.
 #pragma once
 
 #include <gonio/light/light.hpp>

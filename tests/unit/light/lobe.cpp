@@ -1,4 +1,4 @@
-// Solid angles of lobes against integrals of the lobes, and against the textbook's forms where those hold.
+// Solid angles of lobes against integrals of the lobes, and against the textbook's formulas in their valid range.
 #include <gonio/light/lobe.hpp>
 
 #include "quadrature.hpp"
@@ -19,8 +19,8 @@ constexpr Falloff falloffs[] = {Falloff::frostbite,      Falloff::hard,         
 constexpr double half_angles_deg[] = {0.0,  1e-6,    1e-4,  2e-4,  0.5,  1.0,     10.0, 20.0,
                                       25.0, 25.0001, 28.64, 28.66, 45.0, 89.9999, 90.0};
 
-// 2π ∫ f sinθ dθ of the textbook's lobe in long double: over 1 − cosθ = 2 sin²(θ/2) where the lobe is a polynomial of
-// it, else over θ.
+// 2π ∫ f sinθ dθ of the textbook's lobe in long double: over 1 − cosθ = 2 sin²(θ/2) if the lobe is a polynomial in it,
+// else over θ.
 double integrated(const SpotShape& spot) {
     using Real = long double;
     const Real a = spot.inner.value;
@@ -78,7 +78,7 @@ TEST(Lobe, SolidAngleIsTheIntegralOfTheShippedLobe) {
     });
 }
 
-// The forms in 1 − cos, where nothing cancels.
+// The formulas in 1 − cos, where nothing cancels.
 TEST(Lobe, MatchesTheTextbook) {
     for (const auto& [inner, outer] : {std::pair{25.0, 40.0}, {0.0, 60.0}, {30.0, 90.0}}) {
         const double a = inner * pi / 180;
@@ -124,7 +124,7 @@ TEST(Lobe, PyramidIsTheIntegralOfItsBase) {
     for (const double h : {1e-6, 0.1, 40.0, 60.0, 90.0, 179.0, 179.999999})
         for (const double v : {1e-6, 0.1, 40.0, 60.0, 90.0, 179.0}) {
             const FrustumShape frustum{degrees(h), degrees(v), {}, nullptr};
-            // ∬ dx dy (1+x²+y²)^(−3/2), x done by hand, y = tan t; towards the steep ends in steps that narrow.
+            // ∬ dx dy (1+x²+y²)^(−3/2), integrated over x by hand, y = tan t; in smaller steps towards the steep ends.
             using Real = long double;
             const Real half_h = static_cast<Real>(frustum.horizontal.value) / 2;
             const Real half_v = static_cast<Real>(frustum.vertical.value) / 2;
@@ -143,7 +143,7 @@ TEST(Lobe, PyramidIsTheIntegralOfItsBase) {
             const double expected = static_cast<double>(truth);
             EXPECT_NEAR(lobe_solid_angle(frustum).value, expected, 1e-14 * expected) << h << " " << v;
         }
-    // The textbook's form, where its arcsine is not near its end.
+    // The textbook's formula, where its arcsine is not close to the end of its range.
     const FrustumShape frustum{degrees(60), degrees(40), {}, nullptr};
     EXPECT_NEAR(lobe_solid_angle(frustum).value, 4 * std::asin(std::sin(pi / 6) * std::sin(pi / 9)), 1e-15);
 }

@@ -1,4 +1,4 @@
-// Masked lights: their flux against sums over the mask's own cells, and what masks must leave alone.
+// Masked lights: their flux against sums over the cells of the mask, and what masks must not change.
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/masked_flux.hpp>
 #include <gonio/web/integrate.hpp>
@@ -61,7 +61,8 @@ TEST(MaskedFlux, AConstantMaskChangesNothing) {
                 << text << ", " << to_text(mask.stored_symmetry());
 }
 
-// Those with a size, weighted by the area that they show: cells of a degree, so to a few 1e-8 about a tube's ends.
+// Shapes with a size, weighted by their projected area: the cells are one degree, so the error is a few 1e-8 near a
+// tube's ends.
 TEST(MaskedFlux, AConstantMaskOnAShapeWithASizeChangesNothing) {
     const Web masks[] = {constant(Symmetry::axial, {0}, {0, 180}, 3.0),
                          constant(Symmetry::none, {-17, 40, 101, 222, 343}, {0, 1, 60, 180}, 9.0)};
@@ -72,7 +73,7 @@ TEST(MaskedFlux, AConstantMaskOnAShapeWithASizeChangesNothing) {
             EXPECT_NEAR(flux_of(text, mask), unmasked(text), 1e-7 * unmasked(text)) << text;
 }
 
-// m = cos γ below the horizontal: ∬ cos²γ dω = 2π/3 of a disk, where the web is linear between its many angles.
+// m = cos γ below the horizontal: ∬ cos²γ dω = 2π/3 for a disk; the web is linear between its many angles.
 TEST(MaskedFlux, ADiskBehindACosineInClosedForm) {
     std::vector<double> gammas = test::steps(0, 180, 721);
     std::vector<double> candela;
@@ -89,7 +90,7 @@ TEST(MaskedFlux, AMaskOfHalfTheCircleHalves) {
         for (const char* text : masked_shapes)
             EXPECT_NEAR(flux_of(text, mask), 0.5 * unmasked(text), 2e-11 * unmasked(text)) << text << " " << first;
     }
-    // Given a flux, what passes is twice as bright; the illuminance on the axis says so too.
+    // With a given flux, the light that passes is twice as bright; so is the illuminance on the axis.
     const Web mask = constant(Symmetry::none, {0, 180}, {0, 180}, 7.0);
     const Shape open = test::shape("spot:outer=40deg");
     EXPECT_NEAR(test::convert(test::masked(open, mask), "800lm", "cd"), 2.0 * test::convert(open, "800lm", "cd"), 1e-9);
@@ -106,7 +107,7 @@ TEST(MaskedFlux, ALinearMaskInClosedForm) {
     EXPECT_NEAR(flux_of("point", mask), 2.0 * pi * (1.0 - 2.0 / pi), 1e-14);
 }
 
-// The same interpolant on a finer grid, by inserting angles between those of the web.
+// The same interpolant on a finer grid, by adding angles between those of the web.
 Web refined(const Web& web) {
     const auto finer = [](std::span<const double> angles) {
         std::vector<double> all;
@@ -127,7 +128,7 @@ Web refined(const Web& web) {
     return *Web::create(web.stored_symmetry(), planes, gammas, candela);
 }
 
-// The plane of 360° is that of 0°.
+// The plane at 360° is the plane at 0°.
 Web closed_random_web(unsigned seed) {
     const std::vector<double> gammas = test::steps(0, 180, 13);
     const Web open = test::random_web(Symmetry::none, test::steps(0, 330, 12), gammas, seed);
@@ -159,8 +160,8 @@ TEST(MaskedFlux, DoesNotDependOnHowTheMaskIsCut) {
         }
 }
 
-// Sum over rings and azimuths of lobe × web as the web is asked by everyone, cut at every angle of the web and of a
-// spot; a pyramid is cut at every quarter of a degree and at its corners.
+// Sum over rings and azimuths of lobe × web, using the public evaluation of the web, split at every angle of the web
+// and of a spot; a pyramid is split at every quarter of a degree and at its corners.
 double by_cells(const Shape& shape, const Web& mask) {
     std::vector<double> azimuths = test::steps(0, 360, 1441);
     if (const auto* frustum = std::get_if<FrustumShape>(&shape)) {
@@ -210,7 +211,7 @@ TEST(MaskedFlux, IsTheSumOverTheCells) {
                                  "frustum:h=60deg,v=40deg", "frustum:h=100deg,v=150deg"}) {
             const Shape shape = test::shape(text);
             const double truth = by_cells(shape, mask);
-            // Where a pyramid crosses the web's γ inside a degree the sum above is only good to about 1e-7.
+            // If a pyramid's edge crosses the web's γ inside a degree, the sum above is only good to about 1e-7.
             const double bar = std::holds_alternative<FrustumShape>(shape) ? 2e-7 : 1e-11;
             EXPECT_NEAR(masked_solid_angle(shape, mask).value, truth, bar * truth)
                 << text << ", " << to_text(mask.stored_symmetry());
@@ -223,13 +224,13 @@ TEST(MaskedFlux, CandelaAndLuxAreThoseThatPass) {
     const Shape shape = test::masked(test::shape("point"), mask);
     EXPECT_NEAR(test::convert(shape, "100cd", "lm"), 2.0 * flux(mask).value, 1e-10);
     EXPECT_NEAR(test::convert(shape, "100cd", "lx@2m"), 25.0, 1e-13);
-    // Dark on the axis: no candela and no lux can set it, lumens can.
+    // Dark on the axis: candela or lux cannot set it, lumens can.
     const Web ring = *Web::create(Symmetry::axial, {0}, {0, 45, 90}, {0.0, 100.0, 0.0});
     const Shape masked = test::masked(test::shape("point"), ring);
     EXPECT_NE(test::refusal(masked, "100cd", "lm"), "");
     EXPECT_NE(test::refusal(masked, "100lx@1m", "lm"), "");
     EXPECT_EQ(test::convert(masked, "100lm", "cd"), 0.0);
-    // Dark everywhere inside the lobe, or everywhere.
+    // Dark everywhere inside the lobe, or dark everywhere.
     const Web outside = *Web::create(Symmetry::axial, {0}, {60, 90}, {1.0, 1.0});
     EXPECT_NE(test::refusal(test::masked(test::shape("spot:outer=40deg"), outside), "1lm", "cd"), "");
     EXPECT_NE(test::refusal(test::masked(test::shape("frustum:h=40deg,v=40deg"), outside), "1lm", "cd"), "");

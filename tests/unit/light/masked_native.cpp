@@ -1,4 +1,4 @@
-// Masks of types A and B: against sums over directions that know nothing of grids.
+// Masks of types A and B: against sums over directions that use no grid.
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/masked_flux.hpp>
 #include <gonio/web/integrate.hpp>

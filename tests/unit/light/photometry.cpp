@@ -66,7 +66,7 @@ TEST(Photometry, WhatHasNoMeaningIsRefused) {
     EXPECT_TRUE(refused(PointShape{}, "3m", "cd"));
     EXPECT_TRUE(refused(test::shape("sphere:r=50cm"), "0lm", "ev"));
     EXPECT_FALSE(refused(test::shape("sphere:r=50cm"), "-3ev", "nt"));
-    // No distance, or one inside the shape.
+    // Without a distance, or with one inside the shape.
     for (const char* text :
          {"point", "spot:outer=40deg", "disk:r=1m", "ellipse:w=1m,h=2m", "rect:w=1m,h=1m", "tube:r=1cm,l=1m"}) {
         EXPECT_TRUE(refused(test::shape(text), "1lm", "lx")) << text;
@@ -76,24 +76,24 @@ TEST(Photometry, WhatHasNoMeaningIsRefused) {
     EXPECT_EQ(test::refusal(test::shape("tube:r=5cm,l=1m"), "1lm", "lx@4cm"),
               "a distance of 0.04 m is inside the tube of radius 0.05 m");
     EXPECT_FALSE(refused(test::shape("tube:r=5cm,l=1m"), "1lm", "lx@5cm"));
-    EXPECT_FALSE(refused(test::shape("disk:r=1m"), "1lm", "lx@1mm")); // flat: nothing to be inside of
+    EXPECT_FALSE(refused(test::shape("disk:r=1m"), "1lm", "lx@1mm")); // flat: there is no inside
     for (const char* text : {"spot:outer=40deg", "frustum:h=60deg,v=40deg"}) {
         EXPECT_TRUE(refused(test::shape(text), "1nt", "lm")) << text;
         EXPECT_TRUE(refused(test::shape(text), "1lm", "ev")) << text;
     }
-    // The sun has neither flux nor intensity nor distance.
+    // The sun has no flux, no intensity and no distance.
     const Shape sun = test::shape("sun:angle=0.53deg");
     for (const char* bad : {"1lm", "1cd", "1lx@1m", "1W@100", "1evlx@2m"})
         EXPECT_TRUE(refused(sun, bad, "lx")) << bad;
     for (const char* bad : {"lm", "cd", "lx@1m"})
         EXPECT_TRUE(refused(sun, "1lx", bad)) << bad;
     EXPECT_FALSE(refused(sun, "1lx", "nt"));
-    // What is beyond a double.
+    // Results outside the range of double.
     EXPECT_TRUE(refused(test::shape("spot:outer=0.01deg"), "1e305lm", "lm"));
     EXPECT_TRUE(refused(PointShape{}, "1e300cd", "lx@1e-10m"));
 }
 
-// Every shape, each with the units that have a meaning for it.
+// Every shape, each with the units that make sense for it.
 struct Convertible {
     Shape shape;
     std::vector<std::string> units;
@@ -138,7 +138,7 @@ TEST(Photometry, EveryPairRoundTrips) {
                 ASSERT_TRUE(back);
                 const Result<double> again = express(shape, *back, given);
                 ASSERT_TRUE(again);
-                // An exponent of 2 spreads its last digits over the value: EV pairs are held to 1e-13, others to 4 ulp.
+                // An exponent of 2 amplifies errors in its last digits: EV pairs are checked to 1e-13, others to 4 ulp.
                 const bool logarithmic = (from + to).find("ev") != std::string::npos;
                 const double ulp = std::nextafter(number, 20.0) - number;
                 EXPECT_NEAR(*again, number, logarithmic ? 1e-13 * number : 4.0 * ulp)
@@ -161,7 +161,7 @@ TEST(Photometry, DarkIsDarkInEveryUnit) {
     }
 }
 
-// Values by hand, with 20 digits: each shape's flux, intensity and luminance.
+// Values computed by hand, with 20 digits: each shape's flux, intensity and luminance.
 TEST(Photometry, AreaShapesByTheirArea) {
     const auto near = [](double value, double expected) { EXPECT_NEAR(value, expected, 4e-15 * expected); };
     near(test::convert(test::shape("disk:r=10cm"), "1000nt", "cd"), 31.415926535897932385);
@@ -170,7 +170,7 @@ TEST(Photometry, AreaShapesByTheirArea) {
     near(test::convert(test::shape("disk:r=10cm,two-sided"), "1000nt", "lm"), 197.39208802178717238);
     near(test::convert(test::shape("rect:w=60cm,h=30cm"), "1000nt", "cd"), 180.0);
     near(test::convert(test::shape("rect:w=60cm,h=30cm"), "1000nt", "lm"), 565.48667764616278292);
-    // A given flux gives half the luminance when both sides emit.
+    // A given flux gives half the luminance if both sides emit.
     near(test::convert(test::shape("rect:w=60cm,h=30cm,two-sided"), "565.48667764616278292lm", "nt"), 500.0);
     // π (2π r l + 4π r²) and 2 r l + π r² of r = 1.3 cm, l = 1.2 m
     near(test::convert(test::shape("tube:r=1.3cm,l=1.2m"), "1000nt", "lm"), 314.60350988912440531);

@@ -57,7 +57,7 @@ TEST(Policy, FrostbitesGuardedLobeIsIntegratedWithItsGuard) {
         const double flux = frostbite_flux(inner * pi / 180.0, outer * pi / 180.0);
         const std::string text = "spot:inner=" + std::to_string(inner) + "deg,outer=" + std::to_string(outer) + "deg";
         EXPECT_NEAR(emitted_over_said("frostbite", text, Dimension::luminous_flux), flux / pi, 1e-6 * flux) << text;
-        // The candela of the number are those of the same lobe.
+        // The policy's candela are those of the same lobe.
         const double lobe_sr = lobe_solid_angle(std::get<SpotShape>(shape(text))).value;
         EXPECT_NEAR(emitted_over_said("frostbite", text, Dimension::luminous_intensity), flux / lobe_sr,
                     1e-6 * flux / lobe_sr)
@@ -73,7 +73,7 @@ TEST(Policy, AreaLightsWithAKnownFault) {
     EXPECT_DOUBLE_EQ(emitted_over_said("unreal", "sphere:r=3cm", Dimension::luminance), 4.0);
     EXPECT_DOUBLE_EQ(emitted_over_said("unreal", "sphere:r=3cm", Dimension::luminous_flux), 1.0);
     EXPECT_DOUBLE_EQ(emitted_over_said("unreal", "rect:w=1m,h=1m", Dimension::luminous_flux), 1.0);
-    // A thin tube as a sinθ line whose lumens were taken for those of an isotropic one: π/2.
+    // A thin tube is a sinθ line; its lumens were taken for those of an isotropic one: π/2.
     EXPECT_NEAR(emitted_over_said("unity-hdrp", "tube:r=1e-6m,l=1m", Dimension::luminous_flux), 0.5 * pi, 1e-5);
 }
 
@@ -188,7 +188,7 @@ TEST(DistanceOf, IsTheInverseOfTheIlluminance) {
 TEST(DistanceOf, HasLimits) {
     const Shape disk = shape("disk:r=10cm");
     const Emission emission = *emission_of(disk, *parse_photometric_value("1000nt"));
-    // On contact an even disk fills the half space: π L.
+    // On contact a uniform disk fills the hemisphere: π L.
     EXPECT_LT(distance_of(disk, emission, Lux(0.999999 * pi * 1000.0))->value, 1.001e-4);
     EXPECT_EQ(distance_of(disk, emission, Lux(1.001 * pi * 1000.0)).error().failure, Failure::usage);
     EXPECT_FALSE(distance_of(disk, emission, Lux(0.0)).has_value());

@@ -1,4 +1,4 @@
-// Gauss–Legendre rules for the tests, their nodes found by Newton's method: nothing shared with the library.
+// Gauss–Legendre rules for the tests, with nodes found by Newton's method: shares nothing with the library.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct GaussRule {
     }
 };
 
-// ∫ f over [low, high], cut into `panels` equal pieces of 24 nodes each.
+// ∫ f over [low, high], split into `panels` equal pieces of 24 nodes each.
 template<class Real, class F>
 Real integral(Real low, Real high, int panels, F&& f) {
     static const GaussRule<Real> rule(24);

@@ -43,7 +43,7 @@ TEST(Shape, SpotTakesHalfAnglesOrItsCone) {
     EXPECT_EQ(cone.outer.value, spot.outer.value);
     EXPECT_EQ(cone.inner.value, 0.0);
     EXPECT_EQ(cone.falloff, Falloff::frostbite);
-    // Degrees may round above π/2; a cone never does.
+    // Degrees may round to above π/2; a cone never does.
     for (const char* text : {"spot:outer=90deg", "spot:cone=180deg", "spot:outer=90deg,inner=90deg"})
         EXPECT_LE(std::get<SpotShape>(test::shape(text)).outer.value, std::numbers::pi / 2) << text;
     for (const Falloff falloff : {Falloff::frostbite, Falloff::hard, Falloff::linear_cos, Falloff::smoothstep_cos,
@@ -125,7 +125,7 @@ TEST(Shape, MasksAreLoadedLikeProfiles) {
         Shape shape = test::shape(std::string(kind) + "mask=" + file);
         EXPECT_EQ(*mask_of(shape).file, file);
         EXPECT_EQ(mask_of(shape).web, nullptr);
-        // Not loaded: a fault of the caller, never an unmasked light.
+        // A mask that is not loaded is an error of the caller, never an unmasked light.
         EXPECT_FALSE(emission_of(shape, parse_photometric_value("1lm").value()));
         Diagnostics diagnostics;
         ASSERT_TRUE(load_profile(shape, diagnostics));

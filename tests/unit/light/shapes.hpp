@@ -1,4 +1,4 @@
-// What the tests of lights share: shapes from text, and one conversion in one call.
+// Shared by the tests of lights: shapes from text, and a conversion in one call.
 #pragma once
 
 #include <gonio/light/photometry.hpp>
@@ -34,7 +34,7 @@ inline Shape masked(Shape shape, Web web) {
     return shape;
 }
 
-// NaN, and a failure of the test, where the conversion is refused.
+// NaN, and a failure of the test, if the conversion is refused.
 inline double convert(const Shape& shape, const std::string& from, const std::string& to) {
     const Result<PhotometricValue> value = parse_photometric_value(from);
     const Result<PhotometricUnit> unit = parse_photometric_unit(to);
@@ -47,7 +47,7 @@ inline double convert(const Shape& shape, const std::string& from, const std::st
     return std::nan("");
 }
 
-// The sentence that refuses a conversion, empty where it is not refused.
+// The message that refuses a conversion, empty if it is not refused.
 inline std::string refusal(const Shape& shape, const std::string& from, const std::string& to) {
     const Result<PhotometricValue> value = parse_photometric_value(from);
     if (!value) return value.error().diagnostics.back().message;

@@ -63,7 +63,7 @@ TEST(PictureError, IsThatOfThePixelsThatCount) {
     EXPECT_NEAR(error.mean_absolute, (0.5 + 1.0 + 1.0 + 0.0004) / 7.0, 1e-8);
     EXPECT_NEAR(error.rms, std::sqrt((0.25 + 1.0 + 1.0) / 7.0), 1e-7);
     EXPECT_NEAR(error.psnr_db.value(), 20.0 * std::log10(10.0 / error.rms), 1e-12);
-    // 0 and 0.0004 lie below 1e-4 of the greatest.
+    // 0 and 0.0004 are below 1e-4 of the largest value.
     EXPECT_EQ(error.of_pixels.relative.count, 5U);
     EXPECT_DOUBLE_EQ(error.of_pixels.relative.max, 0.5);
     EXPECT_DOUBLE_EQ(error.mean_relative, (0.5 + 0.25) / 5.0);
@@ -157,7 +157,7 @@ TEST(SphereCases, AreInTheirStrataAndTheSameEachTime) {
     EXPECT_NE(cases.position, sphere_cases(5000, 8).position);
 }
 
-// What is known of the three methods must come out of it.
+// The known properties of the three methods must come out.
 TEST(SphereMethods, ExactFrostbiteAndPoint) {
     const SphereCases above = sphere_cases_of(Stratum::above, 400, 1);
     const SphereCases straddling = sphere_cases_of(Stratum::straddling, 400, 1);
@@ -173,7 +173,7 @@ TEST(SphereMethods, ExactFrostbiteAndPoint) {
         if (m.name == "exact") {
             ++exact_methods;
             EXPECT_LE(cut.absolute.max, 1e-5);
-            // In double too: the length of a float normal, which only the quadrature takes for what it is.
+            // In double too: the length of a float normal, which only the quadrature takes as it is.
             EXPECT_LE(cut.relative.p95, m.precision == "double" ? 1e-6 : 1e-4);
         } else if (m.name == "point") {
             EXPECT_GE(cut.relative.median, 0.1) << "a point knows no horizon";
@@ -200,7 +200,7 @@ TEST(Timing, RatiosHoldOnAMachineThatIsNowFastNowSlow) {
     EXPECT_NEAR((*timings)[1]->timing.lowest_ns, 6e5, 1.0);
 }
 
-// One of the works takes no time at all: it alone has no figure.
+// One of the works takes no time: only that one has no result.
 TEST(Timing, OnlyWhatTheClockCannotResolveIsLeftOut) {
     double now = 0.0;
     const auto step = [&] { now += 1e-3; };
@@ -239,7 +239,7 @@ TEST(ParetoFront, HasNoPointThatAnotherBeats) {
     EXPECT_TRUE(pareto_front({}).empty());
 }
 
-// A contest on a clock of its own: errors, times, ratios and front are then known.
+// A comparison on a clock of its own, so that errors, times, ratios and front are known.
 Contest made_up_contest(double& now) {
     const auto takes = [&now](double ms) { return TimedWork{[&now, ms] { now += 1e-3 * ms; }, 1}; };
     const auto off = [](double error) { return [error] { return std::vector<double>{error, error, error}; }; };
@@ -313,7 +313,7 @@ TEST(Scalings, NamesAreFoundAndOthersRefused) {
     EXPECT_FALSE(parse_scalings("").has_value());
 }
 
-// Sizes ascend, and what is stopped leaves what it has.
+// Sizes ascend, and a stopped run keeps the points it has.
 TEST(Scalings, CurvesAscendAndCanBeStopped) {
     const auto found = parse_scalings("file-size");
     ASSERT_TRUE(found.has_value());
@@ -345,7 +345,8 @@ TEST(Suites, NamesAreFoundAndOthersRefused) {
     EXPECT_FALSE(parse_methods("ltc", *two).has_value()) << "of another suite";
 }
 
-// Each contest can be made, has a baseline and names its suite knows; the default method is among the best. No times.
+// Each comparison can be made and has a baseline and names that its suite knows; the default method is among the best.
+// Without times.
 TEST(Suites, EveryContestHasErrorsAndAKnownBaseline) {
     SuiteOptions options;
     options.quick = true;
@@ -353,7 +354,7 @@ TEST(Suites, EveryContestHasErrorsAndAKnownBaseline) {
         const std::vector<std::string> names = suite.methods();
         for (const ContestMaker& maker : suite.contests(options)) {
             SCOPED_TRACE(std::string(suite.name) + " " + maker.cases + " " + maker.subset);
-            if (suite.name == "specular") continue; // quadrature takes its time
+            if (suite.name == "specular") continue; // its quadrature takes long
             const auto contest = maker.make();
             ASSERT_TRUE(contest.has_value());
             EXPECT_EQ(contest->title.suite, suite.name);

@@ -1,4 +1,4 @@
-// The truth that specular methods are measured against, and what is measured.
+// The reference values that specular methods are measured against, and the measurements.
 #include <gonio/measure/error_statistics.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/specular_truth.hpp>
@@ -38,7 +38,8 @@ shading::LightConstants constants(const specular::Row& row) {
     return light;
 }
 
-// The light's sizes and axes are rounded to float here: 1e-6 of the luminance, 4e-4 where the horizon leaves little.
+// The light's sizes and axes are rounded to float here: 1e-6 of the luminance, 4e-4 if the horizon leaves little of the
+// light.
 TEST(MeasureSpecular, QuadratureGivesTheStoredValues) {
     const auto rows = specular::rows();
     std::vector<double> errors;
@@ -73,7 +74,7 @@ TEST(MeasureSpecular, CasesAreTheSameForTheSameSeedAndSeen) {
     }
 }
 
-// Linearly transformed cosines are several times nearer to the truth than any single direction (shading/MEASURED.md).
+// Linearly transformed cosines are several times more accurate than any single direction (shading/MEASURED.md).
 TEST(MeasureSpecular, LtcIsTheMostAccurateMethodOfEveryShape) {
     for (const Kind kind : {Kind::sphere, Kind::disk, Kind::ellipse, Kind::rectangle, Kind::tube}) {
         const auto cases = measure::specular_cases(kind, 60, 3);

@@ -1,4 +1,4 @@
-// That stress finds what is broken, says with which input, and does so alike at any number of threads.
+// Stress testing finds planted defects, reports the input, and does so alike with any number of threads.
 #include <gonio/measure/stress.hpp>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::string hexadecimal(double x) {
     return text;
 }
 
-// A logarithm that is NaN for one input in a thousand, and a little off for others.
+// A logarithm that is NaN for one input in a thousand, and slightly wrong for others.
 double planted(double x) {
     return x < 0.001 ? std::nan("") : std::log(x) * (1.0 + 1e-15 * x);
 }
@@ -83,7 +83,7 @@ TEST(Stress, IsStoppedBetweenBlocks) {
     EXPECT_LT(stress(with_a_fault, 1.0, options).evaluations(), 100'000U);
 }
 
-// Every subject looks at something, and a small run of each is clean.
+// Every subject evaluates something, and a short run of each finds no defect.
 TEST(Stress, EverySubjectIsCleanOnAFewEvaluations) {
     StressOptions options;
     options.count = 20'000;

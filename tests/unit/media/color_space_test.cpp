@@ -1,4 +1,4 @@
-// Spaces of OpenColorIO configurations, against those built in.
+// Spaces of OpenColorIO configurations against the built-in ones.
 #include <gonio/color/cct.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/media/color_space.hpp>
@@ -31,7 +31,7 @@ RgbSpace of_config(const std::string& name, const std::string& config = {}) {
     return rgb_space_of_aces(space->name, space->from_aces2065_1).value();
 }
 
-// Its matrices are rounded to about ten digits, and Bradford's are ours on the way in.
+// Its matrices are rounded to about ten digits, and the Bradford adaptation on the way in is ours.
 TEST_F(MediaColorSpace, BuiltInOnesAreThoseOfTheColourRoom) {
     for (const auto& [ocio, own] :
          {std::pair{"ACEScg", "acescg"}, {"ACES2065-1", "aces2065-1"}, {"lin_rec709", "rec709"}}) {
@@ -46,7 +46,7 @@ TEST_F(MediaColorSpace, BuiltInOnesAreThoseOfTheColourRoom) {
     }
 }
 
-// RGB of a space, through OpenColorIO's own processors (float32) into another and back.
+// RGB of a space, through OpenColorIO's own processors (float32) into another space and back.
 TEST_F(MediaColorSpace, RoundTripThroughOpenColorIo) {
     for (const double kelvin : {1000.0, 2700.0, 6500.0, 20000.0}) {
         const Uv at = exact_uv({Kelvin(kelvin), 0.0}).value();
@@ -92,7 +92,7 @@ TEST_F(MediaColorSpace, WhatIsNoSpaceForLightsIsRefused) {
               std::string::npos);
 }
 
-// A range that clamps nothing of interest beside a matrix is no single matrix, and still linear.
+// A matrix with a range that clamps nothing relevant is not a single matrix, but still linear.
 TEST_F(MediaColorSpace, LinearSpacesOfSeveralStepsAreMeasured) {
     const Result<SceneLinearSpace> space = scene_linear_space("stepped", data + "encoded.ocio");
     ASSERT_TRUE(space) << space.error().diagnostics.back().message;

@@ -75,20 +75,20 @@ TEST_F(MediaDisplay, RawLeavesTheNumbers) {
     EXPECT_EQ(image.pixels, before.pixels);
 }
 
-// ACES 1.0 SDR video: 18 % grey comes out near 10 nt of 100, bright light is compressed into [0, 1] and stays neutral.
+// ACES 1.0 SDR video: 18 % grey comes out near 10 nt of 100; bright light is compressed into [0, 1] and stays neutral.
 TEST_F(MediaDisplay, AcesMapsTones) {
     Image image(3, 1, 3);
     const std::array<float, 3> levels{0.18F, 1.0F, 30.0F};
     for (int i = 0; i < 3; ++i)
         std::fill_n(image.at(i, 0), 3, levels.at(static_cast<std::size_t>(i)));
     DisplayOptions options;
-    options.view = "aces"; // letters without case
+    options.view = "aces"; // case does not matter
     const auto used = apply_display(image, options);
     ASSERT_TRUE(used) << reason(used.error());
     EXPECT_EQ(used->view, "ACES");
     EXPECT_NEAR(image.at(0, 0)[0], srgb(0.10), 0.02);
     EXPECT_GT(image.at(1, 0)[1], image.at(0, 0)[1] + 0.3F);
-    EXPECT_LE(image.at(2, 0)[2], 1.01F); // its white is a little off D65's
+    EXPECT_LE(image.at(2, 0)[2], 1.01F); // its white is slightly off D65
     EXPECT_GT(image.at(2, 0)[2], 0.97F);
     for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(image.at(i, 0)[0], image.at(i, 0)[2], 2e-3);
@@ -164,8 +164,8 @@ TEST_F(MediaDisplay, SpacesConvertByTheirMatrices) {
     EXPECT_EQ(convert_space(three, "ACEScg", "ACESgc").error().failure, Failure::usage);
 }
 
-// The file's scene_linear is ACEScg, so Rec.709 pixels must not be taken for it: red on its linear Rec.709 display has
-// to come out as red.
+// The file's scene_linear is ACEScg, so Rec.709 pixels must be converted: red must come out as red on its linear
+// Rec.709 display.
 TEST_F(MediaDisplay, AFileIsEnteredThroughAcesInterchange) {
     Image image(1, 1, 3);
     image.pixels = {0.5F, 0.0F, 0.25F};
@@ -196,7 +196,7 @@ TEST_F(MediaDisplay, AFileWithoutInterchangeWarns) {
     EXPECT_EQ(used->source, "scene_linear");
     ASSERT_EQ(used->diagnostics.size(), 1U);
     EXPECT_EQ(used->diagnostics.front().severity, Severity::warning);
-    EXPECT_NEAR(image.pixels[1], 0.25, 1e-5); // its view doubles
+    EXPECT_NEAR(image.pixels[1], 0.25, 1e-5); // the file's view doubles values
 }
 
 TEST_F(MediaDisplay, UnreadableFilesFailAndNothingIsPrinted) {

@@ -20,7 +20,7 @@ protected:
     void SetUp() override { set_module_folders({test::modules_folder}); }
 };
 
-// Values that tell rows, columns and channels apart, in [0, 1].
+// Values in [0, 1] that differ by row, column and channel.
 Image gradient(int width, int height, int channels) {
     Image image(width, height, channels);
     for (int row = 0; row < height; ++row)
@@ -288,7 +288,7 @@ TEST_F(ImageFile, TornFilesAreMalformedAndSilent) {
         ASSERT_TRUE(bytes) << f.name;
         ::testing::internal::CaptureStderr();
         ::testing::internal::CaptureStdout();
-        // JPEG readers fill a torn tail with grey, by design of the format; its head they must not.
+        // JPEG readers fill a truncated tail with grey, by design of the format; a truncated head must fail.
         const auto torn = decode_image(std::string_view(*bytes).substr(0, f.name == "jpeg" ? 30 : bytes->size() / 2));
         const std::string out = ::testing::internal::GetCapturedStdout();
         const std::string err = ::testing::internal::GetCapturedStderr();
@@ -299,7 +299,7 @@ TEST_F(ImageFile, TornFilesAreMalformedAndSilent) {
     }
 }
 
-// Not one bit of a PNG may change unnoticed, nor one byte be missing.
+// No changed bit and no missing byte of a PNG may go unnoticed.
 TEST_F(ImageFile, DamagedPngsAreMalformedAndSilent) {
     const auto bytes = encode_image(gradient(3, 2, 3), format("png"));
     ASSERT_TRUE(bytes);

@@ -47,7 +47,7 @@ TEST(MediaModule, AnotherVersionIsRefused) {
 }
 
 TEST(MediaModule, WhatIsNoModuleIsRefused) {
-    // The fake has the image module's function only.
+    // The fake library has only the image module's function.
     const auto other = open_module(color_module_name, {fakes + "/other-version"});
     ASSERT_FALSE(other);
     EXPECT_NE(reason(other).message.find("it has no gonio_color_module"), std::string::npos);

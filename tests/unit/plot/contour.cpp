@@ -50,7 +50,7 @@ TEST(Contour, ADiskHasTheAreaAndTheLineOfACircle) {
     const Field field = field_of(200, 1.0, dome);
     for (const double radius : {0.9, 0.5, 0.1}) {
         const double level = 1.0 - radius;
-        // Marching squares cuts each arc by its chord: a relative error of about h²/(8 r²) with h = 0.01.
+        // Marching squares replaces each arc by its chord: a relative error of about h²/(8 r²) with h = 0.01.
         const double tolerance = 3.0 * 1e-4 / (8.0 * radius * radius);
         const double exact = std::numbers::pi * radius * radius;
         EXPECT_NEAR(area(region_at_least(field, level)), exact, tolerance * exact);
@@ -64,7 +64,7 @@ TEST(Contour, ADiskHasTheAreaAndTheLineOfACircle) {
 }
 
 TEST(Contour, LinesAreTheRimOfTheRegion) {
-    // Saddles and lines that leave the field: what the lines enclose and what the polygons cover must agree.
+    // Saddles and lines that leave the field: the area enclosed by the lines and the area of the polygons must agree.
     const Field field = field_of(41, 1.0, checker);
     const Field outside = [&] {
         Field f = field;
@@ -76,7 +76,8 @@ TEST(Contour, LinesAreTheRimOfTheRegion) {
     }();
     for (const double level : {-0.5, 0.0, 0.01, 0.5}) {
         const double covered = area(region_at_least(outside, level));
-        // The walk may run round a line either way, so what a line encloses counts by how deep it lies in the others.
+        // Lines may run in either direction, so the sign of an enclosed area depends on how many other lines contain
+        // it.
         double by_parity = 0.0;
         const auto lines = contour_lines(outside, level);
         for (const ContourLine& line : lines) {

@@ -36,7 +36,7 @@ Web downlight() {
     return *Web::create(Symmetry::axial, {0.0}, gammas, candela);
 }
 
-// Every element is closed, in order, and no number is missing. Enough XML for what is written here.
+// Checks that every element is closed, in order, and that no number is missing. Enough XML for these files.
 void expect_whole(const std::string& svg) {
     std::vector<std::string> open;
     for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
@@ -106,7 +106,7 @@ TEST(Diagram, CurvesAreTheInterpolantWithTheEndsOfTheTable) {
         EXPECT_LE(before, point.gamma_deg);
         before = point.gamma_deg;
     }
-    // A straight line between neighbours is the interpolant: nothing bends between them.
+    // A straight line between neighbours is the interpolant: the curve has no bends between them.
     for (std::size_t i = 1; i < curve.size(); ++i) {
         const double middle = 0.5 * (curve[i - 1].gamma_deg + curve[i].gamma_deg);
         if (curve[i].gamma_deg - curve[i - 1].gamma_deg < 1e-6 || std::fabs(middle) < 1e-6) continue;
@@ -149,7 +149,7 @@ TEST(Diagram, IsoluxLinesOfAnIsotropicLightHaveTheRadiiOfTheInverseSquareLaw) {
     };
     const double px_per_m = lines[0].radius / radius_m(levels[0]);
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        // Cells are 0.15 m; the chord's error there is below a tenth of a pixel.
+        // Cells are 0.15 m; the error of the chord is below a tenth of a pixel.
         EXPECT_NEAR(lines[i].radius, px_per_m * radius_m(levels[i]), 0.1) << levels[i] << " lx";
         EXPECT_LT(lines[i].unroundness, 0.1);
     }
@@ -180,7 +180,7 @@ TEST(Diagram, EveryKindDrawsEverySymmetryAndIsRepeatable) {
                         random_web(Symmetry::none, steps(0.0, 360.0, 25), steps(0.0, 60.0, 13), 4)};
     for (const DiagramKind& kind : diagram_kinds())
         for (const Web& web : webs) {
-            if (kind.draw == nullptr) continue; // of lights
+            if (kind.draw == nullptr) continue; // a diagram of lights
             const PlottedWeb plotted{"a & b <c>", &web};
             PlotOptions options;
             options.title = "\x01\"quoted\"";
@@ -201,7 +201,7 @@ TEST(Diagram, WhatCannotBeDrawnIsRefused) {
     const Web upward = *Web::create(Symmetry::axial, {0.0}, {100.0, 180.0}, {5.0, 5.0});
     const Web faint = isotropic(1e-205);
     for (const DiagramKind& kind : diagram_kinds()) {
-        if (kind.draw == nullptr) continue; // of lights
+        if (kind.draw == nullptr) continue; // a diagram of lights
         const PlottedWeb plotted[] = {{"dark", &dark}, {"up", &upward}, {"faint", &faint}};
         const PlotOptions options;
         for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
@@ -225,7 +225,7 @@ Light slanting_light(const char* shape, const char* intensity) {
     return light_of(shape, intensity, {1.0, -2.0, 3.0}, {1.0, 1.0, -1.0});
 }
 
-// The points of a drawing's lines of that width and dash.
+// The points of the lines in a drawing with that width and dash.
 std::vector<std::vector<PagePoint>> lines_of(const Drawing& drawing, double width_px, double dash_px) {
     std::vector<std::vector<PagePoint>> lines;
     for (const DrawingStep& step : drawing.steps())
@@ -236,8 +236,8 @@ std::vector<std::vector<PagePoint>> lines_of(const Drawing& drawing, double widt
     return lines;
 }
 
-// A disk on its axis gives π L r²/(d²+r²) and the inverse square π L r²/d²: the gap between the curves, in decades, is
-// log10(1 + r²/d²). The window takes (1 − (d/R)⁴)² of it.
+// A disk on its axis gives π L r²/(d²+r²) and the inverse square law π L r²/d²: the gap between the curves, in decades,
+// is log10(1 + r²/d²). The window multiplies by (1 − (d/R)⁴)².
 TEST(Diagram, FalloffIsTheExactLightBesideTheInverseSquare) {
     const double radius_m = 0.3;
     const double range_m = 10.0;
@@ -311,7 +311,7 @@ TEST(Sheet, HoldsEveryTileInItsPlace) {
     for (int i = 0; i < 7; ++i) {
         const float expected = 0.1F * static_cast<float>(i + 1);
         const float shown = image.at(10 + i % 3 * pitch_x + 32, 50 + i / 3 * pitch_y + 32)[0];
-        if (i != 3) { // which holds words
+        if (i != 3) { // which holds text
             EXPECT_FLOAT_EQ(shown, expected) << i;
         }
     }

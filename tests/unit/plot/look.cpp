@@ -25,7 +25,7 @@ Image channel(int width, int height, const std::vector<float>& values) {
     return image;
 }
 
-// The value that a palette's colour stands for, sought over the whole ramp.
+// The value that a palette's colour represents, found by searching the whole ramp.
 double read_back(const float* color, const ValueScale& scale, const Palette& palette) {
     double best = 0.0;
     float least = std::numeric_limits<float>::max();
@@ -39,7 +39,7 @@ double read_back(const float* color, const ValueScale& scale, const Palette& pal
     return best;
 }
 
-// Every pixel's number is what a probe says of the point that it shows; and its colour says the same number.
+// Every pixel's number is the value of a probe at the point shown, and its colour represents the same number.
 TEST(ThreadsLook, ThePicturesNumbersAreThoseOfAProbe) {
     const Stage stage = make_stage("floor").value();
     const Light lights[] = {light_of("rect:w=60cm,h=30cm", "2000lm", {0.2, -0.4, 2.6}),
@@ -48,7 +48,7 @@ TEST(ThreadsLook, ThePicturesNumbersAreThoseOfAProbe) {
     options.width = 48;
     options.height = 40;
     options.illuminance = true;
-    options.shadows = Shadows::off; // a probe knows none
+    options.shadows = Shadows::off; // a probe has none
     const Rendering rendering = render(stage, lights, stage.camera, options).value();
     const Image lux = quantity_image(rendering, PictureQuantity::illuminance);
     const auto seen = seen_surfaces(stage, lights, stage.camera, options.width, options.height, 0);
@@ -70,10 +70,10 @@ TEST(ThreadsLook, ThePicturesNumbersAreThoseOfAProbe) {
     const Image colored = false_color(lux, scale, palette);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         const double expected = truth.illuminance_lx[k];
-        // The kernels' bar of float, relative to the light and to what subtends little.
+        // The error bound of the float kernels, relative to the light and to what subtends little.
         EXPECT_NEAR(lux.pixels[pixels[k]], expected, 3e-5 * expected + 1e-4) << "pixel " << pixels[k];
         if (k % 37 != 0 || expected < scale.low || expected > scale.high) continue;
-        // A 20000th of three decades is 3.5e-4 of the value; the colour itself is a float.
+        // 1/20000 of three decades is 3.5e-4 of the value; the colour itself is a float.
         EXPECT_NEAR(read_back(&colored.pixels[3 * pixels[k]], scale, palette), expected, 1e-3 * expected);
     }
 }
@@ -144,7 +144,7 @@ TEST(ValueScale, CountsWhatLiesBeyond) {
     EXPECT_DOUBLE_EQ(use.greatest, 60.0);
 }
 
-// A picture of x² + y² whose right half is another surface: the line of 100 is two arcs that end at the border.
+// A picture of x² + y² with another surface in the right half: the line of 100 is two arcs that end at the border.
 TEST(Look, LinesEndWhereTheSurfaceEnds) {
     Field field;
     for (int i = -20; i <= 20; ++i)
@@ -184,7 +184,7 @@ TEST(Look, ContoursAreLabelledWithTheirLevel) {
     for (const DrawingStep& step : drawing.steps())
         if (const auto* text = std::get_if<WrittenText>(&step)) {
             texts.push_back(text->text);
-            // The number lies on its line: 1e6/(400 + 40 r) = level.
+            // The number is on its line: 1e6/(400 + 40 r) = level.
             const double level = 10.0 * std::stod(text->text);
             const double y = text->at.y - 0.36 * text->style.size_px;
             EXPECT_NEAR(std::hypot(text->at.x - 100.5, y - 100.5), (1e6 / level - 400.0) / 40.0, 0.6);
@@ -228,7 +228,7 @@ TEST(Exposure, ACardOf18PercentIsMiddleGrey) {
         expose(card, ev);
         EXPECT_NEAR(card.pixels[0], 0.18, 1e-6);
         EXPECT_NEAR(card_illuminance(ev).value, lux, 1e-12 * lux);
-        // An incident-light meter of ISO 2720 with C = 250 says more.
+        // An incident-light meter of ISO 2720 with C = 250 reads more.
         EXPECT_NEAR(ev_lux(Lux(lux)).value - ev.value, std::log2(1.2 * std::numbers::pi / 2.5), 1e-12);
     }
 }

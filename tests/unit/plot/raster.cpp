@@ -17,7 +17,7 @@ namespace {
 
 constexpr Ink black;
 
-// How much ink lies on a page that was white.
+// The amount of ink on a page that was white.
 double inked(const Image& image) {
     double sum = 0.0;
     for (std::size_t i = 0; i < image.pixels.size(); i += 3)
@@ -37,13 +37,13 @@ TEST(Raster, APolygonCoversItsAreaWhereverItLies) {
         Drawing page(40, 40, "");
         page.fill(std::move(path), black);
         const double area = 0.5 * std::fabs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
-        // Exact shares but where a pixel is entered twice, summed up in float.
+        // Coverage is exact, except for pixels that are entered twice; it is summed in float.
         EXPECT_NEAR(inked(to_image(page)), area, 1e-4 + 1e-5 * area);
     }
 }
 
 TEST(Raster, NeighboursLeaveNoSeam) {
-    PagePath path; // two halves of a square that meet within pixels
+    PagePath path; // two halves of a square that meet inside pixels
     path.move_to({2.3, 2.3}).line_to({7.6, 2.3}).line_to({4.1, 9.7}).line_to({2.3, 9.7}).close();
     path.move_to({7.6, 2.3}).line_to({9.7, 2.3}).line_to({9.7, 9.7}).line_to({4.1, 9.7}).close();
     Drawing page(12, 12, "");
@@ -62,7 +62,7 @@ TEST(Raster, ALineHasItsWidthAtEveryAngle) {
             const PagePoint half{20.0 * std::cos(radians), 20.0 * std::sin(radians)};
             Drawing page(60, 60, "");
             page.line({30.3 - half.x, 29.6 - half.y}, {30.3 + half.x, 29.6 + half.y}, {black, width});
-            // The share is taken across the line as if the pixel were turned with it, and the ends are round.
+            // Coverage is measured across the line as if the pixel were rotated with it, and the ends are round.
             const double ends = std::numbers::pi * 0.25 * width * width + width;
             EXPECT_NEAR(inked(to_image(page)), 40.0 * width, 0.03 * 40.0 * width + ends) << width << " at " << angle;
         }
@@ -72,7 +72,7 @@ TEST(Raster, DashesLeaveTheirGaps) {
     Drawing page(120, 10, "");
     page.line({5.0, 5.0}, {105.0, 5.0}, {black, 1.0, {6.0, 4.0}});
     const Image image = to_image(page);
-    // Ten dashes of 6 px, each with a pixel's share of a round end on both sides.
+    // Ten dashes of 6 px, each with a fraction of a pixel of a round end on both sides.
     EXPECT_NEAR(inked(image), 60.0, 10.0);
     EXPECT_LT(*image.at(7, 5), 0.01F);
     EXPECT_GT(*image.at(13, 5), 0.99F);
@@ -117,7 +117,7 @@ std::string shape_of(std::string_view letter) {
 }
 
 TEST(StrokeFont, EveryLetterIsThereAndDiffersFromTheOthers) {
-    std::set<std::string> shapes{shape_of("\xef\xbf\xbd")}; // the box of what is missing
+    std::set<std::string> shapes{shape_of("\xef\xbf\xbd")}; // the box for a missing glyph
     for (char c = '!'; c <= '~'; ++c)
         EXPECT_TRUE(shapes.insert(shape_of(std::string(1, c))).second) << c;
     for (const char* sign : {"°", "²", "³", "µ", "·", "×", "γ", "Φ", "π", "α", "±", "≤", "≥", "→", "ä", "Ö", "ß", "é"})
@@ -137,15 +137,15 @@ TEST(StrokeFont, HintedTextStandsOnPixels) {
     for (double size = 8.0; size < 30.0; size += 0.7) {
         const auto lines = text_lines("H", {3.2, 40.37}, size, true);
         const auto fraction = [](double v) { return v - std::floor(v); };
-        EXPECT_NEAR(fraction(lines[0][0].y), 0.5, 1e-9); // the foot
-        EXPECT_NEAR(fraction(lines[0][1].y), 0.5, 1e-9); // the top
+        EXPECT_NEAR(fraction(lines[0][0].y), 0.5, 1e-9); // the lower end
+        EXPECT_NEAR(fraction(lines[0][1].y), 0.5, 1e-9); // the upper end
     }
 }
 
 TEST(StrokeFont, BytesThatAreNoTextAreBoxes) {
     const double box = text_width_px("\xef\xbf\xbd", 12.0);
     EXPECT_DOUBLE_EQ(text_width_px("\xff", 12.0), box);
-    EXPECT_DOUBLE_EQ(text_width_px("\xe2\x82", 12.0), 2.0 * box); // a torn sign
+    EXPECT_DOUBLE_EQ(text_width_px("\xe2\x82", 12.0), 2.0 * box); // a truncated character
     EXPECT_DOUBLE_EQ(text_width_px("\xc3", 12.0), box);
     EXPECT_FALSE(text_lines("\x80\xc0 漢", {}, 12.0, true).empty());
 }
@@ -166,8 +166,8 @@ TEST(Palette, LightnessRisesEvenly) {
         double before = lightness(palette.at(0.0));
         for (int i = 1; i <= 20; ++i) {
             const double now = lightness(palette.at(i / 20.0));
-            // A twentieth of the ramp is a twentieth of its lightness, within a factor of two; at the very dark end
-            // the encoded bytes of grey and inferno start flat.
+            // A twentieth of the ramp is a twentieth of its lightness, within a factor of two; at the very dark end the
+            // encoded bytes of grey and inferno start flat.
             EXPECT_GT(now - before, 0.2 * span / 20.0) << palette.name << ' ' << i;
             EXPECT_LT(now - before, 2.0 * span / 20.0) << palette.name << ' ' << i;
             before = now;
@@ -183,7 +183,7 @@ TEST(Palette, OfSignedValuesIsAsDarkToBothSides) {
     for (int i = 1; i <= 10; ++i) {
         const auto below = signed_values.at(0.5 - i / 20.0);
         const auto above = signed_values.at(0.5 + i / 20.0);
-        // Bytes are what it is rounded to; the paper makes both halves equal in Lab lightness.
+        // The table is rounded to bytes; the paper makes both halves equal in Lab lightness.
         EXPECT_NEAR(lightness(below), lightness(above), 2.0) << i;
         EXPECT_LT(lightness(below), lightness(signed_values.at(0.5 - (i - 1) / 20.0)));
         EXPECT_GT(below[2], below[0]);

@@ -1,4 +1,4 @@
-// Every material of the grammar on the way to the kernels of every instruction set.
+// Every material of the grammar, from the grammar to the kernels of every instruction set.
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/shading/kernels.hpp>
@@ -35,7 +35,7 @@ constexpr std::array materials{"lambert:albedo=rgb(0.8,0.5,0.2)",
 constexpr std::array kinds{LightKind::punctual, LightKind::sphere,    LightKind::disk,
                            LightKind::ellipse,  LightKind::rectangle, LightKind::tube};
 
-// Surface points and what of them the kernels read.
+// Surface points and the parts of them that the kernels read.
 struct Points {
     std::array<std::vector<float>, 9> columns;
     std::vector<float> intensity_cd;
@@ -69,7 +69,7 @@ LightConstants light_of(LightKind kind, const Points& points) {
     light.length = 0.4F;
     light.position[2] = 1.0F;
     light.intensity_cd = points.intensity_cd.data();
-    // In one direction, which float follows closely; shade_area_test.cpp has all methods.
+    // A single direction, which float follows closely; shade_area_test.cpp has all methods.
     light.specular_method = shading::SpecularMethod::representative_point;
     return light;
 }
@@ -139,7 +139,7 @@ TEST_P(MaterialKernels, ShadeAsTheDoubleReference) {
         for (const LightKind kind : kinds) {
             const LightConstants light = light_of(kind, points);
             const auto rgb = run(points, light, material);
-            // The point that stands for a plane light jumps where the mirrored ray passes along the plane.
+            // The representative point of a plane light jumps where the mirrored ray runs parallel to the plane.
             std::size_t off = 0;
             double sum = 0.0;
             for (std::size_t i = 0; i < points.intensity_cd.size(); ++i) {

@@ -1,4 +1,4 @@
-// Random numbers, points and directions from a seed, the same with every library.
+// Random numbers, points and directions from a seed, the same with every standard library.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -24,7 +24,7 @@ RenderOptions small() {
     return options;
 }
 
-// Lights of several kinds; two of them are seen, one before the other, and one does not shine.
+// Lights of several kinds; two of them are visible, one in front of the other, and one is off.
 std::vector<Light> lights() {
     std::vector<Light> all{light_of("sphere:r=15cm", "900lm", {0.0, -0.6, 1.5}),
                            light_of("rect:w=60cm,h=30cm", "1500lm", {0.1, 0.8, 1.6}),
@@ -35,7 +35,7 @@ std::vector<Light> lights() {
     return all;
 }
 
-// |a − b| over the larger, with what is all but dark held to the picture's greatest.
+// |a − b| relative to the larger; nearly dark pixels are compared with the picture's maximum.
 void expect_near(const Image& found, const Image& expected, double relative) {
     ASSERT_EQ(found.pixels.size(), expected.pixels.size());
     const auto greatest = static_cast<double>(*std::max_element(expected.pixels.begin(), expected.pixels.end()));
@@ -54,7 +54,7 @@ void add(const Image& what, Image& to) {
 }
 
 // A sum of six floats in another order: five roundings of half a unit in the last place each, 6e-8, and as many in the
-// sums that they are taken from.
+// sums that they are derived from.
 constexpr double of_sums = 1e-6;
 
 TEST(PictureParts, SharesOfLightsInAFileAddUpToThePicture) {
@@ -96,7 +96,7 @@ TEST(PictureParts, SharesOfLightsInAFileAddUpToThePicture) {
     }
 }
 
-// A light alone on its stage gives the same where no other light stands before what it lights.
+// A light alone on its stage gives the same picture wherever no other light covers what it lights.
 TEST(PictureParts, ShareOfALightIsThatLight) {
     const Stage stage = make_stage("floor").value();
     const std::vector<Light> all{light_of("spot:outer=35deg", "900cd", {-0.8, 0.0, 2.2}),
@@ -137,7 +137,7 @@ TEST(PictureParts, OfEveryMaterialAddUpAndAreWhatTheyAreCalled) {
         EXPECT_GT(greatest(parts.emission_nt), 0.0F);
         EXPECT_EQ(greatest(parts.diffuse_nt) > 0.0F, !kind.starts_with("ggx") && !kind.starts_with("kulla")) << kind;
         EXPECT_EQ(greatest(parts.specular_nt) > 0.0F, !kind.starts_with("lambert") && !kind.starts_with("eon")) << kind;
-        // Neither part is below 0 but for what a difference of floats leaves of the picture's own brightness.
+        // No part is negative, except for rounding of the difference at the scale of the picture's brightness.
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             EXPECT_GE(parts.specular_nt.pixels[i], -1e-5F * picture.pixels[i] - 1e-6F) << kind;
             EXPECT_GE(parts.diffuse_nt.pixels[i], -1e-5F * picture.pixels[i] - 1e-6F) << kind;

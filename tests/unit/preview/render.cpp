@@ -28,7 +28,7 @@ Image picture_of(const Stage& stage, const Light& light, const RenderOptions& op
     return render(stage, {&light, 1}, stage.camera, options).value().luminance_nt;
 }
 
-// A Lambertian floor under a light shows albedo/π · E: the closed form at each pixel's own point.
+// A Lambertian floor under a light has the luminance albedo/π · E: compared with the closed form at each pixel's point.
 TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
     const Stage stage = matte_floor(0.4);
     RenderOptions options;
@@ -36,7 +36,7 @@ TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
     options.height = 21;
     const CameraRays rays(stage.camera, options.width, options.height);
     for (const char* shape : {"point", "sphere:r=20cm"}) {
-        // The spherical light hangs behind the camera, which would see it otherwise.
+        // The spherical light is behind the camera; otherwise it would be visible.
         const Light light = light_of(shape, "1000cd", {0.3, -0.2, 6.0});
         const Image image = picture_of(stage, light, options);
         for (int y = 0; y < options.height; ++y)
@@ -50,7 +50,7 @@ TEST(ThreadsPreview, AMatteFloorShowsTheIlluminance) {
     }
 }
 
-// What the picture shows and what a probe says are the same light: packed float against double, every shape.
+// The picture and a probe agree: packed float against double, for every shape.
 TEST(ThreadsPreview, PicturesShowWhatProbesSay) {
     const Stage stage = matte_floor(0.4);
     RenderOptions options;
@@ -68,7 +68,7 @@ TEST(ThreadsPreview, PicturesShowWhatProbesSay) {
         const ProbeResult truth = probe(std::span(&light, 1), receivers, {}).value();
         for (std::size_t i = 0; i < receivers.size(); ++i) {
             const double nits = 0.4 / std::numbers::pi * truth.illuminance_lx[i];
-            // The lobe's edge lies within a pixel's rounding for the frustum, which is all or nothing.
+            // For the frustum, which is all or nothing, the lobe's edge is within rounding of a pixel.
             EXPECT_NEAR(image.pixels[3 * i + 1], nits, 2e-5 * nits + 1e-6) << shape << " at " << i;
         }
     }
@@ -132,7 +132,7 @@ TEST(ThreadsPreview, InstructionSetsAgree) {
 
 TEST(ThreadsPreview, NothingIsEverNotANumber) {
     const Stage stage = make_stage("floor").value();
-    // Inside the ball, in the floor, behind the wall, on the camera, far away.
+    // Inside the sphere, in the floor, behind the wall, at the camera, far away.
     for (const glm::dvec3 position : {glm::dvec3(0.42, -0.28, 0.32), glm::dvec3(0, 0, 0), glm::dvec3(0, 5, 1),
                                       stage.camera.position, glm::dvec3(0, 0, 1e6)}) {
         for (const char* shape : {"point", "sphere:r=0.000001m", "sphere:r=3m"}) {
@@ -164,7 +164,7 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     expose(image, ev);
     EXPECT_NEAR(image.pixels[0], 1.0, 1e-6);
     EXPECT_EQ(auto_exposure(Image(4, 4, 3)).value, 0.0);
-    // A lamp that fills a corner of the picture does not count, but where it is all there is.
+    // A lamp that fills a corner of the picture does not count, unless the picture contains nothing else.
     std::vector<std::uint8_t> lamp(100, 0);
     for (std::size_t i = 0; i < 5; ++i) {
         lamp[i] = 1;
@@ -176,11 +176,11 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
 }
 
-// Light adds up: a picture of two lights is the sum of theirs, in luminance and in lux.
+// Light adds up: a picture of two lights is the sum of their single pictures, in luminance and in lux.
 TEST(ThreadsPreview, LightsAddUp) {
     const Stage stage = make_stage("floor").value();
     const std::array lights{light_of("point", "800lm", {0.3, -0.2, 2.0}),
-                            light_of("rect:w=60cm,h=30cm", "500lm", {-0.4, -3.0, 2.4})}; // above what the camera sees
+                            light_of("rect:w=60cm,h=30cm", "500lm", {-0.4, -3.0, 2.4})}; // above the camera's view
     RenderOptions options;
     options.width = 48;
     options.height = 32;
@@ -201,7 +201,7 @@ TEST(ThreadsPreview, LightsAddUp) {
     }
 }
 
-// On a matte surface luminance is albedo/π of the illuminance that is told beside it.
+// On a matte surface, luminance is albedo/π times the illuminance reported with it.
 TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
     const Stage stage = matte_floor(0.4);
     RenderOptions options;
@@ -220,7 +220,7 @@ TEST(ThreadsPreview, IlluminanceIsWhatAMatteSurfaceReceives) {
     }
 }
 
-// By every method a picture's lux are what a probe says by it, and on a matte surface its luminance is theirs.
+// By every method, a picture's lux equal those of a probe by that method, and its luminance on a matte surface follows.
 TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
     const Stage stage = matte_floor(0.4);
     RenderOptions options;
@@ -253,8 +253,8 @@ TEST(ThreadsPreview, EveryMethodShowsWhatItsProbesSay) {
         }
 }
 
-// By a method with an irradiance of its own a material is what it is by the exact method and the change of its diffuse
-// part, which for these is Lambert's of the same albedo.
+// With a method that has an irradiance formula of its own, a material has the result of the exact method plus the
+// change of its diffuse part, which for these materials is Lambert's with the same albedo.
 TEST(ThreadsPreview, OwnIrradianceReachesTheDiffusePartAlone) {
     Stage stage = matte_floor(0.4);
     RenderOptions options;
@@ -279,8 +279,8 @@ TEST(ThreadsPreview, OwnIrradianceReachesTheDiffusePartAlone) {
         EXPECT_NEAR(whole.pixels[i] - black.pixels[i], lambert.pixels[i], 2e-6F * whole.pixels[i]) << i;
 }
 
-// The luminance of glossy, coloured materials: reference against a probe's, channel by channel through Y; ltc within
-// what its fit allows.
+// The luminance of glossy, coloured materials: the reference against a probe's, channel by channel through Y; ltc
+// within the error of its fit.
 TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
     Stage stage = matte_floor(0.4);
     RenderOptions options;

@@ -45,7 +45,7 @@ Primitive any_body(Numbers& numbers, int kind) {
     return Capsule{center, axis, numbers.between(0.0, 3.0), numbers.between(0.05, 1.5)};
 }
 
-// Whether something of the body lies on the way; sheets from both sides.
+// Whether the ray meets any part of the body; planes and rectangles count from both sides.
 bool meets(const Primitive& body, const Vec& from, const Vec& way) {
     const double length = glm::length(way);
     const Ray ray{from, way / length};
@@ -93,7 +93,7 @@ const std::array<Light, 6>& lights() {
     return made;
 }
 
-// Solid angle times cosine over all stripes against the closed form.
+// The solid angle times cosine, summed over all stripes, against the closed form.
 TEST(LightLines, SumToTheLight) {
     Numbers numbers(7);
     for (const Light& light : lights())
@@ -116,7 +116,7 @@ TEST(LightLines, SumToTheLight) {
         }
 }
 
-// ∫ ⟨n·l⟩ V over the light by many stratified directions of its sampler, and what is not hidden of it.
+// ∫ ⟨n·l⟩ V over the light by many stratified directions of its sampler, as a fraction of the unoccluded integral.
 double counted_share(const Stage& stage, std::size_t own, const Light& light, const Vec& point, const Vec& normal,
                      int side) {
     const auto vec = [](const Vec& v) { return shading::vec3<double>{v.x, v.y, v.z}; };
@@ -129,7 +129,7 @@ double counted_share(const Stage& stage, std::size_t own, const Light& light, co
                 const Vec l(sample.direction.x, sample.direction.y, sample.direction.z);
                 const double weight = std::max(glm::dot(normal, l), 0.0) / sample.pdf;
                 const std::optional<double> reach = distance_to(light, {point, l});
-                if (!reach) continue; // by rounding
+                if (!reach) continue; // misses by rounding
                 all += weight;
                 bool hidden = false;
                 for (std::size_t s = 0; s < stage.surfaces.size() && !hidden; ++s)
@@ -155,7 +155,7 @@ double counted_share(const Stage& stage, std::size_t own, const Light& light, co
     return count(shading::TubeSampler<double>(center, vec(light.frame.x), s.radius.value, s.length.value));
 }
 
-// A floor under what hides parts of the light, seen from above.
+// A floor under bodies that hide parts of the light, seen from above.
 Stage floor_under(std::initializer_list<Primitive> bodies) {
     Stage stage;
     stage.surfaces.push_back({"floor", Plane{}, LambertMaterial{}});
@@ -170,8 +170,8 @@ Rendering lit(const Stage& stage, const Light& light, RenderOptions options) {
     return render(stage, {&light, 1}, stage.camera, options).value();
 }
 
-// Soft shadows of all shapes behind all bodies, several of them overlapping each other, against counted rays: the error
-// in the penumbrae that the lines leave.
+// Soft shadows of all shapes behind all bodies, several of them overlapping each other, against counted rays: the
+// remaining error of the stripes in the penumbrae.
 TEST(ThreadsSoftShadows, PenumbraeAreThoseOfCountedRays) {
     const std::array stages{
         floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}}), floor_under({Capsule{{0, 0, 1.0}, {0.6, 0.8, 0.0}, 0.5, 0.12}}),
@@ -197,7 +197,7 @@ TEST(ThreadsSoftShadows, PenumbraeAreThoseOfCountedRays) {
                     const float all = *bare.illuminance_lx.at(x, y);
                     const double share = *soft.illuminance_lx.at(x, y) / all;
                     if (hit->surface != 0 || !(share > 0.0) || !(share < 1.0)) continue;
-                    // A mean over its outline has other points too.
+                    // Pixels on an outline average over points of other surfaces, so skip them.
                     const auto floor_at = [&](double dx, double dy) {
                         return first_hit(stage, rays.ray(x + 0.5 + dx, y + 0.5 + dy))->surface == 0;
                     };
@@ -214,7 +214,7 @@ TEST(ThreadsSoftShadows, PenumbraeAreThoseOfCountedRays) {
     RecordProperty("rms_percent", std::to_string(100.0 * std::sqrt(squares / count)));
 }
 
-// What a ball hides of a sphere, cosine and all, against the integral over the cap in rings.
+// How much a sphere hides of a spherical light, including the cosine, against the integral over the cap in rings.
 TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
     Numbers numbers(9);
     for (int i = 0; i < 60; ++i) {
@@ -226,7 +226,7 @@ TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
         const double tilt = numbers.between(0.0, 0.5 * std::numbers::pi - a);
         const double turn = numbers.between(0.0, 2.0 * std::numbers::pi);
         const Vec normal(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
-        // In rings about the first axis, each of which the other cap covers about the azimuth 0.
+        // In rings about the first axis; the other cap covers each of them about the azimuth 0.
         double sum = 0.0;
         constexpr int rings = 4000;
         for (int ring = 0; ring < rings; ++ring) {
@@ -241,7 +241,7 @@ TEST(SoftShadows, CapsHideWhatTheirIntegralSays) {
     }
 }
 
-// What a capsule hides of a sphere, against directions over the cap, each asked for by a ray.
+// How much a capsule hides of a spherical light, against directions over the cap, each tested with a ray.
 TEST(SoftShadows, CapsulesHideWhatRaysSay) {
     Numbers numbers(11);
     int cut = 0;
@@ -254,7 +254,7 @@ TEST(SoftShadows, CapsulesHideWhatRaysSay) {
         if (hides(capsule, Vec(0.0))) continue;
         const double tilt = numbers.between(0.0, 0.5 * std::numbers::pi - a);
         const Vec normal(std::sin(tilt), 0.0, std::cos(tilt));
-        // Evenly by height, on a lattice.
+        // Uniform in height, on a lattice.
         constexpr int count = 40000;
         const double height = 1.0 - std::cos(a);
         double sum = 0.0;
@@ -273,7 +273,7 @@ TEST(SoftShadows, CapsulesHideWhatRaysSay) {
     EXPECT_GT(cut, 40);
 }
 
-// A short capsule is nearly its ball.
+// A short capsule is almost its end sphere.
 TEST(SoftShadows, ACapsuleTurnsIntoItsBall) {
     const Vec normal = glm::normalize(Vec(0.3, -0.2, 1.0));
     for (const double off : {0.0, 0.05, 0.12, 0.2}) {
@@ -306,7 +306,7 @@ TEST(ThreadsSoftShadows, WhatIsLitIsUntouchedAndWhatIsDarkIsZero) {
         EXPECT_GT(same, 1000U) << kind_of(light.shape);
         EXPECT_GT(dark, 0U) << kind_of(light.shape);
     }
-    // Nothing stands on a bare floor.
+    // A bare floor has no occluders.
     const Stage bare = floor_under({});
     for (const Light& light : lights()) {
         options.shadows = Shadows::off;
@@ -350,8 +350,8 @@ Rendering traced(const Stage& stage, std::span<const Light> lights, RenderOption
     return picture.picture();
 }
 
-// Closed forms and shadow ratios against light paths, which share neither: the same light in all, and no pixel off by
-// more than the noise.
+// Closed forms and shadow ratios against path tracing, which uses neither: the total light agrees, and no pixel differs
+// by more than the noise.
 TEST(ThreadsReferencePicture, AgreesWithTheClosedForms) {
     Stage stage = floor_under({Ball{{0.1, -0.1, 1.0}, 0.3}, Box{{{-0.6, 0.4, 0.3}}, {0.3, 0.2, 0.3}}});
     stage.surfaces[0].material = parse_material("frostbite:smoothness=0.5").value();
@@ -413,7 +413,7 @@ TEST(ThreadsReferencePicture, ThreadsChangeNothingAndRowsMayWait) {
         options.threads = threads;
         EXPECT_EQ(traced(stage, lights(), options, 3).luminance_nt.pixels, one.pixels);
     }
-    // Of a pass that is stopped the rows that are done stay; the next takes the rest.
+    // If a pass is stopped, its finished rows are kept; the next pass renders the rest.
     options.threads = 1;
     ReferencePicture picture = ReferencePicture::begin(stage, lights(), stage.camera, options).value();
     int rows = 0;
@@ -426,7 +426,7 @@ TEST(ThreadsReferencePicture, ThreadsChangeNothingAndRowsMayWait) {
     EXPECT_EQ(picture.picture().luminance_nt.pixels, one.pixels);
 }
 
-// Of each body by itself the share is exact; counted along directions by the cosine.
+// For a single body the share is exact; compared with a cosine-weighted count of directions.
 TEST(Sky, BodiesHideWhatRaysMeet) {
     Numbers numbers(11);
     for (int i = 0; i < 200; ++i) {

@@ -34,7 +34,7 @@ Light resolved(LightDescription description) {
 
 Web web_of(Symmetry symmetry, double first_gamma, double last_gamma, unsigned seed) {
     const auto gammas = [&] {
-        // Not even, so that cells are searched.
+        // Not uniform, so that cells are searched.
         std::vector<double> angles = test::steps(first_gamma, last_gamma, 17);
         angles[3] += 0.37 * (angles[4] - angles[3]);
         return angles;
@@ -64,7 +64,7 @@ LightDescription measured(Symmetry symmetry, double first_gamma, double last_gam
 constexpr std::array symmetries{Symmetry::axial, Symmetry::quadrant, Symmetry::bilateral_0_180,
                                 Symmetry::bilateral_90_270, Symmetry::none};
 
-// Every kind of light once, small enough ranges among them to be out of.
+// Every kind of light once, some with ranges short enough not to reach everything.
 std::vector<LightDescription> every_light() {
     std::vector<LightDescription> lights;
     for (const char* shape : {"point", "spot:outer=40deg,inner=10deg", "spot:outer=25deg,falloff=hard",
@@ -98,7 +98,7 @@ std::vector<LightDescription> every_light() {
     return lights;
 }
 
-// The picture without any skipping is the same to the last bit, for every light from several places on every stage.
+// The picture is the same to the last bit without skipping, for every light from several positions on every stage.
 TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
     RenderOptions options;
     options.width = 32;
@@ -111,7 +111,7 @@ TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
         Numbers numbers(3);
         for (Light& light : all)
             light.frame = aimed_frame(stage.light.position + numbers.in_box(0.9), numbers.direction(), {0.0, 1.0, 0.0});
-        // The long way is slow: some of the lights on each stage, each of them somewhere.
+        // Rendering without skipping is slow: each stage gets some of the lights, at random positions.
         const auto stage_index = static_cast<std::size_t>(&kind - stage_kinds().data());
         for (std::size_t first = stage_index % 4 * 5; first < all.size(); first += 20) {
             const std::span<const Light> lights =
@@ -128,7 +128,7 @@ TEST(ThreadsSkipping, LeavesThePictureAsItIs) {
     }
 }
 
-// What counts what: a light in each of the places where it gives nothing.
+// Which counter counts what: a light at each position where it contributes nothing.
 TEST(ThreadsSkipping, TellsWhy) {
     Stage stage;
     stage.surfaces.push_back({"floor", Plane{}, LambertMaterial{}});
@@ -150,7 +150,7 @@ TEST(ThreadsSkipping, TellsWhy) {
     near.range = Meters(2.0);
     EXPECT_EQ(stats_of(near, {0, 9, 1}, {0, 0, -1}).out_of_range, points);
     EXPECT_EQ(stats_of(described("spot:outer=30deg", "100cd"), {0, 0, 1}, {0, 0, 1}).outside_cone, points);
-    const RenderStats disk = stats_of(described("disk:r=10cm", "100cd"), {0, 0, 1}, {0, 0, 1}); // seen itself
+    const RenderStats disk = stats_of(described("disk:r=10cm", "100cd"), {0, 0, 1}, {0, 0, 1}); // visible itself
     EXPECT_EQ(disk.outside_cone, disk.samples);
     EXPECT_EQ(stats_of(measured(Symmetry::none, 0.0, 60.0), {0, 0, 1}, {0, 0, 1}).outside_cone, points);
     const RenderStats dark = stats_of(described("point", "0cd"), {0, 0, 1}, {0, 0, -1});
@@ -160,7 +160,7 @@ TEST(ThreadsSkipping, TellsWhy) {
     EXPECT_EQ(stats_of(measured(Symmetry::axial, 0.0, 60.0), {0, 0, 1}, {0, 0, 1}).axial_webs, 1U);
 }
 
-// No light that is said to give nothing to points within bounds gives anything to one of them, by probe's own double.
+// A light that is reported to give nothing within bounds gives nothing to any point in them, by the probe in double.
 TEST(Skipping, IsNeverWrongAboutWhoGetsNothing) {
     Numbers numbers(11);
     std::size_t skipped = 0;
@@ -185,7 +185,7 @@ TEST(Skipping, IsNeverWrongAboutWhoGetsNothing) {
             }
             const bool none = reach.unlit(bounds.bounds()) != detail::Unlit::no;
             ProbeOptions options;
-            options.method = IrradianceMethod::ltc; // masks from the centre, as pictures take them
+            options.method = IrradianceMethod::ltc; // takes masks from the centre, as pictures do
             options.threads = 1;
             const ProbeResult truth = probe(std::span(&light, 1), receivers, options).value();
             const double most = *std::max_element(truth.illuminance_lx.begin(), truth.illuminance_lx.end());
@@ -204,7 +204,7 @@ TEST(LightTree, FindsWhatASearchFinds) {
         std::vector<detail::LightSphere> spheres;
         for (std::uint32_t i = 0; i < count; ++i)
             spheres.push_back({numbers.in_box(10.0), i % 50 == 7 ? INFINITY : numbers.between(0.0, 2.0), i});
-        if (count == 300) // many in one place
+        if (count == 300) // many at one position
             for (std::size_t i = 100; i < 200; ++i)
                 spheres[i].center = spheres[100].center;
         const detail::LightTree tree(spheres);
@@ -238,7 +238,7 @@ TEST(LightTree, FindsWhatASearchFinds) {
     }
 }
 
-// Points of a ray within the cone lie in spheres that it meets.
+// Points of a ray within the cone lie in spheres that the cone meets.
 TEST(LightTree, AConeMeetsTheSpheresOfItsRays) {
     Numbers numbers(19);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -257,7 +257,7 @@ TEST(LightTree, AConeMeetsTheSpheresOfItsRays) {
     }
 }
 
-// Packed candela against the light's own, in double. Angles of floats are true to about 3e-5°, which moves a value by
+// Packed candela against the light's own, in double. Float angles are accurate to about 3e-5°, which changes a value by
 // that much of its cell's slope; here cells are wider than 1° and candela stay below 1000.
 TEST(IntensityPattern, IsTheLightsIntensity) {
     Numbers numbers(23);
@@ -273,7 +273,7 @@ TEST(IntensityPattern, IsTheLightsIntensity) {
         detail::WebTables tables;
         const detail::IntensityPattern pattern(light, tables);
         const glm::dvec3 anchor = description.position + numbers.in_box(3.0);
-        constexpr std::size_t count = 501; // no multiple of a packet
+        constexpr std::size_t count = 501; // not a multiple of a packet
         std::array<std::vector<float>, 3> position;
         for (std::size_t i = 0; i < count; ++i) {
             const glm::dvec3 at = numbers.in_box(3.0);
@@ -288,7 +288,7 @@ TEST(IntensityPattern, IsTheLightsIntensity) {
             for (std::size_t i = 0; i < count; ++i) {
                 const glm::dvec3 at = anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);
                 const double truth = light.intensity_towards(at - light.frame.origin).value;
-                // A web that ends and a hard lobe drop to 0 within the rounding of an angle.
+                // A web that ends and a hard lobe drop to 0, and the rounding of an angle decides on which side.
                 if ((truth == 0.0) != (cd[i] == 0.0F))
                     ++outside;
                 else

@@ -1,4 +1,4 @@
-// The luminaires in profiles/: all formats and dialects hold the same light, and as much of it as they declare.
+// The luminaires in profiles/: all formats and dialects contain the same light, and as much of it as they declare.
 #include <gonio/profile/read.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/integrate.hpp>
@@ -30,9 +30,9 @@ File authored(const std::string& name) {
     return std::get<File>(read->file);
 }
 
-// Flux by the composite midpoint rule on the interpolant, in `parts` by `parts` points a cell: independent of the
-// closed form that scaled the table. The planes that symmetry adds are as those in the
-// table, which thus stands for the whole turn.
+// Flux by the composite midpoint rule on the interpolant, with `parts` by `parts` points per cell: independent of the
+// closed form that scaled the table. The planes added by symmetry equal those in the table, so the table represents the
+// whole circle.
 double flux(const IesFile& file, int parts) {
     const std::size_t rows = file.vertical_deg.size();
     const std::size_t cells = std::max<std::size_t>(file.horizontal_deg.size() - 1, 1);
@@ -53,7 +53,7 @@ double flux(const IesFile& file, int parts) {
     return sum * 2.0 * pi / static_cast<double>(cells);
 }
 
-// The zonal rule of the industry: mean candela times the zone's cosines.
+// The zonal rule of the industry: mean candela times the zone's cosine difference.
 double zonal_flux(const IesFile& file) {
     const std::size_t rows = file.vertical_deg.size();
     const std::size_t cells = std::max<std::size_t>(file.horizontal_deg.size() - 1, 1);
@@ -123,7 +123,8 @@ TEST(AuthoredProfilesDialects, OfOneNameAreOneLight) {
               folder + "lm-63-2002/" + name + ".ies", folder + "lm-63-2019/" + name + ".ies",
               folder + "portable/" + name + ".ies"}) {
             const Web web = web_of(other);
-            // Seven digits of cd/klm, nine of the portable dialect; the flood is resampled where type C alone is held.
+            // Seven digits of cd/klm, nine in the portable dialect; the flood is resampled for formats that store only
+            // type C.
             const bool resampled = web.photometry() != own.photometry();
             EXPECT_EQ(resampled, std::string_view(name) == "flood" && other.find(".xml") == std::string::npos &&
                                      other.find("lm-63-") == std::string::npos);
@@ -152,7 +153,7 @@ TEST(AuthoredProfilesShape, AreWhatTheirNamesSay) {
     const double end_on = tube.candela[45];            // C0, γ = 90°: along the axis
     const double side_on = tube.candela[18 * 91 + 45]; // C90
     EXPECT_NEAR(side_on / end_on, (2 * 0.013 * 1.2 + pi * 0.013 * 0.013) / (pi * 0.013 * 0.013), 1e-4);
-    // The luminance that the table's intensity means and the one that the flux means, Φ = π (2π r l + 4π r²) L.
+    // The luminance implied by the table's intensity and the one implied by the flux, Φ = π (2π r l + 4π r²) L.
     const double luminance = 3350.0 / (pi * (2 * pi * 0.013 * 1.2 + 4 * pi * 0.013 * 0.013));
     EXPECT_NEAR(side_on / (2 * 0.013 * 1.2 + pi * 0.013 * 0.013), luminance, 2e-3 * luminance);
 }

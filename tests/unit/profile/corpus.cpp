@@ -1,4 +1,4 @@
-// Real files, read where they are: all of the corpus folder's good/ must be read, all of its bad/ refused.
+// Real files, read in place: all files in the corpus folder's good/ must be read, all files in its bad/ refused.
 #include <gonio/base/diagnostic_codes.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
@@ -56,7 +56,7 @@ TEST_F(ProfileCorpus, EveryGoodFileIsReadAndKeepsItselfWhenWritten) {
             EXPECT_EQ(d.location.file, path);
         }
         const std::string written = write_profile(*read);
-        // Recognised from its own bytes, without a name.
+        // Recognised from its own bytes, without a file name extension.
         const Result<Profile> again = read_profile(written, "again");
         ASSERT_TRUE(again) << path << '\n' << all_text(again.error().diagnostics);
         EXPECT_TRUE(test::equal(read->file, again->file)) << path;
@@ -64,7 +64,7 @@ TEST_F(ProfileCorpus, EveryGoodFileIsReadAndKeepsItselfWhenWritten) {
     }
 }
 
-// Tolerant and strict alike: with a code, a line and a column, and nothing said behind the reason.
+// Tolerant and strict reading agree: a code, a line and a column, and no diagnostic after the reason.
 TEST_F(ProfileCorpus, EveryBadFileIsRefusedWithItsPlace) {
     ASSERT_FALSE(bad.empty());
     for (const std::string& path : bad)
@@ -82,7 +82,7 @@ TEST_F(ProfileCorpus, EveryBadFileIsRefusedWithItsPlace) {
         }
 }
 
-// INDEX.tsv counts what a file's table holds, found by another program.
+// INDEX.tsv lists the counts of each file's table, found by another program.
 TEST_F(ProfileCorpus, CountsAgreeWithTheIndex) {
     const Result<std::string> index = read_file((fs::path(test::corpus_folder) / "INDEX.tsv").string());
     ASSERT_TRUE(index);

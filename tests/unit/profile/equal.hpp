@@ -1,4 +1,4 @@
-// Equality of every field of a read file, for tests of write → read. Numbers are equal as doubles.
+// Equality of every field of a file as read, for tests of write → read. Numbers are equal as doubles.
 #pragma once
 
 #include <gonio/profile/profile.hpp>
@@ -37,14 +37,14 @@ inline bool equal(const LdtFile& a, const LdtFile& b) {
                       [&](const LdtLampSet& x, const LdtLampSet& y) { return set(x) == set(y); });
 }
 
-// Of a TM-33 document the layout is not compared, only what it says.
+// For a TM-33 document the contents are compared, not the layout.
 inline bool equal(const Tm33File& a, const Tm33File& b) {
     return a == b;
 }
 
 template<class A, class B>
 bool equal(const A&, const B&) {
-    return false; // of different formats
+    return false; // different formats
 }
 
 inline bool equal(const std::variant<IesFile, LdtFile, Tm33File>& a,

@@ -1,5 +1,5 @@
-// Readers look at the bytes they are given and at no other: texts in blocks of exactly their size, which
-// AddressSanitizer watches, cut off at every byte.
+// Readers access only the bytes they are given: texts in blocks of exactly their size, checked by AddressSanitizer,
+// truncated at every byte.
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 
@@ -20,7 +20,7 @@ Result<Profile> read_in_block(std::string_view text, bool strict) {
     return read_profile({block.get(), text.size()}, "block", {{}, strict, {}});
 }
 
-// What follows the block must not matter: the same text within a longer one is read alike.
+// Bytes after the block must not matter: the same text within a longer one is read alike.
 void expect_alike(const std::string& text, std::size_t size) {
     const std::string_view part = std::string_view(text).substr(0, size);
     for (const bool strict : {false, true}) {
@@ -50,7 +50,7 @@ TEST(ExactBlocks, OfEveryFormatAreReadToTheirEndAndNoFurther) {
     }
 }
 
-// Tables long enough for the quick ways, and every way for a last number to end.
+// Tables long enough for the fast paths, and every way in which a last number can end.
 TEST(ExactBlocks, EndInNumbersOfEveryLength) {
     std::string ies = "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 100 1 1 2 0 0 0\n1 1 10\n";
     for (int i = 0; i < 100; ++i)

@@ -1,4 +1,4 @@
-// Small files by lines, and what reading them must say, with the exact place.
+// Small files as lists of lines, and the expected diagnostics with their exact places.
 #pragma once
 
 #include <gonio/profile/read.hpp>
@@ -43,7 +43,7 @@ inline std::string said(const Result<Profile>& read) {
     return said(read ? read->diagnostics : read.error().diagnostics);
 }
 
-// That `read` failed as malformed, and the reason is "lamp:LINE:COLUMN: error[CODE]: MESSAGE".
+// Checks that `read` failed as malformed, and that the reason is "lamp:LINE:COLUMN: error[CODE]: MESSAGE".
 inline void expect_error(const Result<Profile>& read, const std::string& reason, Failure failure = Failure::malformed) {
     ASSERT_FALSE(read) << "read, and expected: " << reason;
     EXPECT_EQ(read.error().failure, failure);
@@ -53,7 +53,7 @@ inline void expect_error(const Result<Profile>& read, const std::string& reason,
     EXPECT_EQ(to_text(last), reason);
 }
 
-// That `read` succeeded, and among what it says is "lamp:LINE:COLUMN: warning[CODE]: MESSAGE".
+// Checks that `read` succeeded, and that one of its diagnostics is "lamp:LINE:COLUMN: warning[CODE]: MESSAGE".
 inline void expect_says(const Result<Profile>& read, const std::string& sentence) {
     ASSERT_TRUE(read) << said(read);
     const bool found = std::any_of(read->diagnostics.begin(), read->diagnostics.end(), [&](Diagnostic d) {

@@ -1,4 +1,4 @@
-// The quick ways to read a number give the very double that std::from_chars gives.
+// The fast ways to read a number give exactly the double that std::from_chars gives.
 #include <gonio/profile/fast_number.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace gonio::profile_detail;
 
-// The number at the begin of `text`, followed by enough that is none.
+// The number at the start of `text`, followed by enough bytes that are not part of it.
 bool read(std::string text, double& value, std::size_t& length) {
     text += " ";
     text.append(static_cast<std::size_t>(decimal_lookahead), '7');
@@ -116,7 +116,7 @@ TEST(FastNumber, EveryByteBehindANumberEndsItOrNot) {
         }
 }
 
-// Every byte in every place of a word that is otherwise digits.
+// Every byte in every position of a word that otherwise has only digits.
 TEST(FastNumber, AStrangeByteInATokenIsNeverADigit) {
     for (int c = 0; c < 256; ++c)
         for (std::size_t length = 1; length <= 8; ++length)
@@ -125,7 +125,7 @@ TEST(FastNumber, AStrangeByteInATokenIsNeverADigit) {
                 text[at] = static_cast<char>(c);
                 const std::string padded = "1234567 " + text + std::string(40, ' ');
                 double value = 0.0;
-                if (c < '-' || c > '9') continue; // kept away by the classes
+                if (c < '-' || c > '9') continue; // excluded by the character classes
                 const bool taken = convert_token(padded.data() + 8, padded.data() + 8 + length, value);
                 double expected = 0.0;
                 bool plain = true;
@@ -169,7 +169,7 @@ TEST(TokenScan, FindsTokensOfAnyLengthBetweenAnySeparators) {
             for (std::size_t k = 0; k <= random() % (run % 5 == 0 ? 90 : 3); ++k)
                 text += " ,\t\r\n"[random() % 5];
         }
-        // A byte of another kind ends what is looked at, together with its piece of 64.
+        // A byte of another kind ends the scan, together with its block of 64.
         const std::size_t stop = run % 3 == 0 ? random() % text.size() : text.size();
         if (stop < text.size()) text[stop] = 'E';
         std::size_t i = 0;
@@ -224,7 +224,7 @@ TEST(TokenScan, QuickAndSlowReadingAgreeOnAnyTable) {
     }
 }
 
-// Blocks of just the size of the text, so that AddressSanitizer sees the first byte behind it.
+// Blocks of exactly the size of the text, so that AddressSanitizer detects a read of the first byte after it.
 TEST(FastNumber, NeverReadsBehindTheEnd) {
     for (std::size_t size = 1; size < 80; ++size)
         for (std::size_t point = 0; point <= size; ++point)
@@ -237,7 +237,8 @@ TEST(FastNumber, NeverReadsBehindTheEnd) {
                     if (negative) text[0] = '-';
                     const char* const end = text.get() + size;
                     double value = 0.0;
-                    // It may decline (nullptr); what it reads is what the standard library reads, and as far.
+                    // The reader may decline (nullptr); otherwise it returns the value and the length of the standard
+                    // library.
                     if (const char* const behind = read_decimal(text.get(), end, value)) {
                         double expected = 0.0;
                         ASSERT_EQ(behind, std::from_chars(text.get(), end, expected).ptr);
@@ -258,7 +259,7 @@ TEST(FastNumber, MillionsOfNumbersAsFromChars) {
         return text;
     };
     for (int i = 0; i < 2'000'000; ++i) {
-        // At most 19 digits that matter, the point anywhere or nowhere.
+        // At most 19 significant digits, with the point anywhere or absent.
         const int count = 1 + static_cast<int>(random() % 19);
         std::string text = digits(count);
         if (random() % 4 != 0) text.insert(random() % (text.size() + 1), ".");
@@ -268,7 +269,7 @@ TEST(FastNumber, MillionsOfNumbersAsFromChars) {
     }
 }
 
-// Halfway between two doubles, and beside it: where a wrong rounding shows.
+// Halfway between two doubles, and next to it: where wrong rounding shows.
 TEST(FastNumber, TiesAndTheirNeighbours) {
     std::mt19937_64 random(11);
     for (int i = 0; i < 300'000; ++i) {

@@ -81,7 +81,7 @@ TEST(IesRead, AnyLineEndGivesTheSameFileAndTheSamePlaces) {
         expect_error(read(joined(with(lamp, 11, "100 8x 0"), end)),
                      "lamp:11:5: error[IES0201]: expected a number, found '8x'");
     }
-    // All three in one file, and the last line without an end.
+    // All three line ends in one file, and the last line without any.
     std::string mixed = lamp[0] + "\r" + lamp[1] + "\r\n" + lamp[2] + "\n" + lamp[3] + "\r" + lamp[4] + "\n";
     for (std::size_t i = 5; i < lamp.size(); ++i)
         mixed += lamp[i] + (i + 1 < lamp.size() ? "\r" : "");
@@ -91,7 +91,7 @@ TEST(IesRead, AnyLineEndGivesTheSameFileAndTheSamePlaces) {
 struct VersionCase {
     const char* line;
     IesVersion version;
-    const char* code; // empty: nothing to say
+    const char* code; // empty: no diagnostic
 };
 
 class IesVersions : public testing::TestWithParam<VersionCase> {};
@@ -187,7 +187,7 @@ TEST(IesRead, NumbersAreSeparatedByBlanksTabsCommasAndLines) {
     lines.erase(lines.begin() + 8);
     expect_silent(read(lines));
     EXPECT_EQ(file_of(lines).candela, file_of(lamp).candela);
-    // A decimal comma is never one: "80,5" is two numbers, and one is left over.
+    // A decimal comma is never accepted: "80,5" is two numbers, so one is left over.
     expect_says(read(with(lamp, 11, "100 80,5 0")),
                 "lamp:12:8: warning[IES0214]: '0' follows the 6 candela values announced");
 }
@@ -206,19 +206,19 @@ TEST(IesRead, Numbers) {
          {"inf", "-NaN", "1e999", "-1E+400", "1.0000001e30", "-1e31", "1000000000000000000000000000000.5e1"})
         expect_error(read(with(lamp, 11, "100 " + bad + " 0")),
                      "lamp:11:5: error[IES0202]: '" + bad + "' is not a finite number up to 1e30");
-    // Fortran glues columns that are too wide; it also writes 1.5-300 for 1.5e-300: no guess is made.
+    // Fortran joins columns that are too wide; it also writes 1.5-300 for 1.5e-300: the reader does not guess.
     const Result<Profile> glued = read(with(lamp, 11, "100 1.5-3 0"));
     expect_error(glued, "lamp:11:5: error[IES0201]: expected a number, found '1.5-3'");
     EXPECT_EQ(glued.error().diagnostics.back().hint, "if these are two numbers, put a blank between them");
     expect_error(read(with(lamp, 11, "100 8\x01 0")), "lamp:11:5: error[IES0201]: expected a number, found '8\\x01'");
 }
 
-// Writing drops blank lines before it and moves it, so the place of a stray byte must not decide.
+// Writing drops blank lines before it and moves it, so the position of a stray byte must not matter.
 TEST(IesRead, AControlByteInARemarkIsKeptWhereverItStands) {
     std::vector<std::string> texts;
     for (const std::size_t before : {0U, 4000U, 4090U, 5000U})
         texts.push_back(joined(with(lamp, 2, "[OTHER] " + std::string(before, 'x') + "\r\n[MORE] a\x02z")));
-    texts.push_back("\t\t\r\na\x02z\r\n" + joined(lamp)); // a LM-63-1986 whose first line is blank
+    texts.push_back("\t\t\r\na\x02z\r\n" + joined(lamp)); // an LM-63-1986 file with a blank first line
     texts.push_back("a\x02z\r\n" + joined(lamp));
     for (const std::string& text : texts) {
         const Result<Profile> read_once = read(text);
@@ -289,7 +289,7 @@ TEST(IesRead, TooFewAngles) {
     expect_error(read(lines), "lamp:8:1: error[IES0207]: 13 numbers announced by TILT=NONE, 4 found");
 }
 
-// The sentence that the command line's contract quotes.
+// The message that the command line's documentation quotes.
 TEST(IesRead, ThirtySevenAnnouncedThirtySixFound) {
     TextLines lines = with(lamp, 7, "1 1000 1 37 1 1 2 0.1 0.2 0");
     std::string angles;
@@ -320,7 +320,7 @@ TEST(IesRead, DiagnosticsStandInTheOrderOfTheFile) {
 
 TEST(IesRead, TooFewCandela) {
     const std::string text = joined(lamp);
-    // Without the last line's end: the end of the text is behind its last byte.
+    // Without the end of the last line: the end of the text is after its last byte.
     expect_error(
         read(text.substr(0, text.size() - 3)),
         "lamp:12:7: error[IES0206]: 6 candela values announced (3 vertical times 2 horizontal angles), 5 found");

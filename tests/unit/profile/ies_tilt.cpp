@@ -66,7 +66,7 @@ TEST(IesTilt, FileBeside) {
     expect_factors(profile);
     expect_silent(profile);
     expect_silent(read(lamp("lamp.tlt"), table, true));
-    // The name is kept and written, not the factors.
+    // The name is kept and written, but not the factors.
     const std::string written = write_ies(std::get<IesFile>(profile->file));
     EXPECT_NE(written.find("\r\nTILT=lamp.tlt\r\n1 1000 1 3"), std::string::npos) << written;
 }

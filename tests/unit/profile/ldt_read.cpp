@@ -136,7 +136,7 @@ TEST(LdtRead, Numbers) {
     for (const std::string bad : {"nan", "1e31"})
         expect_error(read(with(lamp(), 51, bad)),
                      "lamp:51:1: error[LDT0103]: '" + bad + "' is not a finite number up to 1e30");
-    // Of a text that is not EULUMDAT nothing is quoted.
+    // Messages quote nothing from a text that is not EULUMDAT.
     for (const std::size_t line : {2U, 3U, 4U})
         EXPECT_EQ(said(read(with(lamp(), line, "hunter2"))).find("hunter2"), std::string::npos) << line;
     expect_error(read(with(lamp(), 2, "hunter2")), "lamp:2:1: error[LDT0102]: expected the type of luminaire, "

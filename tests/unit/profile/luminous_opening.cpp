@@ -1,4 +1,4 @@
-// The shapes that the signs of width, length and height code, edition by edition.
+// The shapes encoded by the signs of width, length and height, edition by edition.
 #include <gonio/profile/luminous_opening.hpp>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What kind of file it is, and what is none.
+// Which format a file has, and which files have none.
 #include <gonio/profile/read.hpp>
 
 #include "expect.hpp"
@@ -34,7 +34,7 @@ TEST(Recognise, TheBytesBeforeTheName) {
     const Result<Profile> misnamed = read_profile(ies, "lamp.ldt");
     ASSERT_TRUE(misnamed) << said(misnamed);
     EXPECT_TRUE(std::holds_alternative<IesFile>(misnamed->file));
-    // Neither the one nor the other: the name decides, and the reader says what is missing.
+    // Neither format: the name decides, and the reader reports what is missing.
     expect_error(read_profile("hello\n", "lamp.IES"),
                  "lamp.IES:2:1: error[IES0108]: the text ends without a line TILT=NONE or TILT=INCLUDE");
     expect_error(read_profile("hello\n", "lamp.ldt"),
@@ -73,7 +73,7 @@ TEST(Recognise, Utf16IsConverted) {
         }
     expect_error(read_profile("\xEF\xBB\xBF\xFF\xFE" + ies, "lamp"),
                  "lamp:1:4: error[PRF0106]: a UTF-16 mark follows that of UTF-8");
-    // The place is that of the converted text.
+    // The place refers to the converted text.
     expect_error(read_profile("\xFF\xFE" + utf16("IESNA91\nTILT=NONE\n1 x", false), "lamp"),
                  "lamp:3:3: error[IES0201]: expected a number, found 'x'");
 }

@@ -1,4 +1,4 @@
-// TM-33: every rule with the smallest document that triggers it, and what survives a reading and a writing.
+// TM-33: every rule with the smallest document that triggers it, and what survives reading and writing.
 #include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/tm33_light.hpp>
@@ -91,7 +91,7 @@ TEST(Tm33Read, ReadsItsFields) {
     EXPECT_EQ(emitter.intensity->horizontal_deg, (std::vector<double>{0, 90}));
     EXPECT_EQ(emitter.intensity->vertical_deg, (std::vector<double>{0, 45, 90}));
     EXPECT_EQ(emitter.intensity->candela, (std::vector<double>{100, 80.5, 0, 100, 70, 0}));
-    // The table stands once: in the numbers.
+    // The table is stored once: in the numbers.
     EXPECT_EQ(file.document.find("80.5"), std::string::npos) << file.document;
 }
 
@@ -137,7 +137,7 @@ TEST(Tm33Read, RootsOfAllEditions) {
         expect_silent(read(lines));
         EXPECT_EQ(file_of(lines).root, root);
         EXPECT_STREQ(edition(file_of(lines)), "TM-33-18");
-        // A namespace's prefix does not matter.
+        // The prefix of a namespace does not matter.
         std::string prefixed = joined(lines);
         for (std::size_t at = 0; (at = prefixed.find('<', at)) != std::string::npos; ++at)
             if (prefixed[at + 1] != '?') prefixed.insert(prefixed[at + 1] == '/' ? at + 2 : at + 1, "t:");
@@ -178,7 +178,7 @@ TEST(Tm33Read, TheDialectOfPrograms) {
     EXPECT_EQ(emitter.spectra[0].power, (std::vector<double>{1, 2, 3}));
     EXPECT_TRUE(equal(file_of(read(write_tm33(file))), file)) << write_tm33(file);
 
-    // Other metrics are not light for the eye.
+    // Other metrics do not measure visible light.
     std::string radiant = text;
     radiant.replace(radiant.find("Luminous<"), 8, "Radiant");
     EXPECT_FALSE(file_of(read(radiant)).emitters.at(0).intensity);
@@ -321,7 +321,7 @@ TEST(Tm33Write, WhatIsUnknownSurvives) {
           "<!-- ours -->", "<Own kind=\"a &lt; b\">", "<Deep x=\"1\">text</Deep>", "<RadiantFlux>3</RadiantFlux>",
           "<x:any>1</x:any>", "<IntData h=\"0\" v=\"45\">80.5</IntData>"})
         EXPECT_NE(written.find(kept), std::string::npos) << kept << "\n" << written;
-    // Each at its place: the points behind NumberVert, what followed them behind them.
+    // Each in its place: the points after NumberVert, then the elements that followed the points.
     EXPECT_LT(written.find("<NumberVert>"), written.find("<IntData"));
     EXPECT_LT(written.find("v=\"90\">0<"), written.find("</LuminousIntensity>"));
     EXPECT_LT(written.find("<InputWattage"), written.find("<Own"));
@@ -369,7 +369,7 @@ TEST(Tm33Write, FieldsWin) {
     EXPECT_LT(written.find("<TiltAngles>"), written.find("<ColorTemperature>"));
     EXPECT_LT(written.find("<ColorTemperature>"), written.find("<LuminousData>"));
     EXPECT_LT(written.find("<Luminaire>"), written.find("<Equipment>"));
-    // And away again.
+    // And removes them again.
     EXPECT_EQ(file_of(read(write_tm33([&] {
                   Tm33File less = again;
                   less.emitters.resize(1);

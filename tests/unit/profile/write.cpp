@@ -1,4 +1,4 @@
-// Writing: the layout that loaders agree on, and nothing lost.
+// Writing: a layout that all loaders read, and nothing lost.
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
@@ -63,7 +63,7 @@ TEST(ProfileWrite, IesKeepsEveryField) {
     const Result<Profile> read = read_profile(write_ies(file), "lamp");
     ASSERT_TRUE(read) << said(read);
     EXPECT_TRUE(equal(file, std::get<IesFile>(read->file)));
-    // The comparison sees a difference where there is one.
+    // The comparison detects a difference.
     IesFile other = file;
     other.keywords[1].text += "x";
     EXPECT_FALSE(equal(other, std::get<IesFile>(read->file)));
@@ -90,7 +90,7 @@ TEST(ProfileWrite, IesLayout) {
                                "0.000000000001 100000 1e+20\r\n0.1 0.6666666666666666 12345.678\r\n");
 }
 
-// Some readers of LM-63 stop before an exponent, and take 4e-05 for 4.
+// Some readers of LM-63 stop before an exponent, and read 4e-05 as 4.
 TEST(ProfileWrite, SmallNumbersHaveNoExponentAndReadBackTheSame) {
     std::vector<double> small{1e-4, 9.9e-5, 1e-5, 1e-7, 3.3333333333333333e-6, 4.0114128e-11, 1e-30};
     std::mt19937 random(1);
@@ -170,7 +170,7 @@ TEST(ProfileWrite, LongListsAreBrokenWhereTheVersionAsks) {
     }
 }
 
-// A label that begins with the bytes of a byte order mark must not become one.
+// A label that starts with the bytes of a byte order mark must not be written as one.
 TEST(ProfileWrite, ALabelIsNoByteOrderMark) {
     const std::string text = " \xEF\xBB\xBFlabel\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 0\n";
     const Result<Profile> read = read_profile(text, "lamp");

@@ -1,5 +1,5 @@
-// What two caps have in common, against the integral over the smaller one in rings, in long double: from half angles
-// that the digits of 1 − cos are lost on to whole hemispheres, beside larger ones and in lenses a billionth wide.
+// The overlap of two caps, against the integral over the smaller one in rings, in long double: half angles from so
+// small that 1 − cos loses its digits up to whole hemispheres, next to larger caps, and lenses a billionth wide.
 #include <gonio/scene/occlusion.hpp>
 
 #include <glm/vec3.hpp>
@@ -29,7 +29,7 @@ private:
     std::uint64_t state_ = 1;
 };
 
-// ∫₀ʷ f(x, w − x) dx by the double exponential rule: f may be singular in its slope at either end.
+// ∫₀ʷ f(x, w − x) dx by the double exponential rule: the slope of f may be singular at either end.
 template<class Integrand>
 Real integral(Real w, const Integrand& f) {
     constexpr Real step = 1.0L / 64.0L;
@@ -52,7 +52,7 @@ struct Truth {
 // a ≤ b, and their outlines cross.
 Truth truth(Real a, Real b, Real d) {
     const Real left = b - d;
-    const Real from = std::fabs(left); // inside of it a ring is whole (d < b), or none of it is in b
+    const Real from = std::fabs(left); // inside this angle a ring is entirely in b (d < b), or entirely outside
     Truth sum{};
     if (left > 0.0L) {
         const Real half = std::sin(0.5L * left);
@@ -61,7 +61,7 @@ Truth truth(Real a, Real b, Real d) {
     }
     const auto ring = [&](Real x, int what) {
         const Real theta = from + x;
-        // Half angles of the ring within b by their halves: squared sine and cosine but for a common factor.
+        // Half angles of the part of the ring in b, by their halves: squared sine and cosine up to a common factor.
         const Real sine2 = std::sin(0.5L * (b + d - theta)) * std::sin(0.5L * (left > 0.0L ? 2.0L * from + x : x));
         const Real cosine2 = std::sin(0.5L * (b + d + theta)) * std::sin(0.5L * (left > 0.0L ? x : 2.0L * from + x));
         const Real half = 2.0L * std::atan2(std::sqrt(std::max(sine2, 0.0L)), std::sqrt(std::max(cosine2, 0.0L)));
@@ -76,7 +76,7 @@ Truth truth(Real a, Real b, Real d) {
     return sum;
 }
 
-// Half angles and a distance at which the outlines cross, by 0 (tangent from outside) to 1 (from inside).
+// Half angles and a distance at which the outlines cross; 0 is tangent from outside, 1 from inside.
 struct Pose {
     double a, b, d;
 };
@@ -97,7 +97,8 @@ TEST(CapOverlap, HasItsDigitsHoweverSmallOrNarrow) {
         const double found = cap_overlap(a, b, d);
         EXPECT_EQ(cap_overlap(b, a, d), found);
         const Real expected = truth(a, b, d).area;
-        // Two caps near hemispheres are summed from angles: a few last digits of π, whatever is left.
+        // The overlap of two caps near hemispheres is summed from angles: a few last digits of π, however small the
+        // result.
         const Real tolerance = 3e-14L * expected + (a > 1.4 ? 4e-15L : 0.0L);
         EXPECT_NEAR(static_cast<double>(found - expected), 0.0, static_cast<double>(tolerance))
             << a << ' ' << b << ' ' << d << ": " << found;
@@ -112,15 +113,15 @@ TEST(CapOverlap, HasItsDigitsWithTheCosine) {
         const auto [a, b, apart] = pose(numbers, 1e-7, 1e-3);
         const glm::dvec3 axis_a(0.0, 0.0, 1.0);
         const glm::dvec3 axis_b(std::sin(apart), 0.0, std::cos(apart));
-        const Real d = std::atan2(Real(axis_b.x), Real(axis_b.z)); // of the vectors as they are
+        const Real d = std::atan2(Real(axis_b.x), Real(axis_b.z)); // of the rounded vectors
         if (!(d < Real(a) + b && d > Real(b) - a)) continue;
         const double tilt = numbers.between(0.0, 1.2);
         const double turn = numbers.between(0.0, 2.0 * std::numbers::pi);
         const glm::dvec3 normal(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
         const Truth integrals = truth(a, b, d);
         const Real expected = integrals.along * normal.z + integrals.across * normal.x;
-        // The angle between the axes has the last digit of a number near 1, to which the lens's width is relative; what
-        // falls on either axis may have either sign.
+        // The angle between the axes has an error in the last digit of a number near 1, relative to the lens's width;
+        // terms that fall on either axis may have either sign.
         const Real width = std::min(Real(a) + b - d, 2.0L * a);
         const Real tolerance = integrals.area * (3e-14L + 2e-15L * (d / width)) + (a > 1.4 ? 4e-15L : 0.0L);
         for (const double found :
@@ -130,7 +131,7 @@ TEST(CapOverlap, HasItsDigitsWithTheCosine) {
     }
 }
 
-// Where one cap is in the other, or touches it.
+// One cap inside the other, or touching it.
 TEST(CapOverlap, HasItsLimits) {
     for (const double a : {1e-9, 1e-4, 0.3, 1.45}) {
         const double whole = 4.0 * std::numbers::pi * std::sin(0.5 * a) * std::sin(0.5 * a);

@@ -41,7 +41,7 @@ TEST(Emitter, RectanglesKeepTheirSidesApart) {
     EXPECT_FALSE(from(rect, {5, 0, 0}, {2, 0.0, 0.51}));
 }
 
-// A capsule is all points nearer than r to a segment: march along the ray until that is so.
+// A capsule is all points closer than r to a segment: march along the ray until that holds.
 TEST(Emitter, TubesAreMetWhereMarchingMeetsThem) {
     const Light tube = sideways("tube:r=20cm,l=1m");
     const glm::dvec3 half = 0.5 * tube.frame.x;

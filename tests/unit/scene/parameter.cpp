@@ -38,7 +38,7 @@ std::vector<double> numbers(const Shape& shape) {
     return found;
 }
 
-// A light that has been given a value is one that was written with it.
+// A light with a value set equals a light that was written with it.
 TEST(Parameter, OfAShapeIsThatOfItsGrammar) {
     struct Case {
         const char* before;
@@ -80,7 +80,8 @@ TEST(Parameter, BeamIsTheAngleAtHalfOfThePeak) {
             ASSERT_TRUE(set_parameter(light, "beam", shortest(beam_deg) + "deg", unheard).value());
             const auto& spot = std::get<SpotShape>(light.shape);
             EXPECT_NEAR(spot.inner / spot.outer, before.inner / before.outer, 1e-15);
-            // Searched in double: the lobe is half there to its slope's rounding; `hard` jumps there.
+            // Computed in double: at this angle the lobe is one half, up to rounding times its slope; `hard` jumps
+            // there.
             constexpr double hair = 1e-9;
             const Radians edge(0.5 * beam_deg * std::numbers::pi / 180.0);
             EXPECT_GE(lobe(spot, edge * (1.0 - hair)), 0.5);
@@ -175,7 +176,7 @@ TEST(Parameter, IsLackedOrRefused) {
         EXPECT_FALSE(set_parameter(material, "roughness", value).has_value()) << value;
 }
 
-// Each material has its keys by a name that is listed, and what is listed says who has it.
+// Each material's keys are in the list by their names, and the list names the materials that have them.
 TEST(Parameter, OfEveryKeyIsListed) {
     for_each_material([]<class M>() {
         const std::vector<std::string_view> names = parameters_of(Material(M()));
@@ -201,14 +202,14 @@ TEST(Parameter, OfEveryKeyIsListed) {
     }
 }
 
-// A value of a parameter is one value: no second key goes in with it.
+// A parameter takes one value: a second key is refused.
 TEST(Parameter, IsOneValue) {
     Material material = parse_material("ue4:roughness=0.2").value();
     EXPECT_FALSE(set_parameter(material, "roughness", "0.3,base=1").has_value());
     EXPECT_EQ(std::get<Ue4Material>(material).roughness, 0.2);
 }
 
-// Nothing is listed that no light or material has, and each light's list is what can be set.
+// Everything in the list belongs to some light or material, and each light's list contains what can be set.
 TEST(Parameter, ListsAreWhatThereIs) {
     std::set<std::string_view> met;
     for (const char* shape :

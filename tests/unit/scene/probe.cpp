@@ -23,7 +23,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Shines straight down from `position` unless `direction` says otherwise.
+// Shines straight down from `position` unless `direction` is given.
 Light make(std::string_view shape, std::string_view intensity, glm::dvec3 position,
            glm::dvec3 direction = {0.0, 0.0, -1.0}) {
     LightDescription description;
@@ -46,7 +46,7 @@ double lux(const Light& light, const Receiver& receiver, IrradianceMethod method
     return probe_one(light, receiver, method).illuminance_lx.at(0);
 }
 
-// ∫ L ⟨n·ω⟩⟨m·−ω⟩ / d² dA over a plane emitter by the midpoint rule: knows nothing of outlines.
+// ∫ L ⟨n·ω⟩⟨m·−ω⟩ / d² dA over a plane emitter by the midpoint rule: uses no outline.
 double by_area(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& axis, bool disk,
                const Receiver& receiver) {
     constexpr int steps = 1500;
@@ -55,7 +55,7 @@ double by_area(const glm::dvec3& center, const glm::dvec3& x, const glm::dvec3& 
         for (int i = 0; i < steps; ++i) {
             const double u = (i + 0.5) / steps * 2.0 - 1.0;
             const double v = (j + 0.5) / steps * 2.0 - 1.0;
-            // Of a disk: equal areas in radius² and azimuth.
+            // For a disk: equal areas in radius² and azimuth.
             const double radius = std::sqrt((u + 1.0) / 2.0);
             const glm::dvec3 offset =
                 disk ? x * (radius * std::cos(pi * v)) + y * (radius * std::sin(pi * v)) : x * u + y * v;
@@ -108,7 +108,7 @@ TEST(Probe, SunIsACapThatNoPositionChanges) {
     const double sigma = degrees(0.265).value;
     const double nt = 1e5 / (pi * std::sin(sigma) * std::sin(sigma));
     EXPECT_NEAR(lux(sun, {{0, 0, 0}, {0, 0.8, 0.6}}) / (nt * (sigma - std::sin(sigma) * std::cos(sigma))), 1.0, 1e-7);
-    // The widest sun is a hemisphere of sky: π L (1 + cosθ)/2, and never more.
+    // The widest sun is a hemisphere: π L (1 + cosθ)/2, and never more.
     const Light sky = make("sun:angle=180deg", "1000nt", {0, 0, 0});
     for (const double deg : {0.0, 30.0, 90.0, 120.0, 180.0})
         EXPECT_NEAR(lux(sky, {{0, 0, 0}, {std::sin(degrees(deg).value), 0.0, std::cos(degrees(deg).value)}}),
@@ -132,8 +132,8 @@ TEST(Probe, PlaneEmittersAgreeWithTheSumOverTheirArea) {
     }
 }
 
-// Poses of every area shape to 17 digits, each placed as a light: sees to it that widths and axes run where they
-// should.
+// Poses of every area shape to 17 digits, each placed as a light: checks that widths and axes have the right
+// directions.
 TEST(Probe, AgreesWithTheReference) {
     int poses = 0;
     for (const auto& [kind, v] : test::irradiance_rows()) {
@@ -144,7 +144,7 @@ TEST(Probe, AgreesWithTheReference) {
         if (kind == "sphere") {
             light.shape = SphereShape{Meters(v[9])};
         } else if (kind == "tube") {
-            // The axis is X = Y×Z: any Z across it will do.
+            // The axis is X = Y×Z: any Z perpendicular to it will do.
             const glm::dvec3 y = glm::cross(axis, std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
             light.shape = TubeShape{Meters(v[9]), Meters(v[10])};
             light.direction = -glm::cross(axis, y);
@@ -187,7 +187,8 @@ TEST(Probe, EveryShapeIsAPointFromAfar) {
         EXPECT_GT(exact, 0.0) << shape;
         for (const IrradianceMethod method :
              {IrradianceMethod::frostbite, IrradianceMethod::ue4, IrradianceMethod::point}) {
-            // The line of ue4 knows no direction, and that of Frostbite overlaps its sphere: near enough is not meant.
+            // The line of ue4 ignores direction, and that of Frostbite overlaps its sphere: the tolerance is wide for
+            // both.
             const double tolerance =
                 std::string_view(shape).starts_with("tube") && method != IrradianceMethod::point ? 0.5 : 1e-3;
             EXPECT_NEAR(lux(light, receiver, method) / exact, 1.0, tolerance) << shape << " " << to_text(method);
@@ -267,8 +268,8 @@ TEST(Probe, FrostbiteLuminanceIsItsBrdfTimesLux) {
     EXPECT_EQ(probe({&light, 1}, {&receiver, 1}, options).error().failure, Failure::unsupported);
 }
 
-// The named methods on every area light: without a lobe they are the exact diffuse part, a light that is small against
-// the lobe shows what the exact integral does, and a range takes from them what it takes from the exact one.
+// The named methods on every area light: without a lobe they give the exact diffuse part; for a light that is small
+// against the lobe they agree with the exact integral; and a range reduces them as it reduces the exact result.
 TEST(Probe, NamedMethodsAgreeWhereTheyMust) {
     const Receiver receiver{{0, 0, 0}, {0, 0, 1}};
     const auto seen = [&](const Light& light, std::string_view material, IrradianceMethod method) {
@@ -292,12 +293,12 @@ TEST(Probe, NamedMethodsAgreeWhereTheyMust) {
                 const ProbeLuminance named = seen(light, matte, method);
                 const ProbeLuminance exact = seen(light, matte, IrradianceMethod::exact);
                 EXPECT_EQ(named.specular.value, 0.0) << because();
-                // Of a rough surface the BRDF towards the centre stands for all of the light: a seventh of a degree.
+                // For a rough surface the BRDF towards the centre represents the whole light: a seventh of a degree.
                 EXPECT_NEAR(named.diffuse.value / exact.diffuse.value, 1.0, matte[0] == 'l' ? 1e-5 : 2e-3) << because();
             }
             const ProbeLuminance named = seen(light, "ggx:alpha=0.4", method);
             const ProbeLuminance exact = seen(light, "ggx:alpha=0.4", IrradianceMethod::exact);
-            // ltc is a fit of the lobe; the others widen it by the light's size, 4 % at ten times these sizes.
+            // ltc is a fit of the lobe; the others widen the lobe by the light's size, 4 % at ten times these sizes.
             EXPECT_NEAR(named.specular.value / exact.specular.value, 1.0, method == IrradianceMethod::ltc ? 0.06 : 0.01)
                 << because();
             if (sun) continue;
@@ -338,13 +339,13 @@ TEST(Probe, WhatEndsAtTheCeilingIsTold) {
     const std::string at_once = warnings(0.5, {});
     EXPECT_NE(at_once.find("warning: the light of '"), std::string::npos) << at_once;
     EXPECT_NE(at_once.find("at point 1 is limited to 1e+30 lx or cd/m2"), std::string::npos);
-    // What a surface makes of it too, where the illuminance itself is in range.
+    // The luminance of a surface is limited too, even where the illuminance itself is in range.
     ProbeOptions mirror;
     mirror.view = ProbeView{{0.0, 0.0, 1.0}, *parse_material("ggx:alpha=0.001")};
     EXPECT_NE(warnings(-1.0, mirror).find("is limited to"), std::string::npos);
 }
 
-// Adversarial places and sizes: never NaN, never negative, never above the ceiling.
+// Adversarial positions and sizes: never NaN, never negative, never above the ceiling.
 TEST(Probe, ResultsAreFiniteEverywhere) {
     const std::vector<double> sizes{1e-300, 1e-150, 1e-9, 1e-3, 1.0, 1e3, 1e20, 1e100};
     std::mt19937_64 random(7);
@@ -368,7 +369,7 @@ TEST(Probe, ResultsAreFiniteEverywhere) {
             const Receiver receiver{{pick(), pick(), pick()}, normal};
             for (const IrradianceMethodName& method : irradiance_methods()) {
                 if (method.method == IrradianceMethod::reference && i % 40 != 0)
-                    continue; // it takes a thousand times as long
+                    continue; // takes a thousand times as long
                 const double lx = lux(light, receiver, method.method);
                 EXPECT_TRUE(lx >= 0.0 && lx <= 1e30) << shape << " " << method.name << " " << lx;
             }
@@ -397,7 +398,7 @@ TEST(Probe, ParallelSumsDoNotDependOnThreads) {
         EXPECT_EQ(many.illuminance_lx, one.illuminance_lx);
         EXPECT_EQ(many.parts_lx, one.parts_lx);
     }
-    // The sum is that of its parts.
+    // The sum equals the sum of the parts.
     for (std::size_t r = 0; r < receivers.size(); ++r) {
         long double sum = 0.0L;
         for (std::size_t l = 0; l < lights.size(); ++l)

@@ -1,5 +1,5 @@
 // The reference integrator against stored values of another program, quadrature over the light's surface, closed forms,
-// and itself converged farther.
+// and its own result at higher convergence.
 #include <gonio/scene/detail/polar_cubature.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/reference.hpp>
@@ -25,7 +25,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const glm::dvec3 origin{0.0};
 
-// GGX of α with a reflectance of 1.
+// GGX with roughness α and a reflectance of 1.
 Material mirror(double alpha) {
     FrostbiteMaterial material;
     material.base = glm::dvec3(1.0);
@@ -90,8 +90,8 @@ TEST(Reference, StoredSpeculars) {
     double worst = 0.0;
     for (const Row& row : rows) {
         const double value = specular(row, 1e-8);
-        // One row, a short capsule of which its nearer sphere is all that is seen, is stored 1.1e-4 too low: what that
-        // sphere gives, and rays counted over the sky (0.852436(1)), say so.
+        // One row, a short capsule of which only the nearer sphere is visible, is stored 1.1e-4 too low: both the value
+        // for that sphere and rays counted over the sky (0.852436(1)) confirm it.
         if (row.kind == "tube" && std::abs(row.luminance - 0.85234028) < 1e-12) {
             const double along = -glm::dot(row.center, row.axis);
             Row nearer = row;
@@ -107,8 +107,8 @@ TEST(Reference, StoredSpeculars) {
         worst = std::max(worst, relative);
     }
     RecordProperty("worst_relative", std::to_string(worst));
-    // Two more are off by 1.1e-5 and 1.9e-5 of their value; of one, and of three others that the file has off by more
-    // than 1e-6, AgreesWithTheSurface has the surface's integral.
+    // Two more rows are off by 1.1e-5 and 1.9e-5 of their value. For one of them, and for three others in the file that
+    // are off by more than 1e-6, AgreesWithTheSurface checks the surface integral.
     EXPECT_LE(off, 2U);
     EXPECT_LT(worst, 2e-5);
 }
@@ -132,8 +132,8 @@ double gauss(double low, double high, int pieces, F&& f) {
     return sum * half;
 }
 
-// Over the surface of a disk or rectangle, each strip clipped by the receiver's plane: no polar coordinates, no
-// outline.
+// Over the surface of a disk or rectangle, with each strip clipped by the receiver's plane: uses no polar coordinates
+// and no outline.
 double over_surface(const Row& row) {
     using shading::vec3;
     const bool rect = row.kind == "rect";
@@ -165,7 +165,7 @@ TEST(Reference, AgreesWithTheSurface) {
     for (const Row& row : stored_rows()) {
         if (row.kind != "disk" && row.kind != "rect") continue;
         const double value = specular(row, 1e-9);
-        // Every fortieth row, and those whose stored value is farther off than it says.
+        // Every fortieth row, and rows with a stored value further off than its stated error.
         if (compared++ % 40 != 0 && std::abs(value - row.luminance) < 1e-6 * row.luminance) continue;
         const double truth = over_surface(row);
         EXPECT_NEAR(value, truth, 2e-7 * truth) << row.kind << ' ' << row.luminance;
@@ -173,7 +173,7 @@ TEST(Reference, AgreesWithTheSurface) {
     EXPECT_GT(compared, 0U);
 }
 
-// The closed forms of the irradiance, where outlines are above, straddle and touch the horizon.
+// The closed forms of the irradiance, for outlines that are above, straddle or touch the horizon.
 TEST(Reference, IlluminanceIsTheClosedForm) {
     ProbeOptions exact;
     for (unsigned i = 0; i < 600; ++i) {
@@ -182,12 +182,12 @@ TEST(Reference, IlluminanceIsTheClosedForm) {
         const double closed = probe({&c.light, 1}, {&receiver, 1}, exact).value().illuminance_lx.at(0);
         const ReferenceValue e = reference_illuminance(c.light, origin, c.normal, {1e-9, 4'000'000});
         EXPECT_TRUE(e.converged);
-        // Slivers of light that all but graze the horizon are as ill-conditioned for both.
+        // Slivers of light that almost graze the horizon are ill-conditioned for both.
         EXPECT_NEAR(e.value, closed, 2e-9 * closed + 1e-14) << i << ' ' << kind_of(c.light.shape);
     }
 }
 
-// |value − value converged far more| ≤ estimate. All 1000 cases by tests/bench/reference_honesty.cpp.
+// |value − value at much higher convergence| ≤ estimate. tests/bench/reference_honesty.cpp checks all 1000 cases.
 TEST(Reference, EstimateHolds) {
     std::size_t asked = 0;
     std::size_t broken = 0;
@@ -225,7 +225,7 @@ Light placed(const Shape& shape, const glm::dvec3& position, const glm::dvec3& d
 
 const glm::dvec3 up{0.0, 0.0, 1.0};
 
-// A mirror that is all but perfect shows the light's luminance where the light is, and nothing beside it.
+// An almost perfect mirror shows the light's luminance where the light is, and nothing beside it.
 TEST(Reference, NarrowLobesShowTheLight) {
     const glm::dvec3 view = glm::normalize(glm::dvec3(-1.0, 0.0, 1.0));
     const Material surface = mirror(1e-4);
@@ -243,7 +243,7 @@ TEST(Reference, NarrowLobesShowTheLight) {
     }
 }
 
-// Inside a light, and on the face of one, the whole hemisphere shines: the directional albedo.
+// Inside a light, and on its face, the whole hemisphere emits: the result is the directional albedo.
 TEST(Reference, InsideAndTouching) {
     for (const double alpha : {0.1, 0.25, 0.5, 1.0}) {
         const Material surface = mirror(alpha);
@@ -255,11 +255,11 @@ TEST(Reference, InsideAndTouching) {
         EXPECT_NEAR(value(placed(DiskShape{Meters(1.0)}, {0.2, 0.1, 0.0})), inside, 1e-8);
         EXPECT_NEAR(value(placed(RectShape{Meters(1.0), Meters(1.0)}, {0.2, 0.1, 0.0})), inside, 1e-8);
         EXPECT_NEAR(value(placed(SphereShape{Meters(1.0)}, {0.0, 0.0, 1.0})), inside, 1e-8);
-        // Published to three digits; that of α = 0.1 is .988.
+        // Published to three digits; for α = 0.1 it is .988.
         const double known = alpha == 0.1 ? 0.988 : alpha == 0.25 ? 0.916 : alpha == 0.5 ? 0.688 : 0.307;
         EXPECT_NEAR(inside, known, 6e-4) << alpha;
     }
-    // In the plane of a face, beside it: nothing.
+    // In the plane of a face, beside it: zero.
     EXPECT_EQ(reference_luminance(placed(DiskShape{Meters(1.0)}, {2.0, 0.0, 0.0}), origin, up, up, mirror(0.5))
                   .specular.value,
               0.0);
@@ -306,7 +306,7 @@ TEST(Reference, ParallelProbesAreTheSameBits) {
     }
 }
 
-// Behind a mask: a web over its peak, in the light's frame.
+// For a mask: a web relative to its peak, in the light's frame.
 std::shared_ptr<const Web> web_of(const std::vector<double>& planes, const std::vector<double>& gammas,
                                   const std::vector<double>& candela) {
     return std::make_shared<const Web>(
@@ -336,7 +336,8 @@ TEST(Reference, AConstantMaskChangesNothing) {
     }
 }
 
-// Over the area of a rectangle, each point's luminance by the mask towards the receiver: midpoints, no solid angle.
+// Over the area of a rectangle, each point's luminance scaled by the mask towards the receiver: midpoints, no solid
+// angle.
 TEST(Reference, AMaskModulatesEveryPoint) {
     const auto mask =
         web_of({0.0, 90.0, 200.0, 300.0, 360.0}, {0.0, 20.0, 70.0, 90.0},
@@ -359,7 +360,7 @@ TEST(Reference, AMaskModulatesEveryPoint) {
     const ReferenceValue e = reference_illuminance(light, origin, n, {1e-6, 4'000'000});
     EXPECT_TRUE(e.converged);
     EXPECT_NEAR(e.value, sum, 3e-6 * sum);
-    // `exact` has no closed form for it and integrates too; the others take the mask from the centre.
+    // `exact` has no closed form here and integrates too; the other methods take the mask from the centre.
     const Receiver receiver{origin, n};
     ProbeOptions options;
     EXPECT_NEAR(probe({&light, 1}, {&receiver, 1}, options).value().illuminance_lx[0], sum, 4e-6 * sum);
@@ -367,7 +368,7 @@ TEST(Reference, AMaskModulatesEveryPoint) {
     EXPECT_NEAR(probe({&light, 1}, {&receiver, 1}, options).value().illuminance_lx[0], sum, 0.2 * sum);
 }
 
-// From far a masked light is the point of its intensity.
+// From far away a masked light is a point with its intensity.
 TEST(Reference, AMaskedLightIsItsIntensityFromFar) {
     const auto mask = web_of({0.0}, {0.0, 40.0, 120.0, 180.0}, {4.0, 10.0, 2.0, 0.0});
     for (const Shape& shape :

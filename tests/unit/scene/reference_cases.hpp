@@ -1,4 +1,4 @@
-// Seeded poses of an area light, a receiver and an eye, in which the reference integrator is held to its own estimate.
+// Seeded poses of an area light, a receiver and an eye, for checking the reference integrator against its own estimate.
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -46,8 +46,8 @@ inline Shape area_shape(unsigned kind, double size, measure::Random& random) {
     }
 }
 
-// Number `index` of a series. Kinds of shapes in turn; distances of 0.03 to 300 sizes, a third of them where the light
-// fills much of the sky; alpha from 1e-4 to 1; half of the lobes point to the light; views from grazing to along n.
+// Number `index` of a series. Shapes in turn; distances of 0.03 to 300 sizes, a third of them with a light that fills
+// much of the sky; alpha from 1e-4 to 1; half of the lobes point to the light; views from grazing to along n.
 inline ReferenceCase reference_case(unsigned index, std::uint64_t seed = 1) {
     measure::Random random(seed * 1'000'003 + index);
     ReferenceCase made;
@@ -71,7 +71,7 @@ inline ReferenceCase reference_case(unsigned index, std::uint64_t seed = 1) {
     light.frame = aimed_frame(random_direction(random) * distance, random_direction(random), random_direction(random));
     made.normal = random_direction(random);
     const glm::dvec3 to_light = glm::normalize(light.frame.origin);
-    // Half of the lights straddle the horizon or are near it.
+    // Half of the lights straddle the horizon or are close to it.
     if (random.uniform() < 0.5)
         made.normal = glm::normalize(made.normal - to_light * glm::dot(made.normal, to_light) * random.uniform());
     const double cosine = std::max(random.uniform() < 0.5 ? random.uniform() : log_uniform(random, 1e-4, 1.0), 1e-4);

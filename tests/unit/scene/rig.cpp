@@ -34,7 +34,7 @@ std::string with_lights(const std::string& lights) {
     return R"({"schema":"gonio.rig/1","lights":[)" + lights + "]}";
 }
 
-// The one diagnostic of a rig that cannot be read, its lights resolved too.
+// The only diagnostic of a rig that cannot be read or resolved.
 std::string refusal(const std::string& text, Failure failure = Failure::malformed) {
     Result<Rig> rig = read(text);
     Error error;
@@ -199,7 +199,7 @@ TEST(Rig, ReadsAStageOfItsOwn) {
     EXPECT_EQ(leg.half_length, 0.3);
     EXPECT_FALSE(stage.surfaces[1].subject);
     EXPECT_TRUE(stage.surfaces[2].subject);
-    // Its camera sees what it is there to show.
+    // The camera sees the subjects of the stage.
     EXPECT_TRUE(check_camera(stage, stage.camera));
     const auto hit = first_hit(stage, CameraRays(stage.camera, 64, 64).ray(32, 32));
     ASSERT_TRUE(hit);
@@ -263,7 +263,7 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
               "rig.json:1:8249: error[RIG0108]: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
 }
 
-// Else a code would be explained that nobody is told.
+// Otherwise a code could be documented but never reported.
 TEST(Rig, EveryCodeHasTheSmallestRigThatBreaksIt) {
     const std::map<std::string_view, std::string> broken{
         {"RIG0101", "[]"},
@@ -298,12 +298,12 @@ TEST(Rig, FilesAreNamedWithTheirPath) {
         light_refusal(R"({"shape":"spot:outer=20deg,mask=missing.ies","intensity":"1cd"})", Failure::io),
         fmt::format("rig.json: error[FIL0102]: lights[0].shape: {}/missing.ies: cannot read: No such file or directory",
                     profiles));
-    // A text that is not a profile, as a rig that names itself is.
+    // A text that is not a profile, such as a rig that names itself.
     EXPECT_EQ(light_refusal(R"({"shape":"ies:README.md"})").substr(0, 46),
               "rig.json: error[PRF0103]: lights[0].shape: " + profiles.substr(0, 3));
 }
 
-// A folder with a rig's files, and beside it what is none of its business.
+// A folder with a rig's files, and beside it files that the rig must not read.
 class RigFiles : public testing::Test {
 protected:
     RigFiles() {
@@ -386,7 +386,7 @@ TEST(Rig, ProfilesAreReadOnceAndShared) {
     const std::vector<LightDescription> descriptions = rig.lights;
     Diagnostics diagnostics;
     const std::vector<Light> lights = resolve_lights(std::move(rig), diagnostics).value();
-    // As if each were resolved alone.
+    // As if each light were resolved alone.
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const Light alone = resolve_light(descriptions[i], diagnostics).value();
         EXPECT_EQ(lights[i].name, alone.name);
@@ -432,7 +432,7 @@ TEST(Rig, ParallelResolveOfManyLights) {
     const double lx = probe(resolved, {&receiver, 1}).value().illuminance_lx[0];
     EXPECT_TRUE(std::isfinite(lx) && lx > 0.0);
 
-    // Of several bad lights the first is told, whoever comes upon it first.
+    // Of several bad lights the first is reported, whichever thread finds one first.
     const std::string bad = with_lights(lights + ",{\"shape\":\"point\"},{\"shape\":\"sphere:r=1m\"}");
     EXPECT_EQ(refusal(bad),
               "rig.json: error[RIG0104]: lights[100000]: a point light needs an intensity\nhint: for example "

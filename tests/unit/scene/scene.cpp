@@ -21,7 +21,7 @@ TEST(Camera, LooksAtItsTarget) {
     const glm::dvec3 got = rays.ray(320, 240).direction;
     for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(got[i], expected[i], 1e-14);
-    // The top and bottom edges are the field of view apart.
+    // The angle between the top and bottom edges is the field of view.
     const double angle = std::acos(glm::dot(rays.ray(320, 0).direction, rays.ray(320, 480).direction));
     EXPECT_NEAR(angle * 180.0 / std::numbers::pi, 40.0, 1e-10);
     EXPECT_GT(rays.ray(320, 0).direction.z, rays.ray(320, 480).direction.z);
@@ -49,7 +49,7 @@ TEST(Occlusion, CapOverlapHasItsLimits) {
     const double quarter = std::numbers::pi / 2;
     EXPECT_EQ(cap_overlap(0.2, 0.3, 0.6), 0.0);
     EXPECT_NEAR(cap_overlap(0.2, 0.3, 0.05), 2.0 * std::numbers::pi * (1.0 - std::cos(0.2)), 1e-15);
-    // Two hemispheres whose axes are d apart share a lune of angle π − d.
+    // Two hemispheres with axes d apart share a lune of angle π − d.
     EXPECT_NEAR(cap_overlap(quarter, quarter, 0.7), 2.0 * (std::numbers::pi - 0.7), 1e-14);
 }
 
@@ -58,7 +58,7 @@ TEST(Occlusion, CapOverlapAgreesWithCounting) {
         double a, b, d;
     };
     for (const Case c : {Case{0.5, 0.7, 0.6}, Case{1.2, 0.4, 1.3}, Case{0.9, 0.9, 0.3}, Case{0.02, 0.03, 0.04}}) {
-        // Directions of the first cap, evenly in solid angle; how many lie in the second.
+        // Directions of the first cap, uniform in solid angle; counts how many are in the second.
         const int rings = 2000;
         const int around = 2000;
         long inside = 0;
@@ -84,9 +84,9 @@ TEST(Occlusion, ABallCastsAShadow) {
     stage.surfaces.push_back({"ball", Ball{{0, 0, 1}, 0.25}, LambertMaterial{}});
     EXPECT_EQ(visible_share(stage, 0, {0, 0, 0}, {0, 0, 3}, 0.0), 0.0);
     EXPECT_EQ(visible_share(stage, 0, {2, 0, 0}, {0, 0, 3}, 0.0), 1.0);
-    EXPECT_EQ(visible_share(stage, 0, {0, 0, 0}, {0, 0, 0.5}, 0.0), 1.0);  // the light is before the ball
-    EXPECT_EQ(visible_share(stage, 1, {0, 0, 1.25}, {0, 0, 3}, 0.0), 1.0); // not on itself
-    // Behind the centre of a light twice as wide as the ball, the ball covers its own solid angle.
+    EXPECT_EQ(visible_share(stage, 0, {0, 0, 0}, {0, 0, 0.5}, 0.0), 1.0);  // the light is in front of the sphere
+    EXPECT_EQ(visible_share(stage, 1, {0, 0, 1.25}, {0, 0, 3}, 0.0), 1.0); // no shadow on itself
+    // Behind it is the centre of a light twice as wide as the sphere; the sphere covers its own solid angle.
     const double light = std::asin(1.0 / 3.0);
     const double ball = std::asin(0.25);
     const double share = std::pow(std::sin(0.5 * ball) / std::sin(0.5 * light), 2);
@@ -124,7 +124,7 @@ TEST(Material, GrammarAndItsErrors) {
               "alpha of 'ggx' must lie in [0, 1], not 1.5");
 }
 
-// What `gonio list materials` prints is what is parsed, and its values are the defaults.
+// The grammar that `gonio list materials` prints is the one that is parsed, and its values are the defaults.
 TEST(Material, GrammarIsThatOfTheList) {
     for (const MaterialKind& kind : material_kinds()) {
         const auto written = parse_material(kind.grammar);
@@ -138,7 +138,7 @@ TEST(Material, GrammarIsThatOfTheList) {
         };
         EXPECT_GT(value(*bare), 0.0) << kind.kind;
         EXPECT_EQ(value(*written), value(*bare)) << kind.kind;
-        // As completion leaves it.
+        // The text that completion leaves.
         const auto begun = parse_material(std::string(kind.kind) + ":");
         ASSERT_TRUE(begun) << kind.kind;
         EXPECT_EQ(value(*begun), value(*bare)) << kind.kind;

@@ -1,4 +1,4 @@
-// Primitives against marching along the ray, their shadows against counted rays, and the stages by name.
+// Primitives against marching along the ray, their shadows against counted rays, and the named stages.
 #include <gonio/measure/random.hpp>
 #include <gonio/preview/ticks.hpp>
 #include <gonio/scene/figure.hpp>
@@ -97,7 +97,7 @@ TEST(Primitives, RaysMeetThemWhereMarchingDoes) {
             const Vec origin = within(random, 4.0);
             const Ray ray{origin, glm::normalize(within(random, 2.0) - origin)};
             const auto t = ray_distance(primitive, ray);
-            // A step as long as the distance never passes the surface. From inside there is nothing to meet.
+            // A step as long as the distance never goes past the surface. From inside nothing is hit.
             const bool is_sheet = kind < 2;
             double marched = 0.0;
             double least = signed_distance(primitive, ray.origin);
@@ -117,12 +117,12 @@ TEST(Primitives, RaysMeetThemWhereMarchingDoes) {
                 EXPECT_TRUE(!t || *t > 49.0) << kind;
                 continue;
             }
-            // Rays that graze are either.
+            // Rays that graze may hit or miss.
             if (least > 1e-11) continue;
             ASSERT_EQ(t.has_value(), !is_sheet || from_lit_side) << kind << ' ' << i;
             if (!t) continue;
             ++met;
-            EXPECT_NEAR(*t, marched, 1e-7) << kind; // marching stops 1e-11 before a surface that may slant by 1e-4
+            EXPECT_NEAR(*t, marched, 1e-7) << kind; // marching stops 1e-11 before a surface that may be tilted by 1e-4
             const Vec on = ray.origin + *t * ray.direction;
             EXPECT_NEAR(signed_distance(primitive, on), 0.0, 1e-13);
             const Vec normal = normal_at(primitive, on);
@@ -135,7 +135,7 @@ TEST(Primitives, RaysMeetThemWhereMarchingDoes) {
 }
 
 TEST(Primitives, FarAndThinBodiesKeepTheirOutline) {
-    // A ball, a capsule and a box of 1 mm, 1 km away: 1e-6 of the distance.
+    // A sphere, a capsule and a box of 1 mm, 1 km away: 1e-6 of the distance.
     const Vec far(600.0, 0.0, 800.0);
     const Vec towards = far / 1000.0;
     const Vec side(0.0, 1.0, 0.0);
@@ -155,7 +155,7 @@ TEST(Primitives, FarAndThinBodiesKeepTheirOutline) {
 
 TEST(Primitives, RaysAlongAFaceOrAnAxis) {
     const Box box{{}, Vec(1.0, 2.0, 3.0)};
-    EXPECT_FALSE(distance_to(box, {{1.0, -5.0, 0.0}, {0.0, 1.0, 0.0}})); // in a face
+    EXPECT_FALSE(distance_to(box, {{1.0, -5.0, 0.0}, {0.0, 1.0, 0.0}})); // in the plane of a face
     EXPECT_EQ(distance_to(box, {{0.999, -5.0, 0.0}, {0.0, 1.0, 0.0}}), 3.0);
     EXPECT_FALSE(distance_to(box, {{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}})); // from inside
     EXPECT_FALSE(distance_to(box, {{0.0, 5.0, 0.0}, {0.0, 1.0, 0.0}})); // behind
@@ -176,7 +176,7 @@ TEST(Primitives, RaysAlongAFaceOrAnAxis) {
     }
 }
 
-// Rays from a receiver, evenly over the solid angle of a light's cap.
+// Rays from a receiver, uniform over the solid angle of a light's cap.
 double counted_share(const Primitive& primitive, const Vec& point, const Vec& light, double angle) {
     const Frame frame = aimed_frame(point, point - light, {0.3, 0.5, 0.7});
     const int rings = 160;
@@ -212,13 +212,13 @@ TEST(Occlusion, SharesAgreeWithCountedRays) {
             const Vec light(0.0, 0.0, 8.0);
             const double radius = random.uniform(0.5, 5.0);
             const double angle = std::asin(radius / 16.0);
-            // Counted rays see panels from their lit side only; shadows are cast by both.
+            // Counted rays see rectangles from their lit side only; both sides cast shadows.
             if (auto* panel = std::get_if<Panel>(&primitive); panel != nullptr) {
                 if (glm::dot(point - panel->frame.origin, panel->frame.z) < 0.0) continue;
             }
             const double share = visible_share(with(primitive), 0, point, light, radius);
             const double counted = counted_share(primitive, point, light, angle);
-            // 51 200 rays leave about 1e-3; the chords of a capsule's ends leave less.
+            // 51 200 rays have an error of about 1e-3; approximating a capsule's ends by chords adds less.
             ASSERT_NEAR(share, counted, 3e-3) << kind;
             const double of_sun = visible_share_of_sun(with(primitive), 0, point, glm::normalize(light - point), angle);
             ASSERT_NEAR(of_sun, counted, 3e-3) << kind;
@@ -266,7 +266,7 @@ TEST(Occlusion, PolygonsHaveTheirLimits) {
     const std::vector<glm::dvec2> beside{{0.4, -1}, {1, -1}, {1, 1}, {0.4, 1}};
     EXPECT_EQ(polygon_overlap(a, beside), 0.0);
     EXPECT_EQ(polygon_overlap(a, {}), 0.0);
-    // A small cap is a plane's disk: a quarter of it, with all its digits.
+    // A small cap is a plane disk: a quarter of it, with all digits.
     const double small = 1e-7;
     const std::vector<glm::dvec2> quarter{{0, 0}, {1, 0}, {0, 1}};
     EXPECT_NEAR(polygon_overlap(small, quarter), 0.25 * std::numbers::pi * small * small, 1e-13 * small * small);
@@ -280,7 +280,7 @@ TEST(Occlusion, OnlyWhatIsBetweenCovers) {
     back.frame.z = -sheet.frame.z;
     for (const double radius : {0.0, 0.1}) {
         EXPECT_EQ(visible_share(with(sheet), 0, point, light, radius), 0.0);
-        EXPECT_EQ(visible_share(with(back), 0, point, light, radius), 0.0); // sheets cover from both sides
+        EXPECT_EQ(visible_share(with(back), 0, point, light, radius), 0.0); // both sides cast shadows
         EXPECT_EQ(visible_share(with(sheet), 1, point, light, radius), 1.0);
         EXPECT_EQ(visible_share(with(sheet), 0, point, {0.0, 0.0, 0.5}, radius), 1.0);
         EXPECT_EQ(visible_share(with(Plane{{0, 0, 1}, {0, 0, 1}}), 0, point, light, radius), 0.0);
@@ -293,9 +293,10 @@ TEST(Occlusion, OnlyWhatIsBetweenCovers) {
     EXPECT_EQ(visible_share_of_sun(with(sheet), 0, point, {0, 0, 1}, 0.0), 0.0);
     EXPECT_EQ(visible_share_of_sun(with(sheet), 0, point, {0, 0.8, 0.6}, 0.1), 1.0);
     EXPECT_EQ(visible_share_of_sun(with(Plane{{0, 0, 1e6}, {0, 0, -1}}), 0, point, {0, 0, 1}, 0.1), 0.0);
-    // A light half sunk into a wall is half seen along it.
+    // Half of a light that is half sunk into a wall is visible along the wall.
     EXPECT_NEAR(visible_share(with(Plane{{0, 0, 0}, {0, -1, 0}}), 0, {0, -1e-3, 0}, {0, 0, 3}, 0.5), 0.5, 1e-3);
-    // A ball behind whose horizon the light stands: its share grows steadily as the light comes before the limb.
+    // A sphere with the light behind its horizon: the visible share grows steadily as the light comes in front of the
+    // limb.
     double last = 0.0;
     for (double z = 2.0; z > 0.7; z -= 0.01) {
         const double share = visible_share(with(Ball{{0, 0.8, 1.5}, 0.8}), 0, point, {0, 0, z}, 0.05);
@@ -314,10 +315,10 @@ Light hung_on(const Stage& stage, const char* shape) {
     return resolve_light(std::move(description), diagnostics).value();
 }
 
-// Points as far out as the light reaches, in its frame.
+// The outermost points of the light, in its frame.
 std::vector<Vec> outline(const Shape& shape) {
     Vec half(0.0);
-    double round = 0.0; // what is added in every direction
+    double round = 0.0; // added in every direction
     if (const auto* const rect = std::get_if<RectShape>(&shape))
         half = {0.5 * rect->width.value, 0.5 * rect->height.value, 0.0};
     if (const auto* const disk = std::get_if<DiskShape>(&shape)) half = {disk->radius.value, disk->radius.value, 0.0};
@@ -354,7 +355,7 @@ TEST(Stages, HangLightsOfOrdinarySizeClearOfEverything) {
         }
 }
 
-// C0 of all others points at the wall, as that of a profile does.
+// For all other lights C0 points at the wall, as it does for a profile.
 TEST(Stages, TurnOnlyLightsThatWouldReachTheWall) {
     const Stage wall = make_stage("wall").value();
     for (const char* const shape : {"point", "disk:r=40cm", "ellipse:w=90cm,h=30cm", "rect:w=60cm,h=30cm",
@@ -364,7 +365,7 @@ TEST(Stages, TurnOnlyLightsThatWouldReachTheWall) {
         EXPECT_EQ(glm::abs(hung_on(wall, shape).frame.x), Vec(1, 0, 0)) << shape;
 }
 
-// Whether the camera sees a point in a picture of this size, nothing between them.
+// Whether the camera sees a point in a picture of this size, with nothing between them.
 bool in_picture(const Camera& camera, const Vec& point, int width, int height) {
     const CameraRays rays(camera, width, height);
     const Vec a = rays.ray(0, 0).direction;
@@ -390,7 +391,7 @@ TEST(Stages, AreFramedLitAndStandOnTheGround) {
         EXPECT_NEAR(ground->distance, 1e-3, 1e-12);
         for (const auto& [width, height] : {std::pair(512, 512), std::pair(1600, 400), std::pair(300, 900)}) {
             EXPECT_TRUE(in_picture(stage.camera, stage.figure_position + Vec(0, 0, 0.9), width, height));
-            // Every solid that the stage shows is in the picture, and of what is seen of its subjects much is lit.
+            // Every solid that the stage shows is in the picture, and much of the visible part of its subjects is lit.
             int seen = 0;
             int lit = 0;
             const CameraRays rays(stage.camera, width, height);
@@ -425,7 +426,7 @@ TEST(Stages, AFigureStandsOnThem) {
         double top = -100.0;
         double bottom = 100.0;
         for (std::size_t i = own; i < stage.surfaces.size(); ++i) {
-            // Down from above and up from below through each part.
+            // Rays down from above and up from below through each part.
             const Ball around = bounds(stage.surfaces[i].geometry).value();
             for (int k = -20; k <= 20; ++k) {
                 const Vec off(0.0, around.radius * k / 20.0, 10.0);
@@ -453,7 +454,7 @@ TEST(Stages, CamerasThatSeeNothingAreRefused) {
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 3}}), "the camera must not be at its own target");
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 2, 0}, {0, 0.2, 1}}), "fine");
     EXPECT_EQ(refusal({{1, 2, 3}, {1, 4, 3}, {0, -1, 0}}), "the camera looks along its own up direction");
-    EXPECT_EQ(refusal({{0, 3, 30}, {0, 3, 0}}), "fine"); // a plan: the default up direction gives way
+    EXPECT_EQ(refusal({{0, 3, 30}, {0, 3, 0}}), "fine"); // a plan view: the default up direction is replaced
 }
 
 TEST(Ticks, CoverWhatAveragesOfLinesDo) {
@@ -489,7 +490,7 @@ TEST(Ticks, LieOnSheetsAloneAndOnWholeMetres) {
             EXPECT_TRUE(left >= 0.0624F && left <= 1.0F);
             const bool is_solid = stage.surfaces[hit.surface].name == "sphere";
             dark += left < 0.9F ? 1 : 0;
-            // A pixel is at most some 8 cm long here.
+            // A pixel covers at most about 8 cm here.
             const auto off = [](double v) { return std::abs(v - std::round(v)); };
             const double side = hit.normal.z > 0.5 ? hit.position.y : hit.position.z;
             const bool between = off(hit.position.x) > 0.2 && off(side) > 0.2;
@@ -498,8 +499,8 @@ TEST(Ticks, LieOnSheetsAloneAndOnWholeMetres) {
     EXPECT_GT(dark, 100);
 }
 
-// Lumens that arrive on the walls of the closed room: 3×3 Gauss-Legendre nodes in each of `cells`² rectangles of every
-// panel, cut at the lines where the light ends sharply.
+// The lumens that arrive on the walls of the closed room: 3×3 Gauss-Legendre nodes in each of `cells`² rectangles of
+// every wall, split at the lines where the light ends abruptly.
 double arriving_flux(const Light& light, int cells, const Vec& cuts) {
     constexpr std::array node{-0.7745966692414834, 0.0, 0.7745966692414834};
     constexpr std::array weight{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -508,7 +509,7 @@ double arriving_flux(const Light& light, int cells, const Vec& cuts) {
     for (const Surface& surface : room.surfaces) {
         const auto* const panel = std::get_if<Panel>(&surface.geometry);
         if (panel == nullptr) continue;
-        // Along an axis of the panel: nodes and their lengths.
+        // Along an axis of the wall: nodes and their weights as lengths.
         const auto along = [&](const Vec& axis, double size) {
             std::vector<double> ends{-0.5 * size, 0.5 * size};
             for (int i = 0; i < 3; ++i)
@@ -547,7 +548,7 @@ TEST(Stages, TheRoomReceivesTheFluxOfEveryLight) {
         Vec cuts; // from the light's centre
     };
     const double none = 100.0;
-    const double h = 2.3 * std::tan(30.0 * std::numbers::pi / 180.0); // of the frustum, on the floor
+    const double h = 2.3 * std::tan(30.0 * std::numbers::pi / 180.0); // half size of the frustum on the floor
     const double v = 2.3 * std::tan(20.0 * std::numbers::pi / 180.0);
     for (const Case& c :
          {Case{"point", 40, Vec(none)}, Case{"spot:outer=50deg,inner=20deg", 90, Vec(none)},
@@ -564,7 +565,7 @@ TEST(Stages, TheRoomReceivesTheFluxOfEveryLight) {
     }
 }
 
-// A web is bent at every angle of its table: many cells. Turned, so that none of the bends lies along a wall.
+// A web bends at every angle of its table, so many cells are needed. Rotated, so that no bend runs along a wall.
 TEST(Stages, TheRoomReceivesTheFluxOfEveryWeb) {
     for (const char* name :
          {"accent", "bare-tube", "batwing", "downlight", "flood", "pendant", "street", "wall-washer"}) {

@@ -1,4 +1,4 @@
-// Disk, rectangle and tube lights in the kernels of every instruction set: against double on the same floats, at every
+// Disk, rectangle and tube lights in the kernels of every instruction set: against double on the same floats, for every
 // count, on hostile input; and their shading.
 #include <gonio/measure/area_cases.hpp>
 #include <gonio/measure/area_methods.hpp>
@@ -35,7 +35,7 @@ constexpr std::size_t scaled(std::size_t count) {
     return count;
 }
 
-// 0.5 of everything and a dielectric's reflectance.
+// Base colour and other parameters 0.5, with a dielectric's reflectance.
 const Frostbite<float> painted{{0.5F, 0.5F, 0.5F}, {0.04F, 0.04F, 0.04F}, 1.0F, 0.5F, 0.25F};
 
 std::string name_of(Kind kind) {
@@ -117,7 +117,7 @@ TEST_P(AreaKernels, TwoSidedGivesEachSideWhatOneSideGives) {
     const std::vector<float> turned = run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i)
         ASSERT_NEAR(turned[i], front[i], 2e-5F * front[i] + 4e-6F) << i;
-    if (kind == Kind::tube) return; // has no sides, whatever is asked for
+    if (kind == Kind::tube) return; // has no sides, so the option is ignored
     for (LightConstants& light : cases.lights)
         light.two_sided = false;
     for (const float lx : run(cases))
@@ -162,7 +162,7 @@ TEST_P(AreaKernels, CountsAroundABlockGiveTheSameAndWriteNoMore) {
     EXPECT_EQ(again, whole);
 }
 
-// In the light's own plane, turned to it, the height over the receiver's plane is rounding and nothing else, and the
+// For a receiver in the light's own plane that faces it, the height over the receiver's plane is only rounding, and the
 // light fills half of the sky: such a receiver must not be sorted out as dark.
 TEST_P(AreaKernels, ReceiversOnTheLightAmongOthers) {
     AreaCases cases = gonio::measure::area_cases(kind, 256 * 64, 36);
@@ -298,7 +298,7 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
             if (kind == Kind::tube)
                 truth =
                     shade(point, TubeLight<double>{zero, white, axis, light.radius, light.length, 0.0}, frostbite).x;
-            // The representative point jumps where the mirrored ray is along the plane: a few points may differ.
+            // The representative point jumps where the mirrored ray runs along the plane: a few points may differ.
             if (std::fabs(static_cast<double>(out[0][i]) - truth) > 1e-3 * truth + 1e-6) ++off;
         }
     }
@@ -306,7 +306,7 @@ TEST_P(AreaKernels, ShadeWithinABoundOfDouble) {
     RecordProperty("off", std::to_string(off));
 }
 
-// A small light far away is a point light of its intensity, diffuse and specular.
+// A small, distant light is a point light with its intensity, diffuse and specular.
 TEST_P(AreaKernels, SmallAndFarItIsAPoint) {
     float position[3][1] = {{0.0F}, {0.0F}, {0.0F}};
     float normal[3][1] = {{0.0F}, {0.0F}, {1.0F}};

@@ -1,8 +1,8 @@
-// Disks, rectangles and tubes before a receiver, in doubles, and their irradiance by quadrature.
+// Disks, rectangles and tubes in front of a receiver, in doubles, and their irradiance by quadrature.
 //
 // The quadrature shares nothing with the closed forms: it integrates ⟨n·ω⟩ over area, not along the outline. Disk and
 // rectangle: over their surface, in strips, each clipped by the receiver's plane. Tube: over the half-planes through
-// the receiver parallel to the axis, in which it is two circles and what lies between.
+// the receiver parallel to the axis; in each of them the tube is two circles and the part between them.
 #pragma once
 
 #include <gonio/measure/hostile_poses.hpp>
@@ -25,7 +25,7 @@ using gonio::measure::hostile::Pose;
 using gonio::measure::hostile::Shape;
 using gonio::measure::hostile::subtended;
 
-// The largest change of the result when one input moves to a neighbouring double: what no code can do better than.
+// The largest change of the result when one input moves to a neighbouring double: no code can be more accurate.
 inline double conditioning(const Pose& pose) {
     const double base = exact<double>(pose);
     double worst = 0.0;
@@ -44,7 +44,7 @@ inline double conditioning(const Pose& pose) {
 
 using Real = long double;
 
-// ∫ f over [low, high]: double-exponential quadrature (Takahasi and Mori, 1974), blind to what the ends do.
+// ∫ f over [low, high]: double-exponential quadrature (Takahasi and Mori, 1974), insensitive to behaviour at the ends.
 template<class Integrand>
 Real integrate(Real low, Real high, const Integrand& f) {
     struct Node {
@@ -84,7 +84,7 @@ Real integrate_split(Real low, Real high, const std::vector<Real>& at, const Int
     return sum;
 }
 
-// Where a peak of the given width is cut into smooth pieces.
+// Splits around a peak of the given width, so that the pieces are smooth.
 inline std::vector<Real> around(Real peak, Real width) {
     std::vector<Real> at{peak};
     for (Real w = width; w < 1e5L * width; w *= 4)
@@ -142,7 +142,7 @@ inline Real flat_by_quadrature(const Pose& pose) {
     return toward * integrate_split(-half_x, half_x, splits, strip);
 }
 
-// Outside the prolonged cylinder (D > r) only.
+// Only outside the extended cylinder (D > r).
 inline Real tube_by_quadrature(const Pose& pose) {
     const auto dot = [](Vec a, Vec b) { return Real(a.x) * b.x + Real(a.y) * b.y + Real(a.z) * b.z; };
     const Real z = dot(pose.axis, pose.center);

@@ -1,4 +1,4 @@
-// Every material at parameters that reach its corners, for the tests that hold for all.
+// Every material with parameters that reach its corners, for the tests that apply to all.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>

@@ -1,4 +1,4 @@
-// The Frostbite material: its mapping. Its albedo: brdf_furnace_test.cpp.
+// The Frostbite material: its mapping. Its albedo is tested in brdf_furnace_test.cpp.
 #include <gonio/shading/brdf_frostbite.hpp>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(FrostbiteMaterial, MapsBaseSmoothnessMetalReflectance) {
     const Frostbite<double> gold = frostbite_material<double>({1.0, 0.77, 0.34}, 0.9, 1.0, 0.5);
     EXPECT_DOUBLE_EQ(gold.f0.y, 0.77);
     EXPECT_EQ(gold.albedo.x, 0.0);
-    // f0 below 2 % is taken as an occlusion: its grazing reflectance fades.
+    // f0 below 2 % is treated as occlusion: the grazing reflectance fades.
     EXPECT_DOUBLE_EQ(frostbite_material<double>({0, 0, 0}, 0.0, 0.0, 0.25).f90, 0.5);
     const Frostbite<double> mirror = frostbite_material<double>({2.0, -1.0, 0.5}, 1.5, -1.0, 9.0);
     EXPECT_EQ(mirror.alpha, minimum_alpha);

@@ -1,4 +1,4 @@
-// How much light each material gives back, bounded from both sides.
+// The albedo of each material, bounded from both sides.
 #include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
 
@@ -15,7 +15,7 @@ using gonio::measure::directional_albedo;
 using Vec = vec3<double>;
 
 constexpr double cosines[] = {1e-3, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};
-constexpr double quadrature = 6e-5; // its error
+constexpr double quadrature = 6e-5; // error of the quadrature
 constexpr Vec white{1.0, 1.0, 1.0};
 
 TEST(Furnace, LambertGivesBackItsAlbedo) {
@@ -23,9 +23,9 @@ TEST(Furnace, LambertGivesBackItsAlbedo) {
         EXPECT_NEAR(directional_albedo(Lambert<double>{{1.0, 0.5, 0.0}}, mu, 1.0).y, 0.5, quadrature) << mu;
 }
 
-// Height-correlated GGX with F = 1 along the normal. α = 1 has the closed form 1 − ln 2; the others are those of
-// fit/ggx_loss.cpp, by another quadrature over other variables. 0.9874, which is
-// quoted too for α = 0.1, is not what either gives.
+// Height-correlated GGX with F = 1 along the normal. α = 1 has the closed form 1 − ln 2; the others are from
+// fit/ggx_loss.cpp, by another quadrature over other variables. The value 0.9874, which is also quoted for α = 0.1,
+// matches neither.
 TEST(Furnace, GgxAlongTheNormal) {
     const std::pair<double, double> table[] = {
         {0.1, 0.988304}, {0.25, 0.915812}, {0.5, 0.687849}, {1.0, 1.0 - std::log(2.0)}};
@@ -78,11 +78,11 @@ TEST(Furnace, GgxLossHasTheMeanThatItStates) {
             const double mu = std::exp(-decades * (i + 0.5) / steps);
             sum += loss(mu) * 2.0 * mu * mu * decades / steps;
         }
-        // Where α is tiny the polynomial is cut at 0 in many places, and the rule's 24 nodes see not all of them.
+        // For tiny α the polynomial is clipped at 0 in many places, and the rule's 24 nodes do not sample all of them.
         EXPECT_NEAR(loss.mean(), sum, (alpha < 0.01 ? 1e-2 : 1e-6) * sum) << alpha;
         EXPECT_GT(loss.mean(), 0.0) << alpha;
     }
-    // The mean albedos that the field gives to three digits.
+    // The mean albedos published to three digits.
     for (const auto& [alpha, mean] : {std::pair{0.25, 0.882}, {0.5, 0.700}, {0.75, 0.536}, {1.0, 0.409}})
         EXPECT_NEAR(1.0 - ggx_loss(alpha).mean(), mean, 6e-4) << alpha;
 }
@@ -95,7 +95,7 @@ TEST(Furnace, KullaContyGivesBackAll) {
                 << alpha << ' ' << mu;
 }
 
-// A metal that is not white gives back less with each scattering, never more than its reflectance.
+// A coloured metal returns less light with each scattering, and never more than its reflectance.
 TEST(Furnace, KullaContyOfAMetal) {
     for (const double alpha : {0.1, 0.4, 1.0})
         for (const double mu : cosines) {
@@ -107,7 +107,7 @@ TEST(Furnace, KullaContyOfAMetal) {
                 EXPECT_LT(more, 1.0) << alpha << ' ' << mu;
             }
         }
-    // Seen along the normal the reflectance is nearly f0 at every bounce, so the whole stays below it.
+    // Along the normal the reflectance is nearly f0 at every bounce, so the total stays below f0.
     EXPECT_LT(directional_albedo(kulla_conty_material<double>({0.5, 0.5, 0.5}, 1.0), 1.0, 1.0).x, 0.5);
     EXPECT_GT(directional_albedo(kulla_conty_material<double>({0.5, 0.5, 0.5}, 1.0), 1.0, 1.0).x, 0.25);
 }
@@ -141,7 +141,7 @@ Bounds bounds(const Make& make) {
     return found;
 }
 
-// Four materials do not conserve energy, and these are the bounds within which they do not: base colour 1, f0 = 0.04.
+// Four materials do not conserve energy; these are the bounds of their albedos: base colour 1, f0 = 0.04.
 TEST(Furnace, Frostbite) {
     const Bounds whole = bounds([](double roughness) {
         return std::pair(frostbite_material<double>(white, 1.0 - roughness, 0.0, 0.5), roughness * roughness);
@@ -155,7 +155,7 @@ TEST(Furnace, Frostbite) {
         return std::pair(material, 1.0);
     });
     EXPECT_NEAR(diffuse.most, 1.0314, 2e-4);
-    EXPECT_LT(diffuse.least, 1e-3); // smooth, at grazing: all is left to the specular part
+    EXPECT_LT(diffuse.least, 1e-3); // smooth, at grazing: only the specular part remains
 }
 
 TEST(Furnace, Ue4) {
@@ -193,7 +193,7 @@ TEST(Furnace, Blinn) {
     const Bounds mirror = bounds(made({0.0, 0.0, 0.0}, white));
     EXPECT_LE(mirror.most, 1.0);
     EXPECT_GE(mirror.most, 0.99);
-    EXPECT_LT(mirror.least, 1e-3); // n·l n·v stands for shadowing, so a mirror seen at grazing is black
+    EXPECT_LT(mirror.least, 1e-3); // n·l n·v replaces shadowing, so a mirror seen at grazing is black
 }
 
 } // namespace

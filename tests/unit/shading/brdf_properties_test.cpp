@@ -1,4 +1,4 @@
-// What holds for every material, whatever its parameters and directions.
+// Properties of every material, for all parameters and directions.
 #include <gonio/shading/brdf.hpp>
 
 #include "brdf_cases.hpp"
@@ -57,7 +57,7 @@ TEST(Brdf, IsZeroBelowTheSurfaceAndInIt) {
     });
 }
 
-// Directions at every closeness to the surface, to each other and to the mirror; in S.
+// Directions at all distances from the surface, from each other and from the mirror direction; in S.
 template<class S>
 void stays_finite() {
     const S shallow[] = {S(0), S(1e-45), S(1e-38), S(1e-30), S(2e-18), S(1e-10), S(1e-6), S(1e-3), S(0.5), S(1)};
@@ -98,8 +98,8 @@ TEST(Brdf, IsFiniteAndNotNegativeInDouble) {
     stays_finite<double>();
 }
 
-// The rounding of directions to float turns a half vector by 1e-7, which is nothing to a wide lobe and a change of its
-// slope to a narrow one; the directions are the same floats for both.
+// Rounding directions to float turns a half vector by 1e-7, which does not matter for a wide lobe but changes a narrow
+// one by its slope; both precisions use the same float directions.
 TEST(Brdf, FloatFollowsDouble) {
     brdf_cases::each([](const std::string& name, const auto& make) {
         const auto precise = make(double());
@@ -132,7 +132,7 @@ using Pack = gonio::simd::pack<float, gonio::simd::sse2>;
 using Pack = gonio::simd::pack<float, gonio::simd::neon>;
 #endif
 
-// Lane by lane a pack is the float, to the rounding of what may be fused.
+// Lane by lane, a pack equals the float, up to the rounding of operations that may be fused.
 TEST(Brdf, PackFollowsFloat) {
     brdf_cases::each([](const std::string& name, const auto& make) {
         const auto wide = make(Pack());
@@ -167,7 +167,7 @@ TEST(Brdf, PackFollowsFloat) {
                 ASSERT_NEAR(l.x, one.l.x, 1e-5F) << name;
                 ASSERT_NEAR(l.y, one.l.y, 1e-5F) << name;
                 ASSERT_NEAR(l.z, one.l.z, 1e-5F) << name;
-                // At the pack's own direction, since a narrow lobe falls in the last digit of one.
+                // At the pack's own direction, since the last digit of a direction matters to a narrow lobe.
                 const float pdf = pdf_brdf(narrow, up, v[k], l);
                 const vec3<float> value = brdf(narrow, up, l, v[k]);
                 ASSERT_NEAR(in[3][k], pdf, bar * pdf + 1e-9) << name;
@@ -191,7 +191,7 @@ TEST(Blinn, WaterDarkensPoresAndSmoothsAll) {
     const auto half = blinn_material<double>(albedo, stone, 0.3, 0.5); // porosity ½, factor 0.6
     EXPECT_NEAR(half.albedo.y, 0.4 * 0.8, 1e-12);
     EXPECT_NEAR(power(half), 1.0 - 0.7 * 0.9, 1e-12);
-    const auto smooth = blinn_material<double>(albedo, stone, 0.5, 1.0); // no pores from smoothness ½ on
+    const auto smooth = blinn_material<double>(albedo, stone, 0.5, 1.0); // no pores for smoothness ½ and above
     EXPECT_DOUBLE_EQ(smooth.albedo.x, 0.5);
     EXPECT_NEAR(power(smooth), 0.5, 1e-12);
     const auto metal = blinn_material<double>(albedo, {0.9, 0.9, 0.9}, 0.0, 1.0);
@@ -207,7 +207,7 @@ TEST(Ue4, MapsItsParameters) {
     EXPECT_DOUBLE_EQ(gold.f0.y, 0.77);
     EXPECT_EQ(gold.albedo.x, 0.0);
     EXPECT_EQ(gold.alpha, minimum_alpha);
-    // A cavity takes from both parts.
+    // A cavity reduces both parts.
     const Vec n{0, 0, 1};
     const auto open = ue4_material<double>({0.5, 0.5, 0.5}, 0.0, 0.4, 0.5, 1.0);
     const auto hollow = ue4_material<double>({0.5, 0.5, 0.5}, 0.0, 0.4, 0.5, 0.25);
@@ -215,7 +215,7 @@ TEST(Ue4, MapsItsParameters) {
     EXPECT_DOUBLE_EQ(brdf(hollow, n, {0.6, 0, 0.8}, n).x, 0.25 * brdf(open, n, {0.6, 0, 0.8}, n).x);
 }
 
-// The code of the specification's appendix B, word by word, beside ours.
+// The code of the specification's appendix B, verbatim, next to ours.
 TEST(Gltf, IsTheMixOfItsSpecification) {
     Random random(57);
     const Vec n{0, 0, 1};
@@ -253,7 +253,7 @@ TEST(Gltf, MapsItsParameters) {
     EXPECT_DOUBLE_EQ(gold.f0.y, 0.77);
     EXPECT_EQ(gold.albedo.x, 0.0);
     EXPECT_EQ(gold.alpha, minimum_alpha);
-    // Without its lobe, what enters stays as it is.
+    // Without its lobe, the input is unchanged.
     const Vec n{0, 0, 1};
     const Vec v{0.6, 0, 0.8};
     EXPECT_EQ(brdf(diffuse_alone(plastic), n, v, n).x, diffuse_part(plastic, n, v, n).x);
@@ -267,7 +267,7 @@ TEST(Brdf, AlongTheNormal) {
     const auto shiny = blinn_material<double>({0, 0, 0}, {1, 1, 1}, 0.5, 0.0);                     // p = 64
     EXPECT_NEAR(brdf(shiny, n, n, n).y, 66.0 * inv_pi / 8.0, 1e-12);
     EXPECT_NEAR(brdf(Eon<double>{{0.5, 0.5, 0.5}, 0.0}, n, n, n).x, 0.5 * inv_pi, 1e-15);
-    // r = 1: A = 1/(1 + 1/2 − 2/3π); what is lost along the normal scatters again with half of the light at each
+    // r = 1: A = 1/(1 + 1/2 − 2/3π); the light lost along the normal scatters again, with half of it returned at each
     // bounce.
     const double a = 1.0 / (1.5 - 2.0 * inv_pi / 3.0);
     const double mean = a * (1.0 + 2.0 / 3.0 - 28.0 * inv_pi / 15.0);

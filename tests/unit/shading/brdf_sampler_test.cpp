@@ -1,4 +1,4 @@
-// The samplers of the materials against the densities that they state.
+// The samplers of the materials against their stated densities.
 #include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
 
@@ -30,7 +30,7 @@ struct Tested {
     chi_square::Outcome outcome;
 };
 
-// Draws in S, asks for the density in double.
+// Samples in S, evaluates the density in double.
 template<class S, class Drawn, class Stated>
 Tested sampled(const std::string& name, const Drawn& drawn, const Stated& stated, double narrow, double mu,
                std::uint64_t seed) {
@@ -44,7 +44,7 @@ Tested sampled(const std::string& name, const Drawn& drawn, const Stated& stated
         return Vec{l.x, l.y, l.z};
     };
     const auto density = [&](Vec l) { return pdf_brdf(stated, n, v, l); };
-    const std::size_t points = mu < 0.1 ? 24 : 12; // squared, in a cell: the lobes of shallow views are thin
+    const std::size_t points = mu < 0.1 ? 24 : 12; // squared, per cell: the lobes of shallow views are thin
     return {fmt::format("{} at n·v {}", name, mu), chi_square::test(cells, sample, density, samples, points)};
 }
 
@@ -55,7 +55,7 @@ void all_samplers(std::vector<Tested>& tested) {
         const auto drawn = make(S());
         const auto stated = make(double());
         const double alpha = lobe_alpha(stated);
-        // One lobe alone is met by cells of its own width; beside a wide one they must be wide enough for both.
+        // A single lobe gets cells of its own width; next to a wide lobe the cells must be wide enough for both.
         const bool alone = std::is_same_v<decltype(make(double())), Ggx<double>>;
         if (!alone && alpha < 0.03) return;
         for (const double mu : {0.04, 0.4, 1.0}) {
@@ -66,7 +66,7 @@ void all_samplers(std::vector<Tested>& tested) {
     });
 }
 
-// Together they may fail one time in a hundred, for other seeds than these.
+// All together have a false alarm rate of one in a hundred, over the choice of seeds.
 TEST(BrdfSampler, DirectionsFallWhereTheDensitySays) {
     std::vector<Tested> tested;
     all_samplers<double>(tested);
@@ -82,7 +82,7 @@ TEST(BrdfSampler, DirectionsFallWhereTheDensitySays) {
     }
 }
 
-// E[f n·l/pdf] is the albedo that quadrature gives, for views as shallow and lobes as narrow as there are.
+// E[f n·l/pdf] is the albedo that quadrature gives, including very shallow views and very narrow lobes.
 TEST(BrdfSampler, WeightsMeanTheAlbedo) {
     std::vector<std::pair<std::string, double>> scores;
     brdf_cases::each([&](const std::string& name, const auto& make) {
@@ -109,12 +109,12 @@ TEST(BrdfSampler, WeightsMeanTheAlbedo) {
         }
     });
     ASSERT_GE(scores.size(), 80U);
-    // One sample is worth something: the mean of 20 000 is known to better than 1 %, at grazing too.
+    // One sample is accurate enough: the mean of 20 000 is known to better than 1 %, at grazing too.
     for (const auto& [name, deviation] : scores)
         EXPECT_LT(deviation, 0.01) << name;
 }
 
-// The test itself sees a density that is a little wrong.
+// Shows that the test detects a slightly wrong density.
 TEST(BrdfSampler, TheTestSeesAWrongDensity) {
     Random random(3);
     const Vec n{0, 0, 1};

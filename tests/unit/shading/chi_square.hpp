@@ -1,8 +1,8 @@
-// Pearson's χ² test of a sampler of directions against the density that it states.
+// Pearson's χ² test of a sampler of directions against its stated density.
 //
-// The sphere is divided about an axis: rings at the angles θ = π s x/(1 − x + s x), x evenly in [0, 1], which crowd
+// The sphere is divided about an axis: rings at the angles θ = π s x/(1 − x + s x), x uniform in [0, 1], which crowd
 // about the axis for small s, and sectors. A sampler's density is integrated over each cell by quadrature, so the test
-// asks both whether directions fall where the density says and whether the density integrates to 1.
+// checks both that directions fall where the density says and that the density integrates to 1.
 #pragma once
 
 #include "poses.hpp"
@@ -47,8 +47,8 @@ inline double upper_gamma(double a, double x) {
     return scale * fraction;
 }
 
-// The least probability that one of `tests` may have so that all hold together with a false alarm of `total`
-// (Z. Šidák, 1967).
+// The least probability that one of `tests` may have if all of them together have a false alarm rate of `total` (Z.
+// Šidák, 1967).
 inline double sidak(double total, std::size_t tests) {
     return -std::expm1(std::log1p(-total) / static_cast<double>(tests));
 }
@@ -58,7 +58,7 @@ public:
     static constexpr std::size_t rings = 24;
     static constexpr std::size_t sectors = 32;
 
-    // `axis` and `across` need not be perpendicular nor unit; `narrow` is s, in (0, 1].
+    // `axis` and `across` need not be perpendicular or unit vectors; `narrow` is s, in (0, 1].
     Cells(Vec axis, Vec across, double narrow) : z_(poses::unit(axis)), narrow_(narrow) {
         y_ = gonio::shading::cross(z_, across);
         if (gonio::shading::dot(y_, y_) < 1e-12)
@@ -110,7 +110,7 @@ struct Outcome {
     double integral = 0.0;    // of the density over the sphere
     double statistic = 0.0;   // χ²
     std::size_t degrees = 0;  // of freedom
-    double probability = 0.0; // of a χ² as large, if the density is right
+    double probability = 0.0; // of a χ² at least this large, if the density is right
 };
 
 // `sample()` gives a unit Vec, `count` times. Cells that expect fewer than 5 are pooled.
@@ -142,7 +142,7 @@ Outcome test(const Cells& cells, const Sample& sample, const Density& density, s
             pooled_expected = pooled_found = 0.0;
         }
     }
-    // What remains is too little for a cell of its own.
+    // The remainder is too little for a separate cell.
     if (pooled_expected > 0.0) add(std::max(pooled_expected, 1.0), pooled_found);
     if (outcome.degrees > 1) --outcome.degrees;
     outcome.probability = upper_gamma(0.5 * static_cast<double>(outcome.degrees), 0.5 * outcome.statistic);

@@ -1,5 +1,5 @@
-// Ellipses: their irradiance against a contour integral that knows nothing of disks, against disks, rotated, scaled and
-// seen from both sides; as a disk of the same cone; float against double near and in their plane.
+// Ellipses: their irradiance against a contour integral that does not use disks, against disks, rotated, scaled and
+// seen from both sides; as a disk of the same cone; float against double near their plane and in it.
 #include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/specular_named.hpp>
@@ -31,7 +31,7 @@ double irradiance(const Pose& pose) {
     return irradiance_ellipse(pose.light, pose.light.center, pose.normal);
 }
 
-// The share of the outline from t0 to t1 in ½∮ n·(p × dp)/|p|², by halving 16-point rules.
+// The contribution of the outline from t0 to t1 to ½∮ n·(p × dp)/|p|², by 16-point rules with halving.
 class Contour {
 public:
     explicit Contour(const Pose& pose) : pose_(pose) { up_ = cross(pose.light.axis, pose.light.width_direction); }
@@ -116,7 +116,7 @@ private:
     Vec up_{};
 };
 
-// Half axes up to 100:1; receivers all about, and close to the plane on the ellipse, beside it and at its rim.
+// Half axes up to 100:1; receivers all around, and close to the plane on the ellipse, beside it and at its rim.
 Pose random_pose(Random& random) {
     const Vec axis = poses::random_direction(random);
     const Vec x = poses::unit(cross(axis, poses::random_direction(random)));
@@ -138,7 +138,7 @@ Pose random_pose(Random& random) {
     return {{center, {1.0, 1.0, 1.0}, axis, x, a, b, 0.0, false}, normal};
 }
 
-// E/L towards the centre: what the error is to be small against.
+// E/L for a receiver that faces the centre: errors are relative to this.
 double facing(Pose pose) {
     pose.normal = poses::unit(pose.light.center);
     return irradiance(pose);
@@ -152,7 +152,7 @@ TEST(Ellipse, IsItsContour) {
         const auto truth = static_cast<double>(Contour(pose).irradiance());
         const double error = std::fabs(irradiance(pose) - truth) / facing(pose);
         worst = std::max(worst, error);
-        // A height of 1e-4 over an axis of 1 % leaves 12 digits of the pose itself.
+        // A height of 1e-4 over an axis of 1 % preserves 12 digits of the pose itself.
         EXPECT_LT(error, 1e-9) << i << " truth " << truth;
     }
     RecordProperty("worst", std::to_string(worst * 1e12) + "e-12");
@@ -173,7 +173,7 @@ TEST(Ellipse, TurnedScaledAndTurnedOverItIsTheSame) {
     for (int i = 0; i < 2000; ++i) {
         const Pose pose = random_pose(random);
         const double e = irradiance(pose);
-        Pose swapped = pose; // its height along X
+        Pose swapped = pose; // with its height along X
         swapped.light.width_direction = cross(pose.light.axis, pose.light.width_direction);
         std::swap(swapped.light.half_width, swapped.light.half_height);
         EXPECT_NEAR(irradiance(swapped), e, 1e-10 * facing(pose)) << i;
@@ -220,7 +220,7 @@ TEST(Ellipse, InItsPlaneShowsAHemisphereInsideAndNothingOutside) {
     EXPECT_NEAR(at(0.0, 0.0, 2.0, up), pi * 2.0 * 0.5 / std::sqrt((4.0 + 4.0) * (4.0 + 0.25)), 1e-15) << "on the axis";
 }
 
-// What the disk's own outline is: on the ellipse's cone.
+// The disk's own outline is on the ellipse's cone.
 TEST(Ellipse, SeenAsADiskHasTheSameDirections) {
     Random random(11);
     for (int i = 0; i < 2000; ++i) {
@@ -235,7 +235,7 @@ TEST(Ellipse, SeenAsADiskHasTheSameDirections) {
         for (int k = 0; k < 16; ++k) {
             const double t = 2.0 * pi * k / 16;
             const Vec rim = seen.to_center + (u * std::cos(t) + v * std::sin(t)) * seen.light.radius;
-            // To the ellipse's plane.
+            // The distance to the ellipse's plane.
             const double forward = -dot(light.axis, rim);
             ASSERT_GT(forward, 0.0) << i;
             const Vec off = rim * (depth / forward) - light.center;

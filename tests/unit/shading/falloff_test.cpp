@@ -1,4 +1,4 @@
-// Spot lobes: their flux against the closed forms, narrow cones in float, frusta; named methods on bad input.
+// Spot lobes: their flux against the closed forms, narrow cones in float, frusta; named methods with bad input.
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/irradiance_named.hpp>
 
@@ -86,7 +86,7 @@ TEST(SpotLobes, EdgesAndSteps) {
     }
 }
 
-// A cone of 0.01° to 0.02°, whose cosines are all 1 in float.
+// A cone of 0.01° to 0.02°; all its cosines are 1 in float.
 TEST(SpotLobes, NarrowConesKeepTheirDigitsInFloat) {
     const double a = 0.01 * pi / 180.0;
     const double b = 0.02 * pi / 180.0;
@@ -131,7 +131,7 @@ TEST(NamedMethods, FacingAndFarTheyAgreeWithTheInverseSquare) {
     EXPECT_NEAR(irradiance_tube_point(c, x, 1.0, 2.0, up), tube, 1e-12);
     EXPECT_NEAR(irradiance_tube_frostbite(c, x, 1.0, 2.0, up), tube, 1e-3 * tube);
     EXPECT_NEAR(irradiance_tube_ue4(c, x, 1.0, 2.0, up), pi * 1e-4 / 2.0 * (2.0 + 2.0), 1e-3 * tube);
-    // What is behind the plane gives nothing.
+    // A light behind the plane gives nothing.
     EXPECT_EQ(irradiance_disk_frostbite(c, up, 1.0, up), 0.0);
     EXPECT_EQ(irradiance_rectangle_frostbite(c, up, x, 2.0, 1.0, up), 0.0);
 }

@@ -40,7 +40,7 @@ double log_uniform(Random& random, double low, double high) {
     return std::exp(random.uniform(std::log(low), std::log(high)));
 }
 
-// In front of one-sided lights; d/size as given; straddling half of the time.
+// In front of one-sided lights; d/size as given; half of them straddle the horizon.
 Pose random_pose(Shape shape, double least, double most, Random& random) {
     Pose pose;
     pose.shape = shape;
@@ -91,7 +91,7 @@ TEST_P(AreaIrradiance, Quadrature) {
     for (int i = 0; i < scaled(300); ++i) {
         const double ranges[4][2] = {{0.05, 1.0}, {1.01, 3.0}, {3.0, 100.0}, {100.0, 1e6}};
         Pose pose = random_pose(GetParam(), ranges[i % 4][0], ranges[i % 4][1], random);
-        if (GetParam() == Shape::tube) { // the quadrature needs the receiver outside the prolonged tube
+        if (GetParam() == Shape::tube) { // the quadrature needs the receiver outside the extended tube
             const double d = length(detail::perpendicular(pose.center, pose.axis));
             if (d < 1.001 * pose.p) continue;
         }
@@ -157,7 +157,7 @@ TEST(DiskIrradiance, OnTheAxisIsTheCapThatItLooksLike) {
         const double h = log_uniform(random, 1e-4, 1e4);
         const Vec normal = poses::random_direction(random);
         const double disk = irradiance_disk(axis * -h, axis, 1.0, normal);
-        // The sphere that the same cone touches: sinσ = 1/√(1 + h²), at distance 1.
+        // The sphere that touches the same cone: sinσ = 1/√(1 + h²), at distance 1.
         const double sine = 1.0 / std::sqrt(1.0 + h * h);
         const double cap = irradiance_sphere(axis * -1.0, sine, normal);
         EXPECT_NEAR(disk, cap, 1e-9 * cap + 4e-15 * sine + 1e-12 * sine) << i << ' ' << h;
@@ -176,7 +176,7 @@ TEST(DiskIrradiance, InThePlaneAndTouching) {
     EXPECT_EQ(irradiance_disk(Vec{0, 0, 1}, axis, 0.0, up), 0.0);
     // Facing on the axis: π/(1 + h²).
     EXPECT_NEAR(irradiance_disk(Vec{0, 0, 2}, axis, 1.0, up), pi / 5.0, 1e-15);
-    // A wall under a disk whose centre is on its edge line: half of the disk is above the horizon.
+    // A wall under a disk with its centre on the wall's edge line: half of the disk is above the horizon.
     EXPECT_NEAR(irradiance_disk(Vec{0, 0, 1}, axis, 1.0, Vec{1, 0, 0}),
                 irradiance_disk(Vec{0, 0, 1}, axis, 1.0, Vec{-1, 0, 0}), 1e-15);
 }
@@ -223,18 +223,18 @@ TEST(TubeIrradiance, InsideAndTouching) {
     EXPECT_EQ(irradiance_tube(Vec{1.9, 0.3, 0.8}, axis, 1.0, 4.0, up), pi);
     EXPECT_EQ(irradiance_tube(Vec{2.9, 0, 0}, axis, 1.0, 4.0, up), pi);
     EXPECT_EQ(irradiance_tube(Vec{5, 0, 0}, axis, 0.0, 4.0, up), 0.0);
-    // On the cylinder, π(1 + n·l)/2 for l the way to the axis.
+    // On the cylinder, π(1 + n·l)/2 with l the direction to the axis.
     for (const Vec n : {Vec{0, 0, 1}, Vec{0, 0, -1}, Vec{0, 0.6, 0.8}, Vec{0.8, 0, -0.6}, Vec{1, 0, 0}}) {
         EXPECT_NEAR(irradiance_tube(Vec{0.5, 0, 1}, axis, 1.0, 4.0, n), pi * (1.0 + n.z) / 2.0, 3e-8) << n.x << n.y;
         // On the end's tip.
         EXPECT_NEAR(irradiance_tube(Vec{3, 0, 0}, axis, 1.0, 4.0, n), pi * (1.0 + n.x) / 2.0, 3e-8) << n.x << n.y;
     }
-    // On the prolonged axis the nearer sphere alone is seen.
+    // On the extended axis only the nearer sphere is visible.
     EXPECT_EQ(irradiance_tube(Vec{5, 0, 0}, axis, 1.0, 4.0, Vec{1, 0, 0}),
               irradiance_sphere(Vec{3, 0, 0}, 1.0, Vec{1, 0, 0}));
 }
 
-// Across the border of "the nearer sphere alone" (D = r) nothing jumps.
+// Nothing jumps across the boundary of "the nearer sphere alone" (D = r).
 TEST(TubeIrradiance, ContinuousWhereOneEndHidesTheOther) {
     Random random(56);
     for (int i = 0; i < scaled(5000); ++i) {
@@ -281,7 +281,7 @@ TEST(TubeIrradiance, ThinItIsALambertLine) {
     }
 }
 
-// A disk and the square of the same area, far enough, and a polygon of strips against the disk at any distance.
+// A disk and the square of the same area at a large distance, and a polygon of strips against the disk at any distance.
 TEST(DiskIrradiance, IsTheLimitOfStrips) {
     Random random(59);
     for (int i = 0; i < scaled(60); ++i) {
@@ -331,7 +331,7 @@ TEST_P(AreaIrradiance, HostileInputGivesANumberFromZeroToPi) {
         const double e = exact<double>(pose);
         ASSERT_TRUE(e >= 0.0 && e <= pi) << i << ' ' << e << " center " << pose.center.x << ' ' << pose.center.y << ' '
                                          << pose.center.z << " sizes " << pose.p << ' ' << pose.q;
-        const float f = exact<float>(pose); // what leaves the range of float becomes infinite: still no NaN
+        const float f = exact<float>(pose); // numbers beyond the range of float become infinite: still no NaN
         ASSERT_TRUE(f >= 0.0F && f <= std::numbers::pi_v<float>)
             << i << ' ' << f << " center " << pose.center.x << ' ' << pose.center.y << ' ' << pose.center.z << " sizes "
             << pose.p << ' ' << pose.q;
@@ -345,7 +345,7 @@ TEST(SkyVisibility, IsWhatTheOccluderLeaves) {
     EXPECT_EQ(sky_visibility_sphere(Vec{0, 0, 0.5}, 1.0, up), 0.0);
     EXPECT_NEAR(sky_visibility_tube(Vec{0, 0, 2}, Vec{1, 0, 0}, 1.0, 0.0, up), 0.75, 1e-14);
     EXPECT_EQ(sky_visibility_tube(Vec{0, 0, -2}, Vec{1, 0, 0}, 1.0, 3.0, up), 1.0);
-    // A cylinder without end: the cosine-weighted share of the strip |sin| < s is s.
+    // A cylinder of infinite length: the cosine-weighted share of the strip |sin| < s is s.
     EXPECT_NEAR(sky_visibility_tube(Vec{0, 0, 4}, Vec{1, 0, 0}, 1.0, 1e9, up), 0.75, 1e-9);
     EXPECT_NEAR(static_cast<double>(
                     sky_visibility_tube(vec3<float>{0, 0, 4}, vec3<float>{1, 0, 0}, 1.0F, 1e9F, vec3<float>{0, 0, 1})),

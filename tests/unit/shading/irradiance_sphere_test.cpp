@@ -35,7 +35,7 @@ double subtended(const Pose& pose) {
     return 2.0 * std::asin(std::min(1.0, pose.radius / std::sqrt(dot(pose.center, pose.center))));
 }
 
-// The largest change of the result when one input moves to a neighbouring double: what no code can do better than.
+// The largest change of the result when one input moves to a neighbouring double: no code can be more accurate.
 double conditioning(const Pose& pose) {
     const double base = exact(pose);
     double worst = 0.0;
@@ -89,7 +89,7 @@ TEST(SphereIrradiance, InsideAndTouching) {
     EXPECT_EQ(irradiance_sphere(Vec{0.3, -0.2, -0.9}, 1.0, up), pi);
     EXPECT_EQ(irradiance_sphere(Vec{0.0, 0.0, 0.0}, 0.0, up), 0.0);
     EXPECT_EQ(irradiance_sphere(Vec{1.0, 2.0, 3.0}, 0.0, up), 0.0);
-    // (2, 3, 6)/7 is a unit vector whose squares are exact: the receiver is on the surface.
+    // (2, 3, 6)/7 is a unit vector with exact squares: the receiver is on the surface.
     for (const double cosine_sign : {1.0, -1.0}) {
         const Vec center{2.0, 3.0, 6.0 * cosine_sign};
         EXPECT_NEAR(irradiance_sphere(center, 7.0, up), pi * (1.0 + cosine_sign * 6.0 / 7.0) / 2.0, 4e-15);
@@ -142,7 +142,7 @@ TEST(SphereIrradiance, FarAwayItIsAPoint) {
     }
 }
 
-// Every set of this machine and the scalar float against double on the same float inputs.
+// Every instruction set of this machine and the scalar float against double on the same float inputs.
 class SphereKernels : public testing::TestWithParam<gonio::simd::InstructionSet> {};
 
 INSTANTIATE_TEST_SUITE_P(Sets, SphereKernels,
@@ -173,7 +173,7 @@ TEST_P(SphereKernels, FloatWithinItsBarOfDouble) {
     RecordProperty("worst_relative_not_far", std::to_string(worst_relative * 1e6) + "e-6");
 }
 
-// Far scenes and tiny ones: scaling by a power of two rounds nothing, so nothing may change.
+// Very large and very small scenes: scaling by a power of two is exact, so nothing may change.
 TEST_P(SphereKernels, SameAtAnyScale) {
     const auto cases = gonio::measure::sphere_cases(2000, 23);
     const auto& kernels = gonio::shading::kernels(GetParam());
@@ -219,7 +219,7 @@ TEST(SphereNamedMethods, AreWhatTheyAreKnownFor) {
         const double c = dot(pose.normal, poses::unit(pose.center));
         const double frostbite = irradiance_sphere_frostbite(pose.center, pose.radius, pose.normal);
         ASSERT_TRUE(frostbite >= 0.0 && frostbite <= pi) << i;
-        // Exact in double but for its clamps.
+        // Exact in double except for its clamps.
         if (std::fabs(c) < 0.999 && s * s < 0.9999 && s > 1e-3) {
             EXPECT_NEAR(frostbite, truth, 1e-9 + 1e-7 * truth) << i;
         }

@@ -47,7 +47,7 @@ constexpr int scaled(int count) {
     return count;
 }
 
-// On the light the irradiance jumps: there a value is right that is so for a receiver the rounding of its place away.
+// On the light the irradiance jumps: there a value is right if it is right for a receiver moved by one rounding step.
 bool right_beside(const Pose& pose, double value) {
     const double by = 1e-14 * std::fmax(std::sqrt(dot(pose.center, pose.center)), area::bounding_radius(pose));
     for (const poses::Vec step : {poses::Vec{by, 0, 0}, poses::Vec{0, by, 0}, poses::Vec{0, 0, by}})
@@ -59,7 +59,7 @@ bool right_beside(const Pose& pose, double value) {
     return false;
 }
 
-// At ρ from the rim of a disk, arcs turn by the last digit of r/ρ, also where their sum does not.
+// At distance ρ from the rim of a disk, arcs change by the last digit of r/ρ, even where their sum does not.
 double beside_the_rim(const Pose& pose) {
     if (pose.shape != Shape::disk) return 0.0;
     const double z = dot(pose.axis, pose.center);

@@ -1,4 +1,4 @@
-// The kernels of every instruction set: against shade.hpp in double, at every count, and on hostile input.
+// The kernels of every instruction set: against shade.hpp in double, for every count, and on hostile input.
 #include <gonio/measure/random.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/shade.hpp>
@@ -101,7 +101,7 @@ LightConstants light_at(Light kind, const Points& points) {
     light.color[2] = 0.5F;
     light.intensity_cd = points.intensity_cd.data();
     light.inverse_range = 0.05F;
-    // In one direction, which float follows closely; shade_area_test.cpp has all methods.
+    // A single direction, which float follows closely; shade_area_test.cpp has all methods.
     light.specular_method = SpecularMethod::representative_point;
     return light;
 }
@@ -157,14 +157,15 @@ TEST_P(Kernel, ShadesAsTheDoubleReference) {
                 for (std::size_t i = 0; i < points.size(); ++i) {
                     const vec3<double> truth = reference(points, i, light, material);
                     const double channels[3] = {truth.x, truth.y, truth.z};
-                    // Of a perfectly lit white surface at that distance: cosines near 0 lose digits against it.
+                    // Relative to a fully lit white surface at that distance: cosines near 0 lose digits relative to
+                    // it.
                     const SurfacePoint<double> p = points.point<double>(i);
                     const vec3<double> to = vec3<double>{0.25, -0.5, 2.0} - p.position;
                     const double full = kind == Light::punctual
                                             ? static_cast<double>(points.intensity_cd[i]) / dot(to, to) * 1.25
                                             : 3.2 * 0.09 / dot(to, to);
-                    // A smooth lobe magnifies the rounding of the half vector by 1/α, a grazing view that of n·v by
-                    // 1/n·v.
+                    // A smooth lobe magnifies the rounding of the half vector by 1/α; a grazing view magnifies that of
+                    // n·v by 1/n·v.
                     const double relative =
                         material_kind == Material::lambert
                             ? 1e-5
@@ -286,7 +287,7 @@ TEST_P(Kernel, HostileInputGivesFiniteNumbersThatAreNotNegative) {
 TEST_P(Kernel, BehindTheSurfaceNothingIsSeen) {
     Points points;
     points.add({0, 0, 0}, {0, 0, 1}, {0, 0, -1}, 100.0); // the eye below the surface
-    points.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 100.0);  // and in its plane
+    points.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 100.0);  // and in the surface's plane
     const LightConstants light = light_at(Light::punctual, points);
     for (const auto& channel : run(kernels, points, light, material_of(Material::frostbite, 0.5F)))
         EXPECT_EQ(channel, (std::vector<float>{0.0F, 0.0F}));
@@ -305,7 +306,7 @@ TEST(Shade, PunctualInverseSquareAndWindow) {
     EXPECT_EQ(window_gltf(4.0, 1.0 / 8.0), 15.0 / 16.0);
     EXPECT_EQ(window_gltf(9.0, 1.0 / 8.0), 0.0);
     EXPECT_DOUBLE_EQ(range_of_threshold(800.0, 2.0), 20.0);
-    // What the squared window takes away: 1.0887·I/r² at most, at 0.904 r.
+    // The loss by the squared window: 1.0887·I/r² at most, at 0.904 r.
     double worst = 0.0;
     double at = 0.0;
     for (int i = 1; i < 10'000; ++i) {
@@ -320,7 +321,7 @@ TEST(Shade, PunctualInverseSquareAndWindow) {
     EXPECT_NEAR(at, 0.904, 1e-3);
 }
 
-// Far away a sphere light and the point light of the same intensity π r² L look the same, diffuse and specular.
+// Far away a sphere light looks the same as the point light with the same intensity π r² L, diffuse and specular.
 TEST(Shade, ASmallSphereIsAPoint) {
     Random random(36);
     const Frostbite<double> material = frostbite_material<double>({0.8, 0.5, 0.2}, 0.5, 0.0, 0.5);

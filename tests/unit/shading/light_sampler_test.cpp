@@ -1,4 +1,4 @@
-// Samplers of lights: χ² against their densities, and those against solid angles computed otherwise.
+// Samplers of lights: χ² against their densities, and densities against solid angles computed differently.
 #include <gonio/shading/irradiance_disk.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/irradiance_tube.hpp>
@@ -27,12 +27,12 @@ using poses::Vec;
 
 struct Sampler {
     std::string name;
-    Vec axis;           // about which the cells are laid
-    double reach = 1.0; // [rad] about
-    double most = 0.0;  // of a density that is even: 1/solid angle times the factor that the header allows
+    Vec axis;           // axis of the cells
+    double reach = 1.0; // [rad] approximate
+    double most = 0.0;  // of a uniform density: 1/solid angle times the factor that the header allows
     std::function<LightSample<double>(double, double)> sample;
     std::function<double(Vec)> pdf;
-    std::function<bool(Vec)> hit; // by the light's surface, not by its outline
+    std::function<bool(Vec)> hit; // tests the light's surface, not its outline
 };
 
 bool hits_ball(Vec center, double radius, Vec l) {
@@ -126,9 +126,9 @@ TEST(LightSamplers, FollowTheirDensities) {
     const double least = chi_square::sidak(1e-3, all.size());
     Random random(11);
     for (const Sampler& s : all) {
-        // Rings that crowd about the axis as far as the light reaches.
+        // Rings crowd about the axis as far as the light reaches.
         const double narrow = std::min(1.0, 0.35 * s.reach);
-        // Beside the light's middle, so that outlines do not run along the cells.
+        // Beside the light's middle, so that outlines do not run along cell borders.
         const Vec beside = cross(s.axis, Vec{0.5, -0.7, 0.2}) * (0.2 * std::min(s.reach, 1.0));
         const chi_square::Cells cells(s.axis + beside, {0.3, 0.2, 0.9}, narrow);
         const chi_square::Outcome outcome = chi_square::test(
@@ -144,7 +144,7 @@ TEST(LightSamplers, FollowTheirDensities) {
     }
 }
 
-// What is drawn lies on the light, with the density that pdf() states; and where the light is hit there is a density.
+// Samples lie on the light, with the density of pdf(); and every direction that hits the light has a density.
 TEST(LightSamplers, DrawTheLightAndNothingElse) {
     Random random(12);
     for (const Sampler& s : samplers()) {
@@ -155,7 +155,7 @@ TEST(LightSamplers, DrawTheLightAndNothingElse) {
             const double u0 = random.uniform();
             const LightSample<double> drawn = s.sample(u0, random.uniform());
             EXPECT_NEAR(length(drawn.direction), 1.0, 1e-12) << s.name;
-            // A hair within the outline: rounding may put what lies on it on either side.
+            // Slightly inside the outline: rounding may put points of the outline on either side.
             const double pdf = s.pdf(drawn.direction);
             if (!s.hit(drawn.direction)) ++missed;
             if (!(std::abs(pdf / drawn.pdf - 1.0) < 1e-6)) ++wrong;
@@ -169,7 +169,7 @@ TEST(LightSamplers, DrawTheLightAndNothingElse) {
     }
 }
 
-// E[⟨n·l⟩/pdf] is the irradiance, which is known in closed form: the densities are right as a whole.
+// E[⟨n·l⟩/pdf] is the irradiance, known in closed form: the densities are right as a whole.
 TEST(LightSamplers, MeanIsTheIrradiance) {
     const Vec m = poses::unit({0.3, -0.5, -0.8});
     const Vec b = poses::unit(cross(m, Vec{0.2, 1.0, 0.1}));
@@ -177,7 +177,7 @@ TEST(LightSamplers, MeanIsTheIrradiance) {
     const Vec n = poses::unit({0.3, -0.2, 0.5});
     const Vec c{-0.2, 0.4, 1.0};
     const auto mean = [&](const auto& sampler) {
-        constexpr int side = 400; // even strata
+        constexpr int side = 400; // uniform strata
         double sum = 0.0;
         for (int i = 0; i < side; ++i)
             for (int k = 0; k < side; ++k) {
@@ -222,8 +222,8 @@ TEST(LightSamplers, FloatIsFiniteFromNearToFar) {
     }
 }
 
-// An even sampler's density is 1 over the solid angle. Below a disk's rim the cone is as good as a slice of a quarter
-// of the sky, and over a flat light it is a hemisphere: there, too, none may be far from even.
+// A uniform sampler's density is 1 over the solid angle. Below a disk's rim the cone is almost a slice of a quarter of
+// the sky, and close to a flat light it is a hemisphere: there, too, every sampler must be nearly uniform.
 TEST(LightSamplers, FlatLightsAreEvenHardlyOverThem) {
     Random random(14);
     const Vec m = poses::unit({0.3, -0.5, -0.8});
@@ -249,8 +249,8 @@ TEST(LightSamplers, FlatLightsAreEvenHardlyOverThem) {
         }
 }
 
-// In the plane of a flat light, from either sign of 0: the hemisphere before it inside the outline, nothing on it and
-// outside.
+// In the plane of a flat light, from either sign of 0: inside the outline the hemisphere in front of the light, on the
+// outline and outside nothing.
 template<class S>
 void expect_limits_in_the_plane() {
     constexpr auto tolerance = S(__is_same(S, double) ? 1e-11 : 2e-6);
@@ -291,7 +291,7 @@ TEST(LightSamplers, InTheirPlaneFlatLightsAreTheirLimits) {
     expect_limits_in_the_plane<double>();
 }
 
-// On the surface of a body that is not flat: what is before the tangent plane.
+// On the surface of a light that is not flat: the part in front of the tangent plane.
 TEST(LightSamplers, OnTheirSurfaceSolidLightsAreHemispheres) {
     Random random(16);
     const auto look = [&](const auto& sampler, Vec inward) {

@@ -1,9 +1,10 @@
 // The irradiance of sphere, disk, rectangle and capsule by their outlines in long double: a second evaluation of the
 // contour integral that shares no step with the library's.
 //
-// Nothing here avoids cancellation; long double has 64 bits to lose some of. Outlines are clipped piece by piece: each
-// arc is cut where it meets the receiver's plane, and the pieces whose middle is above it are added up. The library
-// uses none of that: it takes no angle of a disk's rim, no azimuth of a capsule's ends, and no list of pieces.
+// Nothing here avoids cancellation, because long double has 64 bits and can afford to lose some. Outlines are clipped
+// piece by piece: each arc is cut where it meets the receiver's plane, and the pieces with their middle above it are
+// added up. The library does none of this: it uses no angle of a disk's rim, no azimuth of a capsule's ends, and no
+// list of pieces.
 #pragma once
 
 #include "area_truth.hpp"
@@ -39,8 +40,8 @@ inline LongVec unit(LongVec a) {
 
 inline constexpr Real long_pi = std::numbers::pi_v<Real>;
 
-// A visible outline being added up. Points are given from the light's centre, so that what is far does not cancel;
-// where it crosses the horizon is kept in pairs.
+// Accumulates a visible outline. Points are relative to the light's centre, so that distant points do not cancel;
+// crossings of the horizon are kept in pairs.
 struct LongOutline {
     LongVec center, n;
     Real sum = 0;
@@ -71,7 +72,8 @@ struct LongOutline {
         if (area > 0) sum += angle(p, q - p) * dot(n, plane) / area / 2;
     }
 
-    // The outline of a sphere of radius r at `end` from the centre, u × v towards it, from the azimuth −h to h.
+    // The outline of a sphere of radius r at `end` from the centre, with u × v towards the sphere, from azimuth −h to
+    // h.
     void circle(LongVec end, Real r, LongVec u, LongVec v, Real h) {
         const LongVec at_end = center + end;
         const Real d = length(at_end);
@@ -108,7 +110,7 @@ struct LongOutline {
     }
 };
 
-// Of a sphere at `end` from `center`.
+// For a sphere at `end` from `center`.
 inline Real sphere_by_outline(LongVec center, LongVec end, Real r, LongVec n) {
     const LongVec at = center + end;
     if (length(at) < r) return long_pi;
@@ -140,7 +142,7 @@ inline Real rectangle_by_outline(const Pose& pose) {
     return outline.finish();
 }
 
-// The rim p(t) by the antiderivatives of 1/(q + e cos t) and its like, from the angles t0 and t1.
+// The rim p(t) by the antiderivatives of 1/(q + e cos t) and similar terms, from angle t0 to t1.
 inline Real disk_by_outline(const Pose& pose) {
     const LongVec c = lengthen(pose.center);
     const LongVec w = unit(lengthen(pose.axis)) * -1;
@@ -152,7 +154,7 @@ inline Real disk_by_outline(const Pose& pose) {
     const Real x = length(across);
     const Real n_w = dot(n, w);
     if (z == 0) return x < r ? long_pi * (1 + n_w) / 2 : 0; // in its plane: the limit from the front
-    // On the axis any direction serves; close to it the way there is mostly rounding, part of it along w.
+    // On the axis any direction works; close to it the computed direction is mostly rounding, part of it along w.
     const bool on_axis = x < 1e-17L * length(c);
     const LongVec towards = on_axis ? cross(w, std::fabs(w.x) < 0.6L ? LongVec{1, 0, 0} : LongVec{0, 1, 0}) : across;
     const LongVec u = unit(towards - w * dot(w, towards));
@@ -206,7 +208,7 @@ inline Real tube_by_outline(const Pose& pose) {
     const LongVec g = cross(a, f);
     const Real s = r / distance;
     const Real kappa = std::sqrt((distance - r) * (distance + r)) / distance;
-    // Where the tangent planes touch, from the centre.
+    // The points where the tangent planes touch, from the centre.
     const auto tangent = [&](Real along, Real sign) { return f * (-r * s) + a * along + g * (sign * r * kappa); };
     LongOutline outline{c, n};
     const auto end = [&](Real along, Real sign) {

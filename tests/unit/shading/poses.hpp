@@ -1,4 +1,4 @@
-// A sphere before a receiver, in doubles, for the tests of closed forms; the room measure/ makes the float ones.
+// A sphere in front of a receiver, in doubles, for the tests of closed forms; measure/ makes the float ones.
 #pragma once
 
 #include <gonio/measure/hostile_poses.hpp>
@@ -26,7 +26,7 @@ inline Vec random_direction(Random& random) {
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-// A unit normal whose cosine with `to` is `cosine`.
+// A unit normal with the given `cosine` to `to`.
 inline Vec tilted(Vec to, double cosine, Random& random) {
     const Vec axis = unit(to);
     const Vec tangent = unit(gonio::shading::cross(axis, random_direction(random)));
@@ -39,7 +39,7 @@ struct Pose {
     Vec normal{0.0, 0.0, 1.0};
 };
 
-// Index modulo 5: above, straddling, below, near the surface, far; sizes from 1e-3 to 1e3 m.
+// Index modulo 5: above, straddling, below, near the surface, far away; sizes from 1e-3 to 1e3 m.
 inline Pose random_pose(unsigned index, Random& random) {
     const auto log_uniform = [&](double a, double b) { return std::exp(random.uniform(std::log(a), std::log(b))); };
     Pose pose;
@@ -70,7 +70,7 @@ inline Pose random_pose(unsigned index, Random& random) {
     return pose;
 }
 
-// Numbers that break formulas in float, among ordinary ones.
+// Numbers that break formulas in float, mixed with ordinary ones.
 inline double hostile(gonio::measure::Random& random) {
     return gonio::measure::hostile::number(random);
 }

@@ -1,5 +1,5 @@
-// Lights with a size on every material by every method of specular: the kernels of each instruction set against
-// shade.hpp in double.
+// Lights with a size on every material by every specular method: the kernels of each instruction set against shade.hpp
+// in double.
 #include <gonio/measure/specular_cases.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
@@ -29,7 +29,7 @@ constexpr SpecularMethod methods[] = {SpecularMethod::ltc,        SpecularMethod
                                       SpecularMethod::specular_d, SpecularMethod::dominant_direction,
                                       SpecularMethod::sun_disk,   SpecularMethod::spherical_hack};
 
-// Lights about the origin; a sun takes the place of each sphere's cone.
+// Lights around the origin; each sphere is paired with a sun of the same cone.
 struct Cases {
     SpecularCases all;
     std::vector<LightConstants> lights;
@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         return name_of(std::get<0>(each.param)) + "_" + gonio::simd::to_text(std::get<1>(each.param));
     });
 
-// In 99.5 of 100 points: a representative point jumps where the mirrored ray is along the light's plane, and a sun's
-// disk multiplies the rounding of a direction by the width of the lobe.
+// For 99.5 % of the points: a representative point jumps where the mirrored ray runs along the light's plane, and a
+// sun's disk magnifies the rounding of a direction relative to the lobe's width.
 TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
     const Cases cases(kind, 2048);
     ASSERT_EQ(materials_of(0.5F).size(), count_of(Materials()));
@@ -157,7 +157,7 @@ TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
         }
 }
 
-// What a sun gives is what a sphere of its angle gives that is as far away as can be.
+// A sun gives the same as a very distant sphere with the same angle.
 TEST(Sun, IsASphereFarAway) {
     Random random(53);
     for (int i = 0; i < 400; ++i) {

@@ -1,5 +1,5 @@
-// Linearly transformed cosines: what each shape takes of a lobe against quadrature, and the speculars against stored
-// values of the true BRDF.
+// Linearly transformed cosines: the share of a lobe that each shape covers against quadrature, and the specular results
+// against stored values of the true BRDF.
 #include <gonio/shading/specular_ltc.hpp>
 
 #include "specular_rows.hpp"
@@ -22,7 +22,7 @@ using poses::Vec;
 
 constexpr double pi = std::numbers::pi;
 
-// A shape before the receiver at the origin, in the lobe's frame.
+// A shape in front of the receiver at the origin, in the lobe's frame.
 struct Shape {
     enum class Kind { sphere, disk, rectangle, tube } kind;
     Vec center, axis, across;
@@ -45,7 +45,7 @@ double bounding(const Shape& s) {
     }
 }
 
-// Facing the receiver, `ratio` of its size away; every third is cut by the horizon.
+// Facing the receiver, at a distance of `ratio` times its size; the horizon cuts every third one.
 Shape random_shape(Shape::Kind kind, Random& random, unsigned index, double nearest, double farthest) {
     Shape s{kind, {}, poses::random_direction(random), {}, 1.0, 1.0};
     s.across = poses::unit(cross(s.axis, poses::random_direction(random)));
@@ -84,12 +84,12 @@ S share(const LtcLobe<S>& lobe, const Shape& s) {
     }
 }
 
-// Does the ray from the origin meet it?
+// Whether the ray from the origin meets the shape.
 bool meets(const Shape& s, Vec l) {
     const Vec c = s.center;
     if (s.kind == Shape::Kind::sphere) return dot(c, l) > 0.0 && dot(c, c) - dot(c, l) * dot(c, l) < s.p * s.p;
     if (s.kind == Shape::Kind::tube) {
-        // The nearest points of the ray and the axis' segment: by golden section, since distance is convex.
+        // The closest points of the ray and the axis segment: by golden section, since distance is convex.
         const auto distance2 = [&](double z) {
             const Vec at = c + s.axis * z;
             const double along = std::max(dot(at, l), 0.0);
@@ -114,7 +114,7 @@ bool meets(const Shape& s, Vec l) {
     return std::fabs(dot(off, s.across)) < 0.5 * s.p && std::fabs(dot(off, cross(s.axis, s.across))) < 0.5 * s.q;
 }
 
-// The share by directions drawn from the cosine and taken through the lobe's forward matrix; knows no outline.
+// The share by directions drawn from the cosine and mapped through the lobe's forward matrix; uses no outline.
 double share_by_directions(const LtcLobe<double>& lobe, const Shape& s, int side) {
     // Solves lobe(l) = q.
     const double determinant = lobe.m00 * lobe.m22 - lobe.m02 * lobe.m20;
@@ -123,7 +123,7 @@ double share_by_directions(const LtcLobe<double>& lobe, const Shape& s, int side
                    (lobe.m00 * q.z - lobe.m20 * q.x) / determinant};
     };
     double sum = 0.0;
-    // Over both sides of z' = 0, where the lobe is positive and negative.
+    // Over both sides of z' = 0: the lobe is positive on one and negative on the other.
     for (int i = 0; i < side; ++i)
         for (int k = 0; k < side; ++k) {
             const double u = (i + 0.5) / side;
@@ -141,7 +141,7 @@ LtcLobe<double> random_lobe(Random& random) {
     return ltc_ggx(log_uniform(random, 0.003, 1.0), random.uniform(0.02, 1.0));
 }
 
-// 40 000 directions on each side: a lattice errs by about its boundary's length over its side, so 1/200.
+// 40 000 directions on each side: the error of a lattice is about its boundary's length over its side, so 1/200.
 TEST(SpecularLtc, EveryShapeTakesWhatDirectionsFind) {
     Random random(71);
     for (const Shape::Kind kind : kinds)
@@ -198,7 +198,7 @@ TEST(SpecularLtc, PartsMakeTheWhole) {
         left.center = whole.center - whole.across * (0.25 * whole.p);
         right.center = whole.center + whole.across * (0.25 * whole.p);
         const double all = share(lobe, whole);
-        // The faintly negative side of a lobe counts as 0 for each light. Small lights are summed over points.
+        // The slightly negative side of a lobe counts as 0 for each light. Small lights are summed over points.
         if (share(lobe, left) == 0.0 || share(lobe, right) == 0.0) continue;
         EXPECT_NEAR(std::min(share(lobe, left) + share(lobe, right), 1.0), all, 1e-5 * all + 1e-12) << i;
     }
@@ -223,7 +223,7 @@ TEST(SpecularLtc, ATubeWithoutLengthIsASphereAndInsideIsAll) {
     EXPECT_GT(ltc_disk<double>(lobe, {0, 0, 1}, {0, 0, 1}, 0.5, true), 0.0);
 }
 
-// A sphere that the horizon all but touches is as good as whole, on either side of the rounding.
+// A sphere that the horizon almost touches counts as whole, on either side of the rounding.
 TEST(SpecularLtc, ASphereThatTouchesTheHorizonIsWhole) {
     Random random(79);
     for (int i = 0; i < 2000; ++i) {
@@ -237,7 +237,7 @@ TEST(SpecularLtc, ASphereThatTouchesTheHorizonIsWhole) {
     }
 }
 
-// From 1e2 to 1e6 sizes away the share falls with the square of the distance: nothing cancels.
+// From 1e2 to 1e6 sizes away the share falls with the square of the distance: no digits cancel.
 TEST(SpecularLtc, FarLightsFallWithTheSquareOfTheDistance) {
     Random random(75);
     for (const Shape::Kind kind : kinds)
@@ -254,7 +254,7 @@ TEST(SpecularLtc, FarLightsFallWithTheSquareOfTheDistance) {
         }
 }
 
-// Relative to double on the same numbers; absolute where the light stands in the lobe's tail, where arcs cancel.
+// Relative to double on the same numbers; absolute if the light is in the lobe's tail, where arcs cancel.
 TEST(SpecularLtc, FloatFollowsDouble) {
     Random random(76);
     for (const Shape::Kind kind : kinds)
@@ -283,9 +283,9 @@ TEST(SpecularLtc, FloatFollowsDouble) {
         }
 }
 
-// A disk seen at its edge and cut by the horizon: a cone so flat that floats did not know where on it the cut is, and
-// gave up to 9 % of its luminance where there is next to nothing. Heights above its plane are kept exact; what is left
-// are the roundings of the lobe's frame, 6e-8 of the distance, over the height.
+// A disk seen edge-on and cut by the horizon: a cone so flat that floats could not locate the cut on it, which gave up
+// to 9 % of its luminance where there is almost none. Heights above its plane are kept exact; the remaining errors are
+// the roundings of the lobe's frame, 6e-8 of the distance, divided by the height.
 TEST(SpecularLtc, FloatKnowsAFlatDiskThatTheHorizonCuts) {
     Random random(9);
     std::size_t cut = 0;
@@ -342,7 +342,7 @@ TEST(SpecularLtc, FiniteForHostileNumbers) {
 
 TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     const auto rows = specular::rows();
-    // Median and what 95 of 100 are below, measured and a little more. Of the transformed cosine alone the medians are
+    // Median and 95th percentile, measured plus a small margin. With the transformed cosine alone the medians are
     // 0.0320, 0.0152, 0.0305 and 0.0348.
     const std::map<std::string, std::pair<double, double>> bars = {
         {"sphere", {0.0043, 0.10}}, {"disk", {0.0116, 0.14}}, {"rect", {0.0094, 0.19}}, {"tube", {0.0175, 0.15}}};
@@ -363,8 +363,8 @@ TEST(SpecularLtc, StoredValuesOfTheTrueBrdf) {
     }
 }
 
-// A light that is small against the lobe is the true BRDF in its one direction times its exact irradiance, on every
-// shape; across the sizes where the transformed cosine takes over there is no step.
+// A light that is small against the lobe gives the true BRDF in its one direction times its exact irradiance, for every
+// shape; there is no step across the sizes where the transformed cosine takes over.
 TEST(SpecularLtc, SmallLightsAreTheBrdfItselfAndNoStepFollows) {
     Random random(80);
     for (const Shape::Kind kind : kinds)
@@ -373,7 +373,7 @@ TEST(SpecularLtc, SmallLightsAreTheBrdfItselfAndNoStepFollows) {
             const Vec n{0.0, 0.0, 1.0};
             const Vec v = poses::tilted(n, random.uniform(0.2, 1.0), random);
             const Vec l = poses::tilted(n, random.uniform(0.3, 1.0), random);
-            // Turned to the receiver, more or less; a tube across.
+            // Turned more or less to the receiver; a tube lies across.
             const Vec facing = poses::tilted(l * -1.0, random.uniform(0.5, 1.0), random);
             const Vec across = poses::unit(cross(facing, poses::random_direction(random)));
             const auto value = [&](double size) {
@@ -410,7 +410,7 @@ TEST(SpecularLtc, SmallLightsAreTheBrdfItselfAndNoStepFollows) {
         }
 }
 
-// The table's albedo against a sum over the hemisphere, between the places it was fitted at.
+// The table's albedo against a sum over the hemisphere, between the points it was fitted at.
 TEST(SpecularLtc, AlbedosAreThoseOfTheBrdf) {
     Random random(78);
     for (int i = 0; i < 12; ++i) {
@@ -424,7 +424,7 @@ TEST(SpecularLtc, AlbedosAreThoseOfTheBrdf) {
         for (int k = 0; k < count; ++k) {
             const double u = (k + 0.5) / count;
             const double phi = 2.0 * pi * std::fmod(k * 0.61803398874989485, 1.0);
-            // Half vectors by D·n·h, twice: for the specular part; the cosine for the diffuse.
+            // Half vectors sampled by D·n·h for the two specular sums; the cosine for the diffuse one.
             const double t = alpha * std::sqrt(u / (1.0 - u));
             const Vec h = poses::unit({t * std::cos(phi), t * std::sin(phi), 1.0});
             const Vec l = h * (2.0 * dot(v, h)) - v;

@@ -1,4 +1,4 @@
-// The stored reference values of GGX speculars under area lights (specular.csv), as lights.
+// The stored reference values of GGX specular reflection of area lights (specular.csv), as lights.
 #pragma once
 
 #include <gonio/shading/shade.hpp>
@@ -45,7 +45,7 @@ vec3<S> vec(poses::Vec v) {
     return {static_cast<S>(v.x), static_cast<S>(v.y), static_cast<S>(v.z)};
 }
 
-// Calls work(light) with the row's light about the origin.
+// Calls work(light) with the row's light, positioned around the origin.
 template<class S, class Work>
 auto with_light(const Row& row, const Work& work) {
     const vec3<S> zero{S(0), S(0), S(0)};

@@ -1,4 +1,4 @@
-// The specular part under a sphere light, against stored values of another program's quadrature.
+// The specular part for a sphere light, against stored values of another program's quadrature.
 #include <gonio/shading/shade.hpp>
 
 #include "poses.hpp"
@@ -19,7 +19,7 @@ using poses::Vec;
 
 using specular::Row;
 
-// The BRDF itself over the cap, by the midpoint rule in the ring's height and azimuth.
+// The BRDF itself integrated over the cap, by the midpoint rule in the ring's height and azimuth.
 double by_midpoints(const Row& row) {
     constexpr int rings = 300;
     constexpr int sectors = 300;
@@ -53,7 +53,7 @@ TEST(SpecularOfASphere, TheBrdfIntegratesToTheStoredValues) {
     EXPECT_GE(rough, 30);
 }
 
-// An approximation; these are the errors within which it is one.
+// The representative point is an approximation; these are its errors.
 TEST(SpecularOfASphere, RepresentativePoint) {
     const auto rows = specular::rows("sphere");
     std::vector<double> smooth;

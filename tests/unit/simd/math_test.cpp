@@ -1,4 +1,4 @@
-// The bounds that simd/math.hpp states, on every instruction set of this machine, against the C library in double.
+// The bounds stated in simd/math.hpp, on every instruction set of this machine, against the C library in double.
 #include <gonio/simd/array_math.hpp>
 #include <gonio/simd/math.hpp>
 
@@ -21,7 +21,7 @@ using gonio::simd::array_math;
 using gonio::simd::ArrayMath;
 using gonio::simd::InstructionSet;
 
-// By set, and whether packs come in twos.
+// By instruction set, and whether packs come in pairs.
 class PackMath : public testing::TestWithParam<std::tuple<InstructionSet, bool>> {
 protected:
     const ArrayMath& math = std::get<1>(GetParam()) ? gonio::simd::array_math_of_twins(std::get<0>(GetParam()))
@@ -46,7 +46,7 @@ double ulp(double x) {
            static_cast<double>(magnitude);
 }
 
-// `count` floats evenly spread over the bit patterns (so over the exponents) of [low, high], 0 < low < high.
+// `count` floats spread uniformly over the bit patterns (so over the exponents) of [low, high], 0 < low < high.
 std::vector<float> by_exponent(float low, float high, std::size_t count) {
     std::int32_t a = 0;
     std::int32_t b = 0;
@@ -109,7 +109,7 @@ TEST_P(PackMath, ArcFunctions) {
     });
 }
 
-// What they are for: no digit is lost where √t, its arctangent and their quotient are all but 1.
+// The purpose of these functions: no digit is lost where √t, its arctangent and their quotient are close to 1.
 TEST_P(PackMath, RatiosOfArcFunctions) {
     const auto series = [](long double t, long double sign) { // of (atan or atanh of √t)/√t − 1, t ≤ 1e-3
         long double sum = 0.0L;
@@ -151,14 +151,14 @@ TEST_P(PackMath, Atan2Above) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         const long double exact = std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i]));
         ASSERT_GE(result[i], 0.0F);
-        // A quotient that is no normal number has an error of its own.
+        // A denormal quotient has an additional error.
         worst = std::fmax(worst, static_cast<double>(std::fabs(static_cast<long double>(result[i]) - exact)) /
                                      std::fmax(ulp(static_cast<double>(exact)), 1e-44));
     }
     EXPECT_LE(worst, 4.0);
     RecordProperty("atan2_above_ulp", std::to_string(worst));
 
-    // −0, NaN and what counts as 0.
+    // −0, NaN and values that count as 0.
     const float nan = std::nanf("");
     const std::vector<float> odd_y{0.0F, -0.0F, -0.0F, 1e-40F, 0.0F, 3e38F, 0.0F, 1.0F, nan};
     const std::vector<float> odd_x{0.0F, 1.0F, -1.0F, 1e-40F, 1e38F, -3e38F, -0.0F, -0.0F, 1.0F};
@@ -176,7 +176,7 @@ TEST_P(PackMath, Atan2Above) {
     EXPECT_FLOAT_EQ(result[7], 0.5F * pi);
 }
 
-// b is widened, multiplied, subtracted and narrowed: one rounding, where a float loses all of its digits.
+// b is widened, multiplied, subtracted and narrowed with a single rounding, where plain float loses all digits.
 TEST_P(PackMath, DoublesOfAPackRoundOnce) {
     std::vector<float> a;
     std::vector<float> b;
@@ -187,7 +187,7 @@ TEST_P(PackMath, DoublesOfAPackRoundOnce) {
     std::vector<float> result(a.size());
     math.wide_product_less(a.data(), b.data(), result.data(), a.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
-        // Exact: the product of two floats is a double, and so is its difference to one of them.
+        // Exact: the product of two floats is a double, and so is its difference from one of them.
         const double exact = static_cast<double>(a[i]) * static_cast<double>(b[i]) - static_cast<double>(b[i]);
         ASSERT_EQ(result[i], static_cast<float>(exact)) << a[i] << ' ' << b[i];
     }
@@ -202,7 +202,7 @@ TEST_P(PackMath, ChosenLanesStandSideBySide) {
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             state = state * 1664525U + 1013904223U;
             a.push_back(static_cast<float>(a.size() + 1));
-            // Every choice of eight lanes, then random ones.
+            // Every selection of eight lanes, then random ones.
             const bool chosen = packet < 256 && lanes <= 8 ? (packet >> lane & 1U) != 0 : (state >> 30) != 0;
             b.push_back(chosen ? 0.0F : 1e9F);
         }
@@ -384,7 +384,7 @@ TEST_P(PackMath, DifferenceOfSquaresDoesNotCancel) {
     std::vector<float> r;
     for (const float each : evenly(0.1, 3.0, 100'001)) {
         x.push_back(each);
-        // The float nearest to the root: what is left of the difference is rounding of r alone.
+        // The float nearest to the root: the remaining difference is only the rounding of r.
         r.push_back(static_cast<float>(std::sqrt(static_cast<double>(each) * static_cast<double>(each) + 0.3125)));
     }
     std::vector<float> result(x.size());
@@ -415,7 +415,7 @@ TEST_P(PackMath, TailsOfEveryLength) {
 }
 
 TEST(DoubleMath, DifferenceOfSquaresIsExactToTheLastDigits) {
-    // d² − r² with d = r(1 + 2⁻⁵⁰): in plain double nothing is left of it.
+    // d² − r² with d = r(1 + 2⁻⁵⁰): in plain double the result is lost.
     const double r = 1.2345678901234567;
     const double d = r * (1.0 + 0x1p-50);
     const long double exact = (static_cast<long double>(d) - r) * (static_cast<long double>(d) + r);
@@ -434,8 +434,8 @@ TEST(DoubleMath, AtanExcessKeepsItsDigits) {
     }
 }
 
-// A product below the least normal number takes a hundred cycles on some processors; without FMA each product inside is
-// a number of its own.
+// A product below the smallest normal number takes a hundred cycles on some processors; without FMA each product inside
+// is a separate number.
 TEST(FloatMath, ArcsOfSmallAnglesStayAmongTheNormalNumbers) {
     for (float x = 1.0F; x > 1e-12F; x *= 0.93F) {
         volatile const float y = x;

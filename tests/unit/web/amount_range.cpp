@@ -1,4 +1,4 @@
-// Intensities end at 1e30 cd: whatever makes a web refuses what is above, and nothing becomes infinite.
+// Intensities are limited to 1e30 cd: everything that makes a web refuses larger values, and nothing becomes infinite.
 #include <gonio/base/amount_range.hpp>
 #include <gonio/web/author.hpp>
 #include <gonio/web/author_csv.hpp>
@@ -43,7 +43,7 @@ TEST(AmountRange, NoFactorLeadsOutOfIt) {
     EXPECT_EQ(reason(scaled_by(web, 1e17)), "error[USE0106]: a factor of 1e+17 makes 1e+20 cd more than 1e+30 cd");
     for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()})
         EXPECT_FALSE(scaled_by(web, wrong)) << wrong;
-    // Of next to no light the factor is beyond a double.
+    // With almost no light, the factor is out of the range of double.
     EXPECT_FALSE(scaled_to(uniform(1e-320), Lumens(1.0)));
     EXPECT_NEAR(peak(*scaled_to(uniform(1e-300), Lumens(12.566370614359172))).intensity.value, 1.0, 1e-12);
     const Luminaire bright{uniform(1e30), {}};
@@ -69,7 +69,7 @@ TEST(AmountRange, ATableNamesThePlace) {
               "t.csv:2:5: error[INP0101]: 1e+31 is above 1e+30 in magnitude");
 }
 
-// A web in range, and a header or a flux beside it that leads out of it.
+// A web in range, with a header or a flux that takes it out of range.
 TEST(AmountRange, AFileThatNoReaderWouldTakeIsNotMade) {
     ProfileHeader header;
     header.source = "lamp";

@@ -39,7 +39,7 @@ TEST(Author, EveryKindHasTheFluxAndTheSymmetryThatItSays) {
             if (type == Photometry::c) {
                 EXPECT_EQ(web.stored_symmetry(), shape.symmetry);
             }
-            // Written out by hand: what it says of its mirrors is so.
+            // A table written out by hand has the mirrors that the shape declares.
             AuthoredShape plain = shape;
             plain.symmetry = Symmetry::none;
             EXPECT_LE(difference(*authored(plain, options), web).relative, 1e-6) << kind.kind;
@@ -57,7 +57,7 @@ TEST(Author, ShapesAreTheirFormulas) {
     EXPECT_EQ(cosine.candela(0, 91), 0.0);
     const Web up = made("cosine:power=1,up=0.5", fine);
     EXPECT_NEAR(up.candela(0, 180) / up.candela(0, 0), 0.5, 1e-6);
-    // A batwing is as bright on the floor at its reach as below it.
+    // A batwing is as bright on the floor at its reach as directly below it.
     const Web wings = made("batwing:reach=50deg,across=30deg", fine);
     EXPECT_NEAR(wings.candela(0, 50) * std::pow(std::cos(50 * rad), 3) / wings.candela(0, 0), 1.0, 1e-6);
     EXPECT_NEAR(wings.candela(90, 30) * std::pow(std::cos(30 * rad), 3) / wings.candela(0, 0), 1.0, 1e-6);
@@ -87,7 +87,7 @@ TEST(Author, FilesHaveNoExponents) {
         for (const std::string keys : {"", ":beam=10deg"})
             for (const double lumens : {1e-3, 800.0, 1e6}) {
                 const auto shape = parse_authored(std::string(kind.kind) + keys);
-                if (!shape) continue; // it has no beam
+                if (!shape) continue; // it has no beam angle
                 AuthorOptions options;
                 options.flux = Lumens(lumens);
                 const Web web = *authored(*shape, options);
@@ -139,7 +139,7 @@ TEST(Csv, SaysWhereItIsWrong) {
     EXPECT_EQ(place("x,0,90\n0,5,oh\n").line, 2U);
     EXPECT_EQ(place("x,0,90\n0,5,oh\n").column, 5U);
     EXPECT_EQ(place("x,0,90\n\n0,5\n").line, 3U);
-    // Of a text that is another kind of file nothing is quoted.
+    // Messages quote nothing from a text that is another kind of file.
     const auto said = [](std::string_view text) {
         return web_from_csv(text, "t.csv").error().diagnostics.back().message;
     };

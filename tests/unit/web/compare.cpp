@@ -25,7 +25,7 @@ TEST(Compare, AWebEqualsItselfAndItsExpansion) {
 }
 
 TEST(Compare, TwoGridsDifferMostAtACornerOfTheirUnion) {
-    // a bends at 30°, b at 40°: |a − b| is greatest at one of both, between neither's neighbours.
+    // a bends at 30°, b at 40°: |a − b| is greatest at one of these angles, and at no angle between them.
     const Web a = *Web::create(Symmetry::axial, {0}, {0, 30, 90}, {100, 40, 0});
     const Web b = *Web::create(Symmetry::axial, {0}, {0, 40, 90}, {100, 10, 0});
     const WebDifference d = difference(a, b);

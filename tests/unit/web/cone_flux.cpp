@@ -1,4 +1,4 @@
-// ConeFlux against closed forms and against quadrature in C and γ (Rings), which shares no step with it.
+// ConeFlux against closed forms and against quadrature in C and γ (Rings), which shares no step with ConeFlux.
 #include <gonio/web/cone_flux.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/rings.hpp>
@@ -63,7 +63,7 @@ TEST(ConeFlux, TheWholeSphereHasTheFlux) {
     }
 }
 
-// Rings state 1e-6 for tables of random values.
+// Rings are stated to 1e-6 for tables of random values.
 TEST(ConeFlux, MeetsTheQuadrature) {
     constexpr std::array edges{0.0, 90.0, 270.0, 360.0};
     for (const Web& web : goniometers()) {

@@ -1,5 +1,5 @@
-// The conversion matrix: every real profile into every format and dialect and from there into every other one. What is
-// read back must be the light that was given.
+// The conversion matrix: every real profile into every format and dialect, and from there into every other one. The
+// result must be the same light as the source.
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
@@ -29,7 +29,7 @@ constexpr std::array every_target{ProfileTarget::lm63_1995, ProfileTarget::lm63_
 
 struct Cell {
     int files = 0;
-    double worst = 0.0;      // greatest difference by the peak
+    double worst = 0.0;      // greatest difference relative to the peak
     double worst_flux = 0.0; // relative
     std::string where;
 };
@@ -39,7 +39,7 @@ struct Written {
     Web web;
 };
 
-// Converts, writes, reads and resolves; fails the test where any of it fails.
+// Converts, writes, reads and resolves; fails the test if any of these steps fails.
 void convert_into(const Profile& profile, ProfileTarget target, std::vector<Written>& out) {
     const Result<MadeProfile> made = convert_profile(profile, target);
     ASSERT_TRUE(made) << profile.source << ": " << to_text(made.error().diagnostics.back());
@@ -61,8 +61,8 @@ void note(Cell& cell, const Web& source, const Web& made, const std::string& pat
     if (lm > 0.0) cell.worst_flux = std::max(cell.worst_flux, std::abs(flux(made).value / lm - 1.0));
 }
 
-// What resampling to type C makes of the light, and the difference of what is read back: that one also sees a direction
-// in which the table itself has several values, at a pole of its goniometer.
+// The error of resampling to type C, and the error of what is read back, which also includes directions where the table
+// itself has several values, at a pole of its goniometer.
 std::string entry_for_other_type(const Web& source, const std::vector<Written>& made, const std::string& path) {
     const ResampledWeb of_type_c = *resampled_to_c(source);
     const double bright = peak(source).intensity.value;
@@ -110,7 +110,7 @@ TEST(ConvertCorpus, EveryPairOfFormatsKeepsTheLight) {
         for (const ProfileTarget target : every_target)
             ASSERT_NO_FATAL_FAILURE(convert_into(*read, target, first));
         if (source->web.photometry() != Photometry::c) {
-            // Exact between the editions; EULUMDAT and the portable dialect are resampled.
+            // Exact between the editions of one format; EULUMDAT and the portable dialect are resampled.
             other_types += entry_for_other_type(source->web, first, path);
             continue;
         }
@@ -149,7 +149,7 @@ TEST(ConvertCorpus, EveryPairOfFormatsKeepsTheLight) {
     }
 }
 
-// Into its own format a file is kept field by field.
+// Conversion into a file's own format keeps every field.
 TEST(ConvertCorpus, TheOwnFormatKeepsEveryField) {
     const fs::path folder = fs::path(test::corpus_folder) / "good";
     if (std::string(test::corpus_folder).empty() || !fs::is_directory(folder))

@@ -1,4 +1,4 @@
-// Direct ratios against what is known in closed form.
+// Direct ratios against values known in closed form.
 #include <gonio/web/direct_ratios.hpp>
 
 #include "webs.hpp"
@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr std::array room_indices{0.60, 0.80, 1.00, 1.25, 1.50, 2.00, 2.50, 3.00, 4.00, 5.00};
 
 // A ceiling full of Lambertian luminaires is a Lambertian ceiling: the ratio is the form factor between two opposite
-// squares of side x apart by 1.
+// squares with side x at distance 1.
 double form_factor(double x) {
     const double one = 1.0 + x * x;
     return 2.0 / (pi * x * x) *

@@ -26,8 +26,8 @@ TEST(Flux, OfOneLinearCellIsItsClosedForm) {
     EXPECT_NEAR(flux(web).value, 2.0 * pi * (1.0 - 2.0 / pi), 1e-15 * 10);
 }
 
-// Steps of 5° in C meet every plane below, where the midpoint rule is exact for what is linear between them; in γ its
-// error falls as the square of the step and is below 1e-7 at 2000 points a cell.
+// Steps of 5° in C include every plane below, and the midpoint rule is exact between planes, where the light is linear;
+// in γ its error falls with the square of the step and is below 1e-7 at 2000 points per cell.
 TEST(Flux, AgreesWithQuadratureForEverySymmetry) {
     for (const auto& gammas : {steps(0, 180, 19), std::vector<double>{0, 3, 4, 20, 55, 90}}) {
         for (const Web& web :

@@ -28,7 +28,7 @@ TEST(Spread, OfABatwingReachesOverTheDip) {
 }
 
 TEST(Spread, OfALeaningLobeCountsItsOwnSideOnly) {
-    // Bright from 30° to 50° of the C0 side only: 10° in, 10° out of the flanks between 20° and 60°.
+    // Bright from 30° to 50° on the C0 side only: the half points are 10° in on each of the flanks between 20° and 60°.
     const Web web = *Web::create(Symmetry::bilateral_0_180, {0, 180}, {0, 20, 30, 50, 60, 90},
                                  {0, 0, 100, 100, 0, 0, 0, 0, 0, 0, 0, 0});
     EXPECT_NEAR(spread_deg(web, 0, 0.5), 30.0, 1e-6);

@@ -1,4 +1,4 @@
-// Types A and B: directions, evaluation, exact flux, and their integrals over (C, γ), against dense sums of their own.
+// Types A and B: directions, evaluation, exact flux, and their integrals over (C, γ), against independent dense sums.
 #include <gonio/bake/bake.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/goniometer.hpp>
@@ -46,7 +46,7 @@ std::vector<Web> some_webs() {
     return webs;
 }
 
-// The midpoint rule inside every native cell of both sides of each mirror, by direction only.
+// The midpoint rule inside every native cell on both sides of each mirror, using only directions.
 double flux_by_midpoints(const Web& web, int n) {
     const Web full = expanded(web);
     double sum = 0.0;
@@ -75,7 +75,7 @@ TEST(Goniometer, AimAndAxesAreWhereLm75PutsThem) {
         EXPECT_NEAR(glm::distance(direction_of(type, {90, 0}), glm::dvec3(1, 0, 0)), 0.0, 1e-15);
         EXPECT_NEAR(glm::distance(direction_of(type, {0, 90}), glm::dvec3(0, 1, 0)), 0.0, 1e-15);
     }
-    // What tells them apart: which angle keeps its great circle.
+    // The difference between types: which angle runs along great circles.
     EXPECT_NEAR(direction_of(Photometry::a, {77, 30}).y, std::sin(30 * rad), 1e-15);
     EXPECT_NEAR(direction_of(Photometry::b, {30, 77}).x, std::sin(30 * rad), 1e-15);
     for (const Photometry type : {Photometry::a, Photometry::b, Photometry::c})
@@ -95,7 +95,7 @@ TEST(NativeWeb, HitsItsTableByDirectionAndByAngle) {
                 const double h = web.horizontal_deg()[i];
                 const double v = web.vertical_deg()[j];
                 EXPECT_EQ(web.candela_at(h, v), web.column(i)[j]);
-                // Where longitudes meet or close, a direction has several.
+                // Where longitudes meet or close, a direction has several coordinates.
                 const double latitude = web.photometry() == Photometry::a ? v : h;
                 const double longitude = web.photometry() == Photometry::a ? h : v;
                 if (std::abs(latitude) == 90.0 || std::abs(longitude) == 180.0) continue;
@@ -167,7 +167,7 @@ TEST(NativeFlux, AgreesWithQuadratureForEveryMirror) {
     }
 }
 
-// The two integrals share nothing: closed form over native cells, quadrature over rings of γ.
+// The two integrals are independent: closed form over native cells, quadrature over rings of γ.
 TEST(Rings, MeetTheExactFlux) {
     for (const Web& web : some_webs()) {
         const double exact = flux(web).value;
@@ -227,7 +227,7 @@ TEST(Resample, OfTypesAAndBStatesItsError) {
     EXPECT_EQ(fine.web.photometry(), Photometry::c);
     EXPECT_LT(fine.max_error.value, coarse.max_error.value);
     EXPECT_NEAR(fine.flux_error.value, flux(fine.web).value - flux(web).value, 1e-9);
-    // No direction is further off than what it says, within what lies between the measured points.
+    // No direction has a larger error than stated, except for a margin between the measured points.
     std::mt19937 generator(3);
     for (int i = 0; i < 20000; ++i) {
         const double c = 360.0 * static_cast<double>(generator()) / 4294967296.0;
@@ -261,7 +261,7 @@ TEST(Resample, FollowsTheLightToTheTolerance) {
             const ResampledWeb c = *resampled_to_c(web, tolerance);
             EXPECT_LE(c.max_error.value, 1.25 * tolerance * peak(web).intensity.value) << tolerance;
             EXPECT_LE(c.web.planes_deg().size() * c.web.gammas_deg().size(), 65536U);
-            // The principal planes hold the table's own angles, and its values with them.
+            // The principal planes contain the table's own angles, and therefore its values.
             for (const double h : web.horizontal_deg()) {
                 const double at = c.web.candela(h < 0 ? 180.0 : 0.0, std::abs(h));
                 EXPECT_NEAR(at, web.candela_at(h, 0.0), 1e-9) << h;
@@ -274,11 +274,11 @@ TEST(Resample, IsBoundedWhereTheTableEndsInTheBright) {
     const Web web = *Web::create(Photometry::b, Symmetry::none, angles, angles, std::vector<double>(81, 100.0));
     const ResampledWeb c = *resampled_to_c(web);
     EXPECT_LE(c.web.planes_deg().size() * c.web.gammas_deg().size(), 65536U);
-    EXPECT_GT(c.max_error.value, 10.0); // said, not hidden
+    EXPECT_GT(c.max_error.value, 10.0); // the error is reported, not hidden
     EXPECT_NEAR(c.flux_error.value, 0.0, 5e-3 * flux(web).value);
 }
 
-// Every V meets at H = 90° of type B, and there the table has two values.
+// All V meet at H = 90° of type B, and there the table has two values.
 TEST(Resample, TellsAJumpOfTheTableFromItsOwnError) {
     const Web web = *Web::create(Photometry::b, Symmetry::none, {-90, 0, 90}, {-90, 0, 90},
                                  {100, 100, 100, 100, 100, 100, 40, 70, 100});
@@ -328,7 +328,7 @@ TEST(NativeResolve, AnglesThatStartAtZeroStandForBothSides) {
                   Symmetry::bilateral_0_180);
         EXPECT_EQ(resolve_web(ies(type, {0, 45, 90}, {0, 45, 90}, candela))->web.stored_symmetry(), Symmetry::quadrant);
     }
-    // Factors apply as ever.
+    // Factors apply as for other types.
     Profile profile = ies(Photometry::b, {-90, 0, 90}, {-90, 0, 90}, candela);
     std::get<IesFile>(profile.file).candela_multiplier = 3.0;
     EXPECT_EQ(resolve_web(profile)->web.candela(0, 0), 15.0);
@@ -343,7 +343,7 @@ TEST(NativeResolve, OneAngleIsNoTable) {
     EXPECT_FALSE(resolve_web(ies(Photometry::a, {-200, 0}, {-90, 90}, {1, 1, 1, 1})));
 }
 
-// Real files of type B: the texture's integral is the exact flux, whatever the size.
+// Real files of type B: the texture's integral is the exact flux at any size.
 TEST(NativeCorpus, RealTypeBFilesAreBaked) {
     namespace fs = std::filesystem;
     if (std::string(test::corpus_folder).empty() || !fs::is_directory(fs::path(test::corpus_folder) / "good"))

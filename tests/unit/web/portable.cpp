@@ -22,7 +22,8 @@ bool says(const Diagnostics& diagnostics, std::string_view code) {
                        [&](const Diagnostic& diagnostic) { return diagnostic.code == code; });
 }
 
-// Every character that has a spelling, in both encodings that files use; one that has none is a question mark.
+// Every character that has an ASCII spelling, in both encodings that files use; one without a spelling becomes a
+// question mark.
 TEST(Portable, SpellsWhatAsciiLacks) {
     const auto ascii = [](std::string text) {
         EXPECT_TRUE(web_detail::make_ascii(text));
@@ -36,7 +37,7 @@ TEST(Portable, SpellsWhatAsciiLacks) {
               "'a' \"b\" \"c ... EUR (TM) ??");
     EXPECT_EQ(ascii("\x80 \x84\x93\x94 \x85 \x8C\x9C \x91\x92 \x96\x97 \x99 \xB0 \xFC \x81"),
               "EUR \"\"\" ... OEoe '' -- (TM) deg u ?");
-    // Cut short, too long a form, a surrogate's lead: no UTF-8, so the code page 1252.
+    // Truncated, overlong, a lead surrogate: not UTF-8, so read as code page 1252.
     EXPECT_EQ(ascii("\xC3"), "A");
     EXPECT_EQ(ascii("\xC0\xAF"), "A?");
     std::string plain = "plain\ttext";
@@ -44,7 +45,7 @@ TEST(Portable, SpellsWhatAsciiLacks) {
     EXPECT_EQ(plain, "plain text");
 }
 
-// What the survey of loaders asks for, claim by claim.
+// The requirements from the survey of loaders, claim by claim.
 TEST(Portable, IsWhatEveryLoaderReads) {
     ProfileHeader header;
     header.keywords = {{"MANUFAC", "Gl\xFChlampen\tGmbH"},

@@ -71,7 +71,7 @@ TEST(Resolve, ReadsSymmetryFromTheAngles) {
     EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 180, 360}, {1, 1, 1, 1, 1, 1}))->web.stored_symmetry(),
               Symmetry::none);
     EXPECT_TRUE(has_code(resolve_web(ies(IesVersion::lm63_2002, {205}, {1, 1}))->diagnostics, "WEB0103"));
-    // 90° that came through a float.
+    // 90° after rounding to float.
     EXPECT_EQ(resolve_web(ies(IesVersion::lm63_2002, {0, 90.0000001}, {1, 1, 1, 1}))->web.stored_symmetry(),
               Symmetry::quadrant);
 }
@@ -100,7 +100,7 @@ TEST(Resolve, AbsolutePhotometryDeclaresNoFlux) {
     EXPECT_DOUBLE_EQ(*declared_flux_lm(profile), 1000.0);
 }
 
-// An EULUMDAT table of 24 planes with a light that has the symmetry, stored in each way that Isym allows.
+// An EULUMDAT table of 24 planes for a light with the given symmetry, stored in each way that Isym allows.
 Profile ldt(int symmetry) {
     LdtFile file;
     file.symmetry = symmetry;

@@ -1,4 +1,4 @@
-// Webs and headers written into files and read again, and what was said on the way.
+// Webs and headers written into files and read again, with the diagnostics.
 #pragma once
 
 #include <gonio/profile/read.hpp>

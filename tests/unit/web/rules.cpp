@@ -45,7 +45,7 @@ std::string ldt(const Lines& changed = {}) {
                    changed);
 }
 
-// EULUMDAT with planes: symmetry, number and step of the planes and what follows the ratios.
+// EULUMDAT with planes: symmetry, number and step of the planes, and the lines after the ratios.
 std::string ldt_planes(const char* symmetry, const char* count, const char* step, const char* table) {
     return ldt({{2, "3"}, {3, symmetry}, {4, count}, {5, step}, {43, table}, {44, ""}, {45, ""}, {46, ""}, {47, ""}});
 }
@@ -285,7 +285,7 @@ const std::map<std::string, Rule>& smallest_files() {
     return rules;
 }
 
-// Everything that reading, resolving, the check of plausibility and, where asked for, converting say.
+// All diagnostics of reading, resolving, the plausibility check and, if requested, converting.
 Diagnostics all_said(const Rule& rule) {
     ReadOptions options;
     options.strict = rule.strict;
@@ -333,7 +333,7 @@ void expect_broken(std::string_view code, Severity severity) {
     EXPECT_EQ(diagnostic->message.find('\n'), std::string::npos) << to_text(*diagnostic);
     EXPECT_NE(diagnostic->message.back(), '.') << to_text(*diagnostic);
     EXPECT_EQ(diagnostic->location.file, rule->second.name);
-    // Readers and rules about the light know where it stands; what is lost in writing is of the whole file.
+    // Diagnostics about reading and about the light have a place; losses in writing concern the whole file.
     const bool of_writing = code.substr(0, 5) == "WEB02";
     EXPECT_EQ(diagnostic->location.line == 0, of_writing) << to_text(*diagnostic);
 }
@@ -376,7 +376,7 @@ TEST(Rules, AboutTheLightNameTheField) {
     EXPECT_EQ(place_of(all_said({ldt({{46, " -1"}})}), "WEB0105"), "46:2");
     EXPECT_EQ(place_of(all_said({ldt({{32, "0"}})}), "WEB0305"), "32:1");
     EXPECT_EQ(place_of(all_said({ies({{2, "[_CCT] 99\nTILT=NONE"}})}), "WEB0317"), "2:1");
-    // Beyond the range it is a factor: the greatest of them.
+    // If a factor takes the values out of range, the place is that of the largest factor.
     EXPECT_EQ(place_of(all_said({ies({{4, "1e30 1 10"}})}), "WEB0108"), "4:1");
     EXPECT_EQ(place_of(all_said({ies({{1, "IESNA91"}, {4, "1 1e30 10"}})}), "WEB0108"), "4:3");
     EXPECT_EQ(place_of(all_said({ldt({{24, "1e30"}})}), "WEB0108"), "24:1");
@@ -399,7 +399,7 @@ TEST(Rules, NameTheLampSetThatIsLookedAt) {
     EXPECT_EQ(place_of(check_plausibility(*profile, resolve_web(*profile, options)->web, options), "WEB0315"), "35:0");
 }
 
-// A profile that was made has no text: what is odd about it is said of the whole.
+// A profile that was made has no text: its diagnostics concern the whole profile.
 TEST(Rules, OfAMadeProfileNameNoPlace) {
     Profile made;
     made.source = "made";
@@ -407,13 +407,13 @@ TEST(Rules, OfAMadeProfileNameNoPlace) {
     EXPECT_EQ(place_of(resolve_web(made)->diagnostics, "WEB0106"), "0:0");
 }
 
-// Else the files above would show nothing.
+// Otherwise the files above would prove nothing.
 TEST(Rules, TheFilesTheyAreMadeFromBreakNone) {
     for (const std::string& bytes : {ies(), ldt(), tm33()})
         EXPECT_EQ(text_of(all_said({bytes})), "");
 }
 
-// What strict reading makes an error of, tolerant reading reads.
+// Tolerant reading accepts what strict reading refuses.
 TEST(Rules, StrictSeveritiesAreThoseOfTheTable) {
     for (const DiagnosticCode& entry : profile_codes) {
         Rule rule = smallest_files().at(std::string(entry.code));
@@ -427,12 +427,12 @@ TEST(Rules, StrictSeveritiesAreThoseOfTheTable) {
     }
 }
 
-// A check that warns of a good file is a check that nobody reads.
+// Plausible files must pass without warnings, otherwise users would ignore the check.
 TEST(Rules, PlausibleLightsPass) {
     const auto said = [](const std::string& bytes) { return text_of(all_said({bytes})); };
-    // Losses of the luminaire, and a flux 2 % above the lamps'.
+    // Losses of the luminaire, and a flux 2 % above that of the lamps.
     EXPECT_EQ(said(ies({{3, "1 224 1 2 1 1 2 0 0 0"}})), "");
-    // A narrow beam: the pole is one direction, whatever stands beside it.
+    // A narrow beam: the pole is one direction, whatever the values next to it are.
     EXPECT_EQ(said(ies({{3, "1 -1 1 3 1 1 2 0 0 0"}, {5, "0 5 90"}, {7, "10000 10 0"}})), "");
     // A short code for 3000 K, Ra 80 to 89; no number at all.
     EXPECT_EQ(said(ldt({{30, "830"}})), "");

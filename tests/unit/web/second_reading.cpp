@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(const std::string& bytes) {
     return lines;
 }
 
-// Planes at all angles; of those that several images give, the first given stays.
+// Planes at all angles; if several images give the same plane, the first one is kept.
 SecondReading of_planes(const std::vector<double>& gammas, const std::vector<std::pair<double, Column>>& planes) {
     std::map<double, Column> sorted;
     for (const auto& [c, column] : planes)
@@ -38,7 +38,7 @@ SecondReading of_planes(const std::vector<double>& gammas, const std::vector<std
         reading.horizontal_deg.push_back(c);
         reading.candela.push_back(column);
     }
-    // A last plane left out: the first one, a turn later.
+    // If the last plane is left out, it is the first one, a turn later.
     if (reading.horizontal_deg.size() > 1) {
         double widest = 0.0;
         for (std::size_t i = 1; i < reading.horizontal_deg.size(); ++i)
@@ -52,7 +52,7 @@ SecondReading of_planes(const std::vector<double>& gammas, const std::vector<std
     return reading;
 }
 
-// Rows that repeat an angle: the first stands for it.
+// If rows repeat an angle, the first one is used.
 void drop_repeated_rows(std::vector<double>& gammas, std::vector<Column>& columns) {
     for (std::size_t j = gammas.size(); j-- > 1;)
         if (gammas[j] == gammas[j - 1]) {
@@ -82,7 +82,7 @@ SecondReading of_ies(const std::vector<std::string>& lines, std::size_t tilt_lin
             angle = next();
         for (const double angle : angles) {
             const double at = next();
-            if (angle == 0.0) factor = at; // the lamp as it is measured; files list it
+            if (angle == 0.0) factor = at; // the lamp in the position it was measured in; files list it
         }
     }
     double header[13];
@@ -128,7 +128,7 @@ SecondReading of_ies(const std::vector<std::string>& lines, std::size_t tilt_lin
         }
         return of_planes(v, planes);
     }
-    // Types A and B: H or V that start at 0 stand for both sides.
+    // Types A and B: H or V that start at 0 describe both sides.
     SecondReading reading;
     reading.type = header[5] == 2.0 ? 'B' : 'A';
     std::map<double, std::map<double, double>> table;

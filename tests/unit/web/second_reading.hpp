@@ -1,6 +1,6 @@
-// A second reading of LM-63 and EULUMDAT, written against the formats' descriptions with none of the library's code and
+// A second reader of LM-63 and EULUMDAT, written from the formats' descriptions without any of the library's code and
 // by other means: tokens of the whole text through strtod, mirrors written out plane by plane, angles from acos and
-// asin, flux by Gauss–Legendre quadrature. It knows well-formed files alone and is slow.
+// asin, flux by Gauss–Legendre quadrature. It supports only well-formed files and is slow.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct SecondReading {
     [[nodiscard]] double candela_along(double x, double y, double z) const;
 };
 
-// Of the bytes of a file: LM-63 where they hold a TILT line, else EULUMDAT with its first lamp set.
+// From the bytes of a file: LM-63 if they contain a TILT line, else EULUMDAT with its first lamp set.
 SecondReading second_reading(const std::string& bytes);
 
 } // namespace gonio::test

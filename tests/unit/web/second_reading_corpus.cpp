@@ -1,4 +1,4 @@
-// Every real profile against a second reading of its bytes: flux, peak and intensities in random directions.
+// Every real profile against the second reader: flux, peak and intensities in random directions.
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Both sides round differently by some 1e-13; in a steep cell the angle's own rounding (acos beside a pole: 1e-8 rad)
-// counts, of which the directions here keep clear.
+// The two readers round differently, by about 1e-13. In a steep cell the rounding of the angle matters (acos near a
+// pole: 1e-8 rad), so the directions here avoid such places.
 constexpr double limit = 1e-9;
 
 void expect_same_light(const std::string& bytes, const std::string& name) {
@@ -68,7 +68,7 @@ TEST(SecondReading, FindsTheLightOfEveryRealProfile) {
     }
 }
 
-// The number `index` behind the TILT line replaced.
+// Replaces number `index` after the TILT line.
 std::string with_number(std::string bytes, std::size_t index, const std::string& number) {
     constexpr const char* blanks = " \t\r\n,";
     std::size_t at = bytes.find_first_of("\r\n", bytes.find("TILT="));
@@ -80,7 +80,7 @@ std::string with_number(std::string bytes, std::size_t index, const std::string&
     }
 }
 
-// Few real files are of type B and none of type A: other tables, read as those.
+// Few real files are of type B and none of type A, so other tables are read as those types.
 TEST(SecondReading, FindsTheLightOfTypesAAndB) {
     int of_type_b = 0;
     for (const std::string& path : good_files()) {
@@ -94,7 +94,7 @@ TEST(SecondReading, FindsTheLightOfTypesAAndB) {
         ++of_type_b;
         ASSERT_NO_FATAL_FAILURE(expect_same_light(with_number(*bytes, 5, "3"), path + " as type A"));
     }
-    // One of the project's own, in all three.
+    // One of the project's own profiles, as all three types.
     const Result<std::string> flood = read_file(std::string(test::source_folder) + "/profiles/flood.ies");
     ASSERT_TRUE(flood);
     ASSERT_NO_FATAL_FAILURE(expect_same_light(*flood, "flood.ies"));

@@ -34,7 +34,7 @@ TEST(Symmetry, IsDetectedFromTheNumbers) {
 }
 
 TEST(Symmetry, OfUnevenPlanesIsThatOfTheInterpolant) {
-    // 10° has no partner at 350°, but lies on the line between its neighbours' mirror images.
+    // 10° has no mirror plane at 350°, but lies on the line between its neighbours' mirror images.
     const Web mirrored = *Web::create(Symmetry::none, {0, 10, 180, 360}, {0, 90}, {0, 0, 10, 10, 180, 180, 0, 0});
     EXPECT_EQ(detected_symmetry(mirrored), Symmetry::bilateral_0_180);
     const Web bent = *Web::create(Symmetry::none, {0, 10, 180, 360}, {0, 90}, {0, 0, 50, 50, 180, 180, 0, 0});
@@ -63,7 +63,7 @@ TEST(Symmetry, CompactedIsTheSmallestThatIsTheSameLight) {
 }
 
 TEST(Symmetry, CompactedKeepsABendThatOnlyItsMirrorImageShows) {
-    // Bends at 10° and at 300°: each half alone lacks one of them.
+    // Bends at 10° and at 300°: each half alone is missing one of them.
     const Web lean = *Web::create(Symmetry::none, {0, 10, 60, 180, 300, 350, 360}, {0, 90},
                                   {0, 0, 20, 20, 30, 30, 100, 100, 30, 30, 20, 20, 0, 0});
     const Web compact = compacted(lean);
@@ -85,7 +85,7 @@ TEST(Symmetry, ToleranceIsOfThePeak) {
 }
 
 TEST(Symmetry, AJumpOrAGapIsNoMirror) {
-    // First and last plane differ, everything else would be axial.
+    // First and last plane differ; otherwise the web would be axial.
     const Web jump = *Web::create(Symmetry::none, {0, 90, 180, 270, 360}, {0, 90}, {5, 5, 5, 5, 5, 5, 5, 5, 9, 9});
     EXPECT_EQ(detected_symmetry(jump), Symmetry::none);
     const Web sector = *Web::create(Symmetry::none, {45, 135}, {0, 90}, {5, 5, 5, 5});

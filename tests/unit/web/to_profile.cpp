@@ -1,4 +1,4 @@
-// Tables of webs written into files: the light is kept, whatever their planes and angles.
+// Tables of webs written into files: the light is kept, whatever the planes and angles are.
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 #include <gonio/web/integrate.hpp>
@@ -21,7 +21,7 @@ namespace {
 using namespace gonio;
 using namespace gonio::test;
 
-// Agreement at random directions, none of them within a hair of an angle of the table where it may end.
+// Agreement in random directions, none of them very close to an angle where the table may end.
 void expect_same_light(const Web& a, const Web& b, double tolerance, const std::string& what) {
     const double bright = peak(a).intensity.value;
     std::mt19937 random(7);
@@ -75,7 +75,7 @@ TEST(ToProfile, EveryKindOfWebSurvivesEveryTarget) {
             const std::string what = std::string(name) + " as " + to_text(target);
             const RoundTrip out = round_trip(web, {}, target);
             expect_same_light(web, out.web, target == ProfileTarget::portable ? 1e-8 : 1e-12, what);
-            // The ramps beside what is dark are 0.0001 degrees wide.
+            // The ramps next to dark parts are 0.0001 degrees wide.
             EXPECT_NEAR(flux(out.web).value, flux(web).value, 2e-5 * flux(web).value) << what;
         }
     }
@@ -93,16 +93,16 @@ TEST(ToProfile, WhatIsWrittenBreaksNoRule) {
             const Result<Profile> read = read_profile(write_profile(made->profile, target), "written", strict);
             ASSERT_TRUE(read) << name << " as " << to_text(target) << "\n" << said(read.error().diagnostics);
             for (const Diagnostic& diagnostic : read->diagnostics) {
-                // Random planes disagree at the poles, and of random light nothing is known of 0 and 360.
+                // Random planes disagree at the poles, and the planes at 0 and 360 of random light need not agree.
                 const bool of_the_light = diagnostic.code.substr(3) == "0403" || diagnostic.code == "IES0404";
-                if (diagnostic.code == "LDT0404" && web.gammas_deg().front() >= 90.0) continue; // all of it goes up
+                if (diagnostic.code == "LDT0404" && web.gammas_deg().front() >= 90.0) continue; // all light goes up
                 EXPECT_TRUE(of_the_light) << name << " as " << to_text(target) << ": " << to_text(diagnostic);
             }
         }
     }
 }
 
-// Types A and B stay what they are in LM-63: the table itself, with zeros where the standard asks for more angles.
+// Types A and B are kept in LM-63: the table itself, with zeros if the standard requires more angles.
 TEST(ToProfile, TypesAAndBKeepTheirCoordinates) {
     struct Table {
         Symmetry symmetry;
@@ -135,7 +135,7 @@ TEST(ToProfile, TypesAAndBKeepTheirCoordinates) {
             }
         }
     }
-    // What knows type C alone gets a smooth web within the stated tolerance.
+    // Formats that have only type C get a smooth web within the stated tolerance.
     constexpr double deg = std::numbers::pi / 180.0;
     std::vector<double> smooth;
     for (const double h : steps(-90, 90, 37))
@@ -175,14 +175,14 @@ TEST(ToProfile, SymmetriesStaySmall) {
     EXPECT_EQ(planes(Symmetry::bilateral_90_270, {90, 100, 270}, ProfileTarget::lm63_1995), (List{90, 100, 270}));
     EXPECT_EQ(planes(Symmetry::bilateral_90_270, {90, 100, 270}, ProfileTarget::lm63_2002),
               (List{0, 80, 90, 100, 270, 360}));
-    // The last gap must not be the widest: readers would take it for a dark sector.
+    // The last gap must not be the widest: readers would treat it as a dark sector.
     const Web wide = *Web::create(Symmetry::none, {0, 90, 360}, {0, 90}, {1, 2, 3, 4, 1, 2});
     const LdtFile ldt = std::get<LdtFile>(to_profile(wide, {}, ProfileTarget::eulumdat)->profile.file);
     EXPECT_EQ(ldt.planes_deg, (List{0, 90, 225}));
     EXPECT_EQ(ldt.symmetry, 0);
 }
 
-// EULUMDAT computes planes from their step where it is not 0.
+// EULUMDAT computes plane angles from their step unless the step is 0.
 TEST(ToProfile, LdtStepsAreThoseOfTheLists) {
     const Web web = random_web(Symmetry::quadrant, steps(0, 90, 7), steps(0, 180, 73), 4);
     const LdtFile even = std::get<LdtFile>(to_profile(web, {}, ProfileTarget::eulumdat)->profile.file);

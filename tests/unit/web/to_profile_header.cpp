@@ -1,4 +1,5 @@
-// What stands beside a table, written into files: nothing lost that the format holds, everything else said.
+// The data beside a table, written into files: nothing is lost that the format can store, and everything else is
+// reported.
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 #include <gonio/web/integrate.hpp>
@@ -85,7 +86,7 @@ TEST(ToProfileHeader, TextsGoToTheirFieldsAndBack) {
     const LdtFile again = std::get<LdtFile>(round_trip(web, header_of(as_ies.read), ProfileTarget::eulumdat).read.file);
     EXPECT_EQ(again.company, file.company);
     EXPECT_EQ(again.lamp_sets.at(0).color_temperature, "3000");
-    // LAMPCAT stands in where there is no LAMP, and DATE for ISSUEDATE.
+    // LAMPCAT is used if there is no LAMP, and DATE for ISSUEDATE.
     header.keywords = {{"LAMPCAT", "L-9"}, {"DATE", "1994"}};
     const LdtFile older = std::get<LdtFile>(round_trip(web, header, ProfileTarget::eulumdat).read.file);
     EXPECT_EQ(older.lamp_sets.at(0).lamp_type, "L-9");
@@ -192,10 +193,10 @@ TEST(ToProfileHeader, FactorsStayFactorsBetweenEditions) {
     const Result<MadeProfile> portable = convert_profile(profile, ProfileTarget::portable);
     EXPECT_TRUE(says(portable->diagnostics, "WEB0202"));
     EXPECT_NEAR(std::get<IesFile>(portable->profile.file).candela.at(0), 72.0, 1e-9);
-    // The same edition, or none named: field by field.
+    // The same edition, or none given: kept field by field.
     EXPECT_EQ(write_profile(convert_profile(profile, ProfileTarget::lm63)->profile, ProfileTarget::lm63),
               write_ies(an_old_file()));
-    // Another tilt than the one at 0 is a factor that must be multiplied in.
+    // A tilt other than the one at 0 is a factor that must be multiplied in.
     ResolveOptions tilted;
     tilted.tilt_deg = 90.0;
     const Result<MadeProfile> made = convert_profile(profile, ProfileTarget::lm63, tilted);
@@ -247,7 +248,7 @@ TEST(ToProfileHeader, Tm33KeepsEveryKeywordAndFactor) {
     EXPECT_EQ(keyword_text(back, "LAMP"), "LED");
     EXPECT_EQ(back.opening.shape, OpeningShape::disk);
     EXPECT_TRUE(says(made->diagnostics, "WEB0215", "Description, Laboratory, ReportDate")) << said(made->diagnostics);
-    // On to a format without tilts or spectra.
+    // Then into a format without tilts or spectra.
     Profile rich = *read;
     auto& emitter = std::get<Tm33File>(rich.file).emitters[0];
     emitter.spectra.push_back({"s", {}, {}, {400, 500}, {1, 2}});

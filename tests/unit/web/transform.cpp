@@ -1,4 +1,4 @@
-// Transforms: each result against the web it was made of, asked by direction.
+// Transforms: each result against the source web, compared by direction.
 #include <gonio/web/combine.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
@@ -23,7 +23,7 @@ std::vector<Web> every_kind() {
             random_web(Symmetry::bilateral_0_180, {0, 10, 50, 180}, {0, 30, 90, 180}, 3),
             random_web(Symmetry::bilateral_90_270, {90, 100, 200, 270}, {30, 60, 150}, 4),
             expanded(random_web(Symmetry::bilateral_90_270, {90, 100, 200, 270}, {0, 60, 90}, 5)),
-            random_web(Symmetry::none, {10, 50, 200, 370}, {0, 60, 90}, 6), // the first plane comes round as another
+            random_web(Symmetry::none, {10, 50, 200, 370}, {0, 60, 90}, 6), // a turn later the first plane differs
             random_web(Symmetry::none, {20, 50, 200}, {0, 60, 90}, 7)};     // a gap
 }
 
@@ -111,7 +111,7 @@ TEST(Mirrored, SwapsTheSides) {
 }
 
 TEST(Tilted, LeansTheAxis) {
-    // A narrow beam leans where it is told to.
+    // A narrow beam is tilted in the requested direction.
     const Web beam = *Web::create(Symmetry::axial, {0}, {0, 5, 20, 90}, {1000, 900, 0, 0});
     for (const double towards : {0.0, 90.0, 180.0, 217.0}) {
         const ResampledWeb leaned = tilted(beam, 25.0, towards, 0.02);
@@ -140,7 +140,7 @@ TEST(Tilted, IsARotationOfDirections) {
         }
     const Web web = *Web::create(Symmetry::none, planes, gammas, candela);
     const ResampledWeb leaned = tilted(web, 40.0, 30.0, 1e-4);
-    // The vector (1, 0.5, 0) turns with it: nadir goes to C 30°, γ 40°.
+    // The vector (1, 0.5, 0) rotates with the web: nadir goes to C 30°, γ 40°.
     const double a = 40.0 * std::numbers::pi / 180.0;
     const glm::dvec3 u(std::cos(std::numbers::pi / 6.0), std::sin(std::numbers::pi / 6.0), 0.0);
     const glm::dvec3 w(-u.y, u.x, 0.0);
@@ -158,7 +158,7 @@ TEST(Symmetrized, IsTheMeanOfTheImages) {
         for (const Symmetry symmetry : {Symmetry::axial, Symmetry::quadrant, Symmetry::bilateral_0_180,
                                         Symmetry::bilateral_90_270, Symmetry::none}) {
             const Web even = *symmetrized(web, symmetry);
-            // A plane that comes round as another jumps, for which there is a ramp 0.0001° wide.
+            // If a plane reappears a turn later with other values there is a jump, written as a ramp 0.0001° wide.
             const double bar =
                 web.stored_symmetry() == Symmetry::none && web.planes_deg().front() != 0.0 ? 1e-8 : 1e-11;
             EXPECT_NEAR(flux(even).value, flux(web).value, bar * flux(web).value) << to_text(symmetry);
@@ -182,10 +182,10 @@ TEST(Symmetrized, IsTheMeanOfTheImages) {
     }
 }
 
-// Planes that end before the range of their symmetry, and tables of the other types that end on one side: what they
-// leave out is dark (gonio/web/web.hpp), and none of it may be lit, nor anything lit go dark.
+// Planes that end before the range of their symmetry, and tables of the other types that end on one side, leave parts
+// dark (gonio/web/web.hpp): a dark part must not become lit, and a lit part must not become dark.
 TEST(DarkSectors, StayDarkWhateverIsDoneToTheWeb) {
-    // Angles that no rounding leaves alone.
+    // Angles that every operation rounds.
     const double third = 1.0 / 3.0;
     const std::vector<double> gammas{0, 30, 90, 120};
     const std::vector<Web> webs{
@@ -198,7 +198,7 @@ TEST(DarkSectors, StayDarkWhateverIsDoneToTheWeb) {
         random_web(Symmetry::none, {0, 50, 180}, gammas, 17),
         random_web(Symmetry::none, {20.0 + third, 50, 200.0 + third}, gammas, 18),
         random_web(Symmetry::none, {300, 310, 420.0 + third}, gammas, 19),
-        random_web(Symmetry::quadrant, {0}, gammas, 20)}; // nothing but a plane: no light at all
+        random_web(Symmetry::quadrant, {0}, gammas, 20)}; // only a single plane: no light at all
     for (std::size_t i = 0; i < webs.size(); ++i) {
         const Web& web = webs[i];
         const double lm = flux(web).value;

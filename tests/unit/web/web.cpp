@@ -69,7 +69,7 @@ TEST(Web, SymmetriesEqualTheirExpansion) {
                     if (folded > 270.0) folded = 540.0 - folded;
                 }
                 const auto p = static_cast<std::size_t>(std::lround((folded - c.first) / (c.last - c.first) * 6.0));
-                // Only planes that are stored are compared on a grid of 15°.
+                // Only stored planes are compared, on a grid of 15°.
                 const double at_plane = c.first + static_cast<double>(p) * (c.last - c.first) / 6.0;
                 const auto g = static_cast<std::size_t>(gamma / 10.0);
                 candela.push_back(at_plane == folded ? web.column(p)[g] : web.candela(folded, gamma));

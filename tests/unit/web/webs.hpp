@@ -1,4 +1,4 @@
-// Webs that the tests share.
+// Webs shared by several tests.
 #pragma once
 
 #include <gonio/web/web.hpp>
@@ -17,7 +17,7 @@ inline std::vector<double> steps(double first, double last, std::size_t count) {
     return angles;
 }
 
-// Candela drawn from [0, 1000): no structure that a wrong formula could hide behind.
+// Random candela from [0, 1000): without structure that could hide a wrong formula.
 inline Web random_web(Symmetry stored, std::vector<double> planes, std::vector<double> gammas, unsigned seed) {
     std::mt19937 generator(seed);
     std::vector<double> candela(planes.size() * gammas.size());

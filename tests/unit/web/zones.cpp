@@ -68,7 +68,7 @@ TEST(Zones, FrontIsTheSideOfC0) {
         EXPECT_GT(classes.front[i].value, 0.0);
         EXPECT_EQ(classes.back[i].value, 0.0);
     }
-    // 100 cd over a quarter turn and two flanks of 45° at half of it.
+    // 100 cd over a quarter turn, and two flanks of 45° with half of that flux.
     EXPECT_NEAR(classes.front[0].value, 100.0 * (0.5 * pi + 0.25 * pi) * (1.0 - std::cos(30 * rad)), 1e-9);
 }
 
@@ -95,7 +95,7 @@ TEST(SpacingCriterion, OfALambertianSource) {
     EXPECT_FALSE(spacing_criterion(*Web::create(Symmetry::axial, {0}, {90, 180}, {5, 5})).along_c0);
 }
 
-// Step by step over γ, as it was done before the angles of the table were found to be enough.
+// Step by step over γ: the earlier method, from before the table's angles were found to be sufficient.
 std::optional<double> spacing_by_steps(const Web& web, const std::vector<double>& planes_deg, double share,
                                        double factor) {
     const auto illuminance = [&](double gamma) {
@@ -123,7 +123,7 @@ TEST(SpacingCriterion, AsStepByStep) {
          {lambertian(), random_web(Symmetry::axial, {0}, {0, 3, 7.5, 40, 90}, 1),
           random_web(Symmetry::quadrant, {0, 11, 45, 90}, steps(0, 90, 19), 2),
           random_web(Symmetry::bilateral_0_180, steps(0, 180, 13), {0, 10, 30, 45, 170}, 3),
-          random_web(Symmetry::bilateral_90_270, {90, 100, 200, 270}, {0, 20, 35}, 4), // ends in the bright
+          random_web(Symmetry::bilateral_90_270, {90, 100, 200, 270}, {0, 20, 35}, 4), // ends while still bright
           random_web(Symmetry::none, {10, 50, 200, 370}, steps(0, 180, 3), 5)}) {
         const SpacingCriterion sc = spacing_criterion(web);
         const double root = std::numbers::sqrt2;
@@ -166,8 +166,8 @@ TEST(Nema, TypesEndWhereTheTableSays) {
         EXPECT_EQ(nema_type(degrees(angle)), type) << angle;
 }
 
-// Lumens that a laboratory's software printed into a file: the zonal rule gives them, to the lumen it prints, and to
-// the hundredth for the files that are known to it.
+// Lumens that a laboratory's software printed into a file: the zonal rule reproduces them, to the printed lumen, and to
+// a hundredth for the listed files.
 TEST(FluxCorpus, TheZonalRuleIsTheIndustrys) {
     namespace fs = std::filesystem;
     const fs::path good = fs::path(test::corpus_folder) / "good";

@@ -1,4 +1,4 @@
-// What Mitsuba's lights and stages are both written with.
+// Text that Mitsuba's lights and stages share.
 #pragma once
 
 #include <gonio/asset/detail/scene_text.hpp>
@@ -8,7 +8,7 @@
 
 namespace gonio::asset_detail {
 
-// to_world by its columns.
+// to_world, given by its columns.
 std::string mitsuba_matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin);
 
 std::string mitsuba_rgb(std::string_view name, const glm::dvec3& color);

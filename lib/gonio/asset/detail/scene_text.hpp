@@ -1,4 +1,4 @@
-// What the writers of targets share: how a scene comes to them, axes, text, meshes, pictures.
+// What the writers of targets share: the content of a scene, axes, text, meshes, pictures.
 #pragma once
 
 #include <gonio/asset/detail/scene_stage.hpp>
@@ -26,13 +26,13 @@ struct BuiltScene {
     std::vector<std::string> instead;
 };
 
-// What light_scene() writes, before it is text.
+// What light_scene() writes, before it becomes text.
 Result<BuiltScene> scene_content(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 
-// Half angle of a hard spot's inner cone over its outer one: no target takes two that are the same.
+// Ratio of the inner to the outer half angle of a spot with a hard edge: no target accepts two equal angles.
 inline constexpr double hard_edge = 0.9995;
 
-// Axes of other programs, of a vector of the right-handed world with Z up.
+// A vector of the right-handed world with Z up, in the axes of other programs.
 inline glm::dvec3 y_up(const glm::dvec3& v) {
     return {v.x, v.z, -v.y};
 }
@@ -43,67 +43,67 @@ inline glm::dvec3 left_handed_z_up(const glm::dvec3& v) {
     return {v.x, -v.y, v.z};
 }
 
-// "4.56 lm, peak 1.23 cd, of lamp.ies": what a comment in a written file says of the light. Without line ends.
+// "4.56 lm, peak 1.23 cd, of lamp.ies": describes the light in a comment of a written file. Without line ends.
 std::string describe(const MeasuredLight& light);
 
-// On one line of ASCII; what is not becomes '?'.
+// One line of ASCII; any other byte becomes '?'.
 std::string ascii(std::string_view text);
 
-// A string literal of JSON, which is one of Python, of JavaScript and of C# too; pure ASCII.
+// A string literal of JSON, which is also one of Python, JavaScript and C#; pure ASCII.
 std::string quoted(std::string_view text);
 
-// "x, y, z"; the separator as given.
+// "x, y, z", with the given separator.
 std::string triple(const glm::dvec3& v, std::string_view separator = ", ");
 
-// A name for languages that take letters, digits and '_' only, and no digit first.
+// A name for languages that allow only letters, digits and '_', and no digit first.
 std::string identifier(std::string_view name);
 
-// A colour whose greatest channel is 1, and the factor that gives back its luminance.
+// A colour with a greatest channel of 1, and the factor that restores its luminance.
 struct ScaledColor {
     glm::dvec3 rgb;
     double factor;
 };
 ScaledColor scaled(const glm::dvec3& color);
 
-// How far a light's window must reach so as to take away at most 0.01 lx [m]: 1.0887 I/r² is the most that
-// ⟨1 − (d/r)⁴⟩² does.
+// Range of a light's window [m] at which it takes away at most 0.01 lx: ⟨1 − (d/r)⁴⟩² takes away at most 1.0887 I/r².
 double generous_range(double candela);
 
-// Triangles: a mesh whose normals point outwards.
+// Triangles of a mesh; normals point outwards.
 struct Mesh {
     std::vector<glm::dvec3> points;
     std::vector<glm::ivec3> faces;
 };
 
-// A capsule along X: `length` of the cylinder, hemispheres at its ends. Its area is that of the capsule.
+// A capsule along X: `length` is that of the cylinder, with hemispheres at its ends. The mesh has the capsule's area.
 Mesh capsule_mesh(double radius, double length);
 
-// A rectangle across −Z, which its normal points along.
+// A rectangle across −Z, with its normal along −Z.
 Mesh rectangle_mesh(double width, double height);
 
-// The same of an ellipse, as a polygon of its area.
+// The same for an ellipse, as a polygon of equal area.
 Mesh ellipse_mesh(double half_width, double half_height);
 
-// The texture that an engine of gonio/bake/engine.hpp reads, as the file holds it.
+// The texture that an engine of gonio/bake/engine.hpp reads, as stored in the file.
 AssetPicture engine_picture(std::string_view engine, const Web& web);
 
-// The same for options of one's own, that do not fail for any web.
+// The same for other options, which must not fail for any web.
 AssetPicture baked_picture(const Web& web, BakeOptions options, int channels = 1);
 
-// What a script for Blender has of a stage: before all else, and after the lights, whose place() it calls.
+// A stage in a Blender script: the first part begins the script, the second comes after the lights and calls their
+// place().
 std::string blender_stage_start(const SceneContent& scene);
 std::string blender_stage(const SceneStage& stage, double lumens_per_watt);
 
-// The stage of a scene for pbrt, before its lights; the picture is called `picture`.exr.
+// The stage of a scene for pbrt, written before its lights; the picture is named `picture`.exr.
 std::string pbrt_stage(const SceneStage& stage, std::string_view picture);
 
-// What the prim `root` has of a stage, and what stands beside it.
+// The part of a stage inside the prim `root`, and the part beside that prim.
 std::string usd_stage(const SceneStage& stage, std::string_view root);
 std::string usd_render_settings(const SceneStage& stage, std::string_view root);
 
-// The files of the targets that stages are written for too; those of the others are named by target.cpp alone.
+// Writers of the targets that stages are written for too; target.cpp alone declares the writers of other targets.
 std::vector<AssetFile> blender_files(const SceneContent& scene);
-std::vector<AssetFile> gltf_text_files(const SceneContent& scene); // .gltf and what it reads
+std::vector<AssetFile> gltf_text_files(const SceneContent& scene); // .gltf and the files that it reads
 std::vector<AssetFile> gltf_binary_files(const SceneContent& scene);
 std::vector<AssetFile> mitsuba_files(const SceneContent& scene);
 std::vector<AssetFile> pbrt_files(const SceneContent& scene);

@@ -1,6 +1,6 @@
-// Diagnostic codes of failures that are not about one photometric file or rig: every Error has one of them, or one of
-// the other tables. The family tells the Failure, and with it the exit status; the first code of a family is the
-// general one. A code is of a class of mistakes: many sentences share it.
+// Diagnostic codes of failures that do not concern one photometric file or rig: every Error has one of these, or one
+// from the other tables. The family determines the Failure, and with it the exit status; the first code of a family is
+// the general one. A code covers a class of mistakes: many messages share it.
 #pragma once
 
 #include <gonio/base/diagnostic_codes.hpp>

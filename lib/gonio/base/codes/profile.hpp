@@ -1,5 +1,5 @@
-// Diagnostic codes of photometric files: what the readers may emit. PRF…: any of them, IES…: LM-63, LDT…: EULUMDAT,
-// TM3…: TM-33. 01 is of the text, 02 of numbers and counts, 03 of angles, 04 of what the table says.
+// Diagnostic codes of photometric files: those that the readers may emit. PRF…: any format, IES…: LM-63, LDT…:
+// EULUMDAT, TM3…: TM-33. 01 concerns the text, 02 numbers and counts, 03 angles, 04 the content of the table.
 #pragma once
 
 #include <gonio/base/diagnostic_codes.hpp>

@@ -1,4 +1,4 @@
-// Diagnostic codes of rig files: what reading gonio.rig/1 may emit. What is wrong in a profile that a rig names keeps
+// Diagnostic codes of rig files: those that reading gonio.rig/1 may emit. An error in a profile that a rig names keeps
 // its own code, and so does a file that cannot be read.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Diagnostic codes of webs: what resolving a profile (01), writing a web back into a file (02) and the check of
-// plausibility (03) may emit.
+// Diagnostic codes of webs: those that resolving a profile (01), writing a web back into a file (02) and the
+// plausibility check (03) may emit.
 #pragma once
 
 #include <gonio/base/diagnostic_codes.hpp>

@@ -1,4 +1,4 @@
-// What reading and writing files share: a descriptor that closes itself, and failures in words.
+// Shared by reading and writing files: a descriptor that closes itself, and messages for failures.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -17,7 +17,7 @@ public:
 
     int get() const { return fd_; }
 
-    // Closes now and returns the errno of the failure, or 0: errors of delayed writes (NFS, quota) show up here.
+    // Closes now and returns the errno of the failure, or 0: errors of delayed writes (NFS, quota) are reported here.
     int close();
 
 private:

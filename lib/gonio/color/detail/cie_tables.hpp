@@ -1,4 +1,4 @@
-// The numbers of data/*.csv, compiled in: cie_tables.cpp is printed by fit/cie_tables.sh.
+// The numbers of data/*.csv, compiled in: fit/cie_tables.sh prints cie_tables.cpp.
 #pragma once
 
 #include <array>

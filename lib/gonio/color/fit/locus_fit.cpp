@@ -4,7 +4,8 @@
 //     gonio-locus-fit > lib/gonio/color/locus_coefficients.hpp        the header
 //     gonio-locus-fit --errors                                        what each degree achieves, in double and float
 //
-// The truth is summed in long double; the equations are solved in 113 bits, since those of degree 11 lose 20 digits.
+// The reference is summed in long double; the equations are solved in 113 bits, because those of degree 11 lose 20
+// digits.
 #include <gonio/base/solve_linear.hpp>
 #include <gonio/color/detail/cie_tables.hpp>
 
@@ -21,8 +22,8 @@ __extension__ using Real = __float128;
 using Rows = std::vector<std::vector<Real>>;
 
 constexpr long double greatest_t = 1.25L; // 800 K
-// The fit goes on a little at both ends, where a minimax error has its steepest slope: the normal of the locus, along
-// which Duv is counted, comes from the derivative. The sum is as smooth below t = 0 as above.
+// The fit extends a little beyond both ends, where a minimax error has its steepest slope: the normal of the locus,
+// along which Duv is measured, comes from the derivative. The sum is as smooth below t = 0 as above.
 constexpr long double fitted_from = -0.02L;
 constexpr long double fitted_to = greatest_t + 0.03L;
 constexpr long double pi = 3.14159265358979323846L;
@@ -34,7 +35,7 @@ std::array<long double, 2> locus(long double t) {
     for (std::size_t i = 0; i < gonio::detail::observer.size(); ++i) {
         const long double w = 1e3L / (gonio::detail::observer_first_nm + static_cast<long double>(i));
         const long double a = 1.438776877e-2L * 1e3L * w;
-        // times t, which changes no chromaticity and is regular at t = 0
+        // times t, which does not change the chromaticity and is regular at t = 0
         const long double power = w * w * w * w * w * (t != 0.0L ? t / std::expm1(a * t) : 1.0L / a);
         x += power * static_cast<long double>(gonio::detail::observer[i][0]);
         y += power * static_cast<long double>(gonio::detail::observer[i][1]);
@@ -44,7 +45,7 @@ std::array<long double, 2> locus(long double t) {
     return {4.0L * x / d, 9.0L * y / d};
 }
 
-// The locus on a fine grid, denser at the ends, where the extrema crowd.
+// The locus on a fine grid, denser at the ends, where the extrema are close together.
 struct Samples {
     std::vector<long double> t;
     std::array<std::vector<long double>, 2> value;
@@ -62,7 +63,7 @@ struct Samples {
 // p[0] + p[1] t + …  over  1 + q[1] t + …
 struct Rational {
     std::vector<double> p, q;
-    long double levelled = 0.0L; // the error that Remez levelled, before rounding
+    long double levelled = 0.0L; // the equalised error of the exchange, before rounding
 };
 
 Real horner(const std::vector<Real>& c, Real t) {
@@ -72,7 +73,7 @@ Real horner(const std::vector<Real>& c, Real t) {
     return sum;
 }
 
-// The samples of largest error of each run of one sign, cut to `wanted` of them; fewer where there are no more.
+// The sample of largest error in each run of one sign, cut to `wanted` of them; fewer if there are no more.
 std::vector<std::size_t> extrema(const std::vector<long double>& error, std::size_t wanted) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < error.size(); ++i) {
@@ -90,7 +91,7 @@ std::vector<std::size_t> extrema(const std::vector<long double>& error, std::siz
     return found;
 }
 
-// One run of the exchange. The first nodes are the extrema of a Chebyshev polynomial, crowded towards t = 0 for a
+// One run of the exchange. The first nodes are the extrema of a Chebyshev polynomial, concentrated towards t = 0 for a
 // warp above 1.
 Rational exchange_from(const Samples& samples, std::size_t component, std::size_t degree, double warp) {
     const std::vector<long double>& f = samples.value[component];
@@ -107,7 +108,7 @@ Rational exchange_from(const Samples& samples, std::size_t component, std::size_
     Rational best;
     best.levelled = 1.0L;
     for (int exchange = 0; exchange < 40; ++exchange) {
-        for (int round = 0; round < 6; ++round) { // the level times the denominator is no linear term
+        for (int round = 0; round < 6; ++round) { // the level times the denominator is not a linear term
             Rows rows;
             std::vector<Real> right;
             for (std::size_t i = 0; i < unknowns; ++i) {
@@ -151,7 +152,7 @@ Rational exchange_from(const Samples& samples, std::size_t component, std::size_
     return best;
 }
 
-// Remez' exchange for rational functions need not converge from every start: the best of some.
+// Remez' exchange for rational functions does not converge from every start: takes the best of several.
 Rational fit(const Samples& samples, std::size_t component, std::size_t degree) {
     Rational best;
     best.levelled = 1.0L;
@@ -173,12 +174,12 @@ S evaluate(const Rational& r, S t) {
     return p / q;
 }
 
-// The largest Δu'v' of both functions, coefficients and Horner's rule in S.
+// The largest Δu'v' of both functions, with coefficients and Horner's rule in S.
 template<class S>
 double worst_error(const Samples& samples, const Rational& u, const Rational& v) {
     long double worst = 0.0L;
     for (const auto at : samples.t) {
-        // The truth at the rounded t would be another: half an ulp of t is 4e-8 in u'.
+        // The reference must be at the rounded t: half an ulp of t is 4e-8 in u'.
         const S t = static_cast<S>(at);
         const auto truth = locus(static_cast<long double>(t));
         const long double du = static_cast<long double>(evaluate(u, t)) - truth[0];

@@ -1,5 +1,6 @@
-// ShapeTraits: what every kind of shape says of itself, once. All that lists, parses, measures, converts or converts
-// to another program's light derives from it; gonio/light/shape_traits.hpp includes the traits of all shapes.
+// ShapeTraits: the description of every kind of shape, written once. All code that lists, parses, measures or converts
+// shapes, or exports them to another program's lights, derives from it; gonio/light/shape_traits.hpp includes the
+// traits of all shapes.
 //
 // A specialisation has
 //
@@ -7,21 +8,21 @@
 //   kind, summary   "disk" and a line for `gonio list shapes`
 //   keys            a tuple of the keys below, in the order of the grammar; a member `mask_file` adds "mask=FILE"
 //   parse, grammar, set_parameter
-//                   only where the keys alone do not say it (spot, ies)
-//   largest(s)      the largest of its measures [m], 0 of what has none
-//   radius(s)       of the sphere about its centre that holds it [m]
+//                   only where the keys alone are not enough (spot, ies)
+//   largest(s)      the largest of its measures [m], 0 if it has none
+//   radius(s)       of the bounding sphere about its centre [m]
 //   half_cone(s)    the angle from its direction within which it emits
-//   shown(s, d)     the intensity towards a direction d of its frame (axis −Z) over that along its own, before a mask
-//   flux(s)         Φ over I (not of the sun, nor of ies), and the formula
-//   masked_flux     the formula behind a mask; masked_by says how it is integrated
+//   shown(s, d)     the intensity towards a direction d of its frame (axis −Z) over that along its direction, unmasked
+//   flux(s)         Φ over I (not for the sun or ies), and the formula
+//   masked_flux     the formula behind a mask; masked_by tells how it is integrated
 //   facing(s, d)    E over the strength for a receiver that faces it at the distance d; punctual shapes have I/d²
 //
 // and an area shape or the sun
 //
-//   projected(s)    I/L (of the sun E/L), and the formula
-//   nearest(s)      a distance from its centre below this is inside it [m]
+//   projected(s)    I/L (for the sun E/L), and the formula
+//   nearest(s)      distances from its centre below this are inside it [m]
 //   core(s, frame, luminance)
-//                   the light of gonio/shading/lights.hpp that it becomes, placed
+//                   the corresponding light of gonio/shading/lights.hpp, placed
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -40,12 +41,12 @@
 namespace gonio {
 
 template<class Shape>
-struct ShapeTraits; // of no shape but those that say it: a new one does not compile until it does
+struct ShapeTraits; // not defined for a shape without a specialisation: a new shape does not compile until it has one
 
-// How the flux behind a mask is integrated: that of the mask alone, by the lobe, or by the area that is shown.
+// How the flux behind a mask is integrated: over the mask alone, weighted by the lobe, or by the projected area.
 enum class MaskedBy { mask, lobe, shown_area };
 
-// Which angles a key takes: from `least_deg` to `most_deg`, either with or without the bound itself.
+// The angles that a key accepts: from `least_deg` to `most_deg`, with or without each bound.
 struct AngleRange {
     double least_deg = 0.0;
     double most_deg = 0.0;
@@ -66,10 +67,10 @@ struct AngleKey {
     std::string_view parameter;
     Radians Shape::*member;
     AngleRange range;
-    std::string_view example; // "60deg,v=40deg": with the keys that it cannot do without
+    std::string_view example; // "60deg,v=40deg": includes the other required keys
 };
 template<class Shape>
-struct FlagKey { // there or not
+struct FlagKey { // present or absent
     std::string_view key;
     bool Shape::*member;
 };
@@ -94,10 +95,10 @@ inline shading::vec3<double> core(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-// What emits all round.
+// For shapes that emit in all directions.
 inline constexpr Radians all_round{std::numbers::pi};
 
-// Of a flat shape: the cosine from its direction, on both sides where it has two.
+// For a flat shape: the cosine from its direction, on both sides if two-sided.
 template<class Flat>
 double flat_shown(const Flat& shape, const glm::dvec3& direction) {
     const double cos_theta =

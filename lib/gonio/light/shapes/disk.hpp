@@ -1,4 +1,4 @@
-// What a disk says of itself: description.hpp.
+// The traits of a disk: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>

@@ -1,4 +1,4 @@
-// What an ellipse says of itself: description.hpp.
+// The traits of an ellipse: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>
@@ -9,14 +9,14 @@ namespace gonio {
 
 namespace closed_form {
 
-// Of the whole axes w and h.
+// From the full axes w and h.
 template<class S>
 S ellipse_area(S w, S h) {
     return S(0.25) * pi<S> * (w * h);
 }
 
-// E/L as closed_forms.hpp has it: π ab/√((d² + a²)(d² + b²)) with a = w/2, b = h/2, for d ≥ 0: the cone stands upright
-// on its axes.
+// E/L as in closed_forms.hpp: π ab/√((d² + a²)(d² + b²)) with a = w/2, b = h/2, for d ≥ 0: the axis of the cone is
+// perpendicular to the ellipse.
 template<class S>
 S facing_ellipse(S w, S h, S d) {
     const S a = S(0.5) * w;

@@ -1,4 +1,4 @@
-// What a frustum says of itself: description.hpp.
+// The traits of a frustum: see description.hpp.
 #pragma once
 
 #include <gonio/light/lobe.hpp>

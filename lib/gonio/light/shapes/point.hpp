@@ -1,4 +1,4 @@
-// What a point says of itself: description.hpp.
+// The traits of a point: see description.hpp.
 #pragma once
 
 #include <gonio/light/shapes/description.hpp>

@@ -1,4 +1,4 @@
-// What a measured luminaire says of itself: description.hpp. Its web says the rest.
+// The traits of a measured luminaire: see description.hpp. The rest comes from its web.
 #pragma once
 
 #include <gonio/base/kind_text.hpp>
@@ -14,7 +14,7 @@ struct ShapeTraits<ProfileShape> {
     static constexpr std::string_view grammar = "ies:FILE";
     static constexpr std::tuple<> keys{};
 
-    // Of "ies" without its colon: with it, the rest is the file (parse_shape).
+    // Called for "ies" without a colon; with a colon, the rest is the file (parse_shape).
     static Result<ProfileShape> parse(const KindText&) {
         return fail("USE0104", "'ies' needs a file", "write ies:lamp.ies");
     }

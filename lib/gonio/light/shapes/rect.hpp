@@ -1,4 +1,4 @@
-// What a rectangle says of itself: description.hpp.
+// The traits of a rectangle: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>

@@ -1,4 +1,4 @@
-// What a sphere says of itself: description.hpp.
+// The traits of a sphere: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>

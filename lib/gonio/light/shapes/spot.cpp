@@ -16,7 +16,7 @@ using Traits = ShapeTraits<SpotShape>;
 
 constexpr AngleRange full_angles{0.0, 180.0, true, true};
 
-// "outer", or "cone", which is twice that.
+// "outer", or "cone", which is twice the outer angle.
 Result<Radians> read_outer(const KindText& text) {
     if (text.value("cone") == nullptr) return read_angle(text, "outer", "40deg", Traits::half_angles);
     return read_angle(text, "cone", "80deg", full_angles).map([](Radians cone) { return cone / 2.0; });
@@ -56,7 +56,7 @@ SpotShape with_outer(SpotShape spot, double outer, double inner_share) {
     return spot;
 }
 
-// The beam widens with the outer angle, so that this is a search by halves.
+// The beam angle grows with the outer angle, so a bisection finds it.
 Result<bool> set_beam(SpotShape& spot, const std::string& value) {
     Result<double> beam = parse_amount(value, Dimension::angle, "beam");
     if (!beam) return pass_on(beam);

@@ -1,4 +1,4 @@
-// What a spot says of itself: description.hpp.
+// The traits of a spot: see description.hpp.
 #pragma once
 
 #include <gonio/base/kind_text.hpp>

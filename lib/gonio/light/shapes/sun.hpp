@@ -1,4 +1,4 @@
-// What a sun says of itself: description.hpp.
+// The traits of a sun: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>

@@ -1,4 +1,4 @@
-// What a tube says of itself: description.hpp.
+// The traits of a tube: see description.hpp.
 #pragma once
 
 #include <gonio/light/closed_forms.hpp>
@@ -23,7 +23,7 @@ struct ShapeTraits<TubeShape> {
     static double nearest(const TubeShape& s) { return s.radius.value; }
     static Radians half_cone(const TubeShape&) { return shape_detail::all_round; }
     static double shown(const TubeShape& s, const glm::dvec3& d) {
-        // The shadow of a capsule: 2 r l sin ψ + π r², ψ from its axis.
+        // The projected area of a capsule: 2 r l sin ψ + π r², ψ from its axis.
         const double sin_psi = std::hypot(d.y, d.z) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
         const double side = 2.0 * s.length.value;
         const double caps = std::numbers::pi * s.radius.value;

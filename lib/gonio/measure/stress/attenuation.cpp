@@ -1,5 +1,5 @@
-// Falloff of spots with angle and of windows with distance: in [0, 1] for any float, and against double where the cone
-// is as wide as floats can tell.
+// Falloff of spots with angle and of windows with distance: in [0, 1] for any float, and compared with double where
+// floats can resolve the width of the cone.
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/shading/falloff.hpp>
@@ -14,7 +14,7 @@ namespace gonio::measure::detail {
 
 namespace {
 
-// An angle from the narrowest to the whole half circle, round numbers among them.
+// An angle from very narrow to the whole half circle, including round numbers.
 double angle(Random& random) {
     if (random.bits() % 8 == 0) return static_cast<double>(random.bits() % 37) * (std::numbers::pi / 36.0);
     return std::exp(random.uniform(std::log(1e-6), std::log(std::numbers::pi)));
@@ -27,8 +27,8 @@ std::array<S, 6> lobes(S theta, S inner, S outer) {
             shading::lobe_linear_angle(theta, inner, outer), shading::lobe_smoothstep_angle(theta, inner, outer)};
 }
 
-// Float against double on the same floats. A ramp as steep as 1/(b − a) magnifies a rounding of θ, which is of the
-// size of ulp(b): 8 of those, and 1e-6 of the value's range for the sines.
+// Float against double on the same floats. A ramp as steep as 1/(b − a) magnifies the rounding of θ, which is about
+// ulp(b): 8 of those are allowed, and 1e-6 of the value's range for the sines.
 void spots(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 6) {
         auto outer = static_cast<float>(std::min(angle(random), std::numbers::pi / 2.0));
@@ -45,7 +45,7 @@ void spots(Random& random, std::uint64_t evaluations, StressTally& tally) {
         const std::array<double, 6> truth =
             lobes(static_cast<double>(theta), static_cast<double>(inner), static_cast<double>(outer));
         const double width = static_cast<double>(outer) - static_cast<double>(inner);
-        // Smoothstep and square are at most twice as steep as the ramp.
+        // Smoothstep and square are at most twice as steep as a linear ramp.
         const double bar = 1e-6 + (width > 0.0 ? 2.0 * 8.0 * static_cast<double>(outer) * 0x1p-24 / width : 0.0);
         for (std::size_t i = 0; i < found.size(); ++i) {
             const bool in_range = found[i] >= 0.0F && found[i] <= 1.0F;

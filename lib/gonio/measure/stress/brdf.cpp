@@ -1,5 +1,5 @@
-// Reflectances in float, in packs and by the kernels of every instruction set: values, samples and densities; values
-// and densities against double too.
+// Reflectances in float, in packs and by the kernels of every instruction set: values, samples and densities. Values
+// and densities are also compared with double.
 #include <gonio/measure/brdf_cases.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/preview/shading_constants.hpp>
@@ -37,7 +37,7 @@ bool good(float x) {
     return x >= 0.0F && x <= std::numeric_limits<float>::max();
 }
 
-// What a pose gives: f, a sampled l, its density, the density of l, f at the sampled l (one channel).
+// The results for a pose: f, a sampled l, its density, the density of l, f at the sampled l (one channel).
 using Values = std::array<float, 9>;
 
 bool good(const Values& values) {
@@ -72,7 +72,7 @@ std::string text(const BrdfParameters& parameters, const BrdfPose& pose) {
     return out;
 }
 
-// Each pose as one float and as a lane of a pack.
+// Each pose as a single float and as a lane of a pack.
 template<class M>
 void reflectance(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t of_one_material = 16;
@@ -157,8 +157,8 @@ void by_kernels(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// What a reflectance is asked with: n, l, v and the material's parameters, all of them floats. Of three channels and of
-// the density of l.
+// The input of a reflectance: n, l, v and the material's parameters, all floats. The answer is three channels and the
+// density of l.
 using Asked = std::array<double, 17>;
 using Answer = std::array<double, 4>;
 
@@ -173,14 +173,14 @@ Answer answer(const Asked& asked, BrdfParameters parameters) {
     return {double(f.x), double(f.y), double(f.z), double(pdf_brdf(material, vec(0), vec(6), vec(3)))};
 }
 
-// Within eight times what the answer in double changes by when each number moves by half a unit in the last place (of
-// 1 for directions), and eight such units of its greatest channel. Where a cosine is below 1e-6 floats cannot tell the
-// surface's sides, and only what `good` asks is held.
+// The tolerance is eight times the change of the double result when each input moves by half a unit in the last place
+// (of 1 for directions), plus eight such units of the greatest channel. Where a cosine is below 1e-6, floats cannot
+// tell the two sides of the surface apart, so these cases are skipped.
 template<class M>
 void against_double(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr double half_ulp = 0x1p-24;
-    // What a lobe loses is taken from a table that is off by 6e-5: where its polynomial crosses 0 its last digits are a
-    // rounding's choice.
+    // The energy that a lobe loses comes from a table with an error of 6e-5: where its polynomial crosses 0, the last
+    // digits depend on rounding.
     constexpr bool of_table = std::is_same_v<M, KullaContyMaterial>;
     constexpr double off = of_table ? 1e-3 : 0.0;
     for (std::uint64_t done = 0; done < evaluations; ++done) {
@@ -226,7 +226,7 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
     }
 }
 
-// A material as it comes, and against double.
+// Checks a material in float, and against double.
 template<class M>
 void material(Random& random, std::uint64_t evaluations, StressTally& tally) {
     reflectance<M>(random, evaluations - evaluations / 8, tally);

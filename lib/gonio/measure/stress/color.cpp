@@ -1,4 +1,5 @@
-// Colours of temperatures and temperatures of colours: within what the headers state, and NaN outside their ranges.
+// Colours of temperatures and temperatures of colours: within the errors that the headers state, and NaN outside their
+// ranges.
 #include <gonio/base/exposure_value.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/kernels.hpp>
@@ -21,10 +22,11 @@ namespace gonio::measure::detail {
 namespace {
 
 double temperature(Random& random, double coolest, double hottest) {
-    return 1e6 / random.uniform(1e6 / hottest, 1e6 / coolest); // even in mired
+    return 1e6 / random.uniform(1e6 / hottest, 1e6 / coolest); // uniform in mired
 }
 
-// u'v' of black bodies by the kernels of every set, within 4e-7 of the fit in double, itself 1.2e-12 from the sum.
+// u'v' of black bodies by the kernels of every set, within 4e-7 of the fit in double, which is within 1.2e-12 of the
+// sum.
 void kernels_of_temperature(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t count = 251;
     std::vector<float> kelvin(count);
@@ -57,12 +59,12 @@ void kernels_of_temperature(Random& random, std::uint64_t evaluations, StressTal
     }
 }
 
-// There and back: a temperature and its Duv, their chromaticity, and the nearest black body of that.
+// Round trip: a temperature and its Duv, their chromaticity, and its nearest black body.
 void round_trip(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; ++done) {
         const Cct cct{Kelvin(temperature(random, 1500.0, 40000.0)), random.uniform(-0.05, 0.05)};
         const Cct back = fast_cct(fast_uv(cct));
-        // 1e-5 K is stated to 40000 K, where a step of 1e-16 in u moves the temperature by 1e-8 K.
+        // 1e-5 K is stated up to 40000 K, where a step of 1e-16 in u moves the temperature by 1e-8 K.
         const double off = std::max(std::fabs(back.temperature.value - cct.temperature.value) / 1e-5,
                                     std::fabs(back.duv - cct.duv) / 1e-10);
         tally.hold(off, [&] {
@@ -72,14 +74,14 @@ void round_trip(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// The fit beside the sum that it was made from: 1.2e-12 in u'v' on the locus, 6e-11 off it.
+// The fit against the sum that it was made from: 1.2e-12 in u'v' on the locus, 6e-11 off it.
 void fit_to_sum(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; ++done) {
         const double duv = random.bits() % 2 == 0 ? 0.0 : random.uniform(-0.05, 0.05);
         const Cct cct{Kelvin(temperature(random, 800.0, 1e6)), duv};
         const auto input = [&] { return fmt::format("{:a} K {:a}", cct.temperature.value, duv); };
         const Result<Uv> sum = exact_uv(cct);
-        if (!sum) { // off the real colours
+        if (!sum) { // not a real colour
             tally.looked_at(1);
             tally.require(duv != 0.0, input);
             continue;
@@ -88,7 +90,7 @@ void fit_to_sum(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Chromaticity to coordinates and to every space, and back; black bodies' amounts of light.
+// Chromaticity to coordinates and to every space, and back; photometric quantities of black bodies.
 void spaces(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; ++done) {
         const Uv at{random.uniform(0.05, 0.6), random.uniform(0.1, 0.39)};
@@ -109,7 +111,7 @@ void spaces(Random& random, std::uint64_t evaluations, StressTally& tally) {
             for (const double c : {clipped.rgb.x, clipped.rgb.y, clipped.rgb.z})
                 tally.require(c >= 0.0 && c <= 1.0 + 1e-12, input);
         }
-        // Of X, Y and Z of the greatest, which v divides by, 1e-15 each.
+        // 1e-15 each of X, Y and Z, relative to the greatest, by which v divides.
         tally.hold(off / 1e-13, input);
         const Kelvin T(std::exp(random.uniform(std::log(coolest.value), std::log(hottest.value))));
         const BlackbodyEfficacy efficacy = blackbody_efficacy(T);
@@ -119,14 +121,14 @@ void spaces(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// sRGB's curve (whose two pieces meet within 2e-8) and exposure values, each with its inverse.
+// The sRGB curve (its two pieces meet within 2e-8) and exposure values, each with its inverse.
 void curves(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 3) {
         const double linear = random.bits() % 2 == 0 ? random.uniform() : std::exp(random.uniform(-30.0, 5.0));
         tally.hold(std::fabs(decode_srgb(encode_srgb(linear)) - linear) / (1e-14 * linear + 3e-8 * (linear < 0.0032)),
                    [&] { return fmt::format("sRGB of {:a}", linear); });
         const double amount = std::exp(random.uniform(-600.0, 600.0));
-        // A rounding of the exponent is as much of the amount as the exponent is large.
+        // The relative rounding error of the amount grows with the exponent.
         const double bar = (4.0 + std::fabs(std::log2(amount))) * 4e-16 * amount;
         tally.hold(std::fabs(luminance_of_ev(ev_of_luminance(amount)) - amount) / bar,
                    [&] { return fmt::format("EV of {:a} nt", amount); });
@@ -135,7 +137,7 @@ void curves(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Any numbers: an answer within its range or none, and every named method a number where it is made for.
+// Any numbers: a result within its range or none, and every named method gives a number within its stated range.
 void any_numbers(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const auto coordinate = [&] {
         return random.bits() % 4 == 0 ? hostile::number(random) : random.uniform(-0.1, 0.8);

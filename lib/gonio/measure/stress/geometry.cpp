@@ -1,5 +1,5 @@
-// Directions and angles there and back, frames, rays against bodies, caps that overlap, and directions drawn towards
-// lights.
+// Directions and angles in both conversions, frames, rays against solids, overlapping caps, and directions sampled
+// towards lights.
 #include <gonio/base/frame.hpp>
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
@@ -35,7 +35,7 @@ std::string text(const glm::dvec3& v) {
     return fmt::format(" {:a} {:a} {:a}", v.x, v.y, v.z);
 }
 
-// Any direction; some of them axes, or all but axes.
+// Any direction; some along the axes or almost along them.
 glm::dvec3 direction(Random& random) {
     glm::dvec3 d = as_glm(hostile::random_direction(random));
     if (random.bits() % 4 == 0) {
@@ -51,7 +51,7 @@ void angles(Random& random, std::uint64_t evaluations, StressTally& tally) {
         const glm::dvec3 d = direction(random);
         const double far = std::exp(random.uniform(-300.0, 300.0));
         const auto hold = [&](const char* what, const glm::dvec3& back) {
-            // Degrees to 360 and radians to 2π have 4e-16 of themselves each.
+            // Degrees up to 360 and radians up to 2π each have a relative rounding of 4e-16.
             tally.hold(glm::length(back - d) / 4e-15, [&] { return what + text(d) + " back" + text(back); });
         };
         hold("polar angles", direction_of(angles_of(d * far)));
@@ -85,7 +85,7 @@ Primitive body(Random& random) {
     }
 }
 
-// How far a point lies off the surface.
+// The distance of a point from the surface.
 double off_surface(const Primitive& primitive, const glm::dvec3& p) {
     struct Visitor {
         glm::dvec3 p;
@@ -118,7 +118,7 @@ void rays(Random& random, std::uint64_t evaluations, StressTally& tally) {
         const Primitive primitive = body(random);
         const double far = std::exp(random.uniform(std::log(1e-2), std::log(1e4)));
         const glm::dvec3 origin = direction(random) * far;
-        // As often as not towards it.
+        // Half of the rays are aimed at the primitive.
         const glm::dvec3 aim = direction(random) * size_of(primitive) - origin;
         const bool aimed = random.bits() % 2 == 0 && glm::length(aim) > 0.0;
         const Ray ray{origin, aimed ? glm::normalize(aim) : direction(random)};
@@ -140,9 +140,9 @@ void rays(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Two sectors less the kite of the axes and the crossings, with the 11 more bits that a long double has on x86: what
-// cancels is the smaller cap's sector against the larger one's. a ≤ b; for a up to 1.4, as the kite of nearly opposite
-// hemispheres has no corners.
+// Two sectors minus the kite of the axes and the crossings, with the 11 extra bits of a long double on x86, because the
+// sectors of the two caps cancel. a ≤ b; for a up to 1.4, because the kite of nearly opposite hemispheres has no
+// corners.
 long double sectors_less_kite(long double a, long double b, long double d) {
     const long double left = b - d;
     const long double less_a = std::sin(b - 0.5L * (a + left));
@@ -162,7 +162,7 @@ long double sectors_less_kite(long double a, long double b, long double d) {
     return 4.0L * (at_a * half_a * half_a + at_b * half_b * half_b) - 2.0L * excess;
 }
 
-// What two caps share is within each of them, and what sectors and triangles leave.
+// The intersection of two caps is at most as large as each of them, and agrees with sectors and triangles.
 void caps(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const auto half_angle = [&] {
         return random.bits() % 8 == 0 ? std::numbers::pi / 2.0
@@ -200,8 +200,8 @@ bool good(const shading::LightSample<S>& sample, S off_unit) {
     return std::fabs(length2 - S(1)) < off_unit && sample.pdf > S(0) && std::isfinite(sample.pdf);
 }
 
-// What a direction drawn towards the light is, and how far outside of the light's bounding sphere it points, as a share
-// of the sine of that sphere's angle.
+// What a direction sampled towards the light must be, and how far outside of the light's bounding sphere it points, as
+// a share of the sine of that sphere's angle.
 template<class S>
 void drawn(const Pose& pose, Random& random, StressTally& tally) {
     const auto narrow = [](const hostile::Vec& v) {
@@ -246,8 +246,8 @@ void drawn(const Pose& pose, Random& random, StressTally& tally) {
     }
 }
 
-// Floats from 1e-3 to 1e3 sizes and off the edge, doubles to 1e4, or 1e3 near the edge; all where a light has an
-// outline: not in it, and not in the plane of a flat one.
+// Floats from 1e-3 to 1e3 sizes and off the edge, doubles to 1e4, or 1e3 near the edge. All poses are where a light has
+// an outline: not inside it, and not in the plane of a flat light.
 void towards_lights(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 8) {
         const auto shape = static_cast<hostile::Shape>(random.bits() % 4);

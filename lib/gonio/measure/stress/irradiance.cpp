@@ -1,5 +1,5 @@
-// Irradiance and shading by the kernels of every instruction set: against double where there is a bar, and on numbers
-// at the ends of the floats, where only a finite number is promised.
+// Irradiance and shading by the kernels of every instruction set: against double where there is a tolerance, and on
+// numbers at the ends of the float range, where only a finite number is promised.
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/shading/brdf.hpp>
@@ -57,7 +57,7 @@ void irradiance(Random& random, std::uint64_t evaluations, StressTally& tally) {
     bool mixed = false;
     for (std::uint64_t done = 0; done < evaluations; done += group * sets) {
         const Pose light = hostile::as_float(hostile::random_light(shape, random));
-        mixed = !mixed; // now all strata beside each other, now one for many packets
+        mixed = !mixed; // alternates between all strata mixed and a single stratum for many packets
         for (std::size_t i = 0; i < group; ++i) {
             const auto stratum = static_cast<Stratum>(mixed ? i % hostile::stratum_count : i / 16);
             poses[i] = hostile::as_float(hostile::receiver(light, stratum, random));
@@ -83,7 +83,7 @@ void irradiance(Random& random, std::uint64_t evaluations, StressTally& tally) {
                 });
             }
         }
-        // The approximations of renderers, of which nothing but numbers can be asked.
+        // The approximations of renderers, for which only a finite number can be required.
         for (const auto method :
              {shading::Approximation::point, shading::Approximation::frostbite, shading::Approximation::ue4}) {
             const shading::Kernels& kernels = shading::kernels(simd::best_available());
@@ -147,7 +147,8 @@ shading::MaterialConstants any_material(Random& random) {
     return matte ? constants_of(shading::Lambert<float>{material.albedo}) : constants_of(material);
 }
 
-// Any finite floats: coordinates, sizes and colours up to the greatest, zeros and denormals. Finite and not negative.
+// Any finite floats: coordinates, sizes and colours up to the greatest, zeros and denormals. Results must be finite and
+// not negative.
 void any_floats(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t points = 251; // leaves a packet partly filled
     Columns<9> columns(points);

@@ -1,5 +1,5 @@
-// Photometric units of random shapes, there and back, and as other programs count them; the flux of lobes against
-// quadrature; and the illuminance of random lights at random points.
+// Photometric units of random shapes, converted forth and back, and as other programs define them; the flux of lobes
+// against quadrature; and the illuminance of random lights at random points.
 #include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/lobe.hpp>
@@ -51,7 +51,7 @@ Shape random_shape(Random& random) {
     }
 }
 
-// What a value is in another unit, and that in the first again: 1e-12, or a refusal.
+// A value converted to another unit and back: within 1e-12, or an error.
 void units(Random& random, std::uint64_t evaluations, StressTally& tally) {
     static const std::array<PhotometricUnit, 6> known = [] {
         std::array<PhotometricUnit, 6> made;
@@ -69,7 +69,7 @@ void units(Random& random, std::uint64_t evaluations, StressTally& tally) {
             random.bits() % 8 == 0 ? std::fabs(hostile::number(random)) : log_uniform(random, 1e-9, 1e9);
         const Result<Emission> emission = emission_of(shape, {number, from});
         tally.looked_at(1);
-        if (!emission) continue; // refused, with a reason
+        if (!emission) continue; // an error with a reason
         const Result<double> other = express(shape, *emission, to);
         if (!other || *other == 0.0) continue;
         const auto input = [&] {
@@ -81,12 +81,12 @@ void units(Random& random, std::uint64_t evaluations, StressTally& tally) {
         if (!again) continue;
         const Result<double> back = express(shape, *again, from);
         if (!back) continue;
-        // Below the normal numbers nothing is held.
+        // Below the normal range of doubles there is no requirement.
         if (number > 1e-290 && *other > 1e-290) tally.hold(std::fabs(*back - number) / (1e-12 * number), input);
     }
 }
 
-// Φ/I of a spot and of a frustum: the closed forms beside quadrature of the lobe itself.
+// Φ/I of a spot and of a frustum: the closed forms against quadrature of the lobe itself.
 void lobes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     static constexpr auto rule = gauss_legendre<20>();
     const auto integral = [](double from, double to, const auto& f) {
@@ -116,7 +116,8 @@ void lobes(Random& random, std::uint64_t evaluations, StressTally& tally) {
             return fmt::format("spot falloff {} inner {:a} outer {:a}: {} for {}", static_cast<int>(spot.falloff),
                                inner, outer, found, core + ramp);
         });
-        // The pyramid between the longitudes ±a: its latitudes end where tan is tan b cos.
+        // The pyramid between the longitudes ±a: the tangent of its latitude limit is tan b times the cosine of the
+        // longitude.
         const double a = log_uniform(random, 1e-6, 1.2);
         const double b = log_uniform(random, 1e-6, 1.2);
         const double pyramid = 2.0 * integral(-a, a, [&](double longitude) {
@@ -128,7 +129,7 @@ void lobes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// What a program means by a number, and the number to write in it for that.
+// The physical value of a program's number, and the program's number for that value.
 void programs(Random& random, std::uint64_t evaluations, StressTally& tally) {
     static const std::array<PhotometricUnit, 4> known{
         parse_photometric_unit("lm").value(), parse_photometric_unit("cd").value(),
@@ -139,7 +140,7 @@ void programs(Random& random, std::uint64_t evaluations, StressTally& tally) {
         const PhotometricUnit& unit = known[random.bits() % known.size()];
         const double number = log_uniform(random, 1e-9, 1e9);
         const Result<PolicyMeaning> meaning = policy_meaning(policy, shape, unit.unit->dimension);
-        if (!meaning) { // it has no such light
+        if (!meaning) { // the program has no such light
             tally.looked_at(1);
             continue;
         }
@@ -152,7 +153,7 @@ void programs(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Probe: any lights and points give numbers, or a refusal.
+// Probe: any lights and points give numbers, or an error.
 void probes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const auto place = [&] {
         return glm::dvec3(hostile::number(random), hostile::number(random), hostile::number(random));

@@ -1,5 +1,5 @@
 // The elementary functions of every instruction set, to the ulp that simd/math.hpp states, over the bit patterns of
-// their domains; and what they give outside of them.
+// their domains; and their results outside the domains.
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/simd/array_math.hpp>
 
@@ -64,7 +64,7 @@ constexpr std::array functions{
              [](long double t) { return std::atanh(std::sqrt(t)) / std::sqrt(t); }},
 };
 
-// Even over the bit patterns of [low, high], so over the exponents.
+// Uniform over the bit patterns of [low, high], so over the exponents.
 float by_bits(const Function& f, Random& random) {
     const auto low = std::bit_cast<std::uint32_t>(f.low);
     const auto high = std::bit_cast<std::uint32_t>(f.high);
@@ -97,7 +97,7 @@ void unary(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// A NaN that goes in comes out; infinities and all other floats end somewhere.
+// A NaN gives a NaN; infinities and all other floats give some result.
 void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t count = 64;
     std::vector<float> x(count);
@@ -110,7 +110,7 @@ void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
                 (simd::array_math(set).*f.function)(x.data(), result.data(), count);
                 tally.looked_at(count);
                 for (std::size_t i = 0; i < count; ++i) {
-                    // acos and asin take what is above 1 for 1, and a NaN may be that.
+                    // acos and asin clamp values above 1 to 1, and may do so for a NaN.
                     const bool arc = f.function == &ArrayMath::asin || f.function == &ArrayMath::acos;
                     if (std::isnan(x[i]) && !arc)
                         tally.require(std::isnan(result[i]), [&] {
@@ -122,12 +122,12 @@ void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// A quotient that is no normal number has an error of its own.
+// A quotient below the normal range has a rounding error of its own size.
 double ulp_of_angle(double x) {
     return std::max(ulp(x), static_cast<double>(0x1p-146F));
 }
 
-// 4 ulp; atan2_above where y is not negative, and takes what is below 1e-37 for 0.
+// 4 ulp; atan2_above needs y ≥ 0 and treats values below 1e-37 as 0.
 void arc_tangent_of_two(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t count = 256;
     std::vector<float> x(count);
@@ -139,7 +139,7 @@ void arc_tangent_of_two(Random& random, std::uint64_t evaluations, StressTally& 
         const bool above = random.bits() % 2 == 0;
         for (std::size_t i = 0; i < count; ++i) {
             x[i] = by_bits(domain, random);
-            // As often as not about as large.
+            // Half of the time y is about as large as x.
             y[i] =
                 random.bits() % 2 == 0 ? by_bits(domain, random) : x[i] * static_cast<float>(random.uniform(-3.0, 3.0));
             if (above) y[i] = std::fabs(y[i]);

@@ -1,5 +1,5 @@
-// Specular luminance of lights with a size, by every method and instruction set: in its range on any input, and against
-// double where the light has an outside.
+// Specular luminance of lights with a size, by every method and instruction set: within its range on any input, and
+// against double where the receiver is outside the light.
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/stress/subjects.hpp>
@@ -32,7 +32,7 @@ hostile::Vec eye(hostile::Vec normal, std::size_t index, Random& random) {
     return hostile::random_direction(random);
 }
 
-// Numbers, not negative, and for linearly transformed cosines not above 1: F is 1 and so is the light.
+// Finite, not negative, and for linearly transformed cosines not above 1, because F and the light are both 1.
 template<Shape shape>
 void specular(Random& random, std::uint64_t evaluations, StressTally& tally) {
     std::array<std::vector<float>, 9> columns;
@@ -88,8 +88,8 @@ void specular(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Receivers that the light is farther from than it is large; closer than that, whether a point lies in it or before it
-// is a rounding's choice.
+// Receivers farther from the light than its size. Closer than that, rounding decides whether a point is inside the
+// light or in front of it.
 constexpr std::array outside{Stratum::above, Stratum::straddling, Stratum::below, Stratum::grazing, Stratum::far};
 
 // One pose in doubles that are all floats: centre, normal, view, axis, across.
@@ -104,8 +104,8 @@ double in_double(const Asked& at, shading::LightConstants light, SpecularMethod 
     return specular_in_double(light, method, vec(0), vec(3), vec(6), alpha);
 }
 
-// What the value in double changes by at most, summed over its numbers, when each moves by a unit in the last place
-// (of the distance for the centre, of 1 for directions).
+// The greatest change of the double result, summed over its inputs, when each moves by a unit in the last place (of the
+// distance for the centre, of 1 for directions).
 double sensitivity(const Asked& at, const shading::LightConstants& light, SpecularMethod method, double alpha,
                    double value) {
     constexpr double ulp = 0x1p-23;
@@ -130,8 +130,8 @@ double sensitivity(const Asked& at, const shading::LightConstants& light, Specul
     return sum + std::fabs(in_double(at, light, method, alpha * (1.0 + ulp)) - value);
 }
 
-// Every set's kernel and the formula in double. α from 1e-2 on: of narrower lobes, whose width goes with its square,
-// what a rounding changes is no longer its slope times the rounding.
+// Every set's kernel against the formula in double. α from 1e-2 on: for narrower lobes, which scale with α², the effect
+// of a rounding is no longer its slope times the rounding.
 template<Shape shape>
 void against_double(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::size_t of_one_light = outside.size() * 3;
@@ -166,7 +166,7 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
         const shading::LightConstants constants = hostile::light_constants(light);
         const auto alpha = static_cast<float>(std::exp(random.uniform(std::log(1e-2), 0.0)));
         const auto method = static_cast<SpecularMethod>(random.bits() % method_count);
-        std::vector<std::pair<double, double>> truth; // and its bar
+        std::vector<std::pair<double, double>> truth; // and its tolerance
         for (const Asked& at : asked) {
             const double value = in_double(at, constants, method, static_cast<double>(alpha));
             truth.emplace_back(value, 1e-5 * value + 5e-3 +
@@ -177,7 +177,7 @@ void against_double(Random& random, std::uint64_t evaluations, StressTally& tall
             kernels.specular(surfaces, constants, alpha, method, scale.data(), grazing.data());
             for (std::size_t i = 0; i < of_one_light; ++i) {
                 const Asked& at = asked[i];
-                // Below 1e-6 floats cannot tell from which side the surface is seen.
+                // Below 1e-6 floats cannot tell which side of the surface is visible.
                 if (std::fabs(at[3] * at[6] + at[4] * at[7] + at[5] * at[8]) < 1e-6) {
                     tally.looked_at(1);
                     continue;

@@ -1,4 +1,4 @@
-// The subjects of the rooms, each in its own file. Internal to the room.
+// The stress subjects of the library's rooms, each in its own file. Internal to this room.
 #pragma once
 
 #include <gonio/measure/stress.hpp>
@@ -18,7 +18,7 @@ std::span<const StressSubject> color_stress();
 std::span<const StressSubject> light_stress();
 std::span<const StressSubject> web_stress();
 
-// A number, finite and not negative.
+// A finite number that is not negative.
 inline bool is_amount(double value) {
     return std::isfinite(value) && value >= 0.0;
 }

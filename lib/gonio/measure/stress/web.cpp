@@ -1,4 +1,4 @@
-// Webs of random tables: what they give in any direction, their flux, what is made of them, their textures, and numbers
+// Webs of random tables: their values in any direction, their flux, webs derived from them, their textures, and numbers
 // as files write them.
 #include <gonio/bake/bake.hpp>
 #include <gonio/bake/kernels.hpp>
@@ -32,8 +32,8 @@ namespace gonio::measure::detail {
 
 namespace {
 
-// Strictly ascending, from `first` to at most `last`; uneven, and if `finest` now and then with steps as fine as
-// doubles have.
+// Strictly ascending, from `first` to at most `last`; with non-uniform steps and, if `finest`, sometimes with steps as
+// small as doubles allow.
 std::vector<double> angles(Random& random, double first, double last, std::size_t count, bool finest) {
     std::vector<double> at{first};
     for (std::size_t i = 1; i < count; ++i) {
@@ -48,7 +48,7 @@ std::vector<double> angles(Random& random, double first, double last, std::size_
 
 struct RandomWeb {
     Web web;
-    double greatest = 0.0; // of its table
+    double greatest = 0.0; // of the web's table
 };
 
 Result<RandomWeb> random_web(Random& random, bool finest = true) {
@@ -65,7 +65,7 @@ Result<RandomWeb> random_web(Random& random, bool finest = true) {
         cd = random.bits() % 4 == 0 ? 0.0 : scale * random.uniform();
         greatest = std::max(greatest, cd);
     }
-    // All around, the last plane is the first one.
+    // For a full turn the last plane equals the first.
     if (symmetry == Symmetry::none && planes.back() == 360.0)
         std::copy_n(candela.begin(), gammas.size(), candela.end() - static_cast<std::ptrdiff_t>(gammas.size()));
     Result<Web> web = Web::create(symmetry, std::move(planes), std::move(gammas), std::move(candela));
@@ -73,7 +73,7 @@ Result<RandomWeb> random_web(Random& random, bool finest = true) {
     return RandomWeb{std::move(*web), greatest};
 }
 
-// Between 0 and the table's greatest value, in any direction there is or is not.
+// Between 0 and the table's greatest value, for any direction, including invalid ones.
 void lookups(Random& random, std::uint64_t evaluations, StressTally& tally) {
     constexpr std::uint64_t of_one_web = 500;
     const auto odd = [&] {
@@ -86,7 +86,7 @@ void lookups(Random& random, std::uint64_t evaluations, StressTally& tally) {
         const Result<RandomWeb> made = random_web(random);
         tally.require(made.has_value(), [] { return std::string("a web of ascending angles was refused"); });
         if (!made) continue;
-        // Interpolation adds three products: 4 roundings.
+        // Interpolation takes three products and their sum: 4 roundings.
         const double most = made->greatest * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
         for (std::uint64_t i = 0; i < of_one_web; ++i) {
             const bool by_angles = random.bits() % 2 == 0;
@@ -102,7 +102,7 @@ void lookups(Random& random, std::uint64_t evaluations, StressTally& tally) {
             }
             if (!by_angles &&
                 !(std::isfinite(a) && std::isfinite(b) && std::isfinite(c) && (a != 0.0 || b != 0.0 || c != 0.0)))
-                continue; // no direction
+                continue; // not a direction
             if (by_angles && !std::isfinite(a)) continue;
             const double cd = by_angles ? made->web.candela(a, b) : made->web.candela(glm::dvec3(a, b, c));
             tally.looked_at(1);
@@ -114,7 +114,7 @@ void lookups(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// The exact flux and the zonal one lie between nothing and the greatest intensity all around.
+// The exact flux and the zonal flux lie between 0 and the peak intensity times 4π.
 void fluxes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 2) {
         const Result<RandomWeb> made = random_web(random);
@@ -127,11 +127,11 @@ void fluxes(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// Turned, mirrored, evened out, written out, cut, scaled, added: the flux that each must have. And its zones, which are
-// parts of it.
+// Webs that are rotated, mirrored, made symmetric, rewritten, cut, scaled or added: each must have the expected flux.
+// The zones of a web must add up to its flux.
 void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) {
     for (std::uint64_t done = 0; done < evaluations; done += 10) {
-        // What a turned angle is rounded by is the more of a step the finer that is.
+        // The finer a step, the larger the rounding of a rotated angle is relative to it.
         const Result<RandomWeb> made = random_web(random, false);
         if (!made || !(peak(made->web).intensity.value > 0.0)) {
             tally.looked_at(10);
@@ -139,7 +139,7 @@ void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) 
         }
         const Web web = made->web.scaled(1000.0 / made->greatest);
         const double whole = flux(web).value;
-        // Of a web that is as bright all around.
+        // The flux of a web with its peak intensity in all directions.
         const double size = 4.0 * std::numbers::pi * peak(web).intensity.value;
         const auto hold = [&](const char* what, double lm, double expected, double bar) {
             tally.hold(std::fabs(lm - expected) / (bar * size), [&] {
@@ -156,7 +156,7 @@ void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) 
         hold("rotated", flux(rotated(web, angle).web).value, whole, 1e-10);
         hold("mirrored", flux(mirrored(web, MirrorPlane::c90_270)).value, whole, 1e-10);
         hold("expanded", flux(expanded(web)).value, whole, 1e-10);
-        hold("compacted", flux(compacted(web)).value, whole, 1e-8); // 1e-9 of the peak all around
+        hold("compacted", flux(compacted(web)).value, whole, 1e-8); // 1e-9 of the peak over all directions
         if (const Result<Web> even = symmetrized(web, Symmetry::quadrant))
             hold("even", flux(*even).value, whole, 1e-10);
         const double low = random.uniform(0.0, 170.0);
@@ -171,7 +171,7 @@ void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) 
         if (const Result<Web> scaled = whole > 0.0 ? scaled_to(web, Lumens(800.0)) : Result<Web>(web); scaled)
             hold("scaled", whole > 0.0 ? flux(*scaled).value * whole / 800.0 : 0.0, whole, 1e-10);
         const std::array<WeightedWeb, 2> both{WeightedWeb{&web, 0.25}, WeightedWeb{&web, 1.5}};
-        // A ramp of 1e-4 degrees where a table ends in the bright.
+        // A table that ends at a non-zero value gets a ramp of 1e-4 degrees.
         if (const Result<CombinedWeb> sum = combined(both)) hold("combined", flux(sum->web).value, 1.75 * whole, 1e-5);
         if (const std::optional<Radians> beam = spread_angle(web, random.uniform(0.0, 360.0), 0.5))
             tally.require(beam->value >= 0.0 && beam->value <= 2.0 * std::numbers::pi,
@@ -179,9 +179,9 @@ void transformed(Random& random, std::uint64_t evaluations, StressTally& tally) 
     }
 }
 
-// A texture of any layout holds the web's flux. Floats: 24 bits of each texel, which round to either side.
+// A texture of any layout keeps the web's flux. Each texel is a float of 24 bits, which rounds up or down.
 void textures(Random& random, std::uint64_t evaluations, StressTally& tally) {
-    for (std::uint64_t done = 0; done < evaluations; done += 512) { // texels, about
+    for (std::uint64_t done = 0; done < evaluations; done += 512) { // approximately, in texels
         const Result<RandomWeb> made = random_web(random);
         if (!made || made->greatest == 0.0) continue;
         BakeOptions options;
@@ -192,7 +192,7 @@ void textures(Random& random, std::uint64_t evaluations, StressTally& tally) {
         options.width = choice == 0 ? 32 : 16;
         options.height = 16;
         options.threads = 1;
-        // Candela in the range that a float texture can hold.
+        // Candela in the range of a float texture.
         const Web web = made->web.scaled(1000.0 / made->greatest);
         const Result<Texture> texture = bake_texture(web, options);
         tally.looked_at(static_cast<std::uint64_t>(options.width) * 16);
@@ -238,7 +238,7 @@ void ramps(Random& random, std::uint64_t evaluations, StressTally& tally) {
     }
 }
 
-// What is written reads back as the same double, and decimals read as the C library reads them.
+// Written numbers read back as the same double, and decimals read as the C library reads them.
 void numbers(Random& random, std::uint64_t evaluations, StressTally& tally) {
     const std::string padding(static_cast<std::size_t>(profile_detail::decimal_lookahead), ' ');
     const auto read = [&](const std::string& text, double& value) {

@@ -1,5 +1,5 @@
-// Textures of a luminaire: the layouts, and the plain look-up that other programs bake, by how far the texture,
-// filtered as a renderer filters it, is from the web in any direction, and by its flux.
+// Textures of a luminaire: the layouts, and the plain look-up table that other programs bake, compared by flux and by
+// the difference from the web in any direction when the texture is filtered as a renderer filters it.
 #include <gonio/bake/bake.hpp>
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/suites/suites.hpp>
@@ -16,10 +16,10 @@ namespace gonio::measure::detail {
 
 namespace {
 
-// About as many texels in each: sixteen times these, and these where it must be quick.
+// All have about the same number of texels: this number if quick, otherwise sixteen times as many.
 struct Subject {
     const char* name;
-    std::optional<Layout> layout; // nothing: the web's value at the centre of each texel of a latlong texture
+    std::optional<Layout> layout; // empty: the web's value at the centre of each texel of a latlong texture
     int width;
     int height;
 };
@@ -65,13 +65,13 @@ Baked bake(const Web& web, const Subject& subject, int times, TexelType type) {
     options.height = height;
     options.texel_type = type;
     options.threads = 1;
-    options.skip = false; // the work of a texel, whatever the web's symmetry
+    options.skip = false; // does the work for each texel, whatever the web's symmetry
     Texture texture = bake_texture(web, options).value();
     return {std::move(texture.image), charts_of(*subject.layout, width, height, {}).value(), texture.cd_per_unit,
             texture.texture_flux.value};
 }
 
-// Bilinear between texel centres, within one chart: around where it wraps, held at its edges elsewhere.
+// Bilinear between texel centres within one chart; wraps around where the chart does, clamps at its edges elsewhere.
 double sample(const Baked& baked, const glm::dvec3& direction) {
     for (const PlacedChart& placed : baked.charts) {
         const std::optional<glm::dvec2> at = placed.chart->locate(direction);

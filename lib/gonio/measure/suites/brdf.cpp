@@ -1,4 +1,5 @@
-// Reflectances: each material's codes against its formula in double, and how much light all of them give back.
+// Reflectances: each material's codes against its formula in double, and the share of light that each material
+// reflects.
 #include <gonio/measure/brdf_cases.hpp>
 #include <gonio/measure/furnace.hpp>
 #include <gonio/measure/suites/suites.hpp>
@@ -83,16 +84,16 @@ Method<Cases> kernel_method(const std::string& name, std::size_t kind, const sha
     return {name, kernels.name, work, {}};
 }
 
-// A material by its name, its place among the alternatives of a scene's Material, and its scalar codes.
+// A material by its name, its index among the alternatives of a scene's Material, and its scalar codes.
 struct Subject {
     std::string name;
     std::size_t kind;
     void (*in_double)(const Cases&, std::span<double>);
     void (*in_float)(const Cases&, std::span<float>);
-    double (*white)(double roughness, double mu); // albedo of what should give back all light
+    double (*white)(double roughness, double mu); // albedo of a material that should reflect all light
 };
 
-// Of white surfaces and of mirrors, f0 = 1: what a material says of them that lose nothing.
+// The albedo of the white surface or the mirror (f0 = 1), which should lose no light.
 template<class M>
 double white_albedo(double roughness, double mu) {
     const auto core = core_material(white<M>(roughness));

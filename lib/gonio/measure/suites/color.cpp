@@ -1,4 +1,4 @@
-// Colour temperatures: fits and formulas of other programs against Planck's law summed in steps of 1 nm.
+// Colour temperatures: fits and formulas of other programs against Planck's law, summed in steps of 1 nm.
 #include <gonio/color/planckian.hpp>
 #include <gonio/measure/color_methods.hpp>
 #include <gonio/measure/suites/suites.hpp>
@@ -18,7 +18,7 @@ struct Range {
     Kelvin hottest;
 };
 
-// `range`: the same temperatures for all; nothing: each over its own.
+// `range`: the same temperatures for all methods; if empty, each method is measured over its own range.
 Result<Contest> of_temperature(const char* subset, std::optional<Range> range, const SuiteOptions& options) {
     const std::size_t count = options.quick ? 500 : 2000;
     Contest contest{{"colour", "temperature to colour", subset, "Δu'v'", "temperature", sum, "fit"}, 0, {}};

@@ -1,4 +1,4 @@
-// Irradiance of lights with a size: the closed forms beside the approximations of renderers.
+// Irradiance of lights with a size: the closed forms against the approximations of renderers.
 #include <gonio/measure/area_methods.hpp>
 #include <gonio/measure/sphere_methods.hpp>
 #include <gonio/measure/suites/suites.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 using Kind = shading::LightConstants::Kind;
 
-// Relative errors are taken where E/L is above this; below it a method's absolute error tells more.
+// Relative errors are taken where E/L is above this; below it a method's absolute error is more informative.
 constexpr double floor_e_over_l = 1e-6;
 
 ContestTitle title(const char* shape, std::optional<Stratum> stratum, const char* truth) {
@@ -53,7 +53,7 @@ std::vector<std::string> irradiance_methods() {
 
 std::vector<ContestMaker> irradiance_contests(const SuiteOptions& options) {
     std::vector<std::optional<Stratum>> strata{std::nullopt};
-    // Not below: nothing is seen there, and nothing is measured.
+    // Not `below`: there the light is not visible, so there is nothing to measure.
     if (!options.quick) strata.insert(strata.end(), {Stratum::above, Stratum::straddling, Stratum::near, Stratum::far});
     std::vector<ContestMaker> makers;
     for (const std::optional<Stratum> stratum : strata) {

@@ -1,5 +1,5 @@
-// Pictures: the renderer of every instruction set, with and without leaving out what cannot matter, against the
-// illuminance that probe takes in double at the point that each pixel sees.
+// Pictures: the renderer of every instruction set, with and without skipping what cannot affect the picture, against
+// the illuminance that probe computes in double at the point that each pixel sees.
 #include <gonio/measure/random.hpp>
 #include <gonio/measure/suites/suites.hpp>
 #include <gonio/preview/render.hpp>
@@ -33,12 +33,12 @@ Light light_of(const char* shape, glm::dvec3 position, double cd, double range_m
 
 Scene one_light(const char* shape) {
     Scene scene{make_stage("floor").value(), {}};
-    // Above what the camera sees: a pixel that sees a light has no illuminance.
+    // Above the field of view: a pixel that sees a light has no illuminance.
     scene.lights.push_back(light_of(shape, {0.0, 0.0, 4.0}, 800.0, 0.0));
     return scene;
 }
 
-// Small spots over the stage, each seen a few metres far.
+// Small spots over the stage, each with a range of a few metres.
 Scene many_lights(std::size_t count, std::uint64_t seed) {
     Scene scene{make_stage("floor").value(), {}};
     Random random(seed);
@@ -49,8 +49,8 @@ Scene many_lights(std::size_t count, std::uint64_t seed) {
     return scene;
 }
 
-// What probe gives at the middle of each pixel; 0 where nothing is seen, and where a pixel and its neighbours see
-// different surfaces: there a picture has means of several points.
+// The result of probe at the middle of each pixel; 0 where no surface is visible, and where a pixel and its neighbours
+// see different surfaces: there a picture has the means of several points.
 std::vector<double> truth_of(const Scene& scene, int size) {
     const CameraRays rays(scene.stage.camera, size, size);
     const auto hit = [&](double x, double y) { return first_hit(scene.stage, rays.ray(x, y)); };

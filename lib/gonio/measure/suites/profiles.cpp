@@ -1,4 +1,4 @@
-// Measured light: reading the files of three formats, the flux of a table, and the intensity between its angles.
+// Measured light: reading files of three formats, the flux of a table, and the intensity between its angles.
 #include <gonio/base/gauss_legendre.hpp>
 #include <gonio/measure/hostile_poses.hpp>
 #include <gonio/measure/strtod_baseline.hpp>
@@ -33,7 +33,7 @@ Web table_of(const char* luminaire, double horizontal_step_deg, double vertical_
 
 // --- Reading.
 
-// A street luminaire of 2.5° by 1° in a format; what it is after reading against what it was before.
+// A street luminaire of 2.5° by 1° in a format; its values after reading against those before writing.
 Result<Contest> of_reading(const char* format) {
     const auto web = std::make_shared<const Web>(table_of("street", 2.5, 1.0));
     Result<MadeProfile> made = to_profile(*web, {}, *find_profile_target(format));
@@ -65,7 +65,7 @@ Result<Contest> of_reading(const char* format) {
 
 // --- Flux.
 
-// ∬ of the interpolant, 8 × 8 Gauss–Legendre points in each cell, over the full turn of its symmetry.
+// ∬ of the interpolant, 8 × 8 Gauss–Legendre points in each cell, over the full turn that its symmetry implies.
 double flux_by_quadrature(const Web& web) {
     constexpr auto rule = gauss_legendre<8>();
     const std::span<const double> planes = web.planes_deg();
@@ -89,7 +89,7 @@ double flux_by_quadrature(const Web& web) {
     return planes.size() == 1 ? sum : sum * image_count(web.stored_symmetry());
 }
 
-// Intensities at the middle of cells of 1° by 1°, what scripts do.
+// Intensities at the middle of cells of 1° by 1°, as scripts do it.
 double flux_by_midpoints(const Web& web) {
     double sum = 0.0;
     constexpr double degree = std::numbers::pi / 180.0;
@@ -135,7 +135,7 @@ Result<Contest> of_flux() {
 
 // --- Intensity.
 
-// The nearest value of the table, what a loader without interpolation gives.
+// The nearest value of the table, as a loader without interpolation gives it.
 double nearest_value(const Web& web, double c_deg, double gamma_deg) {
     const auto closest = [](std::span<const double> angles, double at) {
         return *std::min_element(angles.begin(), angles.end(),
@@ -144,7 +144,7 @@ double nearest_value(const Web& web, double c_deg, double gamma_deg) {
     return web.candela(closest(web.planes_deg(), web.folded_c_deg(c_deg)), closest(web.gammas_deg(), gamma_deg));
 }
 
-// Tables of formulas, asked between their angles; the formulas know.
+// Tables of formulas, evaluated between their angles; the formulas give the truth.
 Result<Contest> of_intensity(double horizontal_step_deg, double vertical_step_deg, const char* subset,
                              const SuiteOptions& options) {
     struct Luminaire {

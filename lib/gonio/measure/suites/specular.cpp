@@ -1,4 +1,4 @@
-// Specular luminance of lights with a size: linearly transformed cosines beside the one-direction methods.
+// Specular luminance of lights with a size: linearly transformed cosines against the one-direction methods.
 #include <gonio/measure/specular_methods.hpp>
 #include <gonio/measure/suites/suites.hpp>
 
@@ -14,7 +14,7 @@ constexpr std::array kinds{std::pair{"sphere", Kind::sphere}, std::pair{"disk", 
                            std::pair{"ellipse", Kind::ellipse}, std::pair{"rectangle", Kind::rectangle},
                            std::pair{"tube", Kind::tube}};
 
-// Where the lobe sees nothing of the light there is nothing to be relative to.
+// Where the lobe does not reach the light, there is no value for a relative error.
 constexpr double floor_luminance = 1e-3;
 
 Result<Contest> of_shape(Kind kind, const char* shape, const SuiteOptions& options) {

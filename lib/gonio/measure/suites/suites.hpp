@@ -1,4 +1,4 @@
-// The suites, each in its own file. Internal to the room.
+// The suites, each in its own file. Internal to this room.
 #pragma once
 
 #include <gonio/measure/suite.hpp>
@@ -37,7 +37,7 @@ void add_names(const Methods& methods, std::vector<std::string>& names) {
     }
 }
 
-// The place of a method in one code; 0 where there is none.
+// The index of a method in one code; 0 if there is none.
 template<class Methods>
 std::size_t place_of(const Methods& methods, std::string_view name, std::string_view code) {
     for (std::size_t i = 0; i < methods.size(); ++i)

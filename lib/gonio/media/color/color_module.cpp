@@ -1,4 +1,4 @@
-// gonio-color.so: the only file of gonio that includes OpenColorIO. See detail/color_abi.hpp for what holds here.
+// gonio-color.so: the only file of gonio that includes OpenColorIO. Its contract is in detail/color_abi.hpp.
 #include <gonio/media/detail/color_abi.hpp>
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -30,12 +30,12 @@ using namespace gonio::media::abi;
 
 void say(char* message, const char* text) {
     std::snprintf(message, message_bytes, "%s", text);
-    // Messages of several lines (YAML) become one sentence.
+    // Messages of several lines (YAML) are joined into one line.
     for (char* c = message; *c != '\0'; ++c)
         if (*c == '\n' || *c == '\r') *c = ' ';
 }
 
-// Runs `work` and turns what it throws into a status; `refused` is the status of OpenColorIO's own exceptions.
+// Runs `work` and turns its exceptions into a status; `refused` is the status for OpenColorIO's own exceptions.
 template<class Work>
 int guarded(char* message, Status refused, Work work) noexcept {
     try {
@@ -132,7 +132,7 @@ OCIO::ConstConfigRcPtr builtin_config() {
 
 int open_config(const char* path, ColorConfig** config, char* message) noexcept {
     return guarded(message, malformed, [&] {
-        // The library never prints; whatever matters comes back as an exception.
+        // The library must not print; everything that matters is returned as an exception.
         OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
         OCIO::SetLoggingFunction([](const char*) {});
         auto opened = std::make_unique<ColorConfig>();
@@ -145,7 +145,7 @@ void close_config(ColorConfig* config) noexcept {
     delete config;
 }
 
-// OpenColorIO answers an index beyond the end with an empty text.
+// OpenColorIO returns an empty text for an index beyond the end.
 const char* or_null(const char* text) {
     return text == nullptr || *text == '\0' ? nullptr : text;
 }
@@ -197,7 +197,7 @@ std::int32_t space_kind(const ColorConfig* config, const char* name) noexcept {
     }
 }
 
-// Multiplies `matrix` by the transform from the left; false where that is no plain 3×3.
+// Multiplies `matrix` by the transform from the left; false if the transform is not a plain 3×3.
 bool append(const OCIO::ConstTransformRcPtr& transform, std::array<double, 9>& matrix) {
     const auto step = OCIO_DYNAMIC_POINTER_CAST<const OCIO::MatrixTransform>(transform);
     if (!step || step->getDirection() != OCIO::TRANSFORM_DIR_FORWARD) return false;

@@ -1,4 +1,4 @@
-// A configuration of OpenColorIO and its processors, held by objects that close them. Private to media.
+// A configuration of OpenColorIO and its processors, owned by objects that close them. Private to media.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -11,13 +11,13 @@
 
 namespace gonio::media::detail {
 
-// The role through which scene-linear colours of the whole world enter a configuration: ACES2065-1.
+// The role through which scene-linear colours enter any configuration: ACES2065-1.
 inline constexpr const char* interchange = "aces_interchange";
 
 // A configuration and a processor, closed when they go out of scope.
 class Config {
 public:
-    // `path` empty: the built-in configuration. Fails (io, malformed) on a file that is none.
+    // `path` empty: the built-in configuration. Fails (io, malformed) on a file that is not a configuration.
     static Result<Config> open(const std::string& path);
 
     Config(Config&& other) noexcept : module_(other.module_), config_(other.config_) { other.config_ = nullptr; }
@@ -79,10 +79,10 @@ private:
     abi::ColorProcessor* processor_;
 };
 
-// The refusal (usage) of a name, with the nearest of those there are and all of them.
+// The error (usage) for an unknown name, with the nearest known name and all of them.
 Unexpected unknown(std::string_view what, std::string_view name, const std::vector<std::string>& known);
 
-// To be held by a Processor. Fails (usage) on unknown names, (unsupported) where OpenColorIO has no transform.
+// A Processor must own the result. Fails (usage) on unknown names, (unsupported) if OpenColorIO has no transform.
 Result<abi::ColorProcessor*> space_processor(const Config& config, const std::string& from, const std::string& to);
 
 } // namespace gonio::media::detail

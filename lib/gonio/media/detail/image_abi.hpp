@@ -1,7 +1,7 @@
-// The contract between the core and gonio-image.so: plain types, one table of functions, no exception.
+// The contract between the core and gonio-image.so: plain types, one table of functions, no exceptions.
 //
-// A function returns a Status (module_abi.hpp). What a reply points to belongs to its `owner` and lives until
-// release(owner). Change `image_version` whenever anything here or there changes.
+// A function returns a Status (module_abi.hpp). Everything that a reply points to belongs to its `owner` and lives
+// until release(owner). Change `image_version` whenever anything here or there changes.
 #pragma once
 
 #include <gonio/media/detail/module_abi.hpp>
@@ -26,7 +26,7 @@ struct Attribute {
 };
 
 struct EncodeRequest {
-    const char* format; // OpenImageIO's name of the writer: "openexr"
+    const char* format; // OpenImageIO's name for the writer: "openexr"
     std::int32_t width;
     std::int32_t height;
     std::int32_t channels;
@@ -48,7 +48,7 @@ struct DecodeRequest {
     const char* format;
     const unsigned char* bytes;
     std::size_t size;
-    std::size_t max_values; // width × height × channels may not be more
+    std::size_t max_values; // upper limit of width × height × channels
 };
 
 struct DecodeReply {
@@ -65,7 +65,7 @@ struct DecodeReply {
 };
 
 struct ImageModule {
-    std::uint32_t version; // image_version; stays first
+    std::uint32_t version; // image_version; always the first member
     int (*encode)(const EncodeRequest* request, EncodeReply* reply);
     void (*release_encoded)(void* owner);
     int (*decode)(const DecodeRequest* request, DecodeReply* reply);

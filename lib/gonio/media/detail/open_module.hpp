@@ -1,4 +1,4 @@
-// How the core gets at a module; module.cpp is the only file that calls dlopen.
+// How the core opens a module; module.cpp is the only file that calls dlopen.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -15,9 +15,9 @@ struct ModuleName {
     const char* file;      // "gonio-image.so"
     const char* entry;     // its one exported function
     std::uint32_t version; // of the table that the function must return
-    const char* library;   // what it is made of, for messages
+    const char* library;   // the library that it is made of, for messages
     const char* package;   // the Debian package of that library
-    unsigned threads = 0;  // that are started when the library is loaded, which ends the process where they cannot be
+    unsigned threads = 0;  // started when the library is loaded; if they cannot be started, the process ends
 };
 
 inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_module", abi::image_version,
@@ -25,11 +25,12 @@ inline constexpr ModuleName image_module_name{"gonio-image.so", "gonio_image_mod
 inline constexpr ModuleName color_module_name{"gonio-color.so", "gonio_color_module", abi::color_version, "OpenColorIO",
                                               "libopencolorio2.1"};
 
-// The module's table, from the first of the folders that holds the file. Fails (unsupported) when none does, when it
-// cannot be loaded, or when its table is of another version; (io) when the threads of the library cannot be started.
+// The module's table, from the first of the folders that contains the file. Fails (unsupported) when no folder does,
+// when the module cannot be loaded, or when its table is of another version; (io) when the library's threads cannot be
+// started.
 Result<const void*> open_module(const ModuleName& name, const std::vector<std::string>& folders);
 
-// Opened on the first call, from module_folders(); later calls cost a lock. A failure is not remembered.
+// Opened on the first call, from module_folders(); later calls cost a lock. A failure is not cached.
 Result<const abi::ImageModule*> image_module();
 Result<const abi::ColorModule*> color_module();
 

@@ -1,4 +1,4 @@
-// Whether a PNG file is whole, asked before libpng sees it: libpng prints what it finds wrong to stderr, and jumps over
+// Checks that a PNG file is complete before libpng reads it: libpng prints errors to stderr, and jumps over
 // OpenImageIO's destructors.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace gonio::media::detail {
 
-// Every chunk is there to its end, its checksum holds, and the last one is IEND. Says nothing of what the chunks hold.
+// Every chunk is complete, its checksum is correct, and the last one is IEND. The content of the chunks is not checked.
 bool is_whole_png(std::string_view bytes);
 
 } // namespace gonio::media::detail

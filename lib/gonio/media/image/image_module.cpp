@@ -1,4 +1,4 @@
-// gonio-image.so: the only file of gonio that includes OpenImageIO. See detail/image_abi.hpp for what holds here.
+// gonio-image.so: the only file of gonio that includes OpenImageIO. Its contract is in detail/image_abi.hpp.
 #include <gonio/media/detail/image_abi.hpp>
 
 #include <OpenImageIO/filesystem.h>
@@ -18,14 +18,15 @@ namespace {
 using namespace gonio::media::abi;
 
 void say(char* message, const std::string& text) {
-    // OpenImageIO's errors may span lines and end in a newline: one sentence is wanted.
+    // OpenImageIO's errors may span lines and end in a newline; this keeps one sentence.
     std::string line = text.substr(0, text.find('\n'));
     while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
         line.pop_back();
     std::snprintf(message, message_bytes, "%s", line.empty() ? "OpenImageIO gave no reason" : line.c_str());
 }
 
-// An error nobody fetched is printed to stderr when its owner dies, and the global one when the process ends.
+// OpenImageIO prints an error that was not fetched to stderr when its owner is destroyed, and the global one when the
+// process ends.
 template<class Owner>
 std::string take_error(Owner& owner) {
     std::string text = owner.has_error() ? owner.geterror() : std::string();
@@ -33,7 +34,7 @@ std::string take_error(Owner& owner) {
     return text.empty() ? global : text;
 }
 
-// Runs `work` and turns whatever it throws into a status.
+// Runs `work` and turns its exceptions into a status.
 template<class Work>
 int guarded(char* message, Work work) noexcept {
     try {
@@ -41,7 +42,7 @@ int guarded(char* message, Work work) noexcept {
     } catch (const std::bad_alloc&) {
         std::snprintf(message, message_bytes, "out of memory");
         return out_of_memory;
-    } catch (const std::system_error& error) { // of std::thread: OpenImageIO starts some where it is first used
+    } catch (const std::system_error& error) { // from std::thread: OpenImageIO starts threads on first use
         std::snprintf(message, message_bytes, "%s", error.what());
         if (error.code() == std::errc::resource_unavailable_try_again) {
             std::snprintf(message, message_bytes, "no thread can be started");
@@ -55,7 +56,7 @@ int guarded(char* message, Work work) noexcept {
     return internal;
 }
 
-// Once per process: encoding runs on the caller alone, so that no pool of threads is left to be joined at exit.
+// Once per process: encoding runs only on the caller's thread, so that no thread pool has to be joined at exit.
 void set_up() {
     static const bool ready = [] {
         OIIO::attribute("threads", 1);
@@ -122,7 +123,7 @@ int encode(const EncodeRequest* request, EncodeReply* reply) noexcept {
             alpha == spec.channelnames.end() ? -1 : static_cast<int>(alpha - spec.channelnames.begin());
         for (std::size_t i = 0; i < request->attribute_count; ++i)
             set_attribute(spec, request->attributes[i]);
-        spec.attribute("oiio:UnassociatedAlpha", 1); // PNG: store colour as it is, never divided by alpha
+        spec.attribute("oiio:UnassociatedAlpha", 1); // PNG: store colour unchanged, never divided by alpha
 
         output->set_ioproxy(&memory);
         const bool written =
@@ -145,7 +146,7 @@ void release_encoded(void* owner) noexcept {
 }
 
 struct Decoded {
-    OIIO::ImageSpec spec; // holds what the attributes point to
+    OIIO::ImageSpec spec; // owns the data of the attributes
     std::vector<float> pixels;
     std::vector<const char*> channel_names;
     std::vector<Attribute> attributes;
@@ -192,7 +193,8 @@ int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
         const std::size_t values = static_cast<std::size_t>(std::max(spec.width, 0)) *
                                    static_cast<std::size_t>(std::max(spec.height, 0)) *
                                    static_cast<std::size_t>(std::max(spec.nchannels, 0));
-        // width and height are below 2^31 each, channels far below: compare piecewise, the product may wrap.
+        // Width and height are below 2^31 each, channels far below; the product may wrap, so it is also compared in
+        // double.
         const auto pixels = static_cast<double>(spec.width) * spec.height * spec.nchannels;
         if (values == 0 || pixels > static_cast<double>(request->max_values) || spec.depth > 1) {
             input->close();
@@ -204,7 +206,7 @@ int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
         const bool read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, decoded->pixels.data());
         input->close();
         const std::string error = take_error(*input);
-        if (!read || !error.empty()) { // torn data may read "well" with an error beside it
+        if (!read || !error.empty()) { // truncated data may be read "successfully" with an error set
             say(reply->message, error);
             return malformed;
         }

@@ -1,4 +1,4 @@
-// A light's share of intensity by direction as the intensity kernels read it.
+// A light's distribution of intensity over directions, in the form that the intensity kernels read.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -38,19 +38,19 @@ private:
     std::vector<float> candela_;
 };
 
-// Tables of webs that lights share, each made once.
+// Web tables shared by lights; each is made once.
 using WebTables = std::map<const Web*, std::shared_ptr<const WebTable>>;
 
-// What a punctual light sends towards points; of a light with a size what its mask lets through from its centre.
+// What a punctual light sends towards points; for a light with a size, what its mask transmits from its centre.
 class IntensityPattern {
 public:
-    // The light must outlive the pattern. `as_point`: of a light with a size what it sends towards far points, in
-    // double point by point.
+    // The light must outlive the pattern. `as_point`: for a light with a size, its intensity towards distant points,
+    // computed in double for each point.
     IntensityPattern(const Light& light, WebTables& tables, bool as_point = false);
 
     bool has_axial_web() const;
 
-    // Candela, or the share of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
+    // Candela, or the factor of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
     void evaluate(const preview::Points& points, const glm::dvec3& anchor, const preview::IntensityKernels& kernels,
                   float* cd) const;
 

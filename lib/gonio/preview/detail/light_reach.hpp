@@ -1,6 +1,6 @@
-// Where a light gives nothing at all, by bounds: what a renderer may skip without changing its picture.
+// Where a light gives nothing at all, by bounds: what a renderer can skip without changing its picture.
 //
-// Every test is conservative: it says that a light gives nothing only where each point gets exactly 0.
+// Every test is conservative: it reports that a light gives nothing only where each point gets exactly 0.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -25,19 +25,19 @@ enum class Unlit : std::uint8_t { no, out_of_range, outside_cone, below_horizon 
 
 struct LightReach {
     glm::dvec3 center{0.0};
-    double body_radius = 0.0;           // of the sphere about the centre that holds the luminous surface
-    double range = 0.0;                 // beyond it the window is 0; infinite without one
-    bool at_infinity = false;           // the sun: `toward` in the centre's stead
+    double body_radius = 0.0;           // of the bounding sphere of the luminous surface about the centre
+    double range = 0.0;                 // beyond it the window is 0; infinite without a window
+    bool at_infinity = false;           // the sun: `toward` is used instead of the centre
     glm::dvec3 toward{0.0, 0.0, 1.0};   // unit, to the sun
     double angular_radius_sin = 0.0;    // of the sun
-    std::array<DirectionCone, 3> cones; // from the centre; all light leaves inside each of them
+    std::array<DirectionCone, 3> cones; // from the centre; all light leaves inside every one of them
     std::size_t cone_count = 0;
 
-    // Why no point within the bounds gets light; `no` where one may.
+    // Why no point within the bounds gets light; `no` if one may.
     Unlit unlit(const SampleBounds& bounds) const;
 };
 
-// `mask_from_center`: the mask of a light with a size is taken from its centre to the point.
+// `mask_from_center`: the mask of a light with a size is evaluated from its centre to the point.
 LightReach reach_of(const Light& light, bool mask_from_center);
 
 // Whether the light emits at all.

@@ -1,4 +1,5 @@
-// A tree over spheres about lights: which of them meet a box or a cone of rays, in far fewer steps than there are.
+// A tree over spheres about lights: finds those that meet a box or a cone of rays in far fewer steps than a full
+// search.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -31,14 +32,14 @@ public:
     // Any radius ≥ 0; infinite ones meet everything.
     explicit LightTree(std::span<const LightSphere> spheres);
 
-    // Appends the lights whose spheres come within reach of the box [low, high], in no order.
+    // Appends the lights whose spheres meet the box [low, high], in no particular order.
     void meeting_box(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& lights) const;
 
-    // Appends the lights whose spheres the cone may meet, in no order.
+    // Appends the lights whose spheres the cone may meet, in no particular order.
     void meeting_cone(const RayCone& cone, std::vector<std::uint32_t>& lights) const;
 
 private:
-    // Left child at the next index; a leaf has none and holds spheres [first, first + count).
+    // The left child is at the next index; a leaf has no children and holds spheres [first, first + count).
     struct Node {
         glm::dvec3 low, high;
         std::uint32_t first = 0, count = 0;

@@ -25,18 +25,18 @@ struct LitLight {
     bool is_dark = false;
     shading::LightConstants constants; // the position is set for each group of points
     IntensityPattern pattern;
-    bool has_pattern = false;                            // `pattern` is read: the light is punctual or masked
-    bool is_punctual = false;                            // or taken as a point
-    std::optional<shading::Approximation> approximation; // of the irradiance, by the methods that have one
+    bool has_pattern = false;                            // if true, `pattern` is used: the light is punctual or masked
+    bool is_punctual = false;                            // or treated as a point
+    std::optional<shading::Approximation> approximation; // of the irradiance, for the methods that use one
     LightReach reach;
-    // Whether soft shadows take its own surface (soft_shadow.hpp): it has one at a finite distance.
+    // Whether soft shadows use the light's surface (soft_shadow.hpp): true if it has one at a finite distance.
     bool has_surface = false;
 };
 
 struct LitScene {
     LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options);
 
-    // The surfaces that may stand between the points within the bounds, of a surface, and the light.
+    // Finds the surfaces that may be between the light and the points of `surface` within the bounds.
     void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
                         std::vector<std::uint32_t>& found) const;
 
@@ -47,11 +47,11 @@ struct LitScene {
     const preview::IntensityKernels& intensity;
     std::vector<LitLight> lights;                              // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;         // one for each surface
-    std::vector<shading::MaterialConstants> diffuse_materials; // the same without their lobes
-    std::vector<CoreMaterial> core_materials;                  // those of `materials` in double
-    std::vector<SkyAlbedo> sky_albedos;                        // what they show under a sky; none without one
-    LightTree reaches;                                         // by range, of the lights that are not dark
-    LightTree bodies;                                          // of the lights with a surface
+    std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
+    std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
+    std::vector<SkyAlbedo> sky_albedos;                        // sky reflection of each; empty without a sky
+    LightTree reaches;                                         // spheres by range, of the lights that are not dark
+    LightTree bodies;                                          // bounding spheres, of the lights with a surface
 };
 
 } // namespace gonio::detail

@@ -12,7 +12,7 @@
 
 namespace gonio::detail {
 
-// Adds to the tile's own pixels of the picture, in the order of the lights, and to its own `stats`.
+// Adds to the pixels of this tile in the picture, in the order of the lights, and to the `stats` passed to it.
 class LitTile {
 public:
     LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats);
@@ -32,7 +32,7 @@ private:
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);
     void find_edges();
-    // What a light leaves of itself at a point: of its illuminance, and of the luminance that the surface shows.
+    // The share of a light that reaches a point: of its illuminance, and of the luminance that the surface shows.
     struct Visible {
         float lx = 1.0F;
         glm::vec3 rgb{1.0F};
@@ -52,7 +52,8 @@ private:
     double hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const;
     void shade(const LitLight& light, const Group& group);
     void shade_edges(const LitLight& light);
-    // The samples [first, first + count), each times its `weight`, and where `visible` says so what comes through.
+    // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its
+    // share.
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                const float* weight, const Visible* visible);
 
@@ -62,13 +63,13 @@ private:
     RenderStats& stats_;
     SampleShader shader_;
 
-    // Of the light that is being added:
+    // For the light that is being added:
     std::vector<Group> groups_;
     bool is_shadowed_ = false;
     SoftShadow soft_shadow_;
-    std::vector<Visible> center_visible_;      // of each centre, 1 where no surface is seen
-    std::vector<std::uint8_t> on_shadow_edge_; // of each centre
-    std::vector<std::size_t> edges_;           // the centres that are
+    std::vector<Visible> center_visible_;      // for each centre; 1 where no surface is visible
+    std::vector<std::uint8_t> on_shadow_edge_; // for each centre
+    std::vector<std::size_t> edges_;           // the centres on a shadow edge
     std::vector<float> weight_;
     std::vector<Visible> visible_;
 };

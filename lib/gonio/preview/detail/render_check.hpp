@@ -1,4 +1,4 @@
-// What all ways to a picture refuse.
+// Checks that all rendering methods share.
 #pragma once
 
 #include <gonio/preview/render.hpp>

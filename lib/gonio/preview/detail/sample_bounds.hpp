@@ -1,4 +1,4 @@
-// Bounds of points on one surface: where they lie, and where their normals point.
+// Bounds of points on one surface: their positions and their normals.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,22 +8,22 @@ namespace gonio::detail {
 struct SampleBounds {
     glm::dvec3 low{0.0}; // corners of the box
     glm::dvec3 high{0.0};
-    glm::dvec3 center{0.0}; // of the box, and of the sphere that holds the points
+    glm::dvec3 center{0.0}; // of the box, and of the bounding sphere of the points
     double radius = 0.0;
-    glm::dvec3 normal{0.0, 0.0, 1.0}; // axis of the cone that holds every normal
-    double spread_sin = 0.0;          // of its half angle; 1 where the normals fill a hemisphere or more
+    glm::dvec3 normal{0.0, 0.0, 1.0}; // axis of the cone that contains every normal
+    double spread_sin = 0.0;          // of its half angle; 1 if the normals fill a hemisphere or more
     double spread_cos = 1.0;
-    double least_height = 0.0; // of n·p over the points, where all normals are one
-    bool flat = true;          // they are
+    double least_height = 0.0; // of n·p over the points, if all normals are equal
+    bool flat = true;          // whether all normals are equal
 };
 
-// Bounds while points are added to them.
+// Collects the bounds of points one by one.
 class BoundsBuilder {
 public:
-    // `normal` is unit.
+    // `normal` must have unit length.
     void add(const glm::dvec3& point, const glm::dvec3& normal);
     void add(const BoundsBuilder& others);
-    // Of at least one point.
+    // Needs at least one point.
     SampleBounds bounds() const;
 
 private:

@@ -1,9 +1,9 @@
-// One light at points of one surface, by the method that is asked for.
+// One light at points of one surface, by the requested method.
 //
 // exact, ltc and the methods named after a specular: the kernels of shading/. point, and ue4 for flat lights: every
-// light as a point with the intensity that it sends to each place. frostbite and ue4 else: their irradiance takes the
-// exact one's place in the diffuse part, highlights are by the method that their authors took: dominant-direction and
-// representative-point. reference: quadrature, point by point.
+// light as a point with the intensity that it sends to each position. frostbite, and ue4 for other lights: their
+// irradiance replaces the exact one in the diffuse part; highlights are by the method that their authors used,
+// dominant-direction and representative-point. reference: quadrature, point by point.
 #pragma once
 
 #include <gonio/preview/detail/lit_scene.hpp>
@@ -19,15 +19,15 @@ class SampleShader {
 public:
     explicit SampleShader(const LitScene& scene) : scene_(scene) {}
 
-    // Of samples [first, first + count): those of weight 0 may be left out.
+    // Shades samples [first, first + count); those of weight 0 may be skipped.
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                const float* weight);
 
-    // Of the last call, `count` each.
+    // Results of the last call, `count` each.
     const std::array<std::vector<float>, 3>& rgb() const { return rgb_; } // luminance [nt]
-    const std::vector<float>& lx() const { return lx_; }                  // where illuminance is asked for
+    const std::vector<float>& lx() const { return lx_; }                  // only if illuminance was requested
 
-    // Samples whose quadrature ended before the error that was asked for.
+    // The number of samples at which the quadrature stopped before it reached the requested error.
     std::size_t not_converged() const { return not_converged_; }
 
 private:

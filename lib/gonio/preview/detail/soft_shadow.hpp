@@ -1,11 +1,11 @@
-// Soft shadows of lights with a size: the share of their light that comes through, by which the light without shadows
-// is multiplied.
+// Soft shadows of lights with a size: the share of their light that is not blocked, as a factor on the unshadowed
+// light.
 //
 // The ratio of E. Heitz, S. Hill and M. McGuire ("Combining Analytic Direct Illumination and Stochastic Shadows", I3D
-// 2018): ∫ f ⟨n·l⟩ V dl over ∫ f ⟨n·l⟩ dl, both by the same samples, so that what is not shadowed keeps its closed form
-// and what is cannot exceed it. Where they draw points of the light by chance, these samples are the cells of a few
-// lines over it, of each of which what is hidden is known exactly (scene/shadow_line.hpp): there is no noise to
-// filter, and bodies that overlap hide nothing twice. README.md has the error.
+// 2018): ∫ f ⟨n·l⟩ V dl over ∫ f ⟨n·l⟩ dl, both by the same samples, so that unshadowed points keep the closed form and
+// shadowed points cannot exceed it. The paper samples points of the light at random; here the samples are the cells of
+// a few lines over the light, and the hidden part of each cell is known exactly (scene/shadow_line.hpp). So there is no
+// noise to filter, and overlapping solids are not counted twice. README.md has the error.
 #pragma once
 
 #include <gonio/preview/detail/lit_scene.hpp>
@@ -28,14 +28,15 @@ public:
     // The light must have a surface at a finite distance.
     void begin(const LitLight& light);
 
-    // The surfaces that may stand between the light and the points of `own` that are asked about: none until said.
+    // The surfaces that may be between the light and the queried points of surface `own`; empty until the caller fills
+    // it.
     std::vector<std::uint32_t>& bodies(std::size_t own) { return bodies_[own]; }
 
-    // The share of the light's illuminance that reaches the point, in [0, 1]: exactly 1 where nothing is in the way,
-    // exactly 0 where all lines are hidden. `own` is the surface that the point lies on, which hides nothing of itself.
+    // The share of the light's illuminance that reaches the point, in [0, 1]: exactly 1 if nothing is in the way,
+    // exactly 0 if all lines are hidden. `own` is the surface that the point is on; it does not shadow itself.
     double visible(std::size_t own, const glm::dvec3& point, const glm::dvec3& normal);
 
-    // The share of the luminance that the surface shows towards `view`, by channels, at the point of the last call of
+    // The share of the luminance that the surface shows towards `view`, per channel, at the point of the last call of
     // visible().
     glm::vec3 visible_luminance(const glm::dvec3& view) const;
 
@@ -44,7 +45,7 @@ private:
     using Cells = std::array<double, light_line_count * cell_count>;
 
     void find_hidden();
-    // Of the illuminance behind one body, where it has one.
+    // The share of illuminance behind a single solid, if it has a closed form.
     std::optional<double> closed_form(const Primitive& body) const;
     double integrated() const;
 
@@ -52,15 +53,15 @@ private:
     const LitLight* light_ = nullptr;
     std::vector<std::vector<std::uint32_t>> bodies_; // by surface
 
-    // Of the last point:
+    // For the last point:
     std::size_t own_ = 0;
     glm::dvec3 point_{0.0};
     glm::dvec3 normal_{0.0};
-    std::vector<const Primitive*> near_; // the bodies that may hide something there
+    std::vector<const Primitive*> near_; // the solids that may hide something at the point
     LightLines lines_;
-    Cells seen_{}; // the share of each cell that is seen
+    Cells seen_{}; // the visible share of each cell
     double share_ = 1.0;
-    double by_lines_ = 1.0; // the same by the lines alone
+    double by_lines_ = 1.0; // the same by the lines only
 };
 
 } // namespace gonio::detail

@@ -1,4 +1,4 @@
-// A tile of the picture as points on surfaces: cast once, then lit by every light.
+// A tile of the picture as points on surfaces: rays are cast once, then the points are lit by every light.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -19,10 +19,10 @@
 namespace gonio::detail {
 
 inline constexpr int tile_size = 32;   // pixels
-inline constexpr int block_size = 8;   // pixels, whose points on one surface are a chunk
+inline constexpr int block_size = 8;   // pixels; their points on one surface form a chunk
 inline constexpr int edge_samples = 4; // along each side of a pixel on an outline
 
-// What a camera ray ended on.
+// What a camera ray hit.
 struct Seen {
     enum class What : std::uint8_t { nothing, emitter, surface };
 
@@ -41,16 +41,16 @@ struct SurfaceSamples {
     };
 
     std::size_t surface = 0;
-    glm::dvec3 anchor{0.0}; // positions are relative to it, so that none is far from 0
+    glm::dvec3 anchor{0.0}; // positions are relative to it, so that all are near 0
     std::array<std::vector<float>, 3> position;
     std::array<std::vector<float>, 3> normal;
     std::array<std::vector<float>, 3> view;
     std::vector<float> share;         // of its pixel
     std::vector<std::uint32_t> pixel; // of the picture
-    std::vector<std::int32_t> center; // index of the tile's centre that it is; −1 of other points of a pixel
+    std::vector<std::int32_t> center; // index of the tile's centre that it belongs to; −1 for other points of a pixel
     std::vector<Chunk> chunks;
     BoundsBuilder bounds_builder;
-    SampleBounds bounds; // of all, and of what the pixels around the tile see of the surface
+    SampleBounds bounds; // of all samples, and of the surface points at the pixels around the tile
 
     std::size_t size() const { return pixel.size(); }
     glm::dvec3 position_of(std::size_t i) const {
@@ -61,7 +61,7 @@ struct SurfaceSamples {
     void add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
 };
 
-// What every ray of a picture is asked about.
+// What every ray of a picture is tested against.
 struct RayScene {
     const Stage& stage;
     std::span<const Light> lights;
@@ -80,7 +80,7 @@ public:
     int right() const { return right_; }
     int bottom() const { return bottom_; }
 
-    // By surface, only those that are seen.
+    // By surface; only the visible ones.
     const std::vector<SurfaceSamples>& surfaces() const { return surfaces_; }
 
     // The share of a pixel that shows a light itself.
@@ -92,14 +92,14 @@ public:
     };
     const std::vector<EmitterShare>& emitters() const { return emitters_; }
 
-    // Centres of the tile's pixels and of one pixel more on each side, in rows of `stride`.
+    // Centres of the tile's pixels and of one more pixel on each side, in rows of `stride`.
     const std::vector<Seen>& centers() const { return centers_; }
     std::ptrdiff_t stride() const { return stride_; }
 
-    // Whether the pixel of this centre is the mean of several points because an outline crosses it.
+    // Whether the pixel of this centre is the mean of several points, because an outline crosses it.
     bool on_outline(std::size_t center) const { return on_outline_[center] != 0; }
 
-    // Points of a pixel on an outline or a shadow's edge; cast when first asked for, valid until the next call.
+    // Points of a pixel on an outline or a shadow edge; cast at the first request, valid until the next call.
     using FineSamples = std::array<Seen, std::size_t{edge_samples} * edge_samples>;
     const FineSamples& fine(std::size_t center);
 
@@ -116,7 +116,7 @@ private:
     const RayScene& scene_;
     int left_, top_, right_, bottom_;
     std::ptrdiff_t stride_;
-    std::vector<std::uint32_t> seen_lights_; // whose bodies the tile's rays may meet
+    std::vector<std::uint32_t> seen_lights_; // lights with bodies that the tile's rays may meet
     std::vector<Seen> centers_;
     std::vector<std::uint8_t> on_outline_;
     std::vector<std::int32_t> fine_index_;

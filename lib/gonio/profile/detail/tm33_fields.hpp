@@ -1,4 +1,4 @@
-// Which element of a TM-33 document is which field: shared by reader, writer and checks. Internal.
+// Maps the elements of a TM-33 document to fields: shared by reader, writer and checks. Internal.
 #pragma once
 
 #include <gonio/profile/profile.hpp>
@@ -20,11 +20,11 @@ std::string_view local_name(const char* name);
 // The first child element of that name, or none.
 pugi::xml_node child_named(pugi::xml_node parent, std::string_view name);
 
-// Follows "LuminousData/LuminousFlux" from `parent`; the first of `paths` that is there, or none.
+// Follows "LuminousData/LuminousFlux" from `parent`; the first of `paths` that exists, or none.
 pugi::xml_node element_at(pugi::xml_node parent, std::string_view path);
 pugi::xml_node first_of(pugi::xml_node parent, std::span<const std::string_view> paths);
 
-// A number in an element of `Owner`. The first path is the schema's, the second what other editions and programs write.
+// A number in an element of `Owner`. The first path is the schema's, the second that of other editions and programs.
 using Paths = std::array<std::string_view, 2>;
 
 template<class Owner>
@@ -72,7 +72,7 @@ inline constexpr std::array<NumberField<Tm33File>, 4> luminaire_numbers{{
 inline constexpr std::array<std::string_view, 3> goniometer_paths{
     "Equipment/Gonioradiometer/Type", "Equipment/Goniometer/GoniometerType", "Equipment/Goniometer/Type"};
 
-// The element whose children are the points of the luminous intensity; none where there is none. Programs that write
+// The element that has the points of the luminous intensity as children; none if there is none. Programs that write
 // "LuminaireOpticalData" call it IntensityDistribution, or leave LuminousIntensity out.
 pugi::xml_node intensity_element(pugi::xml_node emitter);
 
@@ -81,18 +81,19 @@ bool is_intensity_point(pugi::xml_node node);
 pugi::xml_attribute horizontal_of(pugi::xml_node point);
 pugi::xml_attribute vertical_of(pugi::xml_node point);
 
-// One spectrum each: SpectralData/EmitterSpectral with <PwrData w="550">, or SpectralDistribution with lists or points.
+// One element per spectrum: SpectralData/EmitterSpectral with <PwrData w="550">, or SpectralDistribution with lists or
+// points.
 std::vector<pugi::xml_node> spectrum_elements(pugi::xml_node emitter);
 bool is_spectrum_point(pugi::xml_node node);
 
-// "Symm_Bi_0", however it is spaced; nothing for other words.
+// "Symm_Bi_0", with any spacing; nothing for other words.
 std::optional<Tm33Symmetry> symmetry_named(std::string_view text);
 const char* name_of(Tm33Symmetry symmetry);
 
 // true, false, 1, 0 in any case; nothing for other words.
 std::optional<bool> truth_of(std::string_view text);
 
-// A number, blanks around it allowed; nothing for other text.
+// A number, with or without blanks around it; nothing for other text.
 std::optional<double> plain_number(std::string_view text);
 
 } // namespace gonio::profile_detail

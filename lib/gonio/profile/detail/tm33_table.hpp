@@ -1,4 +1,4 @@
-// The points of a TM-33 table, brought onto a grid. Internal.
+// The points of a TM-33 table, arranged in a grid. Internal.
 #pragma once
 
 #include <pugixml.hpp>
@@ -15,21 +15,21 @@ struct PointTable {
         not_a_number,
         not_finite,
         duplicate, // two points at the same angles
-        incomplete // the angles make a grid that has more places than there are points
+        incomplete // the grid of the angles has more places than there are points
     };
 
     std::vector<double> horizontal_deg; // ascending, each angle once
     std::vector<double> vertical_deg;
     std::vector<double> values; // [horizontal][vertical]
     std::size_t points = 0;
-    bool plain = true; // no point carries more than its angles and its value
+    bool plain = true; // no point has anything besides its angles and its value
 
     Problem problem = Problem::none;
-    const char* where = nullptr; // in the parsed buffer: what the problem is with
-    std::string text;            // and what stands there
+    const char* where = nullptr; // in the parsed buffer: the place of the problem
+    std::string text;            // the text at that place
 };
 
-// Points in any order: planes first, angles first, or mixed.
+// Points may come in any order: planes first, angles first, or mixed.
 PointTable read_points(pugi::xml_node parent);
 
 } // namespace gonio::profile_detail

@@ -1,11 +1,11 @@
-// The directions in which a receiver sees an area light above its horizon: a convex part of the unit sphere, asked
+// The directions in which a receiver sees an area light above its horizon: a convex part of the unit sphere, evaluated
 // along rays from a pole.
 //
 // Seen from a receiver every area shape is the convex hull of at most two circular cones, one oblique cone (a disk) and
-// one polygon, cut by the receiver's horizon. A ray is the half great circle from a pole through an azimuth; what it
-// has of a convex set is one interval, in closed form for each of these. The corners, the horizon's crossings and the
-// tangents from the pole are closed forms too, so that between neighbouring `turns()` the ends of the intervals are
-// smooth functions of the azimuth. All vectors are of the receiver's own origin.
+// one polygon, cut by the receiver's horizon. A ray is the half great circle from a pole through an azimuth; its
+// intersection with a convex set is one interval, in closed form for each of these. The corners, the horizon's
+// crossings and the tangents from the pole are closed forms too, so that between neighbouring `turns()` the ends of the
+// intervals are smooth functions of the azimuth. The receiver is the origin of all vectors.
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
@@ -28,11 +28,12 @@ struct PolarInterval {
 };
 
 // `center`: from the receiver to the light's centre [m]; axes and the receiver's `normal` are unit. A receiver inside a
-// sphere or tube, or on the luminous face of a disk or rectangle, sees its light all over the hemisphere (of the face).
+// sphere or tube, or on the luminous face of a disk or rectangle, sees the light over the whole hemisphere (of the
+// face).
 class LightRegion {
 public:
     static LightRegion sphere(Vec center, double radius, Vec normal);
-    // A cap of angular radius σ about a unit direction, σ ≤ π/2: what the sun is.
+    // A cap of angular radius σ about a unit direction, σ ≤ π/2: used for the sun.
     static LightRegion cap(Vec axis, double sin_sigma, double cos_sigma, Vec normal);
     // Disk and rectangle emit towards +axis, or to both sides.
     static LightRegion disk(Vec center, Vec axis, double radius, bool two_sided, Vec normal);
@@ -40,19 +41,19 @@ public:
                                  Vec normal);
     static LightRegion tube(Vec center, Vec axis, double radius, double length, Vec normal);
 
-    // Nothing of the light is above the horizon, or it shows its dark side.
+    // True if nothing of the light is above the horizon, or the receiver is on its dark side.
     bool dark() const { return dark_; }
-    // A unit direction within, and the largest angle to a point of the outline, about [rad].
+    // A unit direction inside the region, and approximately the largest angle from it to a point of the outline [rad].
     Vec middle() const { return middle_; }
     double reach() const { return reach_; }
 
-    // What the ray from the pole p along its unit tangent q has of the region.
+    // The part of the region on the ray from the pole p along its unit tangent q.
     PolarInterval along(Vec pole, Vec tangent) const;
-    // What it has of the hemisphere above the horizon.
+    // The part of the hemisphere above the horizon on that ray.
     PolarInterval above(Vec pole, Vec tangent) const;
 
-    // Directions of the outline where the rays from the pole change their ways: corners, crossings of the horizon, and
-    // where a ray only touches the outline. In no order.
+    // Directions on the outline at which the rays' intervals stop being smooth: corners, crossings of the horizon, and
+    // points where a ray is tangent to the outline. In no particular order.
     std::vector<Vec> turns(Vec pole) const;
 
 private:
@@ -81,7 +82,7 @@ private:
     std::array<Circle, 2> circles_{}; // outlines of the cones, or the rim of the disk
     std::array<Cone, 2> cones_{};
     std::size_t circle_count_ = 0;
-    bool is_disk_ = false; // the one circle is a rim, not that of a cone about its own axis
+    bool is_disk_ = false; // the single circle is a rim, not the outline of a cone about its own axis
     std::array<Vec, 4> corners_{};
     std::array<Vec, 4> inward_{}; // normals of the polygon's sides
     bool has_polygon_ = false;

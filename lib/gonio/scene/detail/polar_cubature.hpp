@@ -1,11 +1,11 @@
-// Adaptive integration over the part of the sphere in which a light is seen, with an estimate of its own error.
+// Adaptive integration over the visible part of a light on the sphere, with an error estimate.
 //
 // Polar coordinates about a pole: the azimuth is divided where the outline turns, so that within a section the ends of
-// the rays are smooth; the map t → −cos(πt) takes the square roots off the sections' ends. Along a ray the angle is w
-// sinh s: even steps of s resolve a lobe of the width w about the pole and what is far from it as well; where a ray
-// ends at the horizon they shrink with the cube, as shadowing rises from 0 there within a height of α. Cells of
-// (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens et al.,
-// "QUADPACK", 1983) and the worst is halved along its worse side until the sum of the errors is small enough.
+// the rays are smooth; the map t → −cos(πt) removes the square roots at the sections' ends. Along a ray the angle is
+// w sinh s: uniform steps of s resolve both a lobe of the width w about the pole and the region far from it. Where a
+// ray ends at the horizon the steps shrink with the cube, because shadowing there rises from 0 within a height of α.
+// Cells of (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens et al.,
+// "QUADPACK", 1983), and the worst cell is halved along its worse side until the sum of the errors is small enough.
 #pragma once
 
 #include <gonio/scene/detail/light_region.hpp>
@@ -19,8 +19,8 @@
 
 namespace gonio::detail {
 
-// A peak that is expected: `pole` its direction, `along` a unit tangent there, `width` [rad] its half width along it,
-// `squeeze` in (0, 1] times that across it.
+// An expected peak: `pole` is its direction, `along` a unit tangent there, `width` [rad] its half width along the
+// tangent, `squeeze` in (0, 1] times `width` the half width across it.
 struct PolarPeak {
     Vec pole;
     Vec along;
@@ -45,7 +45,7 @@ struct GaussKronrod {
     static constexpr std::size_t count = 15;
     std::array<double, count> node{};
     std::array<double, count> kronrod{};
-    std::array<double, count> gauss{}; // 0 at the others
+    std::array<double, count> gauss{}; // 0 at the other nodes
 
     constexpr GaussKronrod() {
         constexpr std::array nodes{0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
@@ -70,7 +70,8 @@ struct GaussKronrod {
 template<class Integrand>
 class PolarCubature {
 public:
-    // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there but for what adaptivity finds.
+    // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there except for features that adaptivity
+    // resolves.
     PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand)
         : region_(region), integrand_(integrand), pole_(peak.pole), width_(peak.width), squeeze_(peak.squeeze) {
         divide(peak.along);
@@ -81,7 +82,7 @@ public:
             begin(i);
         const auto better = [](const Cell& a, const Cell& b) { return a.error() < b.error(); };
         std::make_heap(cells_.begin(), cells_.end(), better);
-        // Sums that are kept up to date gather rounding, so they are formed anew now and then.
+        // Running sums collect rounding errors, so they are computed again from time to time.
         CubatureResult sums = sum();
         double before = sums.error_estimate;
         for (std::size_t steps = 1; !enough(sums, goal) && sums.evaluations < goal.most_evaluations; ++steps) {
@@ -99,7 +100,7 @@ public:
             sums.evaluations = evaluations_;
             if (steps % 64 == 0 || enough(sums, goal)) sums = sum();
             if (steps % patience == 0) {
-                // Halving rounding does not make it less.
+                // Halving cells does not reduce rounding errors.
                 if (sums.error_estimate > 0.9 * before) break;
                 before = sums.error_estimate;
             }
@@ -110,7 +111,8 @@ public:
     }
 
 private:
-    // Azimuths about the pole from `zero`; ψ is the azimuth as a peak that is squeezed across `along` has it round.
+    // Azimuths about the pole from `zero_`; ψ is the azimuth in which a peak that is squeezed across `along_` becomes
+    // round.
     struct Section {
         double from = 0.0; // ψ
         double to = 0.0;
@@ -157,14 +159,14 @@ private:
     void divide(Vec along) {
         using std::numbers::pi;
         if (region_.dark()) return;
-        // Azimuths count from the region's middle, so that those of a narrow region keep their digits.
+        // Azimuths are measured from the region's middle, so that those of a narrow region keep their digits.
         const Vec middle = region_.middle();
         const Vec toward = middle - pole_ * dot(pole_, middle);
         along_ = unit(along - pole_ * dot(pole_, along));
         zero_ = shading::length(toward) > 1e-9 ? unit(toward) : along_;
         zero_ = unit(zero_ - pole_ * dot(pole_, zero_));
         quarter_ = cross(pole_, zero_);
-        // Of `zero_` counted from `along_`.
+        // The azimuth of `zero_` measured from `along_`.
         offset_ = std::atan2(dot(zero_, cross(pole_, along_)), dot(zero_, along_));
         std::vector<double> turns;
         for (const Vec& point : region_.turns(pole_)) {
@@ -203,7 +205,8 @@ private:
         }
     }
 
-    // What the halves give that the whole did not foresee is an error that its estimate has missed; they bear it.
+    // If the halves' sum differs from the whole by more than its error estimate, the estimate missed an error; the
+    // halves inherit it.
     std::array<Cell, 2> halves(const Cell& cell) {
         std::array<Cell, 2> made{cell, cell};
         if (cell.error_t > cell.error_u)

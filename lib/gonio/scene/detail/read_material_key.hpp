@@ -6,11 +6,11 @@
 
 namespace gonio::detail {
 
-// Into `target`, which stays as it is where the key is not given. Fail (usage) on what is not a number or colour in
-// [0, 1].
+// Reads into `target`, which does not change if the key is not given. Fail (usage) on a value that is not a number or
+// colour in [0, 1].
 Result<void> read_share(const KindText& text, std::string_view key, double& target);
 Result<void> read_color(const KindText& text, std::string_view key, glm::dvec3& target);
-// `alpha`, or roughness, its root.
+// Reads `alpha`, or roughness, its root.
 Result<void> read_alpha(const KindText& text, std::string_view key, double& target);
 
 template<class M>

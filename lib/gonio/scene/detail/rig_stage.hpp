@@ -1,4 +1,4 @@
-// The stage of a rig: by name, or of surfaces of one's own.
+// The stage of a rig: a named one, or one with custom surfaces.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -11,11 +11,12 @@
 
 namespace gonio::detail {
 
-// From the value of the rig's key "stage"; `source` names the rig in messages. A stage of surfaces has a camera that
-// looks at its solids, or at its panels where it has no solids, from a place from where they can be seen.
+// Reads the value of the rig's key "stage"; `source` names the rig in messages. A stage with custom surfaces gets a
+// camera that looks at its solids, or at its rectangles if it has no solids, from a position from which they are
+// visible.
 Result<Stage> read_rig_stage(const RigJson& json, const std::string& source);
 
-// The keys of such a stage, of a surface, and of the primitive that a surface names by its key; empty for none.
+// The keys of such a stage, of a surface, and of the primitive that a surface's key names; empty if there is none.
 std::span<const std::string_view> rig_stage_keys();
 std::span<const std::string_view> rig_surface_keys();
 std::span<const std::string_view> rig_primitive_keys(std::string_view primitive);

@@ -1,4 +1,4 @@
-// Values of a rig's JSON. A failure says what was expected; the caller puts the path in front (placed).
+// Values of a rig's JSON. A failure reports what was expected; the caller adds the path in front (placed).
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -15,7 +15,7 @@ namespace gonio::detail {
 // "a number", "an array".
 std::string_view type_of(const RigJson& json);
 
-// Of a number that was given where one with its unit is wanted: "800" → "800lm"; empty else.
+// The hint for a plain number where a number with a unit is expected: "800" → "800lm"; otherwise empty.
 std::string unit_hint(const RigJson& json, std::string_view unit);
 
 Result<std::string> text_of(const RigJson& json, std::string hint = {});
@@ -23,10 +23,10 @@ Result<std::string> text_of(const RigJson& json, std::string hint = {});
 // Three numbers.
 Result<glm::dvec3> vector_of(const RigJson& json);
 
-// Within 1e100 m, as far as a probe reaches.
+// Within 1e100 m, the range of a probe.
 Result<glm::dvec3> position_of(const RigJson& json);
 
-// Not zero.
+// Fails on a zero vector.
 Result<glm::dvec3> nonzero_vector_of(const RigJson& json);
 
 // A length with its unit, greater than 0 [m].

@@ -1,4 +1,4 @@
-// A material as two reflectances that are integrated apart: what it scatters diffusely, and its lobe.
+// A material as two reflectances that are integrated separately: its diffuse scattering, and its lobe.
 #pragma once
 
 #include <gonio/scene/material.hpp>
@@ -9,13 +9,14 @@
 namespace gonio::detail {
 
 struct SurfaceParts {
-    // The BRDF [1/sr] of the channels for the normal, the way to the light and the way to the eye, all unit.
+    // The BRDF [1/sr] of the channels for the normal, the direction to the light and the direction to the eye, all
+    // unit.
     using Reflectance =
         std::function<shading::vec3<double>(shading::vec3<double> n, shading::vec3<double> l, shading::vec3<double> v)>;
 
     Reflectance diffuse;
     Reflectance specular;
-    double alpha = 1.0; // of the specular lobe, as GGX counts it; 1 where there is none
+    double alpha = 1.0; // of the specular lobe, as defined for GGX; 1 if there is none
 };
 
 SurfaceParts surface_parts(const Material& material);

@@ -1,12 +1,13 @@
-// Prints lib/gonio/shading/ggx_loss_coefficients.hpp: the share of light that GGX facets which reflect everything lose
-// by scattering it once only, L(μ, α) = 1 − E, as a polynomial in two variables.
+// Prints lib/gonio/shading/ggx_loss_coefficients.hpp: the share of light that GGX facets with a reflectance of 1 lose
+// by single scattering, L(μ, α) = 1 − E, as a polynomial in two variables.
 //
 //     gonio-ggx-loss-fit > lib/gonio/shading/ggx_loss_coefficients.hpp     the header
-//     gonio-ggx-loss-fit --errors                                          what other degrees achieve
+//     gonio-ggx-loss-fit --errors                                          the errors of other degrees
 //
 // E = ∫∫ G₂/G₁ over the visible normals: a cap of the unit sphere about the stretched view (J. Dupuy and A. Benyoub,
-// 2023), each ring of it an arc, since the mirrored direction is above the surface where a linear function of cosφ is
-// positive. Rings where that arc begins or becomes whole divide the cap; within the pieces all is smooth.
+// 2023). Each ring of it is an arc, since the mirrored direction is above the surface where a linear function of cosφ
+// is positive. The cap is divided at the rings where that arc begins or becomes a full circle; within the pieces the
+// integrand is smooth.
 #include <gonio/base/gauss_legendre.hpp>
 
 #include <array>
@@ -21,7 +22,7 @@
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t of_cosine = 16; // coefficients in s = √(μ(1 + α)/(μ + α)): L goes with μ ln μ at 0
+constexpr std::size_t of_cosine = 16; // coefficients in s = √(μ(1 + α)/(μ + α)): L behaves as μ ln μ at 0
 constexpr std::size_t of_alpha = 10;  // and in α
 
 // On [0, 1].
@@ -32,7 +33,7 @@ constexpr auto rule = [] {
     return nodes;
 }();
 
-// The cap of one view.
+// The cap of visible normals for one view.
 class VisibleNormals {
 public:
     VisibleNormals(double mu, double alpha) : alpha_(alpha), mu_(mu), across_(std::sqrt((1.0 - mu) * (1.0 + mu))) {
@@ -41,14 +42,14 @@ public:
         stretched_up_ = mu / length;
     }
 
-    // ∫∫ G₂/G₁ du dφ/π over φ in [0, π], u the share of the cap's height.
+    // ∫∫ G₂/G₁ du dφ/π over φ in [0, π], where u is the share of the cap's height.
     [[nodiscard]] double albedo() const {
         double sum = 0.0;
         const std::vector<double> cuts = divisions();
         for (std::size_t piece = 0; piece + 1 < cuts.size(); ++piece) {
             const double width = cuts[piece + 1] - cuts[piece];
             for (const gonio::QuadratureNode& node : rule) {
-                // Denser towards both ends, where square roots of the distance stand.
+                // Denser towards both ends, where the integrand has square roots of the distance.
                 const double x = node.at;
                 const double u = cuts[piece] + width * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
                 sum += node.weight * width * 30.0 * x * x * (1.0 - x) * (1.0 - x) * ring(u);
@@ -60,7 +61,7 @@ public:
 private:
     struct Ring {
         double r, up;               // of the point of the cap about the stretched view's axis; of the normal, not unit
-        double constant, of_cosine; // the mirrored height's sign is that of constant + of_cosine·cosφ
+        double constant, of_cosine; // the sign of the mirrored direction's height is that of constant + of_cosine·cosφ
     };
 
     [[nodiscard]] Ring ring_at(double u) const {
@@ -99,7 +100,7 @@ private:
         return out * (mu_ + wide_in) / (out * wide_in + mu_ * wide_out);
     }
 
-    // 0, 1 and where a ring's arc begins or ends to be whole.
+    // 0, 1 and the heights at which a ring's arc begins or becomes a full circle.
     [[nodiscard]] std::vector<double> divisions() const {
         constexpr int steps = 400;
         std::vector<double> cuts{0.0};
@@ -126,7 +127,7 @@ private:
                 std::swap(cuts[k], cuts[k - 1]);
         return cuts;
     }
-    // Evenly between, crowded towards 1, where small α cuts.
+    // Uniform in between, denser towards 1, where small α puts its divisions.
     static double place(int k, int steps) {
         const double left = 1.0 - static_cast<double>(k) / steps;
         return 1.0 - left * left * left * left;
@@ -140,7 +141,7 @@ double loss(double mu, double alpha) {
     return 1.0 - VisibleNormals(mu, alpha).albedo();
 }
 
-// Chebyshev's points of [0, 1] without its ends, and with them; and the polynomials T_i(2x − 1).
+// Chebyshev points of [0, 1] without its ends, and with them; and the polynomials T_i(2x − 1).
 double inner_point(std::size_t i, std::size_t count) {
     return 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
 }
@@ -162,7 +163,7 @@ struct Fit {
     std::vector<double> c; // [n][m]
 
     Fit(std::size_t of_q, std::size_t of_a) : n(of_q), m(of_a), c(n * m) {
-        // With both ends in s: nothing is lost in the surface, where L is steep.
+        // Includes both ends in s: nothing is lost at grazing, where L is steep.
         std::vector<double> values(n * m);
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < m; ++j) {
@@ -195,7 +196,7 @@ struct Fit {
         for (int j = 0; j <= 30; ++j) {
             const double alpha = std::fmax(std::pow(j / 30.0, 2.0), 1e-4);
             for (int i = 1; i <= 60; ++i) {
-                // Evenly, and down into the surface.
+                // Uniform first, then towards grazing.
                 const double mu = cosine_at(i <= 40 ? i / 40.0 : 0.025 * std::pow(0.6, i - 40), alpha);
                 largest = std::fmax(largest, std::fabs(at(mu, alpha) - loss(mu, alpha)));
             }
@@ -204,7 +205,7 @@ struct Fit {
     }
 };
 
-// To the rounding of the largest: further digits of the small ones differ by compiler.
+// Rounded relative to the largest value: further digits of the small ones differ by compiler.
 void print_rows(const std::vector<double>& values, std::size_t in_row) {
     for (std::size_t i = 0; i < values.size(); ++i)
         std::printf("%s%.9fF,%s", i % in_row == 0 ? "    " : " ", values[i], (i + 1) % in_row == 0 ? "\n" : "");

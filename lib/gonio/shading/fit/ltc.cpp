@@ -3,14 +3,15 @@
 // Transformed Cosines", ACM Transactions on Graphics 35(4), 2016), in about half a minute.
 //
 //     gonio-ltc-fit > lib/gonio/shading/ltc_table.cpp      the source
-//     gonio-ltc-fit --check                                0 where the library's table is still what is fitted here
+//     gonio-ltc-fit --check                                exit status 0 if the table still matches the fit
 //
-// What is fitted to: f cosθ over the upper hemisphere, by the least ∫ (f cosθ − lobe)²/(f cosθ + |lobe|) dω, which
-// weighs a lobe's tail, where small lights stand, as well as its peak. The lobe's own sign is kept: below the plane
-// z' = 0 of the transformed space it is negative. Its mass above the horizon is that of the BRDF: the albedo,
-// integrated apart. Four entries of the inverse matrix are free, found by simplices (J. A. Nelder, R. Mead, The
-// Computer Journal 7, 1965) that start from the neighbours in the table. What is stored varies slowly: the matrix
-// turned to the mirrored direction and divided by 1/α, so that a table of 32 × 32 serves down to α = 1e-4.
+// The target is f cosθ over the upper hemisphere. The fit minimises ∫ (f cosθ − lobe)²/(f cosθ + |lobe|) dω, which
+// gives weight to a lobe's tail, where small lights are, as well as to its peak. The lobe's own sign is kept: below the
+// plane z' = 0 of the transformed space it is negative. Its mass above the horizon equals the albedo of the BRDF, which
+// is integrated separately. Four entries of the inverse matrix are free. They are found by simplex searches (J. A.
+// Nelder, R. Mead, The Computer Journal 7, 1965) that start from the neighbours in the table. The table stores the
+// matrix rotated to the mirrored direction and divided by 1/α: this varies slowly, so a table of 32 × 32 is enough down
+// to α = 1e-4.
 #include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/ltc_table.hpp>
 
@@ -46,7 +47,7 @@ struct Reflection {
         const Vec h = normalized(l + view());
         return diffuse_frostbite(l.z, mu, dot(l, h), roughness) * l.z;
     }
-    // What the matrix' first two rows are multiplied by in the table.
+    // The factor that the table applies to the matrix' first two rows.
     [[nodiscard]] double width() const { return specular ? roughness : 1.0; }
 };
 
@@ -62,8 +63,8 @@ struct Node {
 };
 
 // Directions above the horizon by the balance heuristic (E. Veach, 1997) of up to three densities: GGX half vectors of
-// α and of 3α, and four times as many that are even in √z, since the lobe's sign turns near the horizon. `count` points
-// of a golden-ratio lattice each.
+// α and of 3α, and four times as many that are uniform in √z, since the lobe changes sign near the horizon. `count`
+// points of a golden-ratio lattice each.
 std::vector<Node> nodes(const Reflection& r, int count, bool half_sphere) {
     const Vec v = r.view();
     std::vector<double> widths;
@@ -100,8 +101,9 @@ double height(double peak, double m20) {
     return std::cos(peak) + m20 * std::sin(peak);
 }
 
-// A lobe as the table has it, and what is free of it: the angle of the peak from the normal, m20, and log of the first
-// row's length and of m11, both as they would be with z' = 1 at the peak: a narrow lobe then hardly depends on m20.
+// A lobe as stored in the table, from its free parameters: the angle of the peak from the normal, m20, and the
+// logarithms of the first row's length and of m11, both as they would be with z' = 1 at the peak: a narrow lobe then
+// hardly depends on m20.
 LtcEntry entry(const Reflection& r, const Parameters& p) {
     const double peak = p[1];
     const double up = height(peak, p[3]);
@@ -222,7 +224,7 @@ struct Problem {
 
 constexpr int fit_points = 500;
 
-// The reflection that a place of the table stands for; the ends of both axes a little within them.
+// The reflection at a place of the table; the ends of both axes are moved slightly inwards.
 Reflection at_place(bool specular, std::size_t size, std::size_t row, std::size_t column) {
     const double x = static_cast<double>(column) / static_cast<double>(size - 1);
     const double y = static_cast<double>(row) / static_cast<double>(size - 1);
@@ -257,7 +259,8 @@ void print(const char* name, const char* size, const std::vector<LtcEntry>& tabl
     (void)std::printf("};\n");
 }
 
-// Some places of the library's table: the albedo as integrated now, and an optimum that a new search cannot better.
+// Checks some places of the library's table: the albedo as integrated now, and an optimum that a new search cannot
+// improve.
 bool check(bool specular, std::size_t size, const LtcEntry* table) {
     bool same = true;
     for (const double y : {0.0, 0.3, 0.6, 1.0})

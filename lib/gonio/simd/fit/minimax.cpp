@@ -1,4 +1,4 @@
-// Prints the coefficients of simd/math.hpp: minimax polynomials in the weighted sense, by Remez' exchange. The test
+// Prints the coefficients of simd/math.hpp: weighted minimax polynomials, by the Remez exchange algorithm. The test
 // generated.minimax compares them.
 //
 // Each function is written as a known head plus a power times P(t); the weight makes the error of P an error relative
@@ -16,7 +16,7 @@ namespace {
 using Real = long double;
 using Function = std::function<Real(Real)>;
 
-// max |weight·(target − P)| over [low, high] is made least over the polynomials P of `terms` coefficients.
+// Minimises max |weight·(target − P)| over [low, high] over the polynomials P with `terms` coefficients.
 void fit(const char* name, const Function& target, const Function& weight, Real low, Real high, std::size_t terms) {
     const Real pi = std::acos(Real(-1));
     std::vector<Real> nodes(terms + 1);
@@ -42,7 +42,7 @@ void fit(const char* name, const Function& target, const Function& weight, Real 
                 p = p * t + c[k];
             return weight(t) * (target(t) - p);
         };
-        // The next nodes: the extremum of each run of equal sign.
+        // The next nodes: the extremum of each run of errors with the same sign.
         constexpr int samples = 40000;
         std::vector<std::pair<Real, Real>> extrema;
         worst = 0;

@@ -1,4 +1,4 @@
-// A library of the name and with the entry of gonio-image.so whose table says that it is of another version.
+// A library with the name and the entry point of gonio-image.so, but with another version in its table.
 #include <cstdint>
 
 namespace {
