@@ -68,8 +68,7 @@ Result<bool> set_materials(const SweepAxis& axis, std::size_t value, Stage& stag
     }
     if (was_set) return true;
     if (met == nullptr) return unknown_name("surface", axis.target, surface_names(stage), "--sweep " + axis.text);
-    return fail("USE0103",
-                fmt::format("--sweep '{}': the material of '{}' has no {}", axis.text, met->name, axis.key),
+    return fail("USE0103", fmt::format("--sweep '{}': the material of '{}' has no {}", axis.text, met->name, axis.key),
                 fmt::format("it has {}; --material sets another one", fmt::join(parameters_of(met->material), ", ")));
 }
 

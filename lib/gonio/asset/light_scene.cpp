@@ -355,8 +355,7 @@ Result<void> check_unit(const Target& target, Meters unit) {
         break;
     }
     if (is(1.0)) return {};
-    return fail("USE0107", fmt::format("{} does not have lengths to scale", target.name),
-                "leave --unit-scale out");
+    return fail("USE0107", fmt::format("{} does not have lengths to scale", target.name), "leave --unit-scale out");
 }
 
 Result<void> check_light_count(std::size_t lights) {

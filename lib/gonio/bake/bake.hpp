@@ -33,10 +33,11 @@ TextureSize usual_size(Layout layout);
 // height of latlong and panorama) is good enough; the message states the error of the largest size.
 Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candelas max_error);
 
-// Negative means are stored as 0. latlong and v180 of one row, of a type C web, are closed forms
-// (gonio/bake/latlong.hpp); other layouts are line integrals around each texel (gonio/bake/texel_flux.hpp), 1 to 2 µs
-// each. Fails (usage) on a size outside [1, max_texture_size], with more texels than the limit picture-pixels, or that
-// the layout cannot have, and on normalization by a value that is not greater than 0.
+// Negative means are stored as 0. latlong and v180 of one row are closed forms (gonio/bake/latlong.hpp) if the web is
+// of type C, the chart is not rotated and the texels are means; all else is by line integrals around each texel
+// (gonio/bake/texel_flux.hpp), 1 to 2 µs each. Fails (usage) on a size outside [1, max_texture_size], with more texels
+// than the limit picture-pixels, or that the layout cannot have, and on normalization by a value that is not greater
+// than 0; (unsupported) if a value does not fit the pixels.
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options);
 
 } // namespace gonio

@@ -38,7 +38,7 @@ public:
 
     // Gives every file its name. Fails (io) with the system's reason, and leaves every file as it was before (but if
     // the file system supports neither hard links nor an exchange of names, files that are already renamed stay new).
-    // The set is empty afterwards.
+    // The flush of the folders comes last: if that fails, the new files are in place. The set is empty afterwards.
     Result<void> commit();
 
 private:

@@ -51,7 +51,8 @@ Result<Uv> uv_of(Cct cct, Locus locus = Locus::planckian);
 // The nearest black body. Fails (usage) if there is none: outside 500 K to 1e6 K, |Duv| > 0.1, not finite.
 Result<Cct> exact_cct(Uv at);
 
-// As exact_uv by the fit; NaN where exact_uv fails, and below 800 K. The kernels of kernels.hpp do this for arrays.
+// As exact_uv by the fit; NaN below 800 K and for |Duv| > 0.1. Does not check the upper limit of the temperature, or
+// whether the colour is real. The kernels of kernels.hpp do this for arrays.
 Uv fast_uv(Cct cct);
 
 // As exact_cct by the fit; both values are NaN if there is no answer. Differs from exact_cct by at most 1e-5 K for

@@ -33,7 +33,7 @@ struct Samples {
     double width_nm = 1.0;
 };
 
-// Steps differ by less than what nine printed digits round away.
+// Whether all steps agree to a thousandth, which tables with rounded wavelengths do.
 bool even(const std::vector<double>& nm) {
     const double step = (nm.back() - nm.front()) / static_cast<double>(nm.size() - 1);
     for (std::size_t i = 1; i < nm.size(); ++i)

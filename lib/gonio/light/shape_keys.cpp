@@ -49,8 +49,8 @@ Result<Radians> read_angle(const KindText& text, std::string_view key, std::stri
         (range.takes_least ? *angle >= least : *angle > least) && (range.takes_most ? *angle <= most : *angle < most);
     if (!fits)
         return fail("USE0106", fmt::format("{} of '{}' must be {} {}deg and {} {}deg, not {}", key, text.kind,
-                                                range.takes_least ? "at least" : "greater than", range.least_deg,
-                                                range.takes_most ? "at most" : "less than", range.most_deg, *value));
+                                           range.takes_least ? "at least" : "greater than", range.least_deg,
+                                           range.takes_most ? "at most" : "less than", range.most_deg, *value));
     return Radians(*angle);
 }
 

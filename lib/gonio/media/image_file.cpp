@@ -116,8 +116,8 @@ Result<void> check_compression(const ImageFormat& format, const std::string& com
 Result<void> check_request(const Image& image, const ImageFormat& format, const ImageWriteOptions& options,
                            Pixel pixel) {
     if (image.width <= 0 || image.height <= 0 || image.channels <= 0)
-        return fail("USE0106", fmt::format("a picture of {}x{} pixels and {} channels cannot be written",
-                                                image.width, image.height, image.channels));
+        return fail("USE0106", fmt::format("a picture of {}x{} pixels and {} channels cannot be written", image.width,
+                                           image.height, image.channels));
     if (image.pixels.size() != image.index(0, image.height))
         return fail(Failure::internal, "the picture's buffer is not of the picture's size");
     if (!format.channels.empty() &&
@@ -134,8 +134,7 @@ Result<void> check_request(const Image& image, const ImageFormat& format, const 
                     fmt::format("it has: {}", fmt::join(names, ", ")));
     }
     if (!options.channel_names.empty() && options.channel_names.size() != static_cast<std::size_t>(image.channels))
-        return fail("USE0107",
-                    fmt::format("{} names for {} channels", options.channel_names.size(), image.channels));
+        return fail("USE0107", fmt::format("{} names for {} channels", options.channel_names.size(), image.channels));
     return check_compression(format, options.compression);
 }
 

@@ -61,7 +61,8 @@ struct ImageWriteOptions {
     std::string compression;
     // Tags the file if the format supports it: "sRGB", "Linear" (with Rec.709 primaries); empty: no tag.
     std::string color_space;
-    // OpenEXR stores all of them. Other formats store ImageDescription and others that they know.
+    // OpenEXR stores all of them. Other formats store those that image_file.cpp lists
+    // as common, ImageDescription among them.
     std::vector<ImageAttribute> attributes;
     // half only: stores ±65504 for larger values instead of failing.
     bool saturate = false;

@@ -43,8 +43,8 @@ private:
 };
 
 // Valid layer names, in the order of `names`: letters, digits, '-' and '_', any run of other characters becomes one
-// '_'; at most 64 characters. A name that is in use, or one of `reserved`, gets _2, _3, … A note reports each changed
-// name.
+// '_'; at most 64 characters before a number. A name that is in use, or one of `reserved`, gets _2, _3, … A note
+// reports each changed name.
 std::vector<std::string> layer_names(std::span<const std::string> names, std::span<const std::string_view> reserved,
                                      Diagnostics& diagnostics);
 

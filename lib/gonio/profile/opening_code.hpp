@@ -6,7 +6,8 @@
 
 namespace gonio {
 
-// Writes the opening into the three dimensions of an LM-63 header, in metres, by the sign codes of the file's edition.
+// Writes the opening into the three dimensions of an LM-63 header, in metres, by the sign codes of the file's edition
+// (those of 1995 for older files too).
 // Returns the opening that a reader will see: the same shape, or the nearest one that the edition has a code for.
 LuminousOpening set_opening(IesFile& file, const LuminousOpening& opening);
 

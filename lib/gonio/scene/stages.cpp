@@ -56,7 +56,7 @@ Stage wall_stage() {
     return stage;
 }
 
-// 2.2 m wide, 2.7 m high and 16 m long; the light is on the ceiling, 4 m from the camera, C0 across.
+// 2.2 m wide, 2.7 m high and 18 m long; the light is on the ceiling, 4.5 m from the camera, C0 across.
 Stage corridor_stage() {
     Stage stage;
     const LambertMaterial plaster = matte(0.62);

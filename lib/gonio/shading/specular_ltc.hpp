@@ -85,7 +85,7 @@ inline constexpr double ltc_points_useful[2] = {0.8, 1.6};
 } // namespace detail
 
 // A lobe (gloss.hpp). `normal` and `view` are unit; `to_center` leads from the receiver to the light's centre. 0 where
-// n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight, TubeLight or SunLight; its window is not
+// n·v is not positive. Light is any light with a size, or a SunLight; its window is not
 // applied.
 //
 // The true lobe is summed over a few points of the light (light_points.hpp). If the light is small compared with the

@@ -145,8 +145,8 @@ GONIO_FORCE_INLINE Approach<S> approach(const Light& light, vec3<S> to_center, v
 } // namespace detail
 
 // A lobe (gloss.hpp) under a light, by one of the methods. `normal` and `view` are unit; `to_center` leads from the
-// receiver to the light's centre. 0 where n·v is not positive. Light is a SphereLight, DiskLight, RectangleLight,
-// TubeLight or SunLight; its window is not applied. Finite and not negative for any finite input.
+// receiver to the light's centre. 0 where n·v is not positive. Light is any light with a size, or a
+// SunLight; its window is not applied. Finite and not negative for any finite input.
 template<SpecularMethod method, class S, class Light, template<class> class Lobe>
 GONIO_FORCE_INLINE SpecularLuminance<S> specular_by(const Light& light, vec3<S> to_center, vec3<S> normal, vec3<S> view,
                                                     const Lobe<S>& lobe) {

@@ -1,7 +1,7 @@
 // The distribution of a web's flux: zones of γ, CIE flux codes, the zones of the IES luminaire classification.
 //
-// Everything is the exact integral of the interpolant for type C and by quadrature to 1e-6 for types A and B
-// (gonio/web/rings.hpp), γ counted from the nadir and C as in the web.
+// Everything is the exact integral of the interpolant for type C and by quadrature for types A and B
+// (gonio/web/cone_flux.hpp states the error), γ counted from the nadir and C as in the web.
 #pragma once
 
 #include <gonio/base/quantity.hpp>

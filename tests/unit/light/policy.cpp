@@ -26,8 +26,7 @@ double emitted_over_said(const std::string& policy, const std::string& text, Dim
     return meaning->emitted_over_said;
 }
 
-// What a spot of one candela emits with Frostbite's attenuation, by Simpson's rule over the cosine, where it is a
-// parabola at most: exact between the places where it saturates.
+// What a spot of one candela emits with Frostbite's attenuation, by the midpoint rule over the cosine.
 double frostbite_flux(double inner, double outer) {
     const double scale = 1.0 / std::max(0.001, std::cos(inner) - std::cos(outer));
     const double offset = -std::cos(outer) * scale;

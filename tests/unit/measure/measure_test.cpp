@@ -48,7 +48,6 @@ TEST(ErrorStatistics, RelativeErrorsNeedATruthAboveTheFloor) {
     EXPECT_NEAR(statistics.relative.max, 0.5, 1e-15);
 }
 
-// A clock that the work itself moves: what is reported is then known.
 TEST(PictureError, IsThatOfThePixelsThatCount) {
     gonio::Image truth(4, 2, 1);
     truth.pixels = {1.0F, 2.0F, 4.0F, 8.0F, 0.0F, 0.0004F, 10.0F, 5.0F};
@@ -182,7 +181,7 @@ TEST(SphereMethods, ExactFrostbiteAndPoint) {
     EXPECT_GE(exact_methods, 3) << "double, float and at least one instruction set";
 }
 
-// Three works on a clock that they move themselves; the machine is ten times slower in one round of three.
+// Two works on a clock that they move themselves; the machine is ten times slower in one round of three.
 TEST(Timing, RatiosHoldOnAMachineThatIsNowFastNowSlow) {
     double now = 0.0;
     int asked = 0;

@@ -95,7 +95,7 @@ TEST(Furnace, KullaContyGivesBackAll) {
                 << alpha << ' ' << mu;
 }
 
-// A coloured metal returns less light with each scattering, and never more than its reflectance.
+// A coloured metal returns more light by multiple scattering than by single scattering, and never all of it.
 TEST(Furnace, KullaContyOfAMetal) {
     for (const double alpha : {0.1, 0.4, 1.0})
         for (const double mu : cosines) {

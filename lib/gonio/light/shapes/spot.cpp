@@ -84,8 +84,7 @@ Result<SpotShape> ShapeTraits<SpotShape>::parse(const KindText& text) {
     constexpr std::array<std::string_view, 5> known{"outer", "cone", "inner", "falloff", "mask"};
     if (Result<void> only = only_keys(text, known); !only) return pass_on(only);
     if (text.value("cone") != nullptr && text.value("outer") != nullptr)
-        return fail("USE0107", "'spot' takes outer or cone, not both",
-                    "outer is the half angle, cone the full one");
+        return fail("USE0107", "'spot' takes outer or cone, not both", "outer is the half angle, cone the full one");
     SpotShape made;
     Result<Radians> outer = read_outer(text);
     if (!outer) return pass_on(outer);

@@ -1,11 +1,12 @@
 // Adaptive integration over the visible part of a light on the sphere, with an error estimate.
 //
 // Polar coordinates about a pole: the azimuth is divided where the outline turns, so that within a section the ends of
-// the rays are smooth; the map t → −cos(πt) removes the square roots at the sections' ends. Along a ray the angle is
-// w sinh s: uniform steps of s resolve both a lobe of the width w about the pole and the region far from it. Where a
-// ray ends at the horizon the steps shrink with the cube, because shadowing there rises from 0 within a height of α.
-// Cells of (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens et al.,
-// "QUADPACK", 1983), and the worst cell is halved along its worse side until the sum of the errors is small enough.
+// the rays are smooth; the map t → t³(10 − 15t + 6t²) removes the square roots at the sections' ends. Along a ray the
+// angle is w sinh s: uniform steps of s resolve both a lobe of the width w about the pole and the region far from it.
+// Where a ray ends at the horizon the steps shrink with the cube, because shadowing there rises from 0 within a height
+// of α. Cells of (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens
+// et al., "QUADPACK", 1983), and the worst cell is halved along its worse side until the sum of the errors is small
+// enough.
 #pragma once
 
 #include <gonio/scene/detail/light_region.hpp>
