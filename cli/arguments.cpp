@@ -19,6 +19,11 @@ std::vector<const Option*> options_of(const Command& command) {
     return all;
 }
 
+// Whether its value is a list with commas ("TARGET,…"): given again, it is a longer list.
+bool is_list(const Option& option) {
+    return option.value.ends_with(",…");
+}
+
 // The message for what CLI11 refused.
 Unexpected refused(const Command& command, const CLI::ParseError& error, const CLI::App& app) {
     const std::string see = fmt::format("see 'gonio {} --help'", command.name);
@@ -84,8 +89,17 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
     } catch (const CLI::ParseError& error) {
         return refused(command, error, app);
     }
-    for (std::size_t i = 0; i < options.size(); ++i)
-        arguments.given_[i].present = handles[i]->count() > 0;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        Given& given = arguments.given_[i];
+        given.present = handles[i]->count() > 0;
+        if (is_list(*options[i]) && given.values.size() > 1)
+            given.values = {fmt::format("{}", fmt::join(given.values, ","))};
+        if (given.values.size() > 1 && !options[i]->repeatable)
+            return fail("USE0107",
+                        fmt::format("{} is given {} times: '{}' and '{}'", given.name, given.values.size(),
+                                    given.values[0], given.values[1]),
+                        "give it once");
+    }
     return arguments;
 }
 

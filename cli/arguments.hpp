@@ -15,13 +15,14 @@ namespace gonio::cli {
 
 class Arguments {
 public:
-    // Fails (usage) on an unknown option (the error names the nearest one) and on an option without its value.
+    // Fails (usage) on an unknown option (the error names the nearest one), on an option without its value and on one that was
+    // given twice and is not repeatable.
     static Result<Arguments> parse(const Command& command, std::span<char* const> words);
 
     // Whether a switch or option was given, by its last spelling: "--json".
     bool has(std::string_view name) const;
 
-    // The value of an option; the last one if it was repeated.
+    // The value of an option; the last one if it is repeatable and was repeated.
     std::optional<std::string> value(std::string_view name) const;
 
     // All values of an option, in their order.

@@ -62,6 +62,7 @@ private:
             ++failed_;
             name_input(*outcome.error, input);
             status_ = worse(status_, console_.fail(*outcome.error));
+            console_.print(outcome.words);
             // A file that could not be read still has its entry in a report of several.
             outcome.report = {{"schema", batch_.schema},
                               {"file", input},

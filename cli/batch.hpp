@@ -30,7 +30,7 @@ struct Outcome {
     std::optional<Error> error;       // why it failed; only these diagnostics are reported then
     int status = 0;                   // of an input that did not fail
     bool unchanged = false;           // its result existed already; counted separately
-    std::string words;                // the result in words
+    std::string words;                // the result in words; of an input that failed, its line of a table
     Json report;                      // the result as an object; null: no report
     Diagnostics diagnostics;          // printed; expected to be in the report too
     std::vector<std::string> remarks; // printed if verbose

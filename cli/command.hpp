@@ -15,6 +15,7 @@ struct Option {
     std::string_view value; // "FILE"; empty for a switch
     std::string_view help;
     std::string_view list = {}; // the list of `gonio list` with the possible values, for completion
+    bool repeatable = false;    // else a second value is refused, unless the value is a list ("TARGET,…")
 };
 
 struct OptionGroup {

@@ -40,10 +40,11 @@ std::string help_text(const Command& command) {
         for (const Option& option : group.options) {
             std::string left = with_spaces(option.names);
             if (!option.value.empty()) left += fmt::format(" {}", option.value);
+            const std::string_view suffix = option.repeatable ? "; repeatable" : "";
             if (left.size() > width) {
-                text += fmt::format("  {}\n  {:<{}}  {}\n", left, "", width, option.help);
+                text += fmt::format("  {}\n  {:<{}}  {}{}\n", left, "", width, option.help, suffix);
             } else {
-                text += fmt::format("  {:<{}}  {}\n", left, width, option.help);
+                text += fmt::format("  {:<{}}  {}{}\n", left, width, option.help, suffix);
             }
         }
     }

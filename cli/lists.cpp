@@ -67,6 +67,13 @@ Entries shapes() {
     return entries;
 }
 
+Entries falloffs() {
+    Entries entries;
+    for (const FalloffName& falloff : gonio::falloffs())
+        entries.push_back({std::string(falloff.name), std::string(falloff.summary)});
+    return entries;
+}
+
 Entries units() {
     Entries entries;
     for (const Unit& unit : all_units())
@@ -266,6 +273,7 @@ constexpr std::array lists{
     NamedList{"dialects", "IES dialects that convert writes", dialects},
     NamedList{"efficacies", "conventions for lumens per watt", efficacies},
     NamedList{"engines", "targets of bake --engine", engines},
+    NamedList{"falloffs", "how spots fall off between inner and outer", falloffs},
     NamedList{"formats", "profile formats", formats},
     NamedList{"illuminants", "CIE illuminants", illuminants},
     NamedList{"images", "picture formats that gonio writes", images},

@@ -16,6 +16,7 @@ extern const Command compare_command;
 extern const Command plot_command;
 extern const Command bake_command;
 extern const Command import_command;
+extern const Command rig_command;
 extern const Command probe_command;
 extern const Command preview_command;
 extern const Command bench_command;
@@ -40,6 +41,7 @@ static constexpr std::array all{
     &plot_command,
     &bake_command,
     &import_command,
+    &rig_command,
     &probe_command,
     &preview_command,
     &bench_command,

@@ -135,6 +135,7 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     request.bake.threads = *threads;
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
+    input->photometric = true;
     request.input = *input;
     request.sidecar = arguments.value("--sidecar");
     request.no_sidecar = arguments.has("--no-sidecar");

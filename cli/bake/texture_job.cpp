@@ -2,6 +2,7 @@
 
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/sidecar.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/json_text.hpp>
@@ -195,6 +196,14 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
     Result<Texture> texture = baked(loaded->web, options, request.max_error);
     if (!texture) return pass_on(texture);
     const double bake_ms = baking.milliseconds();
+    const std::vector<float>& texels = texture->image.pixels;
+    const bool black = std::all_of(texels.begin(), texels.end(), [](float texel) { return texel == 0.0F; });
+    if (black && peak(loaded->web).intensity.value > 0.0)
+        loaded->diagnostics.push_back(
+            result_diagnostic("RES0206",
+                              fmt::format("the texture is black: none of the light is in the directions that {} covers",
+                                          info_of(request.bake.layout).name),
+                              "the layouts latlong and octahedral cover all directions", job.files.input));
     made.outcome.remarks.push_back(
         fmt::format("{}: read in {:.2f} ms, baked in {:.2f} ms", job.files.input, read_ms, bake_ms));
 

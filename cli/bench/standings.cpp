@@ -4,6 +4,8 @@
 #include <gonio/measure/verdict.hpp>
 #include <gonio/plot/log_log.hpp>
 
+#include "../csv_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,16 +51,6 @@ std::string says_text(const Standings& standings) {
         values = std::max(values, row.error.count);
     return fmt::format("error {}, over {} values, against {}; time per {}, ratio to {} {}", title.error, values,
                        title.truth, title.item, baseline.method, baseline.code);
-}
-
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"") == std::string_view::npos) return std::string(text);
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"') out += '"';
-        out += c;
-    }
-    return out + '"';
 }
 
 Mark mark_of(std::string_view code) {

@@ -47,7 +47,7 @@ constexpr std::array report_options{
     Option{"--jsonl", "", "one JSON object per line for each table"},
     Option{"--csv", "", "comma-separated values"},
     Option{"--markdown", "", "tables in Markdown"},
-    Option{"-o,--output", "FILE", "also write a file: .svg (error against time), .csv, .md or .json; repeatable"},
+    Option{"-o,--output", "FILE", "also write a file: .svg (error against time), .csv, .md or .json", {}, true},
 };
 constexpr std::array groups{OptionGroup{"suites", suite_options},
                             OptionGroup{"stress", stress_options},

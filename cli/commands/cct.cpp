@@ -23,9 +23,9 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array color_options{
-    Option{"--xy", "X,Y", "colour temperature of a CIE 1931 chromaticity; repeatable"},
-    Option{"--uv-prime", "U,V", "colour temperature of a CIE 1976 chromaticity u', v'; repeatable"},
-    Option{"--rgb", "R,G,B", "colour temperature of a linear RGB in --space; repeatable"},
+    Option{"--xy", "X,Y", "colour temperature of a CIE 1931 chromaticity", {}, true},
+    Option{"--uv-prime", "U,V", "colour temperature of a CIE 1976 chromaticity u', v'", {}, true},
+    Option{"--rgb", "R,G,B", "colour temperature of a linear RGB in --space", {}, true},
     Option{"--spectrum", "NAME", "an illuminant, blackbody:2700K, a CSV or TM-33 file; '-' is stdin", "illuminants"},
     Option{"--duv", "DUV", "distance from the Planckian locus in u, v; positive is above it, greener"},
     Option{"--tint", "TINT", "the same distance as the tint of a program: 10@dng", "tints"},

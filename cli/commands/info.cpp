@@ -4,6 +4,7 @@
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/radiometric.hpp>
 #include <gonio/web/spacing.hpp>
 #include <gonio/web/symmetry.hpp>
 #include <gonio/web/zones.hpp>
@@ -12,6 +13,7 @@
 #include "../batch.hpp"
 #include "../command.hpp"
 #include "../console.hpp"
+#include "../csv_text.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/profile_input.hpp"
@@ -27,9 +29,16 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array groups{profile_input_group, json_group, threads_group, common_group};
+constexpr std::array report_options{
+    Option{"--all", "", "also show NEMA type, CIE flux code, spacing criterion and the IES classification"},
+    Option{"--csv", "", "a CSV table with a line for each file"},
+    json_options[0],
+    json_options[1],
+};
+constexpr std::array groups{OptionGroup{"report", report_options}, profile_input_group, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio info lamp.ies", "format, angles, flux, peak, beam and field angle"},
+    Example{"gonio info profiles --csv > profiles.csv", "a table of a folder, for a spreadsheet"},
     Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright profiles of a folder"},
 };
 
@@ -45,6 +54,8 @@ struct Lamp {
 // Everything that is reported about a profile, in the order of the report.
 struct Facts {
     std::string file;
+    std::string intensity_unit = "cd"; // of a radiometric profile what it states: "mW/sr"
+    std::string flux_unit = "lm";
     const char* format = "";
     std::string version;
     char photometry = 'C';
@@ -53,7 +64,7 @@ struct Facts {
     Symmetry symmetry = Symmetry::none;
     Symmetry declared_symmetry = Symmetry::none;
     std::vector<Lamp> lamps;
-    double flux_lm = 0.0;
+    double flux_lm = 0.0; // this and all that is called lm or cd: in the units above
     double zonal_flux_lm = 0.0;
     std::optional<double> declared_flux_lm;
     Peak peak;
@@ -71,6 +82,7 @@ struct Facts {
     std::array<Lumens, 18> zones;
     CieFluxCode cie_code;
     SpacingCriterion spacing;
+    double street_side_c_deg = 0.0; // what front is in the next one
     LuminaireClassification classes;
 
     // The flux of the 10° zones that make up [low, high], both multiples of 10.
@@ -152,10 +164,22 @@ std::optional<int> nema_of(const std::optional<double>& field_deg) {
     return field_deg ? std::optional(nema_type(degrees(*field_deg))) : std::nullopt;
 }
 
-// The facts that only the JSON report shows cost more than all the others, so the report in words skips them.
-Facts facts_of(const std::string& file, const LoadedProfile& loaded, const ResolveOptions& options, ReportKind kind) {
+// "mW/sr" is mW over the sphere. What a unit without "/sr" is over the sphere is not known.
+std::string flux_unit_of(std::string_view intensity_unit) {
+    constexpr std::string_view per_steradian = "/sr";
+    if (!intensity_unit.ends_with(per_steradian)) return fmt::format("{}·sr", intensity_unit);
+    intensity_unit.remove_suffix(per_steradian.size());
+    return std::string(intensity_unit);
+}
+
+// The facts that the short report does not show cost more than all the others: `all` asks for them.
+Facts facts_of(const std::string& file, const LoadedProfile& loaded, const ResolveOptions& options, bool all) {
     Facts facts;
     facts.file = file;
+    if (const std::string unit = radiometric_unit(loaded.profile); !unit.empty() && !options.as_candela) {
+        facts.intensity_unit = unit;
+        facts.flux_unit = flux_unit_of(unit);
+    }
     if (const auto* ies = std::get_if<IesFile>(&loaded.profile.file))
         add_file_facts(facts, *ies);
     else if (const auto* tm33 = std::get_if<Tm33File>(&loaded.profile.file))
@@ -177,19 +201,20 @@ Facts facts_of(const std::string& file, const LoadedProfile& loaded, const Resol
     facts.nema_horizontal = nema_of(facts.field_deg);
     facts.nema_vertical = nema_of(facts.field_c90_deg);
     facts.zones = ten_degree_zones(web);
-    if (kind == ReportKind::words) return facts;
+    if (!all) return facts;
     facts.center_beam = center_beam(web);
     facts.cie_beam_deg = in_degrees(cie_beam_angle(web, 0.0));
     facts.cie_beam_c90_deg = in_degrees(cie_beam_angle(web, 90.0));
     facts.cie_code =
         cie_flux_code(web, facts.declared_flux_lm ? std::optional(Lumens(*facts.declared_flux_lm)) : std::nullopt);
     facts.spacing = spacing_criterion(web);
-    facts.classes = luminaire_classification(web);
+    facts.street_side_c_deg = street_side_c_deg(loaded.profile, web);
+    facts.classes = luminaire_classification(web, facts.street_side_c_deg);
     return facts;
 }
 
 std::optional<double> efficacy(const Facts& facts) {
-    return facts.input_w ? std::optional(facts.flux_lm / *facts.input_w) : std::nullopt;
+    return facts.input_w && facts.flux_unit == "lm" ? std::optional(facts.flux_lm / *facts.input_w) : std::nullopt;
 }
 
 Json zones_json(const Facts& facts) {
@@ -252,6 +277,8 @@ Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
             {"symmetry", to_text(facts.symmetry)},
             {"declared_symmetry", to_text(facts.declared_symmetry)},
             {"lamps", std::move(lamps)},
+            {"intensity_unit", facts.intensity_unit},
+            {"flux_unit", facts.flux_unit},
             {"flux_lm", facts.flux_lm},
             {"zonal_flux_lm", facts.zonal_flux_lm},
             {"declared_flux_lm", number_or_null(facts.declared_flux_lm)},
@@ -282,6 +309,7 @@ Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
              {{"c0_180", number_or_null(facts.spacing.along_c0)},
               {"c90_270", number_or_null(facts.spacing.along_c90)},
               {"diagonal", number_or_null(facts.spacing.diagonal)}}},
+            {"lcs_front_c_deg", facts.street_side_c_deg},
             {"lcs_lm", classes_json(facts.classes)},
             {"diagnostics", diagnostics_json(diagnostics)}};
 }
@@ -314,10 +342,12 @@ std::string to_text(const Facts& facts) {
     line("symmetry", facts.symmetry == facts.declared_symmetry
                          ? std::string(to_text(facts.symmetry))
                          : fmt::format("{} (declared {})", to_text(facts.symmetry), to_text(facts.declared_symmetry)));
-    line("flux", fmt::format("{} lm (zonal {} lm, declared {})", rounded(facts.flux_lm), rounded(facts.zonal_flux_lm),
-                             facts.declared_flux_lm ? rounded(*facts.declared_flux_lm) + " lm"
-                                                    : std::string("none: absolute photometry")));
-    line("peak", fmt::format("{} cd at C {}°, gamma {}°", rounded(facts.peak.intensity.value),
+    const std::string& lm = facts.flux_unit;
+    line("flux",
+         fmt::format("{} {} (zonal {} {}, declared {})", rounded(facts.flux_lm), lm, rounded(facts.zonal_flux_lm), lm,
+                     facts.declared_flux_lm ? fmt::format("{} {}", rounded(*facts.declared_flux_lm), lm)
+                                            : std::string("none: absolute photometry")));
+    line("peak", fmt::format("{} {} at C {}°, gamma {}°", rounded(facts.peak.intensity.value), facts.intensity_unit,
                              rounded(facts.peak.c_deg), rounded(facts.peak.gamma_deg)));
     line("beam", fmt::format("{} in C0–C180, {} in C90–C270", degrees_or_none(facts.beam_deg),
                              degrees_or_none(facts.beam_c90_deg)));
@@ -335,14 +365,74 @@ std::string to_text(const Facts& facts) {
     for (const Lamp& lamp : facts.lamps) {
         std::string value = fmt::format("{} ×", lamp.count);
         if (!lamp.type.empty()) value += " " + lamp.type;
-        if (lamp.flux_lm) value += fmt::format(", {} lm", rounded(*lamp.flux_lm));
+        if (lamp.flux_lm) value += fmt::format(", {} {}", rounded(*lamp.flux_lm), facts.flux_unit);
         if (lamp.cct_k) value += fmt::format(", {} K", rounded(*lamp.cct_k));
         line("lamps", value);
     }
-    if (facts.input_w)
-        line("input", fmt::format("{} W, {} lm/W", rounded(*facts.input_w), rounded(*efficacy(facts), 4)));
+    if (const std::optional<double> of_input = efficacy(facts))
+        line("input", fmt::format("{} W, {} lm/W", rounded(*facts.input_w), rounded(*of_input, 4)));
+    else if (facts.input_w)
+        line("input", fmt::format("{} W", rounded(*facts.input_w)));
     line("opening", opening_text(facts.opening));
     return text;
+}
+
+// What --all adds.
+std::string more_text(const Facts& facts) {
+    std::string text;
+    const auto line = [&](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<12}{}\n", name, value);
+    };
+    const auto number = [](const std::optional<double>& value, int digits) {
+        return value ? rounded(*value, digits) : std::string("none");
+    };
+    line("centre beam", fmt::format("{} {}", rounded(facts.center_beam.value), facts.intensity_unit));
+    line("CIE beam", fmt::format("{} in C0–C180, {} in C90–C270", degrees_or_none(facts.cie_beam_deg),
+                                 degrees_or_none(facts.cie_beam_c90_deg)));
+    if (facts.photometry == 'C' && facts.nema_horizontal && facts.nema_vertical)
+        line("NEMA", fmt::format("type {}H × {}V", *facts.nema_horizontal, *facts.nema_vertical));
+    std::string code;
+    const auto add = [&](const std::optional<double>& part) {
+        code += (code.empty() ? "" : " ") + (part ? fmt::format("{:.0f}", 100.0 * *part) : std::string("-"));
+    };
+    for (const std::optional<double>& part : facts.cie_code.within)
+        add(part);
+    add(facts.cie_code.downward);
+    add(facts.cie_code.light_output_ratio);
+    line("CIE code", code);
+    line("spacing",
+         fmt::format("{} along C0, {} along C90, {} diagonal (times the height)", number(facts.spacing.along_c0, 3),
+                     number(facts.spacing.along_c90, 3), number(facts.spacing.diagonal, 3)));
+    const auto zones = [&](std::string_view side, const std::array<Lumens, 4>& lumens) {
+        constexpr std::array names{"L", "M", "H", "VH"};
+        std::string list;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            list += fmt::format("{}{}{} {}", i == 0 ? "" : ", ", side, names[i], rounded(lumens[i].value, 4));
+        return list;
+    };
+    line("LCS front", fmt::format("{} {}, on the side of C{}", zones("F", facts.classes.front), facts.flux_unit,
+                                  rounded(facts.street_side_c_deg)));
+    line("LCS back", fmt::format("{} {}", zones("B", facts.classes.back), facts.flux_unit));
+    line("LCS up", fmt::format("UL {}, UH {} {}", rounded(facts.classes.up_low.value, 4),
+                               rounded(facts.classes.up_high.value, 4), facts.flux_unit));
+    return text;
+}
+
+constexpr std::string_view csv_head = "file,format,planes,gammas,symmetry,flux_lm,declared_flux_lm,peak_cd,peak_c_deg,"
+                                      "peak_gamma_deg,beam_angle_deg,field_angle_deg,input_W,intensity_unit,error\n";
+
+std::string csv_line(const Facts& facts) {
+    const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},\n", csv_field(facts.file), facts.format,
+                       facts.planes, facts.gammas, to_text(facts.symmetry), shortest(facts.flux_lm),
+                       number(facts.declared_flux_lm), shortest(facts.peak.intensity.value), shortest(facts.peak.c_deg),
+                       shortest(facts.peak.gamma_deg), number(facts.beam_deg), number(facts.field_deg),
+                       number(facts.input_w), csv_field(facts.intensity_unit));
+}
+
+// A file that could not be read keeps its line.
+std::string csv_line(const std::string& file, const Error& error) {
+    return fmt::format("{},,,,,,,,,,,,,,{}\n", csv_field(file), csv_field(error.diagnostics.back().message));
 }
 
 int run(const Arguments& arguments, Console& console) {
@@ -354,18 +444,26 @@ int run(const Arguments& arguments, Console& console) {
     if (!threads) return console.fail(threads.error());
 
     const ReportKind kind = report_kind(arguments);
+    const bool csv = arguments.has("--csv");
+    const bool all = arguments.has("--all");
+    if (csv && (kind != ReportKind::words || all))
+        return console.fail(fail("USE0107", "--csv takes neither --all nor --json or --jsonl").value());
     const bool plot = Console::output_is_terminal() && files->size() == 1;
+    if (csv) console.print(csv_head);
     return run_batch({*files, "gonio.info/1", "read", *threads}, kind, console, [&](std::size_t index) {
         const std::string& file = (*files)[index];
         Outcome outcome;
         Result<LoadedProfile> loaded = load(file, *options);
         if (!loaded) {
+            if (csv) outcome.words = csv_line(file, loaded.error());
             outcome.error = std::move(loaded.error());
             return outcome;
         }
-        const Facts facts = facts_of(file, *loaded, options->resolve, kind);
-        if (kind == ReportKind::words) {
-            outcome.words = to_text(facts);
+        const Facts facts = facts_of(file, *loaded, options->resolve, all || kind != ReportKind::words);
+        if (csv) {
+            outcome.words = csv_line(facts);
+        } else if (kind == ReportKind::words) {
+            outcome.words = to_text(facts) + (all ? more_text(facts) : std::string());
             if (plot) outcome.words += polar_text(loaded->web);
         } else {
             outcome.report = to_json(facts, loaded->diagnostics);

@@ -45,7 +45,7 @@ constexpr std::array text_options{
     Option{"--name", "TEXT", "name of the luminaire (its shape)"},
     Option{"--number", "TEXT", "catalogue number of the luminaire"},
     Option{"--lamp", "TEXT", "name of the lamp"},
-    Option{"--keyword", "NAME=TEXT", "any other keyword, for example _CCT=3000; repeatable"},
+    Option{"--keyword", "NAME=TEXT", "any other keyword, for example _CCT=3000", {}, true},
 };
 constexpr std::array groups{OptionGroup{"light", light_options},
                             OptionGroup{"table", table_options},

@@ -28,7 +28,7 @@ namespace {
 constexpr std::array diagram_options{
     Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone, falloff (polar)", "diagrams"},
     Option{"-s,--size", "WxH", "width and height in pixels (720x720)"},
-    Option{"--plane", "DEG", "polar, cartesian, cone: plane to draw, with the opposite one; repeatable (0deg 90deg)"},
+    Option{"--plane", "DEG", "polar, cartesian, cone: plane to draw, with the opposite one (0deg 90deg)", {}, true},
     Option{"--per-klm", "", "show candela per 1000 lm, to compare shapes"},
     Option{"--height", "LENGTH", "isolux, cone: height of the light above the plane (3m)"},
     Option{"--extent", "LENGTH", "isolux: distance from the centre of the plane to its edges (twice the height)"},

@@ -190,12 +190,11 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     const double render_ms = rendering.milliseconds();
     Rendering& rendered = pictured->rendering;
     const RenderStats stats = rendered.stats;
-    if (has_pixel(*request->format, media::Pixel::float32)) {
-        Diagnostics cut;
-        warn_of_ceiling(rendered.luminance_nt, cut);
-        console.say(cut);
-        diagnostics.insert(diagnostics.end(), cut.begin(), cut.end());
-    }
+    Diagnostics odd;
+    if (has_pixel(*request->format, media::Pixel::float32)) warn_of_ceiling(rendered.luminance_nt, odd);
+    warn_of_black(rendered.luminance_nt, *request, *lights, odd);
+    console.say(odd);
+    diagnostics.insert(diagnostics.end(), odd.begin(), odd.end());
     if (arguments.has("--ticks"))
         draw_ticks(rendered.luminance_nt, request->stage, *lights, request->stage.camera, request->render.threads);
     console.remark(fmt::format("rendered {}x{} pixels in {:.1f} ms, {} code", request->render.width,

@@ -18,9 +18,15 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array sample_options{
-    Option{"--at", "C,GAMMA", "a direction in degrees; repeatable"},
+    Option{"--at", "C,GAMMA", "a direction in degrees", {}, true},
 };
-constexpr std::array groups{OptionGroup{"directions", sample_options}, profile_input_group, json_group, common_group};
+constexpr std::array report_options{
+    Option{"--csv", "", "a CSV table: C, gamma and candela"},
+    json_options[0],
+    json_options[1],
+};
+constexpr std::array groups{OptionGroup{"directions", sample_options}, profile_input_group,
+                            OptionGroup{"report", report_options}, common_group};
 constexpr std::array examples{
     Example{"gonio sample lamp.ies --at 0,30", "candela 30° from the nadir in the C0 plane"},
     Example{"printf '0,0\\n90,45\\n' | gonio sample lamp.ldt -", "directions from stdin, one per line"},
@@ -94,6 +100,13 @@ Result<int> sample(const Arguments& arguments, Console& console) {
         directions = std::move(*read);
     }
 
+    if (arguments.has("--csv")) {
+        console.print("c_deg,gamma_deg,cd\n");
+        for (const Direction& d : directions)
+            console.print(fmt::format("{},{},{}\n", shortest(d.c_deg), shortest(d.gamma_deg),
+                                      shortest(loaded->web.candela(d.c_deg, d.gamma_deg))));
+        return 0;
+    }
     const bool lines = arguments.has("--jsonl");
     if (lines || arguments.has("--json")) {
         Json samples = Json::array();

@@ -96,6 +96,7 @@ int tell_rows(std::string_view text, const UnitsRequest& request, Form form, Con
         Result<void> told = tell(row, request, form, console, reports);
         if (told) continue;
         ++failed;
+        if (form == Form::csv) console.print(csv_line(row, request.wanted.size(), told.error()));
         for (Diagnostic& diagnostic : told.error().diagnostics)
             if (diagnostic.location.file.empty()) diagnostic.location = {"-", line, 1};
         status = worse(status, console.fail(told.error()));
@@ -135,6 +136,7 @@ Result<int> convert(const Arguments& arguments, Console& console) {
             Result<void> told = tell(value, *request, form, console, reports);
             if (told) continue;
             if (values.size() == 1) return pass_on(told);
+            if (form == Form::csv) console.print(csv_line(value, request->wanted.size(), told.error()));
             status = worse(status, console.fail(told.error()));
         }
     }

@@ -94,6 +94,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
         return fail("USE0107", "-o is only for --merge", "use -O DIR for the folders of the targets");
     Result<ProfileInputOptions> input = profile_input(arguments);
     if (!input) return pass_on(input);
+    input->photometric = true;
     request.input = *input;
     request.rig = rig_read_options(arguments);
     request.overwrite = arguments.has("--overwrite");

@@ -96,7 +96,13 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
     const auto file = arguments.value("--output");
     const auto folder = arguments.value("--output-dir");
     if (file && folder) return fail("USE0107", "-o and -O are both given", "-o writes one file, -O a folder of them");
-    if (!file && !folder) return fail("USE0104", "no output is given", "use -o FILE, or -O DIR for several inputs");
+    if (!file && !folder) {
+        // `convert lamp.ies lamp.ldt`, as cp would take it.
+        const bool second_is_output = inputs.size() == 2 && file_exists(inputs[0]) && !file_exists(inputs[1]);
+        return fail("USE0104", "no output is given",
+                    second_is_output ? fmt::format("did you mean -o '{}'?", inputs[1])
+                                     : std::string("use -o FILE, or -O DIR for several inputs"));
+    }
     if (file && inputs.size() > 1)
         return fail("USE0107", fmt::format("-o names one output, but there are {} inputs", inputs.size()),
                     "use -O DIR");

@@ -16,8 +16,9 @@
 namespace gonio::cli {
 
 inline constexpr std::array points_options{
-    Option{"--at", "X,Y,Z", "a point in metres; repeatable"},
-    Option{"--normal", "X,Y,Z", "normal of the surface (0,0,1; grid: U x V); one for all or one for each --at"},
+    Option{"--at", "X,Y,Z", "a point in metres", {}, true},
+    Option{
+        "--normal", "X,Y,Z", "normal of the surface (0,0,1; grid: U x V); one for all or one for each --at", {}, true},
     Option{"--points", "FILE", "points from a CSV file, '-' for stdin; each line is x,y,z or x,y,z,nx,ny,nz"},
     Option{"--grid", "O:U:V:NxM", "N by M cell centres of the rectangle at corner O with edges U and V"},
 };

@@ -5,6 +5,7 @@
 #include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/web/radiometric.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,6 +76,7 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
         options.read.format = *named;
     }
     options.read.strict = arguments.has("--strict");
+    options.resolve.as_candela = arguments.has("--as-candela");
     if (const auto text = arguments.value("--lamp-set")) {
         const char* const end = text->data() + text->size();
         const auto [stop, error] = std::from_chars(text->data(), end, options.resolve.lamp_set);
@@ -101,6 +103,7 @@ std::string recipe_of(const ProfileInputOptions& options) {
     std::string text;
     if (options.read.format) text += fmt::format(" from={}", to_text(*options.read.format));
     if (options.read.strict) text += " strict";
+    if (resolve.as_candela) text += " as-candela";
     if (resolve.lamp_set != 1) text += fmt::format(" lamp-set={}", resolve.lamp_set);
     if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
     if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
@@ -133,6 +136,10 @@ Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, con
     if (file != "-") read.read_beside = reader_beside(file);
     Result<Profile> profile = read_profile(bytes, file, read);
     if (!profile) return pass_on(profile);
+    if (options.photometric && !options.resolve.as_candela)
+        if (const std::string unit = radiometric_unit(*profile); !unit.empty())
+            return fail("UNS0104", fmt::format("the intensities of this profile are in {}, not in candela", unit),
+                        "add --as-candela to take its numbers as candela", file);
     Diagnostics diagnostics = profile->diagnostics;
     Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);
     if (!resolved) {

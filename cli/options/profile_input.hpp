@@ -20,6 +20,7 @@ inline constexpr std::array profile_input_options{
     Option{"--tilt", "DEG", "IES with TILT factors: mounting tilt of the lamp, for example 30deg (0deg)"},
     Option{"--azimuth", "TRADITION",
            "azimuth convention, ies or eulumdat: rotates files of the other one by 90° (as written)"},
+    Option{"--as-candela", "", "take the numbers of a radiometric profile (mW/sr) as candela"},
     Option{"--strict", "", "refuse files that depart from the standard"},
 };
 
@@ -28,6 +29,7 @@ inline constexpr OptionGroup profile_input_group{"input", profile_input_options}
 struct ProfileInputOptions {
     ReadOptions read;
     ResolveOptions resolve;
+    bool photometric = false; // refuse radiometric profiles (UNS0104), unless --as-candela
 };
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);

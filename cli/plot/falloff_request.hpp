@@ -13,8 +13,12 @@
 namespace gonio::cli {
 
 inline constexpr std::array falloff_options{
-    Option{"--shape", "SHAPE", "a light of this shape, in addition to the profiles; repeatable", "shapes"},
-    Option{"--intensity", "VALUE", "amount of light: 800lm, 1200cd, 5000nt; one for all shapes, or one for each"},
+    Option{"--shape", "SHAPE", "a light of this shape, in addition to the profiles", "shapes", true},
+    Option{"--intensity",
+           "VALUE",
+           "amount of light: 800lm, 1200cd, 5000nt; one for all shapes, or one for each",
+           {},
+           true},
     Option{"--range", "LENGTH", "distance at which the lights fade to zero (none)"},
     Option{"--distance", "FROM:TO", "range of the distance axis (0.1m:20m)"},
 };

@@ -207,6 +207,21 @@ void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics) {
                                             "use less light, or move it farther away"));
 }
 
+void warn_of_black(const Image& luminance_nt, const PreviewRequest& request, std::span<const Light> lights,
+                   Diagnostics& diagnostics) {
+    const bool lit =
+        std::any_of(luminance_nt.pixels.begin(), luminance_nt.pixels.end(), [](float nt) { return nt > 0; });
+    const bool shines = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+        return light.intensity.value > 0.0 || light.illuminance.value > 0.0;
+    });
+    if (lit || !shines) return;
+    diagnostics.push_back(result_diagnostic(
+        "RES0207",
+        fmt::format("the picture is black: no light reaches what the camera sees of the stage '{}'",
+                    request.stage.name),
+        "compare the positions of the lights with the stage; --stage chooses another one, for example room"));
+}
+
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
                                       const Console& console) {
     PictureMaker maker(std::move(rendering), request, lights, console);

@@ -36,4 +36,8 @@ Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest&
 // numbers.
 void warn_of_ceiling(const Image& luminance_nt, Diagnostics& diagnostics);
 
+// A warning if the picture is black though a light shines: nothing lit is visible.
+void warn_of_black(const Image& luminance_nt, const PreviewRequest& request, std::span<const Light> lights,
+                   Diagnostics& diagnostics);
+
 } // namespace gonio::cli

@@ -14,8 +14,8 @@ namespace gonio::cli {
 inline constexpr std::array preview_sweep_options{
     Option{"--sweep", "KEY=VALUES",
            "render a picture for each value: cct=2000K:8000K:7, radius=1cm:1m:5:log, roughness=0.1,0.4; NAME.KEY for "
-           "one light or surface; a second --sweep makes rows",
-           "sweeps"},
+           "one light or surface; a second one makes rows",
+           "sweeps", true},
     Option{"-O,--output-dir", "DIR", "with --sweep: write each picture to a separate file (png, or --to)"},
     Option{"--overwrite", "", "with -O: replace existing files"},
 };

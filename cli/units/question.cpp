@@ -60,6 +60,15 @@ Result<double> express_as(const Shape& shape, const Emission& emitted, const Pho
     return express(*request.assumed, *assumed, unit, steps);
 }
 
+// The other units of a luminance or an illuminance without a distance; empty for other values.
+std::vector<std::string> units_of_same_quantity(const PhotometricUnit& unit) {
+    const PhotometricUnit nits{find_unit("nt"), std::nullopt, std::nullopt};
+    const PhotometricUnit lux{find_unit("lx"), std::nullopt, std::nullopt};
+    if (same_quantity(unit, nits)) return {"nt", "fL", "ev"};
+    if (same_quantity(unit, lux)) return {"lx", "fc", "evlx"};
+    return {};
+}
+
 // Reads the row's value and shape and loads files; computes nothing yet.
 Result<UnitsAnswer> read_row(std::string_view row, const UnitsRequest& request) {
     UnitsAnswer read;
@@ -154,11 +163,36 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
     return request;
 }
 
+// Between units of luminance, and of illuminance, no shape is needed: 13ev is 1024 nt of anything. False: it is.
+Result<bool> answer_without_shape(const UnitsRequest& request, UnitsAnswer& result) {
+    if (request.solve || request.policy != &policies().front()) return false;
+    const bool has_no_such_unit = class_of(result.shape) == ShapeClass::punctual && !request.assumed;
+    const std::vector<std::string> others = units_of_same_quantity(result.value.unit);
+    if (request.wanted.empty() && !has_no_such_unit) return false;
+    std::vector<Answer> answers;
+    ConversionSteps steps;
+    for (const std::string& text : request.wanted.empty() ? others : request.wanted) {
+        Result<PhotometricUnit> unit = parse_photometric_unit(text);
+        if (!unit) return pass_on(unit);
+        if (!same_quantity(result.value.unit, *unit)) return false;
+        Result<double> number = convert_unit(result.value, *unit, answers.empty() ? &steps : nullptr);
+        if (!number) return pass_on(number);
+        answers.push_back({*unit, *number});
+    }
+    if (answers.empty()) return false;
+    result.answers = std::move(answers);
+    result.steps = std::move(steps);
+    return true;
+}
+
 Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
     Result<UnitsAnswer> read = read_row(row, request);
     if (!read) return read;
     UnitsAnswer& result = *read;
     result.policy = request.policy;
+    Result<bool> answered = answer_without_shape(request, result);
+    if (!answered) return pass_on(answered);
+    if (*answered) return read;
     Result<PolicyMeaning> meaning = policy_meaning(*request.policy, result.shape, result.value.unit.unit->dimension);
     if (!meaning) return pass_on(meaning);
     warn(*request.policy, *meaning, result.value_text, result.diagnostics);

@@ -1,7 +1,10 @@
 #include "units_report.hpp"
 
+#include <gonio/base/text.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+
+#include "../csv_text.hpp"
 
 #include <fmt/format.h>
 
@@ -77,15 +80,6 @@ Json question_json(const UnitsAnswer& answer, std::string_view policy) {
             {"input", std::move(input)},
             {"shape", shape_json(answer.shape)},
             {"policy", policy}};
-}
-
-// Quoted if a comma or a quote would break the row (RFC 4180).
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
 }
 
 // The number of characters as a terminal counts them: all bytes except continuation bytes of UTF-8.
@@ -201,14 +195,21 @@ std::string csv_head(std::span<const std::string> wanted) {
     std::string line = "value,shape";
     for (const std::string& unit : wanted)
         line += "," + csv_field(unit);
-    return line + "\n";
+    return line + ",error\n";
 }
 
 std::string csv_line(const UnitsAnswer& answer) {
     std::string line = csv_field(answer.value_text) + "," + csv_field(answer.shape_text);
     for (const Answer& one : answer.answers)
         line += "," + shortest(one.number);
-    return line + "\n";
+    return line + ",\n";
+}
+
+std::string csv_line(std::string_view row, std::size_t wanted, const Error& error) {
+    const std::size_t comma = row.find(',');
+    const std::string_view shape = comma == std::string_view::npos ? std::string_view() : row.substr(comma + 1);
+    return fmt::format("{},{},{}{}\n", csv_field(trimmed(row.substr(0, comma))), csv_field(trimmed(shape)),
+                       std::string(wanted, ','), csv_field(error.diagnostics.back().message));
 }
 
 } // namespace gonio::cli

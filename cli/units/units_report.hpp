@@ -19,5 +19,7 @@ Json to_json(const PolicyTable& table);
 // Comma-separated: the row as given, then a column for each wanted unit. The heading takes its columns from `wanted`.
 std::string csv_head(std::span<const std::string> wanted);
 std::string csv_line(const UnitsAnswer& answer);
+// A row that failed keeps its line.
+std::string csv_line(std::string_view row, std::size_t wanted, const Error& error);
 
 } // namespace gonio::cli

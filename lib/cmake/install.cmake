@@ -18,6 +18,12 @@ foreach(header IN LISTS gonio_public_headers)
             COMPONENT library)
 endforeach()
 
+# For editors, which complete and check JSON by it.
+foreach(schema scene/rig asset/asset asset/manifest asset/texture)
+    install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/${schema}.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/gonio"
+            COMPONENT library)
+endforeach()
+
 # The CIE's numbers are compiled in; their licence wants to go with them.
 install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
         COMPONENT library RENAME NOTICE.cie-tables)

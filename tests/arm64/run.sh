@@ -22,7 +22,8 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
 cmake --build "$build" --parallel "$(nproc)" --target gonio gonio-measure
 
 # The tests of code that is compiled for an instruction set, and of the arithmetic below it.
-tests=(simd/dispatch_test simd/math_test shading/kernels_test shading/area_kernels_test shading/ellipse_test)
+tests=(simd/dispatch_test simd/math_test shading/kernels_test shading/area_kernels_test shading/ellipse_test bake/skip color/locus
+    preview/materials preview/render)
 compile() { # SOURCE OBJECT
     aarch64-linux-gnu-g++ -std=c++20 -O1 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -idirafter /usr/include \
         -I lib -I tests/unit -I tests/unit/shading -I /usr/src/googletest/googletest -c "$1" -o "$2"

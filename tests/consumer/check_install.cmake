@@ -10,7 +10,7 @@ endforeach()
 
 foreach(wanted "${LIBDIR}/libgonio.a" "${LIBDIR}/gonio/gonio-image.so" "${LIBDIR}/gonio/gonio-color.so"
                "${LIBDIR}/cmake/gonio/gonio-config.cmake" "${LIBDIR}/cmake/gonio/gonio-config-version.cmake"
-               "${LIBDIR}/cmake/gonio/gonio-targets.cmake")
+               "${LIBDIR}/cmake/gonio/gonio-targets.cmake" "share/gonio/rig.schema.json")
     if(NOT EXISTS "${STAGE}/${wanted}")
         message(FATAL_ERROR "not installed: ${wanted}")
     endif()

@@ -1,4 +1,5 @@
 #include <gonio/base/nearest.hpp>
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include <fmt/format.h>
@@ -46,6 +47,23 @@ constexpr std::array units_table{
     Unit{"km", "kilometre", length, 1e3},
     Unit{"in", "inch", length, foot / 12.0},
     Unit{"ft", "foot", length, foot},
+};
+
+// What people write instead of a symbol. Case does not matter.
+struct UnitWord {
+    std::string_view word;
+    std::string_view symbol;
+};
+constexpr std::array unit_words{
+    UnitWord{"lumen", "lm"},        UnitWord{"lumens", "lm"},   UnitWord{"candela", "cd"},
+    UnitWord{"candelas", "cd"},     UnitWord{"lux", "lx"},      UnitWord{"footcandle", "fc"},
+    UnitWord{"footcandles", "fc"},  UnitWord{"nit", "nt"},      UnitWord{"nits", "nt"},
+    UnitWord{"cd/m^2", "cd/m2"},    UnitWord{"cd/m²", "cd/m2"}, UnitWord{"footlambert", "fL"},
+    UnitWord{"footlamberts", "fL"}, UnitWord{"watt", "W"},      UnitWord{"watts", "W"},
+    UnitWord{"kelvin", "K"},        UnitWord{"degree", "deg"},  UnitWord{"degrees", "deg"},
+    UnitWord{"°", "deg"},           UnitWord{"metre", "m"},     UnitWord{"metres", "m"},
+    UnitWord{"meter", "m"},         UnitWord{"meters", "m"},    UnitWord{"inch", "in"},
+    UnitWord{"inches", "in"},       UnitWord{"foot", "ft"},     UnitWord{"feet", "ft"},
 };
 
 // Reads the number at the front of `text` and removes it. from_chars refuses a leading '+'.
@@ -111,6 +129,8 @@ std::span<const Unit> all_units() {
 const Unit* find_unit(std::string_view symbol) {
     for (const Unit& unit : units_table)
         if (unit.symbol == symbol) return &unit;
+    for (const UnitWord& word : unit_words)
+        if (equals_any_case(word.word, symbol)) return find_unit(word.symbol);
     return nullptr;
 }
 
@@ -146,6 +166,8 @@ Result<Amount> parse_amount(std::string_view text) {
     if (!number && begins_beyond_range(text)) return beyond_range(text);
     if (!number)
         return fail("USE0105", fmt::format("'{}' is not a number with a unit", text), "write for example 800lm");
+    while (rest.starts_with(' ')) // "800 lm"
+        rest.remove_prefix(1);
     if (rest.empty())
         return fail("USE0105", fmt::format("'{}' has no unit", text), fmt::format("write for example {}lm", text));
     const Unit* unit = find_unit(rest);

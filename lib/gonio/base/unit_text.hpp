@@ -36,7 +36,7 @@ struct Unit {
 // Every unit that text may use, grouped by dimension.
 std::span<const Unit> all_units();
 
-// nullptr when there is no such symbol. Symbols are case-sensitive.
+// By its symbol, which is case-sensitive, or by its name in words ("lumens", "lux", "feet"). nullptr when there is none.
 const Unit* find_unit(std::string_view symbol);
 
 std::string_view dimension_name(Dimension dimension); // "luminous flux"
@@ -49,7 +49,7 @@ struct Amount {
     double in_base_units() const;
 };
 
-// "800lm". Fails (usage) on a bare number, an unknown unit, anything that is not finite.
+// "800lm", "800 lm", "800 lumens". Fails (usage) on a bare number, an unknown unit, anything that is not finite.
 Result<Amount> parse_amount(std::string_view text);
 
 // As above, and the unit must be of `dimension`; returns base units. `what` names the value in the message.

@@ -22,6 +22,7 @@ constexpr std::array efficacies{
     NamedEfficacy{"cycles-ies-177.83", 177.83, false, "D65; Blender Cycles' IES loader"},
     NamedEfficacy{"radiance-179", 179.0, false, "white of equal energy over the visible; Radiance's WHTEFFICACY"},
     NamedEfficacy{"incandescent", 14.0, true, "per electrical watt: 840 lm of a 60 W tungsten lamp"},
+    NamedEfficacy{"tungsten", 14.0, true, "another name for incandescent"},
     NamedEfficacy{"halogen", 20.0, true, "per electrical watt, low-voltage tungsten halogen"},
     NamedEfficacy{"fluorescent", 80.0, true, "per electrical watt, T8 tube with its ballast"},
     NamedEfficacy{"led", 100.0, true, "per electrical watt, a typical LED lamp"},

@@ -1,8 +1,10 @@
+#include <gonio/base/text.hpp>
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/photometric_value.hpp>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -64,6 +66,35 @@ Result<PhotometricUnit> complete_unit(const Unit& unit, std::optional<std::strin
     return complete;
 }
 
+// Lumens of a lamp that is sold as the equal of an incandescent lamp, by its watts: Commission Regulation (EU) No
+// 874/2012, Annex VII, which interpolates linearly in between.
+struct Equivalent {
+    double watts;
+    double lumens;
+};
+constexpr std::array equivalents{Equivalent{15.0, 136.0},   Equivalent{25.0, 249.0},  Equivalent{40.0, 470.0},
+                                 Equivalent{60.0, 806.0},   Equivalent{75.0, 1055.0}, Equivalent{100.0, 1521.0},
+                                 Equivalent{150.0, 2452.0}, Equivalent{200.0, 3452.0}};
+constexpr std::string_view equivalent_unit = "Weq";
+
+// "60Weq" is 806 lm.
+Result<PhotometricValue> parse_equivalent(std::string_view text) {
+    const std::optional<double> watts = parse_number(trimmed(text.substr(0, text.size() - equivalent_unit.size())));
+    if (!watts) return fail("USE0105", fmt::format("'{}' is not a number of watts", text), "write for example 60Weq");
+    if (!(*watts >= equivalents.front().watts && *watts <= equivalents.back().watts))
+        return fail("USE0106",
+                    fmt::format("'{}': incandescent lamps to compare with have {} to {} W", text,
+                                equivalents.front().watts, equivalents.back().watts),
+                    "give the lumens, for example 800lm");
+    std::size_t i = 1;
+    while (*watts > equivalents[i].watts)
+        ++i;
+    const Equivalent& low = equivalents[i - 1];
+    const Equivalent& high = equivalents[i];
+    const double share = (*watts - low.watts) / (high.watts - low.watts);
+    return PhotometricValue{low.lumens + share * (high.lumens - low.lumens), {find_unit("lm"), {}, {}, {}}};
+}
+
 constexpr const char* amounts_of_light = "lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL or W@EFFICACY";
 
 std::optional<std::string_view> behind(std::string_view text, std::size_t at) {
@@ -94,6 +125,7 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text) {
 }
 
 Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScope* files) {
+    if (text.ends_with(equivalent_unit)) return parse_equivalent(text);
     const std::size_t at = text.find('@');
     Result<Amount> amount = parse_amount(text.substr(0, at));
     if (!amount) {

@@ -85,6 +85,45 @@ bool is_luminance(Dimension dimension) {
     return dimension == Dimension::luminance || dimension == Dimension::luminance_ev;
 }
 
+// A quantity in base units (nt, lx, cd, lm, W), in another unit of it.
+Result<double> in_unit(double base, const PhotometricUnit& unit, ConversionSteps* steps) {
+    const Dimension dimension = unit.unit->dimension;
+    if (dimension == Dimension::luminance_ev || dimension == Dimension::illuminance_ev) {
+        if (!(base > 0.0))
+            return fail(Failure::usage, fmt::format("the {} of 0 is not defined", dimension_name(dimension)));
+        const bool of_luminance = dimension == Dimension::luminance_ev;
+        base = of_luminance ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
+        const char* const formula = of_luminance ? "EV = log2(L) + 3" : "EV = log2(E/2.5)";
+        if (unit.distance)
+            note(steps, base, unit.unit->symbol.data(), "{}, d = {} m", formula, rounded(unit.distance->value));
+        else
+            note(steps, base, unit.unit->symbol.data(), "{}", formula);
+    }
+    const double number = base / unit.unit->base_per_unit;
+    if (!std::isfinite(number))
+        return fail("USE0106", fmt::format("the result in {} is too large for a number", unit.unit->symbol));
+    return number;
+}
+
+// Nits or lux of a luminance or an illuminance.
+double in_base_unit(const PhotometricValue& value, ConversionSteps* steps) {
+    const double base = value.number * value.unit.unit->base_per_unit;
+    switch (value.unit.unit->dimension) {
+    case Dimension::luminance_ev: {
+        const double nits = luminance(Ev100(base)).value;
+        note(steps, nits, "nt", "L = 2^(EV−3)");
+        return nits;
+    }
+    case Dimension::illuminance_ev: {
+        const double lux = illuminance(EvLux(base)).value;
+        note(steps, lux, "lx", "E = 2.5 · 2^EV");
+        return lux;
+    }
+    default:
+        return base;
+    }
+}
+
 Emission emission_of_strength(const ShapeFactors& factors, double strength) {
     Emission emission;
     if (factors.at_infinity)
@@ -141,22 +180,13 @@ Result<double> ShapePhotometry::strength_of(const PhotometricValue& value, Conve
     }
     if (is_luminance(dimension)) {
         if (!factors_.luminance) return luminance_refused(factors_);
-        double nits = base;
-        if (dimension == Dimension::luminance_ev) {
-            nits = luminance(Ev100(base)).value;
-            note(steps, nits, "nt", "L = 2^(EV−3)");
-        }
-        const double strength = nits * factors_.luminance->value;
+        const double strength = in_base_unit(value, steps) * factors_.luminance->value;
         note(steps, strength, strength_unit, "{}", factors_.luminance->formula);
         return strength;
     }
     Result<Factor> factor = illuminance_factor(shape_, factors_, value.unit);
     if (!factor) return pass_on(factor);
-    double lux = base;
-    if (dimension == Dimension::illuminance_ev) {
-        lux = illuminance(EvLux(base)).value;
-        note(steps, lux, "lx", "E = 2.5 · 2^EV");
-    }
+    const double lux = in_base_unit(value, steps);
     if (factors_.at_infinity) return lux;
     if (!(factors_.axial_share > 0.0))
         return fail(Failure::usage,
@@ -216,21 +246,7 @@ Result<double> ShapePhotometry::express(const Emission& emission, const Photomet
             note_inverse_square(steps, shape_, strength, base, *unit.distance);
         }
     }
-    if (dimension == Dimension::luminance_ev || dimension == Dimension::illuminance_ev) {
-        if (!(base > 0.0))
-            return fail(Failure::usage, fmt::format("the {} of 0 is not defined", dimension_name(dimension)));
-        const bool of_luminance = dimension == Dimension::luminance_ev;
-        base = of_luminance ? ev100(Nits(base)).value : ev_lux(Lux(base)).value;
-        const char* const formula = of_luminance ? "EV = log2(L) + 3" : "EV = log2(E/2.5)";
-        if (unit.distance)
-            note(steps, base, unit.unit->symbol.data(), "{}, d = {} m", formula, rounded(unit.distance->value));
-        else
-            note(steps, base, unit.unit->symbol.data(), "{}", formula);
-    }
-    const double number = base / unit.unit->base_per_unit;
-    if (!std::isfinite(number))
-        return fail("USE0106", fmt::format("the result in {} is too large for a number", unit.unit->symbol));
-    return number;
+    return in_unit(base, unit, steps);
 }
 
 Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illuminance) const {
@@ -262,6 +278,19 @@ Result<Meters> ShapePhotometry::distance_of(const Emission& emission, Lux illumi
         if (!(middle > near && middle < far)) return Meters(middle);
         (lux_at(middle) >= illuminance.value ? near : far) = middle;
     }
+}
+
+bool same_quantity(const PhotometricUnit& a, const PhotometricUnit& b) {
+    const auto is_illuminance = [](const PhotometricUnit& unit) {
+        const Dimension dimension = unit.unit->dimension;
+        return (dimension == Dimension::illuminance || dimension == Dimension::illuminance_ev) && !unit.distance;
+    };
+    return (is_luminance(a.unit->dimension) && is_luminance(b.unit->dimension)) ||
+           (is_illuminance(a) && is_illuminance(b));
+}
+
+Result<double> convert_unit(const PhotometricValue& value, const PhotometricUnit& unit, ConversionSteps* steps) {
+    return in_unit(in_base_unit(value, steps), unit, steps);
 }
 
 Result<Emission> emission_of(const Shape& shape, const PhotometricValue& value, ConversionSteps* steps) {

@@ -80,6 +80,15 @@ Result<double> express(const Shape& shape, const Emission& emission, const Photo
                        ConversionSteps* steps = nullptr);
 Result<Meters> distance_of(const Shape& shape, const Emission& emission, Lux illuminance);
 
+// Whether both are units of luminance (nt, fL, ev), or both of illuminance without a distance (lx, fc, evlx): between
+// them, the shape of the light does not matter.
+bool same_quantity(const PhotometricUnit& a, const PhotometricUnit& b);
+
+// The value in another unit of the same quantity. Fails (usage) on the exposure value of 0 and on results too large for
+// a number.
+Result<double> convert_unit(const PhotometricValue& value, const PhotometricUnit& unit,
+                            ConversionSteps* steps = nullptr);
+
 // The emission of `to` that has the flux of `from`: the same lamp in another shape. Fails as emission_of() and
 // express() do.
 Result<Emission> with_same_flux(const Shape& from, const Emission& emission, const Shape& to);

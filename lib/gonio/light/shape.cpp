@@ -3,6 +3,7 @@
 #include <gonio/light/shape_keys.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/profile/read.hpp>
+#include <gonio/web/radiometric.hpp>
 #include <gonio/web/resolve.hpp>
 
 #include <fmt/format.h>
@@ -11,21 +12,20 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace gonio {
 
 namespace {
 
-struct FalloffName {
-    std::string_view name;
-    Falloff falloff;
-};
-
-constexpr std::array falloffs{
-    FalloffName{"frostbite", Falloff::frostbite},       FalloffName{"hard", Falloff::hard},
-    FalloffName{"linear-cos", Falloff::linear_cos},     FalloffName{"smoothstep-cos", Falloff::smoothstep_cos},
-    FalloffName{"linear-angle", Falloff::linear_angle}, FalloffName{"smoothstep-angle", Falloff::smoothstep_angle},
+constexpr std::array falloff_names{
+    FalloffName{"frostbite", Falloff::frostbite, "the square of linear-cos: Frostbite, glTF, Filament, Unity, Unreal"},
+    FalloffName{"hard", Falloff::hard, "1 up to the outer angle"},
+    FalloffName{"linear-cos", Falloff::linear_cos, "linear in the cosine: Godot with an attenuation of 1"},
+    FalloffName{"smoothstep-cos", Falloff::smoothstep_cos, "smoothstep of the cosine: pbrt, three.js"},
+    FalloffName{"linear-angle", Falloff::linear_angle, "linear in the angle: Mitsuba"},
+    FalloffName{"smoothstep-angle", Falloff::smoothstep_angle, "smoothstep of the angle: UsdLux"},
 };
 
 // A key as `gonio list shapes` shows it: "r=LENGTH", "[,two-sided]".
@@ -60,8 +60,18 @@ std::string grammar_of(ShapeTraits<Kind> traits) {
     }
 }
 
+// "sphere:3cm" does not say whether that is the radius.
+Result<void> no_bare_length(const KindText& text) {
+    for (const KindText::Entry& entry : text.entries)
+        if (!entry.value && entry.key.find_first_of("0123456789.") == 0 &&
+            parse_amount(entry.key, Dimension::length, "length"))
+            return fail("USE0104", fmt::format("'{}:{}' does not say which length this is", text.kind, entry.key),
+                        "write r=LENGTH for a radius, d=LENGTH for a diameter, w= and h=, or l=");
+    return {};
+}
+
 template<class Kind>
-Result<Shape> parse_as(ShapeTraits<Kind> traits, const KindText& text) {
+Result<Shape> parse_as(ShapeTraits<Kind> traits, KindText text) {
     using Traits = ShapeTraits<Kind>;
     if constexpr (requires { Traits::parse(text); }) {
         Result<Kind> made = Traits::parse(text);
@@ -76,6 +86,12 @@ Result<Shape> parse_as(ShapeTraits<Kind> traits, const KindText& text) {
                     return std::array{key.key...};
             },
             Traits::keys);
+        for_each_key(traits, [&](const auto& key) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(key)>, LengthKey<Kind>>)
+                take_spellings(text, key.key, key.parameter);
+        });
+        if constexpr (std::is_same_v<Kind, RectShape>) take_diagonal(text);
+        if (Result<void> clear = no_bare_length(text); !clear) return pass_on(clear);
         Result<void> read = only_keys(text, known);
         Kind made;
         for_each_key(traits, [&](const auto& key) {
@@ -91,6 +107,10 @@ Result<Shape> parse_as(ShapeTraits<Kind> traits, const KindText& text) {
 Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics& diagnostics) {
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
+    if (const std::string unit = radiometric_unit(*profile); !unit.empty())
+        return fail("UNS0104", fmt::format("the intensities of this profile are in {}, not in candela", unit),
+                    "if its numbers are meant as candela, make a profile of that: gonio edit FILE --as-candela -o NEW",
+                    file);
     std::move(profile->diagnostics.begin(), profile->diagnostics.end(), std::back_inserter(diagnostics));
     Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);
@@ -119,14 +139,18 @@ WebSlot web_slot(Shape& shape) {
 
 } // namespace
 
+std::span<const FalloffName> falloffs() {
+    return falloff_names;
+}
+
 const char* to_text(Falloff falloff) {
-    for (const FalloffName& name : falloffs)
+    for (const FalloffName& name : falloff_names)
         if (name.falloff == falloff) return name.name.data();
     return "";
 }
 
 Result<Falloff> parse_falloff(std::string_view name) {
-    return find_named("falloff", name, falloffs).map([](const FalloffName* known) { return known->falloff; });
+    return find_named("falloff", name, falloff_names).map([](const FalloffName* known) { return known->falloff; });
 }
 
 std::span<const ShapeKind> shape_kinds() {

@@ -27,7 +27,15 @@ struct PointShape {
 // do.
 enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, smoothstep_angle };
 
-const char* to_text(Falloff falloff); // "smoothstep-cos"
+struct FalloffName {
+    std::string_view name; // "smoothstep-cos"
+    Falloff falloff;
+    std::string_view summary;
+};
+
+std::span<const FalloffName> falloffs();
+
+const char* to_text(Falloff falloff);
 Result<Falloff> parse_falloff(std::string_view name);
 
 // 0 ≤ inner ≤ outer ≤ π/2, half angles from the axis; inner = outer is `hard`. An outer angle of 0 is a ray: it has an

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -24,6 +25,33 @@ Result<std::string> needed(const KindText& text, std::string_view key, const cha
 }
 
 } // namespace
+
+void take_spellings(KindText& text, std::string_view key, std::string_view name) {
+    if (entry_of(text, key) != nullptr) return; // another spelling beside it is an unknown key
+    for (KindText::Entry& entry : text.entries) {
+        if (entry.key == name || (key == "h" && entry.key == "height")) {
+            entry.key = key;
+            return;
+        }
+        if (key != "r" || (entry.key != "d" && entry.key != "diameter") || !entry.value) continue;
+        const Result<double> diameter = parse_amount(*entry.value, Dimension::length, "diameter");
+        if (!diameter) return; // reported as an unknown key
+        entry.key = key;
+        entry.value = shortest(0.5 * *diameter) + "m";
+        return;
+    }
+}
+
+void take_diagonal(KindText& text) {
+    if (text.entries.empty() || text.entries.front().value) return;
+    const Result<double> diagonal = parse_amount(text.entries.front().key, Dimension::length, "diagonal");
+    if (!diagonal || text.value("w") != nullptr || text.value("h") != nullptr) return;
+    constexpr double across = 16.0;
+    constexpr double down = 9.0;
+    const double unit = *diagonal / std::hypot(across, down);
+    text.entries.front() = {"w", shortest(across * unit) + "m"};
+    text.entries.insert(text.entries.begin() + 1, {"h", shortest(down * unit) + "m"});
+}
 
 Result<Meters> read_length(const KindText& text, std::string_view key) {
     Result<std::string> value = needed(text, key, "LENGTH", "3cm");

@@ -10,6 +10,13 @@
 
 namespace gonio {
 
+// Lengths as people write them: the whole name of a key ("radius", "width", "height", "length"), and "d" or "diameter"
+// where the key is the radius. Writes them as the key.
+void take_spellings(KindText& text, std::string_view key, std::string_view name);
+
+// A display's diagonal, alone ("rect:55in"): width and height at 16:9.
+void take_diagonal(KindText& text);
+
 Result<Meters> read_length(const KindText& text, std::string_view key);
 Result<Radians> read_angle(const KindText& text, std::string_view key, std::string_view example,
                            const AngleRange& range);

@@ -100,9 +100,7 @@ void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     const Poles poles = look_at_poles(file.vertical_deg, file.candela, places.peak);
     if (poles.all_zero) report.add("IES0402", places.candela, "every candela value is zero");
     if (file.photometry != Photometry::c) return;
-    if (poles.nadir_differs || poles.zenith_differs)
-        report.add("IES0403", places.candela,
-                   fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
+    if (poles.differ()) report.add("IES0403", places.candela, poles.difference());
     if (file.horizontal_deg.front() == 0.0 && file.horizontal_deg.back() == 360.0) {
         const std::size_t count = file.vertical_deg.size();
         const std::size_t last = file.candela.size() - count;

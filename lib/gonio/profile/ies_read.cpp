@@ -117,6 +117,7 @@ private:
         file_.version_line = line.text;
         const std::optional<IesVersion> version = version_in(line.text);
         file_.version = version.value_or(IesVersion::lm63_2002);
+        version_known_ = version.has_value();
         if (!version)
             report_.add("IES0102", line.offset, "the first line does not name a version of LM-63, read as LM-63-2002");
         else if (!is_standard_spelling(line.text) || behind_blank_lines)
@@ -185,6 +186,7 @@ private:
     }
 
     void check_keywords() {
+        if (!version_known_) return; // what an edition requires holds for files that name it
         if (file_.version != IesVersion::lm63_2002 && file_.version != IesVersion::lm63_2019) return;
         if (report_.strict()) check_keyword_names();
         std::string missing;
@@ -241,6 +243,7 @@ private:
                                     fmt::format("13 numbers announced by TILT={}, {} found", file_.tilt_keyword, i));
             if (token != Token::number) return bad_token(token);
             place[i] = numbers_.token_offset();
+            if (i == 10) ballast_begins_line_ = numbers_.token_begins_line();
             const bool whole_expected = i == 0 || (i >= 3 && i <= 6);
             if (whole_expected && file_.version != IesVersion::lm63_1986 &&
                 numbers_.token().find('.') != std::string_view::npos)
@@ -277,6 +280,7 @@ private:
         file_.input_watts = value[12];
         places_.header = place[0];
         places_.shape = place[7];
+        ballast_place_ = place[10];
         report_.mark(ProfileField::lamp_flux, place[1]);
         report_.mark(ProfileField::opening, place[7]);
         report_.mark(ProfileField::multiplier, place[2]);
@@ -321,6 +325,7 @@ private:
     Result<void> read_angle_list(std::vector<double>& list, std::size_t count, bool vertical, std::size_t& last) {
         list.reserve(std::min(count, numbers_.remaining_bytes() / 2 + 1));
         const auto missing = [&](std::size_t offset) {
+            if (lacks_ballast_line()) return ballast_line_missing();
             const std::string message = fmt::format("{} {} angles announced, {} found", count,
                                                     vertical ? "vertical" : "horizontal", list.size());
             return vertical ? report_.fail("IES0204", offset, message) : report_.fail("IES0205", offset, message);
@@ -364,7 +369,25 @@ private:
                                         file_.horizontal_deg.front()));
     }
 
+    // Whether the ballast factor, field 12 and input watts read like the first three vertical angles, on a line of
+    // their own: the line was left out, and three angles were taken for it. Called only if the counts do not fit.
+    [[nodiscard]] bool lacks_ballast_line() const {
+        const double first = file_.ballast_factor;
+        return ballast_begins_line_ && (first == 0.0 || first == 90.0 || first == -90.0) && file_.field_12 > first &&
+               file_.input_watts > file_.field_12 && !file_.vertical_deg.empty() &&
+               file_.vertical_deg.front() > file_.input_watts;
+    }
+
+    Unexpected ballast_line_missing() {
+        return report_.fail("IES0220", ballast_place_,
+                            fmt::format("the line with ballast factor, field 12 and input watts is missing: {}, {} and "
+                                        "{} are vertical angles",
+                                        file_.ballast_factor, file_.field_12, file_.input_watts),
+                            "insert a line with these three numbers before the vertical angles: 1 1 0");
+    }
+
     Unexpected unsorted(double before, double value, bool vertical) {
+        if (lacks_ballast_line()) return ballast_line_missing();
         const std::string message =
             fmt::format("{} angle {} follows {}", vertical ? "vertical" : "horizontal", value, before);
         const std::string hint = fmt::format("angles ascend; compare the counts, {} vertical and {} horizontal angles, "
@@ -427,7 +450,10 @@ private:
     TextRange text_;
     IesFile file_;
     TablePlaces places_;
+    bool version_known_ = false;
     bool horizontal_begins_line_ = true;
+    bool ballast_begins_line_ = false;
+    std::size_t ballast_place_ = 0;
     std::size_t vertical_count_ = 0;
     std::size_t horizontal_count_ = 0;
     double lowest_ = 0.0; // of the candela, and 0

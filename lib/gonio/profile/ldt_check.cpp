@@ -18,9 +18,7 @@ void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report) {
     if (places.first_negative != no_place) report.add("LDT0401", places.first_negative, "a negative intensity");
     const Poles poles = look_at_poles(file.gammas_deg, file.candela_per_klm, places.peak);
     if (poles.all_zero) report.add("LDT0402", places.candela, "every intensity is zero");
-    if (poles.nadir_differs || poles.zenith_differs)
-        report.add("LDT0403", places.candela,
-                   fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
+    if (poles.differ()) report.add("LDT0403", places.candela, poles.difference());
     const std::vector<double>& ratios = file.direct_ratios;
     if (std::all_of(ratios.begin(), ratios.end(), [](double r) { return r == 0.0; }))
         report.add("LDT0404", places.direct_ratios, "the ten direct ratios are zero");

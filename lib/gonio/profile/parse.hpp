@@ -10,6 +10,7 @@
 #include <gonio/profile/reader_report.hpp>
 #include <gonio/profile/scanner.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -96,9 +97,15 @@ void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33
 
 // The results for a table of `planes` rows that the checks need.
 struct Poles {
-    bool nadir_differs = false;
-    bool zenith_differs = false;
+    // The spread of the planes' values over the peak.
+    double at_nadir = 0.0;
+    double at_zenith = 0.0;
     bool all_zero = true;
+
+    // Goniometers differ by less from plane to plane.
+    bool differ() const { return std::max(at_nadir, at_zenith) > 0.01; }
+    // "the planes differ by 3.1 % of the peak at nadir"
+    std::string difference() const;
 };
 
 // `gammas_deg` are type C angles; a pole is checked only if the table reaches it. `peak` is the largest magnitude.

@@ -51,9 +51,7 @@ void check_tm33_intensity(const Tm33Emitter& emitter, bool of_type_c, const Tm33
     if (*lowest < 0.0) report.add("TM30401", places.table, "a negative intensity");
     const Poles poles = look_at_poles(gammas, intensity.candela, std::max(std::abs(*lowest), std::abs(*highest)));
     if (poles.all_zero) report.add("TM30402", places.table, "every intensity is zero");
-    if (of_type_c && (poles.nadir_differs || poles.zenith_differs))
-        report.add("TM30403", places.table,
-                   fmt::format("the planes differ at {}", poles.nadir_differs ? "nadir" : "zenith"));
+    if (of_type_c && poles.differ()) report.add("TM30403", places.table, poles.difference());
 }
 
 } // namespace gonio::profile_detail

@@ -225,7 +225,9 @@ Unexpected placed(const Error& error, const std::string& source, std::string_vie
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink) {
     JsonBytes bytes(text);
     Handler handler(bytes, source, sink);
-    RigJson::sax_parse(bytes.begin(), bytes.end(), &handler);
+    constexpr bool strict = true;
+    constexpr bool comments = true; // as in `gonio rig new`
+    RigJson::sax_parse(bytes.begin(), bytes.end(), &handler, nlohmann::detail::input_format_t::json, strict, comments);
     return handler.result();
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -61,8 +62,17 @@ std::string_view shown(Photometry photometry) {
     return photometry == Photometry::c ? "C" : "H";
 }
 
-void check_flux(const ProfileHeader& header, double light_lm, Findings& says) {
+// The flux that a coarse table stands for is not known better than two ways of integrating it agree: the interpolant's
+// and the zonal method, which the makers of files use. The one that is nearer to what the file states is compared.
+double nearest_flux(const Web& web, double light_lm, double stated_lm) {
+    const double zonal = zonal_flux(web).value;
+    return std::clamp(stated_lm, std::min(light_lm, zonal), std::max(light_lm, zonal));
+}
+
+void check_flux(const ProfileHeader& header, const Web& web, double integral_lm, Findings& says) {
+    double light_lm = integral_lm;
     if (header.lamp_flux_lm && *header.lamp_flux_lm > 0.0) {
+        light_lm = nearest_flux(web, integral_lm, *header.lamp_flux_lm);
         const double ratio = light_lm / *header.lamp_flux_lm;
         if (ratio > 1.02)
             says.add_of_lamps("WEB0301", ProfileField::lamp_flux,
@@ -78,19 +88,31 @@ void check_flux(const ProfileHeader& header, double light_lm, Findings& says) {
     const double efficacy = light_lm / header.input_watts;
     const std::string message =
         fmt::format("{:.6g} lm from {:.6g} W: {:.4g} lm/W", light_lm, header.input_watts, efficacy);
-    if (efficacy > 683.0)
+    if (efficacy > 300.0 && header.input_watts == 1.0)
+        says.add_of_lamps("WEB0318", ProfileField::input_watts, message, "write 0 if the watts are not known");
+    else if (efficacy > 683.0)
         says.add_of_lamps("WEB0303", ProfileField::input_watts, message, "compare the input watts with the lamp's");
     else if (efficacy > 300.0)
         says.add_of_lamps("WEB0304", ProfileField::input_watts, message, "compare the input watts with the lamp's");
 }
 
 void check_opening(const LuminousOpening& opening, double bright_cd, Findings& says) {
-    for (const double size : {opening.width_m, opening.length_m, opening.height_m}) {
+    const std::array sizes{opening.width_m, opening.length_m, opening.height_m};
+    const auto measures = [&](double scale, std::string_view unit) {
+        return fmt::format("{:.4g} x {:.4g} x {:.4g} {}", scale * sizes[0], scale * sizes[1], scale * sizes[2], unit);
+    };
+    for (const double size : sizes) {
         if (size == 0.0 || (size >= 0.5e-3 && size <= 50.0)) continue;
-        says.add("WEB0306", ProfileField::opening,
-                 fmt::format("the luminous opening measures {:.4g} x {:.4g} x {:.4g} m", opening.width_m,
-                             opening.length_m, opening.height_m),
+        says.add("WEB0306", ProfileField::opening, "the luminous opening measures " + measures(1.0, "m"),
                  "compare the file's unit of length with the sizes");
+        return;
+    }
+    // Longer luminaires than 4 m are rare, and as wide as that there are none.
+    if (*std::max_element(sizes.begin(), sizes.end()) > 4.0) {
+        const bool in_two = std::count_if(sizes.begin(), sizes.end(), [](double size) { return size > 4.0; }) > 1;
+        says.add("WEB0319", ProfileField::opening, "the luminous opening measures " + measures(1.0, "m"),
+                 in_two ? "in centimetres it would be " + measures(0.01, "m")
+                        : "compare the file's unit of length with the sizes");
         return;
     }
     const double area = std::max(
@@ -174,20 +196,6 @@ void check_planes(const Web& web, Findings& says) {
         says.add("WEB0311", ProfileField::first_horizontal,
                  fmt::format("stored with symmetry {}, but the light has {}", to_text(web.stored_symmetry()),
                              to_text(found)));
-    const std::span<const double> gammas = web.gammas_deg();
-    if (gammas.front() > 0.0 || gammas.back() < 180.0) return;
-    bool dark_below = true;
-    bool dark_above = true;
-    for (std::size_t j = 0; j < gammas.size(); ++j) {
-        for (std::size_t i = 0; i < web.planes_deg().size(); ++i) {
-            const bool lit = web.column(i)[j] != 0.0;
-            dark_below = dark_below && !(lit && gammas[j] < 90.0);
-            dark_above = dark_above && !(lit && gammas[j] > 90.0);
-        }
-    }
-    if (dark_below != dark_above)
-        says.add("WEB0310", ProfileField::intensity,
-                 fmt::format("every value {} the horizon is 0", dark_below ? "below" : "above"));
 }
 
 // The number at the start of a text; empty for "nw".
@@ -225,7 +233,8 @@ void check_ldt_fields(const LdtFile& file, const ProfileHeader& header, const We
                                  file.downward_flux_percent, downward));
     }
     if (lamps.flux_lm > 0.0 && light_lm > 0.0 && file.light_output_ratio_percent != 0.0) {
-        const double ratio = 100.0 * light_lm / lamps.flux_lm;
+        const double stated_lm = lamps.flux_lm * file.light_output_ratio_percent / 100.0;
+        const double ratio = 100.0 * nearest_flux(web, light_lm, stated_lm) / lamps.flux_lm;
         if (std::abs(ratio - file.light_output_ratio_percent) > 2.0)
             says.add("WEB0313", ProfileField::light_output_ratio,
                      fmt::format("the light output ratio is {:.4g} %, but that of the table is {:.4g} %",
@@ -260,7 +269,7 @@ Diagnostics check_plausibility(const Profile& profile, const Web& web, const Res
     const ProfileHeader header = header_of(profile, options);
     const double light_lm = flux(web).value;
     const double bright_cd = peak(web).intensity.value;
-    check_flux(header, light_lm, says);
+    check_flux(header, web, light_lm, says);
     check_opening(header.opening, bright_cd, says);
     if (bright_cd > 0.0) {
         check_lone_values(web, bright_cd, says);

@@ -1,6 +1,7 @@
 #include <gonio/base/text.hpp>
 #include <gonio/profile/tm33_light.hpp>
 #include <gonio/web/profile_header.hpp>
+#include <gonio/web/radiometric.hpp>
 
 #include <fmt/format.h>
 
@@ -119,6 +120,7 @@ bool same_keyword(std::string_view a, std::string_view b) {
 
 ProfileHeader header_of(const Profile& profile, const ResolveOptions& options) {
     ProfileHeader header = std::visit([&](const auto& file) { return of(file, options); }, profile.file);
+    if (options.as_candela) std::erase_if(header.keywords, states_radiometric_unit);
     header.source = profile.source;
     header.opening = luminous_opening(profile);
     return header;

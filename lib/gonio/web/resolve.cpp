@@ -1,6 +1,7 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/codes/web.hpp>
 #include <gonio/profile/tm33_light.hpp>
+#include <gonio/web/radiometric.hpp>
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/transform.hpp>
 
@@ -181,7 +182,7 @@ void take_planes_from_c270(const LdtFile& file, std::size_t stored, Table& table
 }
 
 Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<double> candela, const Profile& profile,
-                                          const ResolveOptions& options) {
+                                          const ResolveOptions& options, Diagnostics& diagnostics) {
     if (options.lamp_set < 1 || static_cast<std::size_t>(options.lamp_set) > file.lamp_sets.size())
         return fail("USE0106",
                     fmt::format("there is no lamp set {}: the file has {}", options.lamp_set, file.lamp_sets.size()),
@@ -208,6 +209,11 @@ Result<std::pair<Table, double>> table_of(const LdtFile& file, std::vector<doubl
     default:
         table.stored = Symmetry::none;
         break;
+    }
+    if (table.stored == Symmetry::none && stored == 1) {
+        warn(diagnostics, location_of(profile, ProfileField::first_horizontal), "WEB0109",
+             "symmetry 0 with one C-plane: used for every C", "symmetry 1 states a round light");
+        table.stored = Symmetry::axial;
     }
     if (table.stored == Symmetry::axial) {
         table.planes_deg = {0.0};
@@ -294,9 +300,10 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
     Diagnostics diagnostics;
     const auto* ies = std::get_if<IesFile>(&profile.file);
     const auto* tm33 = std::get_if<Tm33File>(&profile.file);
-    auto read = ies != nullptr    ? table_of(*ies, std::move(candela), profile, options, diagnostics)
-                : tm33 != nullptr ? table_of(*tm33, profile, options, diagnostics)
-                                  : table_of(std::get<LdtFile>(profile.file), std::move(candela), profile, options);
+    auto read = ies != nullptr ? table_of(*ies, std::move(candela), profile, options, diagnostics)
+                : tm33 != nullptr
+                    ? table_of(*tm33, profile, options, diagnostics)
+                    : table_of(std::get<LdtFile>(profile.file), std::move(candela), profile, options, diagnostics);
     if (!read) return pass_on(read);
     auto& [raw, factor] = *read;
     Table table = repeats_an_angle(raw) ? without_duplicates(raw) : std::move(raw);
@@ -314,6 +321,11 @@ Result<ResolvedWeb> resolve(const Profile& profile, std::vector<double> candela,
         warn(diagnostics, location_of(profile, ProfileField::negative_intensity), "WEB0105",
              fmt::format("{} intensities are negative: kept as they are", negative),
              "stray light was subtracted from the measurement; textures and pictures clamp them to 0");
+    if (!options.as_candela)
+        if (const std::string unit = radiometric_unit(profile); !unit.empty())
+            warn(diagnostics, location_of(profile, ProfileField::intensity), "WEB0110",
+                 fmt::format("the file states that its intensities are in {}, not in candela", unit),
+                 "--as-candela takes the numbers as candela");
     if (greatest == 0.0)
         warn(diagnostics, location_of(profile, ProfileField::intensity), "WEB0106",
              "every intensity is 0: this luminaire emits no light");

@@ -25,6 +25,7 @@ struct ResolveOptions {
     int lamp_set = 1;      // EULUMDAT: which of the alternative lamp sets, from 1
     double tilt_deg = 0.0; // IES with TILT=INCLUDE: the mounting tilt, which selects the factor
     AzimuthConvention azimuth = AzimuthConvention::as_written;
+    bool as_candela = false; // no warning (WEB0110) if the file states other units (gonio/web/radiometric.hpp)
 
     friend bool operator==(const ResolveOptions&, const ResolveOptions&) = default;
 };

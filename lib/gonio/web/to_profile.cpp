@@ -62,6 +62,12 @@ void include_tilt(MadeProfile& made) {
     ies->tilt_keyword = "INCLUDE";
 }
 
+// A single plane without symmetry is written as what it is read as: a round light (WEB0109).
+void state_symmetry(MadeProfile& made) {
+    auto* const ldt = std::get_if<LdtFile>(&made.profile.file);
+    if (ldt != nullptr && ldt->symmetry == 0 && ldt->planes_deg.size() == 1) ldt->symmetry = 1;
+}
+
 // LM-63 of one edition to another edition or to TM-33: the factors are kept apart from the table.
 Result<MadeProfile> with_factors_apart(const IesFile& file, const Profile& profile, ProfileTarget target) {
     Profile bare = profile;
@@ -201,6 +207,7 @@ Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target
             MadeProfile kept{profile, {}};
             kept.profile.diagnostics.clear();
             include_tilt(kept);
+            state_symmetry(kept);
             return kept;
         }
         if (ies != nullptr && target != ProfileTarget::eulumdat && target != ProfileTarget::portable)

@@ -1,11 +1,14 @@
 #include <gonio/web/cone_flux.hpp>
 #include <gonio/web/separable.hpp>
 #include <gonio/web/symmetry.hpp>
+#include <gonio/web/transform.hpp>
 #include <gonio/web/zones.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace gonio {
@@ -71,7 +74,15 @@ CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps) {
     return code;
 }
 
-LuminaireClassification luminaire_classification(const Web& web) {
+double street_side_c_deg(const Profile& profile, const Web& web) {
+    if (std::holds_alternative<LdtFile>(profile.file)) return 90.0;
+    return detected_symmetry(web) == Symmetry::bilateral_90_270 ? 90.0 : 0.0;
+}
+
+LuminaireClassification luminaire_classification(const Web& as_is, double front_c_deg) {
+    std::optional<Web> turned;
+    if (front_c_deg != 0.0) turned = rotated(as_is, -front_c_deg).web;
+    const Web& web = turned ? *turned : as_is;
     constexpr std::array limits{0.0, 30.0, 60.0, 80.0, 90.0};
     constexpr std::array edges{0.0, 90.0, 270.0, 360.0};
     LuminaireClassification zones;

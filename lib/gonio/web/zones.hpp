@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gonio/base/quantity.hpp>
+#include <gonio/profile/profile.hpp>
 #include <gonio/web/web.hpp>
 
 #include <array>
@@ -29,7 +30,8 @@ struct CieFluxCode {
 
 CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps);
 
-// IES TM-15: luminaire classification system. Front is the half on the side of C0, back the half on the side of C180.
+// IES TM-15: luminaire classification system. Front is the half on the side of the plane C `front_c_deg`, a multiple of
+// 90°, the street side; back is the other half.
 // Secondary solid angles: low 0–30°, medium 30–60°, high 60–80°, very high 80–90°; up 90–100° and 100–180°.
 struct LuminaireClassification {
     std::array<Lumens, 4> front;
@@ -38,6 +40,10 @@ struct LuminaireClassification {
     Lumens up_high;
 };
 
-LuminaireClassification luminaire_classification(const Web& web);
+LuminaireClassification luminaire_classification(const Web& web, double front_c_deg = 0.0);
+
+// The C-plane towards the street: C90 in EULUMDAT, where C0 lies along the road (EN 13201); C0 in LM-63, unless the
+// light is symmetric about C90–C270 and not about C0–C180, which turns it by a quarter.
+double street_side_c_deg(const Profile& profile, const Web& web);
 
 } // namespace gonio

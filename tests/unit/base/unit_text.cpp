@@ -29,7 +29,7 @@ TEST(UnitText, DecimalMultiplesRoundOnce) {
 }
 
 TEST(UnitText, RefusesWhatIsNoAmount) {
-    for (const char* text : {"", "lm", "800", "800 lm", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm",
+    for (const char* text : {"", "lm", "800", "800 ", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm",
                              "+-5lm", "1e308km", "-1e306klm"})
         EXPECT_FALSE(parse_amount(text)) << text;
     EXPECT_TRUE(parse_amount("1e308m") && parse_amount("1e308mm"));
@@ -66,6 +66,17 @@ TEST(Nearest, FindsTyposAndKeepsQuietOtherwise) {
     EXPECT_EQ(nearest("INFO", names), "info");
     EXPECT_EQ(nearest("frobnicate", names), "");
     EXPECT_EQ(nearest("", names), "");
+}
+
+TEST(UnitText, UnitsMayBeWords) {
+    const auto base = [](const char* text) { return parse_amount(text)->in_base_units(); };
+    for (const char* text : {"800lm", "800 lm", "800  lm", "800lumens", "800 Lumens", "800lumen"})
+        EXPECT_EQ(base(text), 800.0) << text;
+    EXPECT_EQ(base("6 feet"), 6.0 * 0.3048);
+    EXPECT_EQ(base("300 nits"), 300.0);
+    EXPECT_EQ(find_unit("metres"), find_unit("m"));
+    for (const char* text : {"800 ", "800 lm ", "800l m", "800LM", "8 00lm"}) // a symbol is case-sensitive
+        EXPECT_FALSE(parse_amount(text)) << text;
 }
 
 } // namespace

@@ -24,6 +24,45 @@ TEST(Photometry, SphereOf800LumensAnd3Centimetres) {
     EXPECT_NEAR(test::convert(test::shape("sphere:r=3cm"), "800lm", "cd"), 200.0 / pi, 1e-13);
 }
 
+TEST(Photometry, UnitsOfOneQuantityNeedNoShape) {
+    const auto converted = [](const char* value, const char* unit) {
+        const PhotometricUnit to = parse_photometric_unit(unit).value();
+        EXPECT_TRUE(same_quantity(parse_photometric_value(value)->unit, to)) << value << ' ' << unit;
+        return *convert_unit(*parse_photometric_value(value), to);
+    };
+    EXPECT_EQ(converted("13ev", "nt"), 1024.0);
+    EXPECT_EQ(converted("1024nt", "ev"), 13.0);
+    EXPECT_EQ(converted("2.5lx", "evlx"), 0.0);
+    EXPECT_EQ(converted("1evlx", "lx"), 5.0);
+    EXPECT_NEAR(converted("1fL", "nt"), 3.4262590996353905, 1e-15); // 1/(π 0.3048²)
+    EXPECT_NEAR(converted("1fc", "lx"), 10.763910416709722, 1e-14); // 1/0.3048²
+    for (const char* unit : {"nt", "fL", "ev", "cd/m2", "knt"})
+        EXPECT_NEAR(*convert_unit({converted("300nt", unit), parse_photometric_unit(unit).value()},
+                                  parse_photometric_unit("nt").value()),
+                    300.0, 300.0 * 4e-16)
+            << unit;
+    const auto same = [](const char* a, const char* b) {
+        return same_quantity(*parse_photometric_unit(a), *parse_photometric_unit(b));
+    };
+    EXPECT_FALSE(same("nt", "lx"));
+    EXPECT_FALSE(same("lx", "lx@2m"));
+    EXPECT_FALSE(same("fc@6ft", "lx@2m"));
+    EXPECT_FALSE(same("lm", "lm")) << "a flux has a shape's light";
+    EXPECT_FALSE(convert_unit(*parse_photometric_value("0nt"), *parse_photometric_unit("ev")));
+}
+
+// (EU) No 874/2012, Annex VII, and linear in between.
+TEST(Photometry, EquivalentWattsAreLumens) {
+    const auto lumens = [](const char* text) { return parse_photometric_value(text)->number; };
+    EXPECT_EQ(lumens("60Weq"), 806.0);
+    EXPECT_EQ(lumens("15Weq"), 136.0);
+    EXPECT_EQ(lumens("200 Weq"), 3452.0);
+    EXPECT_NEAR(lumens("50Weq"), 638.0, 1e-12);
+    EXPECT_EQ(parse_photometric_value("60Weq")->unit.unit->symbol, "lm");
+    for (const char* text : {"10Weq", "300Weq", "Weq", "xWeq", "-60Weq"})
+        EXPECT_FALSE(parse_photometric_value(text)) << text;
+}
+
 TEST(Photometry, MatchesIntegratedEmission) {
     // Flux of a Lambertian sphere: π L times its surface; of a point: I over the whole sphere.
     EXPECT_NEAR(test::convert(test::shape("sphere:r=25cm"), "1000nt", "lm"), pi * 1000.0 * 4.0 * pi * 0.25 * 0.25,

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -20,6 +21,28 @@ TEST(Shape, GrammarAndItsErrors) {
     EXPECT_EQ(std::get<ProfileShape>(parse_shape("ies:a,b=c:d.ies").value()).file, "a,b=c:d.ies");
     for (const char* text : {"", "point:r=1m", "sphere", "sphere:r=3", "sphere:r=0m", "sphere:r=-1m", "sphere:r=1lm",
                              "sphere:r=1m,q=2", "ies", "ies:", "cube:a=1m"})
+        EXPECT_FALSE(parse_shape(text)) << text;
+}
+
+TEST(Shape, LengthsAreTakenAsPeopleWriteThem) {
+    const auto radius = [](const char* text) { return std::get<SphereShape>(parse_shape(text).value()).radius.value; };
+    EXPECT_EQ(radius("sphere:radius=3cm"), 0.03);
+    EXPECT_EQ(radius("sphere:d=6cm"), 0.03);
+    EXPECT_EQ(radius("sphere:diameter=6cm"), 0.03);
+    const auto tube = std::get<TubeShape>(parse_shape("tube:d=26mm,length=1.2m").value());
+    EXPECT_EQ(tube.radius.value, 0.013);
+    EXPECT_EQ(tube.length.value, 1.2);
+    const auto rect = std::get<RectShape>(parse_shape("rect:width=60cm,height=30cm,two-sided").value());
+    EXPECT_EQ(rect.width.value, 0.6);
+    EXPECT_EQ(rect.height.value, 0.3);
+    EXPECT_TRUE(rect.two_sided);
+    // A display's diagonal at 16:9: 55 in are 1.397 m.
+    const auto display = std::get<RectShape>(parse_shape("rect:55in").value());
+    EXPECT_NEAR(std::hypot(display.width.value, display.height.value), 1.397, 1e-15);
+    EXPECT_NEAR(display.width.value / display.height.value, 16.0 / 9.0, 1e-15);
+    // Two readings, or none: not guessed.
+    for (const char* text : {"sphere:3cm", "disk:20cm", "sphere:r=3cm,d=6cm", "sphere:radius=3cm,d=6cm", "sphere:d=6", "rect:55in,w=1m",
+                             "frustum:height=50deg,v=30deg", "ellipse:55in", "sphere:diameter"})
         EXPECT_FALSE(parse_shape(text)) << text;
 }
 

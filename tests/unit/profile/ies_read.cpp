@@ -289,6 +289,28 @@ TEST(IesRead, TooFewAngles) {
     expect_error(read(lines), "lamp:8:1: error[IES0207]: 13 numbers announced by TILT=NONE, 4 found");
 }
 
+// Three angles are read as ballast factor, field 12 and watts: the counts are right, and no angle is to be changed.
+TEST(IesRead, TheLineWithTheWattsIsMissing) {
+    TextLines lines = with(lamp, 7, "1 1000 1 5 1 1 2 0.1 0.2 0");
+    lines.resize(7);
+    lines.insert(lines.end(), {"0 22.5 45 67.5 90", "0", "100 90 80 70 0"});
+    expect_error(read(lines), "lamp:8:1: error[IES0220]: the line with ballast factor, field 12 and input watts is "
+                              "missing: 0, 22.5 and 45 are vertical angles");
+    lines.insert(lines.begin() + 7, "1 1 10");
+    EXPECT_EQ(file_of(lines).vertical_deg.size(), 5U);
+}
+
+// What an edition requires is not asked of a file that does not name one.
+TEST(IesRead, NothingIsRequiredByAnAssumedVersion) {
+    TextLines lines = lamp;
+    lines[0] = "IESNA:";
+    lines[4] = "[OTHER] x";
+    const Result<Profile> profile = read(lines);
+    ASSERT_TRUE(profile);
+    for (const Diagnostic& diagnostic : profile->diagnostics)
+        EXPECT_NE(diagnostic.code, "IES0106");
+}
+
 // The message that the command line's documentation quotes.
 TEST(IesRead, ThirtySevenAnnouncedThirtySixFound) {
     TextLines lines = with(lamp, 7, "1 1000 1 37 1 1 2 0.1 0.2 0");
@@ -436,7 +458,9 @@ TEST(IesRead, TheTable) {
     expect_says(read(with(lamp, 11, "100 -0.5 0")), "lamp:11:5: warning[IES0401]: a negative candela value");
     expect_says(read(with(with(lamp, 11, "0 0 0"), 12, "0 0 0")),
                 "lamp:11:1: warning[IES0402]: every candela value is zero");
-    expect_says(read(with(lamp, 12, "90 70 0")), "lamp:11:1: warning[IES0403]: the planes differ at nadir");
+    expect_says(read(with(lamp, 12, "90 70 0")),
+                "lamp:11:1: warning[IES0403]: the planes differ by 10 % of the peak at nadir");
+    expect_silent(read(with(lamp, 12, "99.1 70 0"))); // as goniometers do
     expect_says(read(with(lamp, 12, "100 70 0 END OF FILE")),
                 "lamp:12:10: warning[IES0214]: 'END' follows the 6 candela values announced");
 }

@@ -274,7 +274,7 @@ TEST(Tm33Read, Tables) {
     expect_says(read(with(lamp, 26, "<IntData h=\"0\" v=\"45\">-1</IntData>")),
                 "lamp:18:1: warning[TM30401]: a negative intensity");
     expect_says(read(with(lamp, 25, "<IntData h=\"0\" v=\"0\">90</IntData>")),
-                "lamp:18:1: warning[TM30403]: the planes differ at nadir");
+                "lamp:18:1: warning[TM30403]: the planes differ by 10 % of the peak at nadir");
     expect_says(read(without(without(lamp, 9), 16 - 1)),
                 "lamp:2:1: warning[TM30103]: required by TM-33-23: Header/ReportDate, InputWattage");
     expect_error(read(without(lamp, 9), true), "lamp:2:1: error[TM30103]: required by TM-33-23: Header/ReportDate");

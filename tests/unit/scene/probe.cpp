@@ -337,7 +337,7 @@ TEST(Probe, WhatEndsAtTheCeilingIsTold) {
     };
     EXPECT_EQ(warnings(-1.0, {}), "");
     const std::string at_once = warnings(0.5, {});
-    EXPECT_NE(at_once.find("warning: the light of '"), std::string::npos) << at_once;
+    EXPECT_NE(at_once.find("warning[RES0203]: the light of '"), std::string::npos) << at_once;
     EXPECT_NE(at_once.find("at point 1 is limited to 1e+30 lx or cd/m2"), std::string::npos);
     // The luminance of a surface is limited too, even where the illuminance itself is in range.
     ProbeOptions mirror;

@@ -1,6 +1,7 @@
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
+#include <gonio/web/to_profile.hpp>
 
 #include <gtest/gtest.h>
 
@@ -143,6 +144,24 @@ TEST(Resolve, EveryIsymMeansTheSameAsItsFullTable) {
             EXPECT_NEAR(resolved->web.candela(c, 0), 2.0 * value, 1e-9) << symmetry << " at " << c;
         }
     }
+}
+
+// Five files of the corpus are written like this, and their IES twins are round.
+TEST(Resolve, ASinglePlaneWithoutSymmetryIsForEveryC) {
+    Profile single = ldt(1);
+    auto& file = std::get<LdtFile>(single.file);
+    file.symmetry = 0;
+    file.plane_count = 1;
+    file.planes_deg = {0.0};
+    const auto resolved = resolve_web(single);
+    ASSERT_TRUE(resolved);
+    EXPECT_TRUE(has_code(resolved->diagnostics, "WEB0109"));
+    EXPECT_EQ(resolved->web.stored_symmetry(), Symmetry::axial);
+    EXPECT_DOUBLE_EQ(flux(resolved->web).value, flux(resolve_web(ldt(1))->web).value);
+    EXPECT_FALSE(has_code(resolve_web(ldt(1))->diagnostics, "WEB0109"));
+    const auto written = convert_profile(single, ProfileTarget::eulumdat);
+    ASSERT_TRUE(written);
+    EXPECT_EQ(std::get<LdtFile>(written->profile.file).symmetry, 1);
 }
 
 TEST(Resolve, LampSetsAreAlternatives) {

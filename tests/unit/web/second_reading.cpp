@@ -181,7 +181,9 @@ SecondReading of_ldt(const std::vector<std::string>& lines) {
         return columns.at(static_cast<std::size_t>(found - c.begin()));
     };
     std::vector<std::pair<double, Column>> all;
-    if (symmetry == 1 && columns.size() < planes + 1 && !columns.empty())
+    // One plane stands for every C, also where a file forgot to say so: their IES twins are round.
+    const bool round = symmetry == 1 || (symmetry == 0 && planes == 1);
+    if (round && columns.size() < planes + 1 && !columns.empty())
         return of_planes(gammas, {{0.0, columns[0]}, {360.0, columns[0]}});
     for (std::size_t i = 0; i < planes; ++i) {
         double angle = c[i];

@@ -4,6 +4,7 @@
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/rings.hpp>
 #include <gonio/web/spacing.hpp>
+#include <gonio/web/transform.hpp>
 #include <gonio/web/zones.hpp>
 
 #include "../folders.hpp"
@@ -70,6 +71,27 @@ TEST(Zones, FrontIsTheSideOfC0) {
     }
     // 100 cd over a quarter turn, and two flanks of 45° with half of that flux.
     EXPECT_NEAR(classes.front[0].value, 100.0 * (0.5 * pi + 0.25 * pi) * (1.0 - std::cos(30 * rad)), 1e-9);
+}
+
+TEST(Zones, FrontMayBeTheSideOfAnotherPlane) {
+    const Web web =
+        *Web::create(Symmetry::bilateral_0_180, {0, 45, 90, 180}, {0, 90}, {100, 100, 100, 100, 0, 0, 0, 0});
+    const LuminaireClassification straight = luminaire_classification(web);
+    const LuminaireClassification turned = luminaire_classification(rotated(web, 90.0).web, 90.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(turned.front[i].value, straight.front[i].value, 1e-12);
+        EXPECT_NEAR(turned.back[i].value, 0.0, 1e-12);
+    }
+}
+
+// Roads in EULUMDAT run along C0, and LM-63 looks across them along C0.
+TEST(Zones, TheStreetSideIsThatOfTheFormat) {
+    const Web ahead = *Web::create(Symmetry::bilateral_0_180, {0, 90, 180}, {0, 90}, {100, 50, 50, 25, 0, 0});
+    const Web across = rotated(ahead, 90.0).web;
+    EXPECT_EQ(street_side_c_deg({"a.ies", IesFile{}, {}}, ahead), 0.0);
+    EXPECT_EQ(street_side_c_deg({"a.ies", IesFile{}, {}}, across), 90.0);
+    EXPECT_EQ(street_side_c_deg({"a.ldt", LdtFile{}, {}}, ahead), 90.0);
+    EXPECT_EQ(street_side_c_deg({"a.ldt", LdtFile{}, {}}, across), 90.0);
 }
 
 TEST(CieFluxCode, OfALambertianSource) {

@@ -62,6 +62,9 @@ inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
      "library that it needs is missing, or it belongs to another version of gonio."},
     {"UNS0103", Severity::error, Strict::same, "out of memory",
      "The process does not have the memory that this needs. Files written so far are complete."},
+    {"UNS0104", Severity::error, Strict::same, "radiometric profile",
+     "The profile states that its intensities are not candela (WEB0110), so it has no lumens, lux or nits. "
+     "--as-candela takes its numbers as candela; 'gonio edit FILE --as-candela' writes a profile that says so."},
 
     {"INT0101", Severity::error, Strict::same, "internal error",
      "This is a bug in gonio. Please report it with the command and its input."},

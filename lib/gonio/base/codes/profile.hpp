@@ -120,6 +120,9 @@ inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
      "The signs of width, length and height encode the shape of the luminous opening, by a table that differs "
      "between versions. The table of this version does not have this combination. The opening is taken as a box "
      "of these dimensions."},
+    {"IES0220", Severity::error, Strict::same, "line with ballast factor and watts missing",
+     "Before the vertical angles stand a line of ten numbers and a line of three: ballast factor, field 12 and input "
+     "watts. The second line is not there, so that the first three angles are read in its place."},
 
     {"IES0301", Severity::error, Strict::same, "vertical angles not ascending",
      "Vertical angles are listed from lowest to highest. A wrong count has the same effect, because the next list "
@@ -157,7 +160,7 @@ inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
     {"IES0402", Severity::warning, Strict::same, "no light", "Every value of the table is zero."},
     {"IES0403", Severity::warning, Strict::same, "planes disagree at the pole",
      "All planes of type C meet at nadir (0 degrees) and zenith (180 degrees), where there is only one intensity. "
-     "Here they differ by more than a thousandth of the peak. Each plane keeps its own value."},
+     "Here they differ by more than a hundredth of the peak. Each plane keeps its own value."},
     {"IES0404", Severity::warning, Strict::same, "planes at 0 and 360 degrees differ",
      "They are the same plane, but they differ by more than a thousandth of the peak. Both are kept, and the "
      "intensity jumps there."},
@@ -232,8 +235,8 @@ inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
     {"LDT0402", Severity::warning, Strict::same, "no light", "Every value of the table is zero."},
     {"LDT0403", Severity::warning, Strict::same, "planes disagree at the pole",
      "All planes meet at nadir (0 degrees) and zenith (180 degrees), where there is only one intensity. Here they "
-     "differ by more than a thousandth of the peak. Each plane keeps its own value."},
-    {"LDT0404", Severity::warning, Strict::same, "direct ratios all zero",
+     "differ by more than a hundredth of the peak. Each plane keeps its own value."},
+    {"LDT0404", Severity::note, Strict::same, "direct ratios all zero",
      "The ten direct ratios are for the utilisation-factor method. They can be computed from the table."},
     {"LDT0405", Severity::warning, Strict::same, "light output ratio is zero",
      "Line 23 is the share of the lamps' flux that leaves the luminaire, in per cent. It is 100 in absolute "
@@ -312,7 +315,7 @@ inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
     {"TM30402", Severity::warning, Strict::same, "no light", "Every value of the table is zero."},
     {"TM30403", Severity::warning, Strict::same, "planes disagree at the pole",
      "All planes meet at nadir (0 degrees) and zenith (180 degrees), where there is only one intensity. Here they "
-     "differ by more than a thousandth of the peak. Each plane keeps its own value."},
+     "differ by more than a hundredth of the peak. Each plane keeps its own value."},
     {"TM30404", Severity::warning, Strict::same, "no luminous intensity",
      "The document describes only radiant or photon intensity, or spectra. It can be read and written, but there "
      "are no candela to work with."},

@@ -39,6 +39,12 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "The name of the light is not the name of a layer yet: other characters are replaced, and equal names numbered."},
     {"RES0205", Severity::warning, Strict::same, "names that differ only in case",
      "On a file system that ignores case, one of the files replaces the other."},
+    {"RES0206", Severity::warning, Strict::same, "black texture",
+     "The layout covers only some directions, and the light shines in others: an uplight has nothing below the "
+     "horizon."},
+    {"RES0207", Severity::warning, Strict::same, "black picture",
+     "There are lights that shine, but no surface that the camera sees gets any: the lights are hidden behind a wall, "
+     "stand outside the stage, or face away."},
 
     {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
      "By the convention of the program, the light does not emit what the number states in SI units."},

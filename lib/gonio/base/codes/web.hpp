@@ -31,6 +31,12 @@ inline constexpr auto web_codes = std::to_array<DiagnosticCode>({
      "An intensity, with the factors of the file or its lamps applied, is above 1e30 cd. The sun has 3e27 cd, and "
      "no luminaire comes near it. Textures and engines hold 32-bit floats, which end at 3.4e38. A factor or an "
      "exponent is wrong."},
+    {"WEB0109", Severity::warning, Strict::same, "a single C-plane without symmetry",
+     "EULUMDAT states rotational symmetry as 1. A file with symmetry 0 and one plane has no light at any other C "
+     "by the letter, but those who write it mean a round light. The plane is used for every C."},
+    {"WEB0110", Severity::warning, Strict::same, "intensities that are not candela",
+     "A keyword states that the table holds radiant intensity, for example mW/sr of an ultraviolet lamp. Its sums are "
+     "milliwatts, not lumens. Textures, assets and pictures are refused unless --as-candela asks for them."},
 
     {"WEB0201", Severity::warning, Strict::same, "keywords left out",
      "The target has no place for these keywords. EULUMDAT keeps only the company, the name and number of the "
@@ -110,8 +116,7 @@ inline constexpr auto web_codes = std::to_array<DiagnosticCode>({
     {"WEB0309", Severity::warning, Strict::same, "light at the edge of the table",
      "The table ends where the light still has more than a tenth of its peak. What lies beyond was not measured "
      "and is taken as dark. Programs that continue the last value show a different light."},
-    {"WEB0310", Severity::note, Strict::same, "a dark hemisphere",
-     "The table lists a whole hemisphere of zeros. It could end at 90 degrees and mean the same."},
+    // WEB0310 was "a dark hemisphere", and is never used again.
     {"WEB0311", Severity::note, Strict::same, "more planes than the light needs",
      "The light is the same in mirrored planes. The formats allow a file to leave these out."},
     {"WEB0312", Severity::warning, Strict::same, "downward flux fraction does not match the table",
@@ -130,6 +135,12 @@ inline constexpr auto web_codes = std::to_array<DiagnosticCode>({
     {"WEB0317", Severity::warning, Strict::same, "impossible colour",
      "The colour temperature of light sources lies between 1000 and 25000 kelvin, and a colour rendering index "
      "does not exceed 100."},
+    {"WEB0318", Severity::warning, Strict::same, "input power of 1 W",
+     "More than 300 lm/W from exactly 1 W: programs write 1 where the watts are not known. The standard has 0 for "
+     "that."},
+    {"WEB0319", Severity::warning, Strict::same, "a large luminous opening",
+     "One of the sizes is above 4 m. There are such luminaires, but more often the unit of the file is not that of "
+     "its sizes."},
 });
 static_assert(in_order(web_codes));
 
