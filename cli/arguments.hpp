@@ -15,8 +15,8 @@ namespace gonio::cli {
 
 class Arguments {
 public:
-    // Fails (usage) on an unknown option (the error names the nearest one), on an option without its value and on one that was
-    // given twice and is not repeatable.
+    // Fails (usage) on an unknown option (the error names the nearest one), on an option without its value and on one
+    // that was given twice and is not repeatable.
     static Result<Arguments> parse(const Command& command, std::span<char* const> words);
 
     // Whether a switch or option was given, by its last spelling: "--json".
@@ -38,6 +38,7 @@ private:
     };
 
     const Given& find(std::string_view name) const;
+    void take_rig(const Command& command);
 
     std::vector<Given> given_;
     std::vector<std::string> positional_;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::array compare_options{
     Option{"--rtol", "FRACTION", "tolerance in every direction, as a fraction of the peak (1e-6)"},
+    Option{"--smallest-angle", "ANGLE", "differences narrower than this are reported and do not count (0.001deg)"},
 };
 constexpr std::array groups{OptionGroup{"comparison", compare_options}, profile_input_group, json_group, common_group};
 constexpr std::array examples{
@@ -40,6 +41,7 @@ struct Report {
     Side b;
     WebDifference difference;
     double rtol = 1e-6;
+    double smallest_deg = 1e-3; // formats store jumps as ramps 1e-4° wide
 
     bool equal() const { return difference.relative <= rtol; }
     double flux_difference_lm() const { return b.flux_lm - a.flux_lm; }
@@ -70,6 +72,8 @@ Json to_json(const Report& report, const Diagnostics& diagnostics) {
             {"rms_difference_cd", d.rms.value},
             {"flux_difference_lm", report.flux_difference_lm()},
             {"flux_difference_relative", number_or_null(report.flux_relative())},
+            {"smallest_angle_deg", report.smallest_deg},
+            {"max_difference_in_steps_cd", d.in_steps.value},
             {"exact", d.exact},
             {"diagnostics", diagnostics_json(diagnostics)}};
 }
@@ -89,6 +93,9 @@ std::string to_text(const Report& report) {
                                        rounded(d.greatest.value, 4), rounded(d.relative, 3), rounded(d.c_deg),
                                        rounded(d.gamma_deg), rounded(d.a.value), rounded(d.b.value))
                          : std::string("none"));
+    if (d.in_steps.value > report.rtol * std::max(report.a.peak_cd, report.b.peak_cd))
+        line("steps", fmt::format("{} cd in steps narrower than {}°, which do not count", rounded(d.in_steps.value, 4),
+                                  rounded(report.smallest_deg)));
     line("rms", fmt::format("{} cd", rounded(d.rms.value, 4)));
     if (!d.exact) line("note", "two types of goniometer: compared every half degree and at the angles of both tables");
     return text;
@@ -104,6 +111,17 @@ Result<double> tolerance(const Arguments& arguments) {
     return *value;
 }
 
+Result<double> smallest_angle_deg(const Arguments& arguments) {
+    const auto text = arguments.value("--smallest-angle");
+    if (!text) return Report().smallest_deg;
+    Result<double> angle = parse_amount(*text, Dimension::angle, "--smallest-angle");
+    if (!angle) return angle;
+    const double degrees = to_degrees(Radians(*angle));
+    if (!(degrees >= 0.0 && degrees <= 1.0))
+        return fail("USE0106", fmt::format("--smallest-angle must lie between 0deg and 1deg, not {}", *text));
+    return degrees;
+}
+
 Result<int> compare(const Arguments& arguments, Console& console) {
     Result<std::vector<std::string>> files = input_files(arguments);
     if (files && files->size() != 2)
@@ -113,6 +131,8 @@ Result<int> compare(const Arguments& arguments, Console& console) {
     if (files->front() == "-" && files->back() == "-") return fail("USE0108", "stdin cannot be both profiles");
     Result<double> rtol = tolerance(arguments);
     if (!rtol) return pass_on(rtol);
+    Result<double> smallest = smallest_angle_deg(arguments);
+    if (!smallest) return pass_on(smallest);
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return pass_on(options);
     Result<LoadedProfile> a = load(files->front(), *options);
@@ -125,7 +145,8 @@ Result<int> compare(const Arguments& arguments, Console& console) {
 
     Report report;
     report.rtol = *rtol;
-    report.difference = difference(a->web, b->web);
+    report.smallest_deg = *smallest;
+    report.difference = difference(a->web, b->web, *smallest);
     report.a = {files->front(), peak(a->web).intensity.value, report.difference.flux_a.value};
     report.b = {files->back(), peak(b->web).intensity.value, report.difference.flux_b.value};
     const bool lines = arguments.has("--jsonl");

@@ -35,6 +35,7 @@ constexpr std::array edit_options{
     Option{"--tilt-by", "ANGLE", "tilt the axis towards --tilt-towards: 15deg"},
     Option{"--tilt-towards", "C", "the C-plane that --tilt-by tilts towards (0deg)"},
     Option{"--stretch", "FACTOR", "make a linear luminaire this many times as long, with its flux, watts and length"},
+    Option{"--length", "LENGTH", "the same, to this length of its luminous opening: 1.5m"},
     Option{"--dim", "FACTOR", "multiply every intensity by this"},
     Option{"--lumens", "FLUX", "scale to this flux: 1200lm"},
 };
@@ -158,6 +159,20 @@ Result<void> change_web(Web& web, const Arguments& arguments, Cost& cost) {
 }
 
 Result<Luminaire> scale(Luminaire luminaire, const Arguments& arguments) {
+    if (const auto text = arguments.value("--length")) {
+        if (arguments.has("--stretch")) return fail("USE0107", "--length and --stretch are both given", "give one");
+        Result<double> meters = parse_amount(*text, Dimension::length, "--length");
+        if (!meters) return pass_on(meters);
+        const double now = luminaire.header.opening.length_m;
+        if (!(*meters > 0.0) || !(now > 0.0))
+            return fail("USE0106",
+                        now > 0.0 ? fmt::format("--length must be greater than 0, not {}", *text)
+                                  : std::string("this luminaire has no length to change"),
+                        now > 0.0 ? "" : "--stretch FACTOR needs an opening with a length too");
+        Result<Luminaire> longer = stretched(luminaire, *meters / now);
+        if (!longer) return longer;
+        luminaire = std::move(*longer);
+    }
     if (const auto text = arguments.value("--stretch")) {
         Result<double> factor = factor_of(*text, "--stretch");
         if (!factor) return pass_on(factor);

@@ -58,8 +58,12 @@ int run(const Arguments& arguments, Console& console) {
         return 0;
     }
     const std::string& name = arguments.positional().front();
-    const Result<const NamedList*> found = find_named("list", name, named_lists());
-    if (!found) return console.fail(found.error());
+    Result<const NamedList*> found = find_named("list", name, named_lists());
+    if (!found) {
+        if (find_command(name) != nullptr)
+            error_hint(found.error(), fmt::format("did you mean 'gonio help {}'?", name));
+        return console.fail(found.error());
+    }
     const NamedList* const list = *found;
     const std::vector<ListEntry> entries = list->entries();
     if (arguments.has("--markdown")) {

@@ -170,7 +170,6 @@ Result<int> preview(const Arguments& arguments, Console& console) {
     if (arguments.has("--sweep")) return preview_sweep(arguments, console);
     if (arguments.has("--sheet")) return preview_sheet(arguments, console);
     if (arguments.has("--compare")) return preview_compare(arguments, console);
-    if (arguments.has("--overwrite")) return fail("USE0107", "--overwrite is only for -O", "add --sweep and -O DIR");
     if (Result<void> plain = no_sheet_options(arguments); !plain) return pass_on(plain);
     Result<PreviewRequest> request = parse_preview(arguments);
     if (!request) return pass_on(request);

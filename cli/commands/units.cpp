@@ -21,7 +21,7 @@ constexpr std::array unit_options{
     Option{"--shape", "SHAPE", "shape of the light (point)", "shapes"},
     Option{"--to", "UNIT,…",
            "units of the result: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY", "units"},
-    Option{"--policy", "NAME", "read the value as this program does (physical); 'all' compares all programs",
+    Option{"--policy", "NAME,…", "read the value as this program does (physical); several, or 'all', are compared",
            "policies"},
     Option{"--preset", "NAME", "use an everyday source instead of VALUE and --shape", "presets"},
     Option{"--solve", "LUX", "0.1lx: find the distance with this illuminance; 500lx@2m: find the flux that gives it"},

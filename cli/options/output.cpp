@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace gonio::cli {
 
@@ -113,16 +112,19 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                           *folder);
     FilesInUse files(inputs);
     std::vector<Job> jobs;
-    std::set<std::string> taken;
+    std::map<std::string, std::string> taken; // by output, the input
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const std::string& input = inputs[i];
         Job job;
         job.input = input;
         job.output =
             file ? *file : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input), extension);
-        if (folder && !taken.insert(job.output).second)
-            return fail("USE0108", fmt::format("two inputs would both be written to '{}'", job.output),
-                        "give them different names, or write them to different folders");
+        if (folder)
+            if (const auto [other, is_new] = taken.emplace(job.output, input); !is_new)
+                return fail(
+                    "USE0108",
+                    fmt::format("'{}' and '{}' would both be written to '{}'", other->second, input, job.output),
+                    "give them different names, or write them to different folders");
         if (i % share.step != share.first) continue;
         if (Result<void> free = files.take(job.output); !free) return pass_on(free);
         job.name = folder ? job.output.substr(folder->size() + 1) : job.output;

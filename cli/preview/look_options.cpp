@@ -186,7 +186,8 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
             amount && amount->unit->dimension == Dimension::illuminance)
             return fail("USE0105", fmt::format("write an exposure in lux as lux:{}", text),
                         "a matte 18 % card under that illuminance is then middle grey");
-        Result<double> ev = parse_amount(text, Dimension::luminance_ev, "--exposure");
+        const std::optional<double> bare = parse_number(text); // "6" is "6ev"
+        Result<double> ev = bare ? Result<double>(*bare) : parse_amount(text, Dimension::luminance_ev, "--exposure");
         if (!ev) return pass_on(ev);
         request.mode = ExposureMode::ev;
         request.ev = Ev100(*ev);

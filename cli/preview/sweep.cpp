@@ -52,7 +52,6 @@ Result<void> fits_sweep(const Arguments& arguments, bool as_files) {
         if (arguments.has(option))
             return fail("USE0107", fmt::format("{} does not apply to a sweep", option), "leave it out");
     if (as_files) return no_sheet_options(arguments);
-    if (arguments.has("--overwrite")) return fail("USE0107", "--overwrite is only for -O", "name a folder with -O");
     if (arguments.value("--look").value_or("beauty") != "beauty")
         return fail("USE0107", "a sheet uses the display mode beauty",
                     "use -O DIR for pictures of another display mode");

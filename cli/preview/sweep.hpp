@@ -17,7 +17,7 @@ inline constexpr std::array preview_sweep_options{
            "one light or surface; a second one makes rows",
            "sweeps", true},
     Option{"-O,--output-dir", "DIR", "with --sweep: write each picture to a separate file (png, or --to)"},
-    Option{"--overwrite", "", "with -O: replace existing files"},
+    Option{"--overwrite", "", "with -O: replace existing files, as -o always does"},
 };
 
 // A labelled sheet (-o) or files (-O). Each picture is the same as that of a light or stage with the value written in

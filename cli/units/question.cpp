@@ -1,7 +1,7 @@
 #include "question.hpp"
 
 #include <gonio/base/codes/result.hpp>
-#include <gonio/base/kind_text.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
 
 #include <fmt/format.h>
@@ -137,11 +137,10 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
         for (std::string& unit : split_at_commas(list))
             request.wanted.push_back(std::move(unit));
     const std::string policy = arguments.value("--policy").value_or("physical");
-    if (policy != "all") {
-        Result<const Policy*> found = find_policy(policy);
-        if (!found) return pass_on(found);
-        request.policy = *found;
-    }
+    Result<std::vector<const Policy*>> found = find_all_named("policy", policy, policies(), "all");
+    if (!found) return pass_on(found);
+    request.policies = std::move(*found);
+    if (request.policies.size() == 1) request.policy = request.policies.front();
     if (const auto text = arguments.value("--assume")) {
         Result<Shape> assumed = parse_shape(*text);
         if (!assumed) return pass_on(assumed);
@@ -220,10 +219,10 @@ Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& reque
     const UnitsAnswer& question = table.question;
     Result<std::vector<PhotometricUnit>> units = wanted_units(request, question.shape);
     if (!units) return pass_on(units);
-    for (const Policy& policy : policies()) {
+    for (const Policy* const policy : request.policies) {
         PolicyRow made;
-        made.policy = &policy;
-        Result<PolicyMeaning> meaning = policy_meaning(policy, question.shape, question.value.unit.unit->dimension);
+        made.policy = policy;
+        Result<PolicyMeaning> meaning = policy_meaning(*policy, question.shape, question.value.unit.unit->dimension);
         if (!meaning && meaning.error().failure != Failure::unsupported) return pass_on(meaning);
         if (!meaning) {
             made.lacks = meaning.error().diagnostics.back().message;

@@ -17,8 +17,9 @@ namespace gonio::cli {
 struct UnitsRequest {
     std::string shape = "point"; // for rows that name none
     std::vector<std::string> wanted;
-    const Policy* policy = nullptr; // nullptr: all of them, as a table
-    std::optional<Shape> assumed;   // for luminances of shapes without an area
+    const Policy* policy = nullptr;      // nullptr: several, as a table
+    std::vector<const Policy*> policies; // of the table
+    std::optional<Shape> assumed;        // for luminances of shapes without an area
     std::optional<PhotometricValue> solve;
     bool explain = false;
 };

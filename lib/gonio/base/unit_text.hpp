@@ -36,7 +36,8 @@ struct Unit {
 // Every unit that text may use, grouped by dimension.
 std::span<const Unit> all_units();
 
-// By its symbol, which is case-sensitive, or by its name in words ("lumens", "lux", "feet"). nullptr when there is none.
+// By its symbol, which is case-sensitive, or by its name in words ("lumens", "lux", "feet"). nullptr when there is
+// none.
 const Unit* find_unit(std::string_view symbol);
 
 std::string_view dimension_name(Dimension dimension); // "luminous flux"

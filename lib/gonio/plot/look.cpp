@@ -32,7 +32,8 @@ std::span<const LookName> looks() {
 }
 
 Result<Look> parse_look(std::string_view name) {
-    if (name == "falsecolor") name = "falsecolour";
+    for (const std::string_view other : {"falsecolor", "false-colour", "false-color"})
+        if (name == other) name = "falsecolour";
     return find_named("look", name, known).map([](const LookName* look) { return look->look; });
 }
 

@@ -60,7 +60,7 @@ Grid union_grid(const Web& a, const Web& b) {
 
 class Comparison {
 public:
-    Comparison(const Web& a, const Web& b) : a_(a), b_(b) {}
+    Comparison(const Web& a, const Web& b, double smallest_deg) : a_(a), b_(b), smallest_deg_(smallest_deg) {}
 
     void look_at(GoniometerAngles c_gamma, double a_cd, double b_cd) {
         const double d = std::abs(a_cd - b_cd);
@@ -74,9 +74,12 @@ public:
 
     void over_cells(const Grid& grid) {
         found_.exact = true;
+        const std::vector<bool> steps_across = steps(grid.horizontal);
+        const std::vector<bool> steps_down = steps(grid.vertical);
         for (std::size_t i = 1; i < grid.horizontal.size(); ++i)
             for (std::size_t j = 1; j < grid.vertical.size(); ++j)
-                cell({grid.horizontal[i - 1], grid.horizontal[i]}, {grid.vertical[j - 1], grid.vertical[j]});
+                cell({grid.horizontal[i - 1], grid.horizontal[i]}, {grid.vertical[j - 1], grid.vertical[j]},
+                     steps_across[i] || steps_down[j]);
     }
 
     void over_directions() {
@@ -112,6 +115,22 @@ public:
     }
 
 private:
+    // Of each cell, by its upper end, whether it belongs to a run of cells that is narrower than the smallest angle:
+    // cells are a run while they are narrower than that themselves.
+    std::vector<bool> steps(const std::vector<double>& angles) const {
+        std::vector<bool> in_step(angles.size(), false);
+        for (std::size_t first = 1; first < angles.size();) {
+            std::size_t end = first;
+            while (end < angles.size() && angles[end] - angles[end - 1] < smallest_deg_)
+                ++end;
+            if (end > first && angles[end - 1] - angles[first - 1] < smallest_deg_)
+                std::fill(in_step.begin() + static_cast<std::ptrdiff_t>(first),
+                          in_step.begin() + static_cast<std::ptrdiff_t>(end), true);
+            first = end + 1;
+        }
+        return in_step;
+    }
+
     struct Interval {
         double low;
         double high;
@@ -167,27 +186,31 @@ private:
         square_sum_ += sum * (h.high - h.low) * (v.high - v.low) * radians_per_degree * radians_per_degree;
     }
 
-    void cell(Interval h, Interval v) {
+    void cell(Interval h, Interval v, bool in_step) {
         const Corners a = corners(a_, h, v);
         const Corners b = corners(b_, h, v);
         Corners d{};
         for (std::size_t k = 0; k < 4; ++k) {
             d[k] = a[k] - b[k];
-            look_at(c_gamma(k < 2 ? h.low : h.high, k % 2 == 0 ? v.low : v.high), a[k], b[k]);
+            if (in_step)
+                found_.in_steps = Candelas(std::max(found_.in_steps.value, std::abs(d[k])));
+            else
+                look_at(c_gamma(k < 2 ? h.low : h.high, k % 2 == 0 ? v.low : v.high), a[k], b[k]);
         }
         add_squares(d, h, v);
     }
 
     const Web& a_;
     const Web& b_;
+    double smallest_deg_;
     WebDifference found_;
     double square_sum_ = 0.0;
 };
 
 } // namespace
 
-WebDifference difference(const Web& a, const Web& b) {
-    Comparison comparison(a, b);
+WebDifference difference(const Web& a, const Web& b, double smallest_deg) {
+    Comparison comparison(a, b, smallest_deg);
     if (a.photometry() == b.photometry())
         comparison.over_cells(union_grid(a, b));
     else

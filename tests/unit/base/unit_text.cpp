@@ -29,8 +29,8 @@ TEST(UnitText, DecimalMultiplesRoundOnce) {
 }
 
 TEST(UnitText, RefusesWhatIsNoAmount) {
-    for (const char* text : {"", "lm", "800", "800 ", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm",
-                             "+-5lm", "1e308km", "-1e306klm"})
+    for (const char* text : {"", "lm", "800", "800 ", "nanlm", "inflm", "0x10lm", "1e999lm", "8..0lm", "--5lm", "+-5lm",
+                             "1e308km", "-1e306klm"})
         EXPECT_FALSE(parse_amount(text)) << text;
     EXPECT_TRUE(parse_amount("1e308m") && parse_amount("1e308mm"));
     const auto error = parse_amount("800luu");

@@ -41,8 +41,8 @@ TEST(Shape, LengthsAreTakenAsPeopleWriteThem) {
     EXPECT_NEAR(std::hypot(display.width.value, display.height.value), 1.397, 1e-15);
     EXPECT_NEAR(display.width.value / display.height.value, 16.0 / 9.0, 1e-15);
     // Two readings, or none: not guessed.
-    for (const char* text : {"sphere:3cm", "disk:20cm", "sphere:r=3cm,d=6cm", "sphere:radius=3cm,d=6cm", "sphere:d=6", "rect:55in,w=1m",
-                             "frustum:height=50deg,v=30deg", "ellipse:55in", "sphere:diameter"})
+    for (const char* text : {"sphere:3cm", "disk:20cm", "sphere:r=3cm,d=6cm", "sphere:radius=3cm,d=6cm", "sphere:d=6",
+                             "rect:55in,w=1m", "frustum:height=50deg,v=30deg", "ellipse:55in", "sphere:diameter"})
         EXPECT_FALSE(parse_shape(text)) << text;
 }
 

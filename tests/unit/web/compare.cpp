@@ -95,5 +95,34 @@ TEST(Compare, AcrossGoniometersItIsSampled) {
     EXPECT_NEAR(d.flux_b.value - d.flux_a.value, c.flux_error.value, 1e-12);
 }
 
+// The end of a table is a jump, which another format stores as a ramp.
+TEST(Compare, StepsNarrowerThanTheSmallestAngleDoNotCount) {
+    const Web jump = *Web::create(Symmetry::axial, {0}, {0, 80}, {100, 100});
+    const Web ramp = *Web::create(Symmetry::axial, {0}, {0, 80, 80.0001, 90}, {100, 100, 0, 0});
+    constexpr double rounding = 1e-6; // 80.0001 − 80 keeps nine digits
+    EXPECT_NEAR(difference(jump, ramp).greatest.value, 100.0, rounding);
+    const WebDifference seen = difference(jump, ramp, 1e-3);
+    EXPECT_NEAR(seen.greatest.value, 0.0, 1e-9);
+    EXPECT_NEAR(seen.in_steps.value, 100.0, rounding);
+    EXPECT_NEAR(difference(jump, ramp, 5e-5).greatest.value, 100.0, rounding) << "the ramp is wider than that";
+    // Between planes at 0° and 360°.
+    const Web parted = *Web::create(Symmetry::none, {0, 180, 360}, {0, 90}, {9, 1, 5, 1, 7, 1});
+    const Web joined = *Web::create(Symmetry::none, {0, 180, 359.9999, 360}, {0, 90}, {9, 1, 5, 1, 7, 1, 9, 1});
+    EXPECT_LE(difference(parted, joined, 1e-3).greatest.value, 1e-5);
+    EXPECT_GE(difference(parted, joined).greatest.value, 1.0);
+    // Many narrow cells in a row are not a step: what they hold is seen.
+    std::vector<double> gammas{0.0};
+    std::vector<double> candela{100.0};
+    for (int i = 0; i < 100; ++i) {
+        gammas.push_back(40.0 + 5e-4 * i);
+        candela.push_back(i % 2 == 0 ? 100.0 : 50.0);
+    }
+    gammas.push_back(90.0);
+    candela.push_back(100.0);
+    const Web dense = *Web::create(Symmetry::axial, {0}, gammas, candela);
+    const Web plain = *Web::create(Symmetry::axial, {0}, {0, 90}, {100, 100});
+    EXPECT_NEAR(difference(dense, plain, 1e-3).greatest.value, 50.0, 1e-6);
+}
+
 } // namespace
 } // namespace gonio

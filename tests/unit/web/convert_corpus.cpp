@@ -155,7 +155,7 @@ TEST(ConvertCorpus, TheOwnFormatKeepsEveryField) {
     if (std::string(test::corpus_folder).empty() || !fs::is_directory(folder))
         GTEST_SKIP() << "no folder of real profiles: set GONIO_CORPUS";
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const Result<Profile> read = read_profile_file(entry.path().string());
+        Result<Profile> read = read_profile_file(entry.path().string());
         ASSERT_TRUE(read) << entry.path();
         const bool ies = std::holds_alternative<IesFile>(read->file);
         const ProfileTarget target = ies ? ProfileTarget::lm63 : *target_of(*read);
@@ -163,6 +163,9 @@ TEST(ConvertCorpus, TheOwnFormatKeepsEveryField) {
         ASSERT_TRUE(made) << entry.path();
         const Result<Profile> again = read_profile(write_profile(made->profile, target), "again");
         ASSERT_TRUE(again) << entry.path();
+        // A round light whose file does not state it is written as one.
+        if (auto* const ldt = std::get_if<LdtFile>(&read->file); ldt != nullptr && ldt->planes_deg.size() == 1)
+            ldt->symmetry = 1;
         EXPECT_TRUE(test::equal(read->file, again->file)) << entry.path();
     }
 }
