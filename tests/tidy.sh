@@ -7,8 +7,8 @@
 #
 # The last landed state is $GONIO_TIDY_SINCE; else origin/main, if the checkout is ahead of it; else the newest commit
 # that is three hours older than HEAD. A changed header is checked through its own source, or else through the first
-# file that includes it, and a template of kernels as the file written for AVX2 or NEON. Without history, every file is
-# checked.
+# file that includes it, and a template of kernels as the file written for AVX2 or NEON. A file in which only comments
+# changed is not checked again. Without history, every file is checked.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -49,6 +49,16 @@ reader() { # HEADER
     if [[ -n $template ]]; then written "$template"; return; fi
     git grep -lF "${1#lib/}" -- 'lib/*.cpp' 'cli/*.cpp' | head -n 1 || true
 }
+# The code of a file without its comments, except those that clang-tidy reads.
+code_of() { # on stdin
+    local text
+    text=$(cat)
+    printf '%s' "$text" | grep -c NOLINT || true
+    printf '%s' "$text" | g++ -fpreprocessed -dD -E -P -x c++ - 2> /dev/null | tr -d '[:space:]'
+}
+only_comments_differ() { # FILE SINCE
+    git cat-file -e "$2:$1" 2> /dev/null && cmp -s <(git show "$2:$1" | code_of) <(code_of < "$1")
+}
 every_file() {
     find lib cli -name '*.cpp'
     find "$build/lib" -name 'kernels*.cpp'
@@ -65,6 +75,7 @@ elif ! git rev-parse --verify --quiet HEAD > /dev/null || ! since=$(landed) || [
 else
     echo "changed since $(git show -s --format='%h %s' "$since"):"
     while IFS= read -r file; do
+        if only_comments_differ "$file" "$since"; then continue; fi
         case $file in
         *.cpp) files+=("$file") ;;
         *.cpp.in) mapfile -t -O "${#files[@]}" files < <(written "$file") ;;
