@@ -41,7 +41,7 @@ matte() { # all surfaces with these names
     check sphere 300 --shape sphere:r=10cm --intensity 800lm --stage floor $(matte floor wall sphere)
     check disk 300 --shape disk:r=15cm --intensity 900lm --stage spheres $(matte floor sphere)
     check ellipse 900 --shape ellipse:w=60cm,h=20cm --intensity 2000lm --stage room --position 0,0,2.3 $(matte floor ceiling wall box sphere)
-    check gltf 300 --shape sphere:r=10cm --intensity 800lm --stage floor $(matte floor wall) --material sphere=gltf:base=0.9,metallic=1,roughness=0.6
+    check gltf 300 --shape disk:r=15cm --intensity 900lm --stage spheres $(matte floor) --material sphere=gltf:base=0.9,metallic=1,roughness=0.6
     check rect 900 --shape rect:w=60cm,h=30cm --intensity 2000lm --stage room --position 0,0,2.3 $(matte floor ceiling wall box sphere)
     samples=4096 check tube 900 --shape tube:r=2cm,l=1.2m --intensity 1500lm --stage room $(matte floor ceiling wall box sphere)
     check spot 1e9 --shape spot:outer=30deg,inner=20deg --intensity 1000cd --stage card $(matte floor card stand)
