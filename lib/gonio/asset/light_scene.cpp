@@ -151,7 +151,7 @@ struct ProfileKey {
     const Web* web; // that of the profile or of the mask
     std::vector<double> numbers;
 
-    auto operator<=>(const ProfileKey&) const = default;
+    auto operator<=>(const ProfileKey&) const = default; // NOLINT(modernize-use-nullptr): a bug of clang-tidy 14
 };
 
 ProfileKey profile_key(const Light& light) {
