@@ -13,6 +13,7 @@
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
+#include <gonio/light/program_fields.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/measure/scaling.hpp>
 #include <gonio/measure/suite.hpp>
@@ -116,6 +117,13 @@ Entries policies() {
     Entries entries;
     for (const Policy& policy : gonio::policies())
         entries.push_back({std::string(policy.name), fmt::format("{} ({})", policy.summary, policy.source)});
+    return entries;
+}
+
+Entries programs() {
+    Entries entries;
+    for (const Policy* const program : programs_with_fields())
+        entries.push_back({std::string(program->name), std::string(program->source)});
     return entries;
 }
 
@@ -288,6 +296,7 @@ constexpr std::array lists{
     NamedList{"palettes", "colours of false-colour pictures", palettes},
     NamedList{"policies", "how other programs read photometric numbers", policies},
     NamedList{"presets", "everyday sources", presets},
+    NamedList{"programs", "programs of units --for", programs},
     NamedList{"scalings", "what bench --scaling measures", scalings},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},

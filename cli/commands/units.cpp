@@ -6,6 +6,7 @@
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
+#include "../units/program_table.hpp"
 #include "../units/question.hpp"
 #include "../units/units_report.hpp"
 
@@ -23,6 +24,8 @@ constexpr std::array unit_options{
            "units of the result: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY", "units"},
     Option{"--policy", "NAME,…", "read the value as this program does (physical); several, or 'all', are compared",
            "policies"},
+    Option{"--for", "PROGRAM,…",
+           "print what to type into these programs: unreal, unity-hdrp, godot, blender and others; 'all'", "programs"},
     Option{"--preset", "NAME", "use an everyday source instead of VALUE and --shape", "presets"},
     Option{"--solve", "LUX", "0.1lx: find the distance with this illuminance; 500lx@2m: find the flux that gives it"},
     Option{"--assume", "SHAPE", "assume this shape for the luminance of a light without size: sphere:r=1cm", "shapes"},
@@ -39,6 +42,7 @@ constexpr std::array examples{
     Example{"gonio units 800lm --shape sphere:r=3cm --to nt", "the luminance of an 800 lm bulb of 3 cm radius"},
     Example{"gonio units 300lx@2m --to lm,cd", "the point light that gives 300 lx at 2 m"},
     Example{"gonio units 800lm --shape spot:outer=40deg,inner=25deg --policy all", "what engines make of 800 lm"},
+    Example{"gonio units 800lm --shape sphere:r=3cm --for unreal,blender", "what to type into Unreal and Blender"},
     Example{"gonio units 800lm --solve 0.1lx", "how far the light reaches: a range for culling"},
     Example{"gonio units 800lm --to W@khronos-177 --policy blender", "the watts to type into Blender"},
     Example{"gonio units - --to lm,cd --csv < lights.csv", "a table: rows of VALUE or VALUE,SHAPE"},
@@ -56,7 +60,15 @@ Form form_of(const Arguments& arguments) {
 Result<void> tell(std::string_view row, const UnitsRequest& request, Form form, Console& console, Json& reports) {
     Json report;
     Diagnostics diagnostics;
-    if (request.policy == nullptr) {
+    if (!request.programs.empty()) {
+        Result<ProgramTable> table = program_table(row, request);
+        if (!table) return pass_on(table);
+        diagnostics = table->question.diagnostics;
+        if (form == Form::words)
+            console.print(to_text(*table));
+        else
+            report = to_json(*table);
+    } else if (request.policy == nullptr) {
         Result<PolicyTable> table = policy_table(row, request);
         if (!table) return pass_on(table);
         diagnostics = table->question.diagnostics;

@@ -1,6 +1,7 @@
 #include "look_options.hpp"
 
 #include <gonio/base/named.hpp>
+#include <gonio/color/cct.hpp>
 #include <gonio/preview/exposure.hpp>
 
 #include "../options/output.hpp"
@@ -199,6 +200,28 @@ Result<void> read_exposure_value(const std::string& text, ExposureRequest& reque
     return {};
 }
 
+namespace {
+
+Result<void> read_white_balance(const Arguments& arguments, bool floats, ExposureRequest& request) {
+    const auto text = arguments.value("--white-balance");
+    if (!text || *text == "off") return {};
+    if (floats)
+        return fail("USE0107", "--white-balance is for a display; an .exr keeps the colours of the light",
+                    "write .png");
+    if (arguments.value("--look").value_or("beauty") != "beauty")
+        return fail("USE0107", "--white-balance needs the display mode beauty");
+    request.auto_white = *text == "auto";
+    if (request.auto_white) return {};
+    Result<Cct> cct = parse_cct(*text);
+    if (!cct) return pass_on(cct);
+    Result<Uv> white = uv_of(*cct);
+    if (!white) return pass_on(white);
+    request.white = to_xy(*white);
+    return {};
+}
+
+} // namespace
+
 Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {
     ExposureRequest request;
     if (Result<void> read = read_exposure_value(arguments.value("--exposure").value_or("auto"), request); !read)
@@ -207,6 +230,7 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
     if (!map) return pass_on(map);
     request.tone_map = *map;
     const bool floats = has_pixel(format, media::Pixel::float32);
+    if (Result<void> read = read_white_balance(arguments, floats, request); !read) return pass_on(read);
     if (*map == ToneMap::ue3_inverse && arguments.value("--look").value_or("beauty") != "beauty")
         return fail("USE0107", "ue3-inverse needs the display mode beauty");
     if (*map == ToneMap::ue3 && floats)

@@ -4,6 +4,7 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/color/chromaticity.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/look.hpp>
 #include <gonio/preview/tone_map.hpp>
@@ -32,6 +33,8 @@ inline constexpr std::array preview_look_options{
 inline constexpr std::array preview_exposure_options{
     Option{"--exposure", "EV",
            "auto, an exposure value such as 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
+    Option{"--white-balance", "KELVIN",
+           "the light that is shown as white: 2700K, auto (the mean of the picture) or off, which is D65 (off)"},
     Option{"--tone-map", "NAME", "tone map instead of the view: none, ue3 or ue3-inverse (none)", "tone-maps"},
 };
 
@@ -56,6 +59,8 @@ struct ExposureRequest {
     ExposureMode mode = ExposureMode::automatic;
     Ev100 ev; // if not automatic
     ToneMap tone_map = ToneMap::none;
+    bool auto_white = false;
+    std::optional<Xy> white; // shown as white; if not automatic
 
     Ev100 of(const Rendering& rendering) const;
 };

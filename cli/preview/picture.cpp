@@ -5,6 +5,7 @@
 #include <gonio/plot/picture_contours.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/white_balance.hpp>
 #include <gonio/shading/lights.hpp>
 
 #include "../options/output.hpp"
@@ -185,6 +186,8 @@ private:
 } // namespace
 
 Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console) {
+    if (request.exposure.auto_white) balance(exposed, white_balance(gray_world_white(exposed)));
+    if (request.exposure.white) balance(exposed, white_balance(*request.exposure.white));
     if (request.exposure.tone_map == ToneMap::ue3) {
         apply_ue3(exposed);
         return {};

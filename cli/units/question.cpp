@@ -3,6 +3,7 @@
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/text.hpp>
+#include <gonio/light/program_fields.hpp>
 
 #include <fmt/format.h>
 
@@ -69,22 +70,6 @@ std::vector<std::string> units_of_same_quantity(const PhotometricUnit& unit) {
     return {};
 }
 
-// Reads the row's value and shape and loads files; computes nothing yet.
-Result<UnitsAnswer> read_row(std::string_view row, const UnitsRequest& request) {
-    UnitsAnswer read;
-    const std::size_t comma = row.find(',');
-    read.value_text = trimmed(row.substr(0, comma));
-    read.shape_text = comma == std::string_view::npos ? request.shape : std::string(trimmed(row.substr(comma + 1)));
-    Result<PhotometricValue> value = parse_photometric_value(read.value_text);
-    if (!value) return pass_on(value);
-    Result<Shape> shape = parse_shape(read.shape_text);
-    if (!shape) return pass_on(shape);
-    read.value = *value;
-    read.shape = std::move(*shape);
-    if (Result<void> loaded = load_profile(read.shape, read.diagnostics); !loaded) return pass_on(loaded);
-    return read;
-}
-
 Result<std::vector<PhotometricUnit>> wanted_units(const UnitsRequest& request, const Shape& shape) {
     std::vector<PhotometricUnit> units;
     for (const std::string& text : request.wanted.empty() ? usual_units(shape) : request.wanted) {
@@ -130,6 +115,21 @@ Result<void> solve(const UnitsRequest& request, const Emission& emitted, UnitsAn
 
 } // namespace
 
+Result<UnitsAnswer> read_question(std::string_view row, const UnitsRequest& request) {
+    UnitsAnswer read;
+    const std::size_t comma = row.find(',');
+    read.value_text = trimmed(row.substr(0, comma));
+    read.shape_text = comma == std::string_view::npos ? request.shape : std::string(trimmed(row.substr(comma + 1)));
+    Result<PhotometricValue> value = parse_photometric_value(read.value_text);
+    if (!value) return pass_on(value);
+    Result<Shape> shape = parse_shape(read.shape_text);
+    if (!shape) return pass_on(shape);
+    read.value = *value;
+    read.shape = std::move(*shape);
+    if (Result<void> loaded = load_profile(read.shape, read.diagnostics); !loaded) return pass_on(loaded);
+    return read;
+}
+
 Result<UnitsRequest> units_request(const Arguments& arguments) {
     UnitsRequest request;
     request.shape = arguments.value("--shape").value_or("point");
@@ -141,6 +141,17 @@ Result<UnitsRequest> units_request(const Arguments& arguments) {
     if (!found) return pass_on(found);
     request.policies = std::move(*found);
     if (request.policies.size() == 1) request.policy = request.policies.front();
+    if (const auto text = arguments.value("--for")) {
+        for (const std::string_view option : {"--policy", "--to", "--solve", "--assume", "--explain", "--csv"})
+            if (arguments.has(option))
+                return fail("USE0107", fmt::format("--for and {} are both given", option),
+                            "--for prints what to type; --policy and --to convert numbers");
+        const std::vector<const Policy*> known = programs_with_fields();
+        const auto programs = find_all_named("program", *text, known, "all");
+        if (!programs) return Unexpected(programs.error());
+        for (const Policy* const* const program : *programs)
+            request.programs.push_back(*program);
+    }
     if (const auto text = arguments.value("--assume")) {
         Result<Shape> assumed = parse_shape(*text);
         if (!assumed) return pass_on(assumed);
@@ -185,7 +196,7 @@ Result<bool> answer_without_shape(const UnitsRequest& request, UnitsAnswer& resu
 }
 
 Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
-    Result<UnitsAnswer> read = read_row(row, request);
+    Result<UnitsAnswer> read = read_question(row, request);
     if (!read) return read;
     UnitsAnswer& result = *read;
     result.policy = request.policy;
@@ -213,7 +224,7 @@ Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
 }
 
 Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& request) {
-    Result<UnitsAnswer> read = read_row(row, request);
+    Result<UnitsAnswer> read = read_question(row, request);
     if (!read) return pass_on(read);
     PolicyTable table{std::move(*read), {}};
     const UnitsAnswer& question = table.question;

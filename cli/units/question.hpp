@@ -19,6 +19,7 @@ struct UnitsRequest {
     std::vector<std::string> wanted;
     const Policy* policy = nullptr;      // nullptr: several, as a table
     std::vector<const Policy*> policies; // of the table
+    std::vector<const Policy*> programs; // of --for: what to type there
     std::optional<Shape> assumed;        // for luminances of shapes without an area
     std::optional<PhotometricValue> solve;
     bool explain = false;
@@ -48,7 +49,9 @@ struct UnitsAnswer {
     std::optional<double> needed_factor; // to multiply the value by
 };
 
-// "800lm" or "800lm,sphere:r=3cm".
+// Reads a row, "800lm" or "800lm,sphere:r=3cm", and loads the files of its shape; there are no answers yet.
+Result<UnitsAnswer> read_question(std::string_view row, const UnitsRequest& request);
+
 Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request);
 
 // What one program makes of the value.

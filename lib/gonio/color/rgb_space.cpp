@@ -34,15 +34,6 @@ constexpr std::array primaries{
     Primaries{{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.0770}, aces_white},
 };
 
-// Linear Bradford (Lam 1985): scales cone-like responses.
-glm::dmat3 bradford(Xy from, Xy to) {
-    const glm::dmat3 response(0.8951, -0.7502, 0.0389, 0.2664, 1.7135, -0.0685, -0.1614, 0.0367, 1.0296);
-    const glm::dvec3 a = response * to_xyz(from);
-    const glm::dvec3 b = response * to_xyz(to);
-    const glm::dmat3 scale(b.x / a.x, 0.0, 0.0, 0.0, b.y / a.y, 0.0, 0.0, 0.0, b.z / a.z);
-    return glm::inverse(response) * scale * response;
-}
-
 bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -77,6 +68,14 @@ const std::array<RgbSpace, names.size()>& spaces() {
 }
 
 } // namespace
+
+glm::dmat3 bradford(Xy from, Xy to) {
+    const glm::dmat3 response(0.8951, -0.7502, 0.0389, 0.2664, 1.7135, -0.0685, -0.1614, 0.0367, 1.0296);
+    const glm::dvec3 a = response * to_xyz(from);
+    const glm::dvec3 b = response * to_xyz(to);
+    const glm::dmat3 scale(b.x / a.x, 0.0, 0.0, 0.0, b.y / a.y, 0.0, 0.0, 0.0, b.z / a.z);
+    return glm::inverse(response) * scale * response;
+}
 
 glm::dvec3 luminance_row(const RgbSpace& space) {
     return {space.to_xyz[0].y, space.to_xyz[1].y, space.to_xyz[2].y};

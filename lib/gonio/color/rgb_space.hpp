@@ -25,6 +25,10 @@ struct RgbSpace {
     glm::dmat3 from_xyz{1.0}; // its inverse
 };
 
+// XYZ → XYZ, by linear Bradford (Lam 1985), which scales cone-like responses: `from` of luminance 1 becomes `to` of
+// luminance 1. Both need y > 0.
+glm::dmat3 bradford(Xy from, Xy to);
+
 // Y of (1,0,0), (0,1,0), (0,0,1).
 glm::dvec3 luminance_row(const RgbSpace& space);
 
