@@ -92,11 +92,18 @@ bool near_deg(double a, double b) {
     return std::abs(a - b) <= 1e-6;
 }
 
+// Moves `end` to the whole degree that it misses by rounding, unless that would put it on or past its `neighbour`.
+void take_whole_degree(double& end, double neighbour) {
+    const double whole = std::round(end);
+    const bool stays_apart = end == neighbour || (end < neighbour ? whole < neighbour : whole > neighbour);
+    if (near_deg(end, whole) && stays_apart) end = whole;
+}
+
 // The symmetry implied by the first and last plane; planes that miss its ends by rounding are moved there.
 Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
     if (planes.size() == 1) return Symmetry::axial;
-    for (double* const end : {&planes.front(), &planes.back()})
-        if (near_deg(*end, std::round(*end))) *end = std::round(*end);
+    take_whole_degree(planes.front(), planes[1]);
+    take_whole_degree(planes.back(), planes[planes.size() - 2]);
     if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 90.0)) return Symmetry::quadrant;
     if (near_deg(planes.front(), 0.0) && near_deg(planes.back(), 180.0)) return Symmetry::bilateral_0_180;
     if (near_deg(planes.front(), 90.0) && near_deg(planes.back(), 270.0)) return Symmetry::bilateral_90_270;
@@ -106,9 +113,12 @@ Symmetry take_symmetry_of_ies_planes(std::vector<double>& planes) {
 // Types A and B: angles that start at 0 represent both sides (LM-63: H from 0 is symmetric about the vertical plane;
 // the same is assumed for V, because its lower half is not stored anywhere).
 Symmetry take_symmetry_of_types_a_b(Table& table) {
-    for (std::vector<double>* angles : {&table.planes_deg, &table.gammas_deg})
-        for (double& angle : *angles)
-            if (near_deg(angle, 0.0)) angle = 0.0;
+    // Only the nearest of several angles next to 0 is moved: together they would become one.
+    for (std::vector<double>* angles : {&table.planes_deg, &table.gammas_deg}) {
+        const auto nearest = std::min_element(angles->begin(), angles->end(),
+                                              [](double a, double b) { return std::abs(a) < std::abs(b); });
+        if (nearest != angles->end() && near_deg(*nearest, 0.0)) *nearest = 0.0;
+    }
     const bool across = table.planes_deg.size() > 1 && table.planes_deg.front() == 0.0;
     const bool along = table.gammas_deg.size() > 1 && table.gammas_deg.front() == 0.0;
     if (across && along) return Symmetry::quadrant;

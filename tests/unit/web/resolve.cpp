@@ -77,6 +77,21 @@ TEST(Resolve, ReadsSymmetryFromTheAngles) {
               Symmetry::quadrant);
 }
 
+TEST(Resolve, PlanesNextToEachOtherStayApart) {
+    for (const std::vector<double>& planes :
+         {std::vector<double>{0, 1e-8}, {-1e-8, 1e-8}, {-1e-7, 0}, {359.9999999, 360}}) {
+        const auto resolved = resolve_web(ies(IesVersion::lm63_2002, planes, {1, 1, 2, 2}));
+        ASSERT_TRUE(resolved);
+        EXPECT_EQ(resolved->web.planes_deg().size(), 2u) << planes.back();
+        EXPECT_EQ(resolved->web.stored_symmetry(), Symmetry::none);
+    }
+    for (const Photometry photometry : {Photometry::a, Photometry::b}) {
+        Profile profile = ies(IesVersion::lm63_2002, {0, 1e-8}, {1, 1, 2, 2});
+        std::get<IesFile>(profile.file).photometry = photometry;
+        EXPECT_EQ(resolve_web(profile)->web.horizontal_deg().size(), 2u);
+    }
+}
+
 TEST(Resolve, ClosesAMissingLastPlaneAndNoWiderGap) {
     const auto closed = resolve_web(ies(IesVersion::lm63_2002, {0, 90, 180, 270}, {1, 1, 2, 2, 3, 3, 4, 4}));
     EXPECT_TRUE(has_code(closed->diagnostics, "WEB0101"));
