@@ -1,39 +1,22 @@
-// JSON reports: key order as written, numbers that read back as the same doubles.
+// Parts of JSON reports.
 #pragma once
 
 #include <gonio/base/diagnostics.hpp>
+#include <gonio/base/json.hpp>
 
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 #include <optional>
 #include <string>
 
 namespace gonio::cli {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 
-// The number, or null if there is none or it is not finite: JSON has no such numbers.
-inline Json number_or_null(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
+// The number, or null if there is none: JSON writes null for one that is not finite.
+Json number_or_null(const std::optional<double>& value);
 
-inline Json diagnostics_json(const Diagnostics& diagnostics) {
-    Json list = Json::array();
-    for (const Diagnostic& diagnostic : diagnostics)
-        list.push_back({{"code", diagnostic.code},
-                        {"severity", to_text(diagnostic.severity)},
-                        {"file", diagnostic.location.file},
-                        {"line", diagnostic.location.line},
-                        {"column", diagnostic.location.column},
-                        {"message", diagnostic.message},
-                        {"hint", diagnostic.hint}});
-    return list;
-}
+Json diagnostics_json(const Diagnostics& diagnostics);
 
-// Text from a file need not be UTF-8: invalid bytes become replacement characters instead of a failure.
-inline std::string dump(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+// The report with a newline at its end: in one line if `indent` is negative.
+std::string dump(const Json& json, int indent);
 
 } // namespace gonio::cli

@@ -54,7 +54,7 @@ private:
 
     // All newlines in a dump are between values: in strings they are escaped.
     std::string text(const Json& value, std::size_t level) const {
-        std::string dumped = value.dump(pretty_ ? 2 : -1, ' ', false, Json::error_handler_t::replace);
+        std::string dumped = value.dump(pretty_ ? 2 : -1);
         if (!pretty_) return dumped;
         std::string indented;
         indented.reserve(dumped.size());

@@ -3,4 +3,4 @@
 set(gonio_precompiled_headers
     <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <limits> <memory> <numbers> <optional> <span> <string>
     <string_view> <utility> <variant> <vector> <fmt/format.h> <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp>
-    <tl/expected.hpp>)
+    <tl/expected.hpp> <gonio/base/result.hpp>)

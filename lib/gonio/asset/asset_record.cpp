@@ -4,11 +4,10 @@
 #include <gonio/base/version.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace gonio {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 
 namespace {
 
@@ -16,7 +15,7 @@ bool read_texts(const Json& list, std::vector<std::string>& texts) {
     if (!list.is_array()) return false;
     for (const Json& text : list) {
         if (!text.is_string()) return false;
-        texts.push_back(text.get<std::string>());
+        texts.push_back(text.as_string());
     }
     return true;
 }
@@ -35,18 +34,18 @@ std::string asset_record_json(const AssetRecord& record) {
                     {"source", {{"file", record.source_file}, {"sha256", record.source_sha256}}},
                     {"files", detail::to_json(record.files)},
                     {"instead", record.instead}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2) + "\n";
 }
 
 std::optional<AssetRecord> read_asset_record(std::string_view text) {
     const Json json = detail::parse_json(text).value_or(Json());
     const auto member = [](const Json& object, const char* key) {
-        const auto found = object.is_object() ? object.find(key) : object.end();
-        return object.is_object() && found != object.end() ? *found : Json();
+        const Json* const found = object.find(key);
+        return found != nullptr ? *found : Json();
     };
     const auto string = [&](const Json& object, const char* key) {
         const Json value = member(object, key);
-        return value.is_string() ? value.get<std::string>() : std::string();
+        return value.is_string() ? value.as_string() : std::string();
     };
     AssetRecord record;
     record.target = string(json, "target");

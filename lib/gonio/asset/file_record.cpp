@@ -21,8 +21,6 @@ bool is_plain_name(std::string_view name) {
 
 namespace detail {
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const std::vector<FileRecord>& records) {
     Json list = Json::array();
     for (const FileRecord& record : records)
@@ -34,14 +32,13 @@ std::optional<std::vector<FileRecord>> read_file_records(const Json& json) {
     if (!json.is_array()) return std::nullopt;
     std::vector<FileRecord> records;
     for (const Json& entry : json) {
-        if (!entry.is_object()) return std::nullopt;
-        const auto file = entry.find("file");
-        const auto size = entry.find("size_bytes");
-        const auto hash = entry.find("sha256");
-        const bool whole = file != entry.end() && file->is_string() && size != entry.end() &&
-                           size->is_number_unsigned() && hash != entry.end() && hash->is_string();
-        if (!whole || !is_plain_name(file->get_ref<const std::string&>())) return std::nullopt;
-        records.push_back({file->get<std::string>(), size->get<std::uint64_t>(), hash->get<std::string>()});
+        const Json* const file = entry.find("file");
+        const Json* const size = entry.find("size_bytes");
+        const Json* const hash = entry.find("sha256");
+        const bool whole = file != nullptr && file->is_string() && size != nullptr && size->is_unsigned() &&
+                           hash != nullptr && hash->is_string();
+        if (!whole || !is_plain_name(file->as_string())) return std::nullopt;
+        records.push_back({file->as_string(), size->as_uint64(), hash->as_string()});
     }
     return records;
 }

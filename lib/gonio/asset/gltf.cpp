@@ -10,8 +10,6 @@
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/web/zones.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,7 +19,7 @@ namespace gonio::asset_detail {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 using std::numbers::pi;
 
 constexpr const char* mime_type = "application/x-ies-lm-63";

@@ -21,7 +21,7 @@ namespace gonio::asset_detail {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 using std::numbers::pi;
 
 constexpr int float_type = 5126;

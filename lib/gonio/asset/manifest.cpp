@@ -13,7 +13,7 @@ namespace gonio {
 
 namespace {
 
-using Json = detail::OrderedJson;
+using detail::Json;
 
 Json to_json(const ManifestFile& file) {
     return {{"file", file.file}, {"sha256", file.sha256}};
@@ -24,22 +24,20 @@ class Reader {
 public:
     explicit Reader(const std::string& name) : name_(name) {}
 
-    const Json& member(const Json& object, const char* key, Json::value_t type) {
+    const Json& member(const Json& object, const char* key, bool (Json::*is_right)() const noexcept) {
         static const Json nothing;
-        const auto found = object.is_object() ? object.find(key) : object.end();
-        const bool number =
-            type == Json::value_t::number_unsigned && found != object.end() && found->is_number_unsigned();
-        if (found != object.end() && (found->type() == type || number)) return *found;
+        const Json* const found = object.find(key);
+        if (found != nullptr && (found->*is_right)()) return *found;
         if (wrong_.empty()) wrong_ = key;
         return nothing;
     }
     std::string text(const Json& object, const char* key) {
-        const Json& value = member(object, key, Json::value_t::string);
-        return value.is_string() ? value.get<std::string>() : std::string();
+        const Json& value = member(object, key, &Json::is_string);
+        return value.is_string() ? value.as_string() : std::string();
     }
     std::size_t count(const Json& object, const char* key) {
-        const Json& value = member(object, key, Json::value_t::number_unsigned);
-        return value.is_number_unsigned() ? value.get<std::size_t>() : 0;
+        const Json& value = member(object, key, &Json::is_unsigned);
+        return value.is_unsigned() ? value.as_uint64() : 0;
     }
     ManifestFile file(const Json& object) { return {text(object, "file"), text(object, "sha256")}; }
 
@@ -76,7 +74,7 @@ std::string manifest_json(const Manifest& manifest) {
         json["assets"].push_back({{"input", to_json(asset.input)}, {"files", std::move(files)}});
         if (!asset.remarks.empty()) json["assets"].back()["remarks"] = asset.remarks;
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2) + "\n";
 }
 
 Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
@@ -98,20 +96,20 @@ Result<Manifest> read_manifest(std::string_view text, const std::string& name) {
     Manifest manifest;
     manifest.recipe = reader.text(json, "recipe");
     manifest.inputs = reader.count(json, "inputs");
-    if (const auto shard = json.find("shard"); shard != json.end() && !shard->is_null())
+    if (const Json* const shard = json.find("shard"); shard != nullptr && !shard->is_null())
         manifest.shard = Shard{reader.count(*shard, "index"), reader.count(*shard, "count")};
-    for (const Json& asset : reader.member(json, "assets", Json::value_t::array)) {
+    for (const Json& asset : reader.member(json, "assets", &Json::is_array)) {
         ManifestAsset read;
-        read.input = reader.file(reader.member(asset, "input", Json::value_t::object));
-        for (const Json& file : reader.member(asset, "files", Json::value_t::array))
+        read.input = reader.file(reader.member(asset, "input", &Json::is_object));
+        for (const Json& file : reader.member(asset, "files", &Json::is_array))
             read.files.push_back(reader.file(file));
         if (asset.contains("remarks"))
-            for (const Json& remark : reader.member(asset, "remarks", Json::value_t::array))
-                if (remark.is_string()) read.remarks.push_back(remark.get<std::string>());
+            for (const Json& remark : reader.member(asset, "remarks", &Json::is_array))
+                if (remark.is_string()) read.remarks.push_back(remark.as_string());
         manifest.assets.push_back(std::move(read));
     }
-    for (const Json& input : reader.member(json, "failed", Json::value_t::array))
-        if (input.is_string()) manifest.failed.push_back(input.get<std::string>());
+    for (const Json& input : reader.member(json, "failed", &Json::is_array))
+        if (input.is_string()) manifest.failed.push_back(input.as_string());
     if (auto failure = reader.failure()) return *failure;
     if (manifest.shard && (manifest.shard->index < 1 || manifest.shard->index > manifest.shard->count))
         return fail(

@@ -1,8 +1,8 @@
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
+#include <gonio/base/json.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ std::string ascii(std::string_view text) {
 }
 
 std::string quoted(std::string_view text) {
-    return nlohmann::json(std::string(text)).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    return detail::Json(text).dump(-1, true);
 }
 
 std::string triple(const glm::dvec3& v, std::string_view separator) {

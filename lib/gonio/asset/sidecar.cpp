@@ -3,13 +3,11 @@
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
 
-#include <nlohmann/json.hpp>
-
 namespace gonio {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 
 std::string convention(const Texture& texture, const Engine* engine) {
     if (engine == nullptr) return texture.texel_convention;
@@ -27,8 +25,8 @@ Json frame(const Engine* engine) {
 void add_fields(const Json& json, const std::string& before, std::vector<SidecarField>& fields) {
     for (const auto& [key, value] : json.items()) {
         if (value.is_object()) add_fields(value, before + key + ".", fields);
-        if (value.is_string()) fields.push_back({before + key, value.get<std::string>()});
-        if (value.is_number()) fields.push_back({before + key, value.get<double>()});
+        if (value.is_string()) fields.push_back({before + key, value.as_string()});
+        if (value.is_number()) fields.push_back({before + key, value.as_double()});
     }
 }
 
@@ -64,28 +62,27 @@ std::string texture_sidecar(const Texture& texture, const TextureSource& source,
     if (!file.recipe.empty()) sidecar["recipe"] = file.recipe;
     if (!file.files.empty()) sidecar["files"] = detail::to_json(file.files);
     // A file name need not be UTF-8: invalid bytes become a replacement character instead of a failure.
-    return sidecar.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return sidecar.dump(2) + "\n";
 }
 
 std::vector<SidecarField> sidecar_fields(std::string_view sidecar) {
     std::vector<SidecarField> fields;
     const Json json = detail::parse_json(sidecar).value_or(Json());
-    if (json.is_object()) add_fields(json, "", fields);
+    add_fields(json, "", fields);
     return fields;
 }
 
 std::optional<TextureRecord> read_sidecar(std::string_view json) {
     const Json sidecar = detail::parse_json(json).value_or(Json());
     const auto text = [](const Json& in, const char* key) {
-        const auto found = in.find(key);
-        return found != in.end() && found->is_string() ? found->get<std::string>() : std::string();
+        const Json* const found = in.find(key);
+        return found != nullptr && found->is_string() ? found->as_string() : std::string();
     };
-    if (!sidecar.is_object() || text(sidecar, "schema") != "gonio.texture/1") return std::nullopt;
-    const auto source = sidecar.find("source");
-    if (source == sidecar.end() || !source->is_object()) return std::nullopt;
-    const auto listed = sidecar.find("files");
-    std::optional<std::vector<FileRecord>> files;
-    if (listed != sidecar.end()) files = detail::read_file_records(*listed);
+    if (text(sidecar, "schema") != "gonio.texture/1") return std::nullopt;
+    const Json* const source = sidecar.find("source");
+    const Json* const listed = sidecar.find("files");
+    if (source == nullptr || !source->is_object() || listed == nullptr) return std::nullopt;
+    std::optional<std::vector<FileRecord>> files = detail::read_file_records(*listed);
     if (!files) return std::nullopt;
     return TextureRecord{text(*source, "sha256"), text(sidecar, "recipe"), std::move(*files)};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/bake/kernels.hpp>
+#include <gonio/simd/native.hpp>
 #include <gonio/simd/pack.hpp>
 #include <gonio/simd/scalar.hpp>
 

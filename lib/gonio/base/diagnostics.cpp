@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+template class std::vector<gonio::Diagnostic>;
+
 namespace gonio {
 
 const char* to_text(Severity severity) {

@@ -34,3 +34,6 @@ std::string to_text(const Diagnostic& diagnostic);
 const char* to_text(Severity severity);
 
 } // namespace gonio
+
+// Compiled once, in diagnostics.cpp.
+extern template class std::vector<gonio::Diagnostic>;

@@ -33,16 +33,13 @@ std::vector<std::string_view> names_of(const Rows& rows) {
 }
 
 // The row named `name`. Fails (usage) as unknown_name() does: "unknown WHAT 'NAME'", or "unknown WHAT 'NAME' of 'OF'",
-// with the nearest name and all of them in the hint, and `also` where it is not empty: a name that the caller handles.
-// The pointer is into `rows`, which must outlive it.
+// with the nearest name and all of them in the hint. The pointer is into `rows`, which must outlive it.
 template<class Rows>
-auto find_named(std::string_view what, std::string_view name, const Rows& rows, std::string_view of = {},
-                std::string_view also = {}) -> Result<decltype(&*rows.begin())> {
+auto find_named(std::string_view what, std::string_view name, const Rows& rows, std::string_view of = {})
+    -> Result<decltype(&*rows.begin())> {
     for (const auto& row : rows)
         if (name_of_row(row) == name) return &row;
-    std::vector<std::string_view> names = names_of(rows);
-    if (!also.empty()) names.push_back(also);
-    return unknown_name(what, name, names, of);
+    return unknown_name(what, name, names_of(rows), of);
 }
 
 // The same for a list of names separated by commas. `all`, if not empty, is an additional name that stands for every

@@ -25,9 +25,18 @@ enum class Failure {
     internal = 70    // an internal error: a bug
 };
 
+// Its members are compiled once: every Result has them.
 struct Error {
     Failure failure = Failure::internal;
     Diagnostics diagnostics;
+
+    Error() noexcept;
+    Error(Failure failure, Diagnostics diagnostics) noexcept;
+    Error(const Error& other);
+    Error(Error&& other) noexcept;
+    Error& operator=(const Error& other);
+    Error& operator=(Error&& other) noexcept;
+    ~Error();
 };
 
 // The family of codes/failure.hpp for each failure.
@@ -71,20 +80,13 @@ using Result = tl::expected<T, Error>;
 using Unexpected = tl::unexpected<Error>;
 
 // An error at a place in an input, described in one sentence.
-inline Error error_at(Cause cause, Location location, std::string message, std::string hint = {}) {
-    return {cause.failure(),
-            {{std::string(cause.code()), Severity::error, std::move(location), std::move(message), std::move(hint)}}};
-}
+Error error_at(Cause cause, Location location, std::string message, std::string hint = {});
 
 // return fail("USE0104", "a sphere needs a radius", "write sphere:r=3cm");
-inline Unexpected fail(Cause cause, std::string message, std::string hint = {}, std::string file = {}) {
-    return Unexpected(error_at(cause, {std::move(file), 0, 0}, std::move(message), std::move(hint)));
-}
+Unexpected fail(Cause cause, std::string message, std::string hint = {}, std::string file = {});
 
 // Replaces the hint of the diagnostic that is the reason of the error.
-inline void error_hint(Error& error, std::string hint) {
-    if (!error.diagnostics.empty()) error.diagnostics.back().hint = std::move(hint);
-}
+void error_hint(Error& error, std::string hint);
 
 // return pass_on(result); passes the error of one Result on as the error of another.
 template<class T>

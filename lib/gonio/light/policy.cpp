@@ -333,7 +333,7 @@ std::span<const Policy> policies() {
 }
 
 Result<const Policy*> find_policy(std::string_view name) {
-    return find_named("policy", name, policy_list, {}, "all");
+    return find_named("policy", name, policy_list);
 }
 
 Result<PolicyMeaning> policy_meaning(const Policy& policy, const Shape& shape, Dimension dimension) {

@@ -71,7 +71,7 @@ Result<void> no_bare_length(const KindText& text) {
 }
 
 template<class Kind>
-Result<Shape> parse_as(ShapeTraits<Kind> traits, KindText text) {
+Result<Shape> parse_as(ShapeTraits<Kind> traits, KindText& text) {
     using Traits = ShapeTraits<Kind>;
     if constexpr (requires { Traits::parse(text); }) {
         Result<Kind> made = Traits::parse(text);
@@ -107,10 +107,9 @@ Result<Shape> parse_as(ShapeTraits<Kind> traits, KindText text) {
 Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics& diagnostics) {
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
-    if (const std::string unit = radiometric_unit(*profile); !unit.empty())
-        return fail("UNS0104", fmt::format("the intensities of this profile are in {}, not in candela", unit),
-                    "if its numbers are meant as candela, make a profile of that: gonio edit FILE --as-candela -o NEW",
-                    file);
+    Result<void> photometric = require_candela(
+        *profile, "if its numbers are meant as candela, make a profile of that: gonio edit FILE --as-candela -o NEW");
+    if (!photometric) return pass_on(photometric);
     std::move(profile->diagnostics.begin(), profile->diagnostics.end(), std::back_inserter(diagnostics));
     Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);

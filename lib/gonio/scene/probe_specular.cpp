@@ -21,7 +21,16 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-// Not inlined: it does not depend on the material, and is compiled once for each light instead of once for each pair.
+// Not inlined: they do not depend on the material, and are compiled once for each light instead of once for each pair.
+template<class CoreLight>
+[[gnu::noinline]] double illuminance(const shading::SurfacePoint<double>& point, const CoreLight& light) {
+    return shading::illuminance(point, light);
+}
+template<class CoreLight>
+[[gnu::noinline]] double frostbite_diffuse(const shading::SurfacePoint<double>& point, const CoreLight& light,
+                                           double linear_roughness) {
+    return shading::diffuse_ltc(light, light.center, point.normal, point.view, linear_roughness);
+}
 template<class CoreLight>
 [[gnu::noinline]] shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal,
                                                               Vec view, double alpha, IrradianceMethod method) {
@@ -84,10 +93,10 @@ private:
     double diffuse(const CoreLight& core_light, const Core& core) const {
         if constexpr (std::is_same_v<Core, shading::Frostbite<double>>)
             if (method == IrradianceMethod::ltc)
-                return y_of(core_light.luminance * core.albedo) * shading::diffuse_ltc(core_light, core_light.center,
-                                                                                       point.normal, point.view,
-                                                                                       core.linear_roughness);
-        return y_of(shading::shade_parts(point, core_light, core).diffuse);
+                return y_of(core_light.luminance * core.albedo) *
+                       frostbite_diffuse(point, core_light, core.linear_roughness);
+        const Vec parts = shading::scattered_parts(point, core_light, core, illuminance(point, core_light)).diffuse;
+        return y_of(shading::detail::finite(core_light.luminance * parts));
     }
 };
 

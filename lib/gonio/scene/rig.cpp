@@ -24,12 +24,12 @@ namespace gonio {
 namespace {
 
 using detail::angle_of;
+using detail::Json;
 using detail::keep;
 using detail::nonzero_vector_of;
 using detail::placed;
 using detail::position_of;
 using detail::positive_length;
-using detail::RigJson;
 using detail::text_of;
 using detail::type_of;
 using detail::unit_hint;
@@ -65,8 +65,8 @@ public:
     Reader(std::string source, FileScope files) : files_(std::move(files)) { rig_.source = std::move(source); }
 
     Result<Rig> read(std::string_view text) {
-        const detail::RigSink sink{[this](std::size_t index, const RigJson& json) { return light(index, json); },
-                                   [this](const std::string& key, const RigJson& json) { return member(key, json); }};
+        const detail::RigSink sink{[this](std::size_t index, const Json& json) { return light(index, json); },
+                                   [this](const std::string& key, const Json& json) { return member(key, json); }};
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
             streamed = detail::rig_error("RIG0104", rig_.source, {}, "the key 'schema' is missing",
@@ -82,7 +82,7 @@ private:
         return detail::rig_error(code, rig_.source, path, std::move(message), std::move(hint));
     }
 
-    Result<void> light(std::size_t index, const RigJson& json) {
+    Result<void> light(std::size_t index, const Json& json) {
         const std::string path = fmt::format("lights[{}]", index);
         if (!json.is_object()) return refuse("RIG0105", path, fmt::format("must be an object, not {}", type_of(json)));
         LightDescription light;
@@ -175,7 +175,7 @@ private:
         return {};
     }
 
-    Result<void> member(const std::string& key, const RigJson& json) {
+    Result<void> member(const std::string& key, const Json& json) {
         Result<void> read;
         if (key == "schema") {
             schema_seen_ = true;
@@ -207,7 +207,7 @@ private:
         return {};
     }
 
-    Result<void> camera(const RigJson& json) {
+    Result<void> camera(const Json& json) {
         if (!json.is_object())
             return refuse("RIG0105", "camera", fmt::format("must be an object, not {}", type_of(json)));
         Camera camera;
@@ -236,7 +236,7 @@ private:
         return {};
     }
 
-    Result<void> materials(const RigJson& json) {
+    Result<void> materials(const Json& json) {
         if (!json.is_object())
             return refuse("RIG0105", "materials", fmt::format("must be an object, not {}", type_of(json)),
                           R"(for example { "floor": "lambert:albedo=0.5" })");

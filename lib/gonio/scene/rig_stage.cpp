@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 3> capsule_keys{"from", "to", "radius"};
 // The values of an object under one path. Keeps the first failure and ignores everything read after it.
 class Members {
 public:
-    Members(const RigJson& json, Keys keys, const std::string& source, std::string path)
+    Members(const Json& json, Keys keys, const std::string& source, std::string path)
         : json_(json), source_(source), path_(std::move(path)) {
         if (!json.is_object()) {
             fail_at(path_, rig_value_error("RIG0105", fmt::format("must be an object, not {}", type_of(json))));
@@ -47,8 +47,9 @@ public:
     // Leaves `target` unchanged if the key is missing.
     template<class T, class Read>
     void optional(const char* key, T& target, const Read& read) {
-        if (failure_ || !json_.contains(key)) return;
-        if (Result<void> kept = keep(read(json_[key]), target); !kept)
+        const Json* const value = json_.find(key);
+        if (failure_ || value == nullptr) return;
+        if (Result<void> kept = keep(read(*value), target); !kept)
             fail_at(fmt::format("{}.{}", path_, key), Unexpected(kept.error()));
     }
     template<class T, class Read>
@@ -65,13 +66,13 @@ public:
     const std::optional<Error>& failure() const { return failure_; }
 
 private:
-    const RigJson& json_;
+    const Json& json_;
     const std::string& source_;
     std::string path_;
     std::optional<Error> failure_;
 };
 
-Result<glm::dvec3> unit_vector_of(const RigJson& json) {
+Result<glm::dvec3> unit_vector_of(const Json& json) {
     Result<glm::dvec3> vector = nonzero_vector_of(json);
     // Divided by its largest component first: the square of a large one would overflow.
     if (!vector) return vector;
@@ -82,21 +83,21 @@ Result<glm::dvec3> unit_vector_of(const RigJson& json) {
 // Positions in float pictures stay finite, and so do the squares of distances.
 constexpr double farthest = 1e9; // [m]
 
-Result<glm::dvec3> place_of(const RigJson& json) {
+Result<glm::dvec3> place_of(const Json& json) {
     Result<glm::dvec3> place = position_of(json);
     if (place && std::max({std::abs(place->x), std::abs(place->y), std::abs(place->z)}) > farthest)
         return rig_value_error("RIG0106", fmt::format("must lie within {:g} m", farthest));
     return place;
 }
 
-Result<double> length_of(const RigJson& json) {
+Result<double> length_of(const Json& json) {
     Result<double> length = positive_length(json);
     if (length && !(*length >= 1.0 / farthest && *length <= farthest))
         return rig_value_error("RIG0106", fmt::format("must lie within {:g} m and {:g} m", 1.0 / farthest, farthest));
     return length;
 }
 
-Result<glm::dvec3> size_of(const RigJson& json) {
+Result<glm::dvec3> size_of(const Json& json) {
     Result<glm::dvec3> size = place_of(json);
     if (size && !(std::min({size->x, size->y, size->z}) > 0.0))
         return rig_value_error("RIG0106", "must be greater than 0 along every axis",
@@ -181,19 +182,19 @@ constexpr std::array primitives{
     PrimitiveKind{"capsule", capsule_keys, [](Members& m) { return read_as(read_capsule, m); }},
 };
 
-Result<Material> material_of(const RigJson& json) {
+Result<Material> material_of(const Json& json) {
     Result<std::string> text = text_of(json, "for example \"lambert:albedo=0.5\"");
     if (!text) return pass_on(text);
     return parse_material(*text);
 }
 
-Result<std::string> name_of(const RigJson& json) {
+Result<std::string> name_of(const Json& json) {
     Result<std::string> text = text_of(json);
     if (text && text->empty()) return rig_value_error("RIG0106", "must not be empty");
     return text;
 }
 
-Result<Surface> read_surface(const RigJson& json, const std::string& source, const std::string& path) {
+Result<Surface> read_surface(const Json& json, const std::string& source, const std::string& path) {
     Surface surface;
     Members members(json, surface_keys, source, path);
     members.required("name", surface.name, name_of);
@@ -210,7 +211,7 @@ Result<Surface> read_surface(const RigJson& json, const std::string& source, con
     if (found == nullptr)
         return rig_error("RIG0104", source, path, "has no shape", "give it a plane, panel, box, sphere or capsule");
     const std::string key(found->key);
-    Members shape(json[key], found->keys, source, fmt::format("{}.{}", path, key));
+    Members shape(*json.find(key), found->keys, source, fmt::format("{}.{}", path, key));
     const Primitive geometry = shape.failure() ? Primitive() : found->read(shape);
     if (shape.failure()) return Unexpected(*shape.failure());
     surface.geometry = geometry;
@@ -250,7 +251,7 @@ Camera camera_for(const Stage& stage) {
 
 } // namespace
 
-Result<Stage> read_rig_stage(const RigJson& json, const std::string& source) {
+Result<Stage> read_rig_stage(const Json& json, const std::string& source) {
     if (json.is_string()) {
         Result<std::string> name = text_of(json);
         Result<Stage> stage = name ? make_stage(*name) : Result<Stage>(pass_on(name));

@@ -1,3 +1,4 @@
+#include <gonio/base/json_events.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 
@@ -14,10 +15,9 @@ namespace gonio::detail {
 
 namespace {
 
-class Handler final : public nlohmann::json_sax<RigJson> {
+class Handler final : public JsonHandler {
 public:
-    Handler(const JsonBytes& bytes, const std::string& source, const RigSink& sink)
-        : bytes_(bytes), source_(source), sink_(sink) {}
+    Handler(const std::string& source, const RigSink& sink) : source_(source), sink_(sink) {}
 
     Result<void> result() {
         if (error_) return Unexpected(std::move(*error_));
@@ -26,15 +26,12 @@ public:
         return {};
     }
 
-    bool null() override { return scalar(nullptr); }
-    bool boolean(bool value) override { return scalar(value); }
-    bool number_integer(number_integer_t value) override { return scalar(value); }
-    bool number_unsigned(number_unsigned_t value) override { return scalar(value); }
-    bool number_float(number_float_t value, const string_t& /*written*/) override { return scalar(value); }
-    bool string(string_t& value) override { return scalar(std::move(value)); }
-    bool binary(binary_t& /*value*/) override { return false; }
+    bool scalar(Json value) override {
+        if (put(std::move(value)) == nullptr) return false;
+        return !open_.empty() || deliver();
+    }
 
-    bool key(string_t& name) override {
+    bool key(std::string name) override {
         if (!open_.empty()) {
             if (open_.back()->contains(name))
                 return refuse("RIG0107", path(), fmt::format("the key '{}' is given twice", name));
@@ -51,33 +48,36 @@ public:
         return true;
     }
 
-    bool start_object(std::size_t /*elements*/) override {
+    bool start_object() override {
         if (where_ == Where::outside) {
             where_ = Where::rig;
             return true;
         }
-        return open(RigJson::object());
+        return open(Json::object());
     }
 
-    bool start_array(std::size_t /*elements*/) override {
+    bool start_array() override {
         if (where_ == Where::rig && open_.empty() && member_ == "lights") {
             where_ = Where::lights;
             lights_seen_ = true;
             return true;
         }
-        return open(RigJson::array());
+        return open(Json::array());
     }
 
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
+    bool end() override {
+        if (open_.empty()) {
+            where_ = where_ == Where::lights ? Where::rig : Where::outside;
+            return true;
+        }
+        open_.pop_back();
+        return !open_.empty() || deliver();
+    }
 
-    bool parse_error(std::size_t position, const std::string& last_token,
-                     const nlohmann::detail::exception& exception) override {
+    void broken(Diagnostic complaint) override {
         const RigCode code = "RIG0101";
-        Diagnostic complaint = json_complaint(bytes_.text(), source_, position, last_token, exception);
         complaint.code = code->code;
         error_ = Error{Failure::malformed, {std::move(complaint)}};
-        return false;
     }
 
 private:
@@ -93,12 +93,12 @@ private:
     // Refuses a value beyond a limit, with its place.
     bool refuse_beyond(const std::string& path, std::string message) {
         refuse("RIG0108", path, std::move(message), std::string(limits_hint));
-        error_->diagnostics.back().location = bytes_.place(source_);
+        error_->diagnostics.back().location = place();
         return false;
     }
 
     // Puts a value where the text has it; nullptr where it is not allowed.
-    RigJson* place(RigJson value) {
+    Json* put(Json value) {
         if (where_ == Where::outside) {
             refuse("RIG0101", {}, "a rig is a JSON object", R"(write { "schema": "gonio.rig/1", "lights": [ … ] })");
             return nullptr;
@@ -116,7 +116,7 @@ private:
             refuse_beyond(path(), fmt::format("holds more than {}", to_text(limit("rig-values"))));
             return nullptr;
         }
-        RigJson& parent = *open_.back();
+        Json& parent = *open_.back();
         if (parent.is_array()) {
             parent.push_back(std::move(value));
             return &parent.back();
@@ -124,27 +124,13 @@ private:
         return &(parent[key_] = std::move(value));
     }
 
-    bool scalar(RigJson value) {
-        if (place(std::move(value)) == nullptr) return false;
-        return !open_.empty() || deliver();
-    }
-
-    bool open(RigJson value) {
+    bool open(Json value) {
         if (open_.size() == limit("rig-depth").value)
             return refuse_beyond(path(), fmt::format("is nested deeper than {}", to_text(limit("rig-depth"))));
-        RigJson* const placed = place(std::move(value));
+        Json* const placed = put(std::move(value));
         if (placed == nullptr) return false;
         open_.push_back(placed);
         return true;
-    }
-
-    bool close() {
-        if (open_.empty()) {
-            where_ = where_ == Where::lights ? Where::rig : Where::outside;
-            return true;
-        }
-        open_.pop_back();
-        return !open_.empty() || deliver();
     }
 
     bool deliver() {
@@ -156,7 +142,6 @@ private:
         return false;
     }
 
-    const JsonBytes& bytes_;
     const std::string& source_;
     const RigSink& sink_;
     Where where_ = Where::outside;
@@ -164,8 +149,8 @@ private:
     std::size_t lights_ = 0;
     std::vector<std::string> members_; // keys of the rig so far
     std::string member_;               // the latest of them
-    RigJson root_;                     // the value that is being read
-    std::vector<RigJson*> open_;       // its objects and arrays that are not closed yet
+    Json root_;                        // the value that is being read
+    std::vector<Json*> open_;          // its objects and arrays that are not closed yet
     std::string key_;                  // in the innermost of them
     std::size_t values_ = 0;
     std::optional<Error> error_;
@@ -223,11 +208,9 @@ Unexpected placed(const Error& error, const std::string& source, std::string_vie
 }
 
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink) {
-    JsonBytes bytes(text);
-    Handler handler(bytes, source, sink);
-    constexpr bool strict = true;
+    Handler handler(source, sink);
     constexpr bool comments = true; // as in `gonio rig new`
-    RigJson::sax_parse(bytes.begin(), bytes.end(), &handler, nlohmann::detail::input_format_t::json, strict, comments);
+    read_json(text, source, comments, handler);
     return handler.result();
 }
 

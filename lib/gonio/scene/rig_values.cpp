@@ -7,7 +7,7 @@
 
 namespace gonio::detail {
 
-std::string_view type_of(const RigJson& json) {
+std::string_view type_of(const Json& json) {
     if (json.is_null()) return "null";
     if (json.is_boolean()) return "a boolean";
     if (json.is_number()) return "a number";
@@ -16,20 +16,20 @@ std::string_view type_of(const RigJson& json) {
 }
 
 // The hint for a plain number where a number with a unit is expected: "800" → "800lm".
-std::string unit_hint(const RigJson& json, std::string_view unit) {
+std::string unit_hint(const Json& json, std::string_view unit) {
     return json.is_number() ? fmt::format("write it with its unit, for example \"{}{}\"", json.dump(), unit)
                             : std::string();
 }
 
-Result<std::string> text_of(const RigJson& json, std::string hint) {
+Result<std::string> text_of(const Json& json, std::string hint) {
     if (!json.is_string())
         return rig_value_error("RIG0105", fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
-    auto text = json.get<std::string>();
+    std::string text = json.as_string();
     if (text.find('\0') != std::string::npos) return rig_value_error("RIG0106", "must not hold a null character");
     return text;
 }
 
-Result<glm::dvec3> vector_of(const RigJson& json) {
+Result<glm::dvec3> vector_of(const Json& json) {
     const auto wrong = [](std::string what) {
         return rig_value_error("RIG0105", fmt::format("must be an array of three numbers, not {}", what),
                                "for example [0, 0, 2.5]");
@@ -39,12 +39,12 @@ Result<glm::dvec3> vector_of(const RigJson& json) {
     glm::dvec3 vector(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!json[i].is_number()) return wrong(fmt::format("one with {}", type_of(json[i])));
-        vector[static_cast<int>(i)] = json[i].get<double>();
+        vector[static_cast<int>(i)] = json[i].as_double();
     }
     return vector;
 }
 
-Result<glm::dvec3> position_of(const RigJson& json) {
+Result<glm::dvec3> position_of(const Json& json) {
     constexpr double farthest = 1e100; // [m], the range of a probe
     Result<glm::dvec3> vector = vector_of(json);
     if (vector && !glm::all(glm::lessThanEqual(glm::abs(*vector), glm::dvec3(farthest))))
@@ -52,13 +52,13 @@ Result<glm::dvec3> position_of(const RigJson& json) {
     return vector;
 }
 
-Result<glm::dvec3> nonzero_vector_of(const RigJson& json) {
+Result<glm::dvec3> nonzero_vector_of(const Json& json) {
     Result<glm::dvec3> vector = vector_of(json);
     if (vector && *vector == glm::dvec3(0.0)) return rig_value_error("RIG0106", "must not be zero");
     return vector;
 }
 
-Result<double> positive_length(const RigJson& json) {
+Result<double> positive_length(const Json& json) {
     Result<std::string> text = text_of(json, unit_hint(json, "m"));
     if (!text) return pass_on(text);
     Result<double> meters = parse_amount(*text, Dimension::length, "it");
@@ -66,7 +66,7 @@ Result<double> positive_length(const RigJson& json) {
     return meters;
 }
 
-Result<double> angle_of(const RigJson& json) {
+Result<double> angle_of(const Json& json) {
     Result<std::string> text = text_of(json, unit_hint(json, "deg"));
     if (!text) return pass_on(text);
     return parse_amount(*text, Dimension::angle, "it");

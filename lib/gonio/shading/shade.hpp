@@ -108,6 +108,14 @@ GONIO_FORCE_INLINE vec3<S> glossy_part(const SurfacePoint<S>& point, const Light
 
 } // namespace detail
 
+// What a material scatters of the illuminance [lx] of an area light, without its glossy part; per colour of the light.
+template<class S, class Light, template<class> class Material>
+GONIO_FORCE_INLINE Reflected<S> scattered_parts(const SurfacePoint<S>& point, const Light& light,
+                                                const Material<S>& material, S lx) {
+    const Reflected<S> parts = detail::scattered_under(point, light, material);
+    return {parts.diffuse * lx, parts.specular * lx};
+}
+
 // Outgoing luminance [nt] of the three channels, for the two parts of a material.
 template<SpecularMethod method = standard_specular_method, class S, class Light, template<class> class Material>
 GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const Light& light,
@@ -117,10 +125,7 @@ GONIO_FORCE_INLINE Reflected<S> shade_parts(const SurfacePoint<S>& point, const 
         const Reflected<S> parts = detail::reflect_parts(point, material, detail::incidence(point, light));
         return {detail::finite(color * parts.diffuse), detail::finite(color * parts.specular)};
     } else {
-        Reflected<S> parts = detail::scattered_under(point, light, material);
-        const S lx = illuminance(point, light);
-        parts.diffuse = parts.diffuse * lx;
-        parts.specular = parts.specular * lx;
+        Reflected<S> parts = scattered_parts(point, light, material, illuminance(point, light));
         if constexpr (Glossy<Material>)
             parts.specular = parts.specular + detail::glossy_part<method>(point, light, material);
         return {detail::finite(color * parts.diffuse), detail::finite(color * parts.specular)};

@@ -1,6 +1,7 @@
 // Operations that vector extensions cannot express, in intrinsics of 64-bit Arm, which always has NEON.
 #pragma once
 
+#include <gonio/simd/instruction_sets.hpp>
 #include <gonio/simd/scalar.hpp>
 
 #include <arm_neon.h>
@@ -8,13 +9,6 @@
 #include <cstdint>
 
 namespace gonio::simd {
-
-struct neon {
-    static constexpr std::size_t lanes = 4;
-};
-
-template<class Isa>
-struct Native;
 
 template<>
 struct Native<neon> {

@@ -2,6 +2,7 @@
 // is enabled for the file being compiled, so that no other file can use it by accident.
 #pragma once
 
+#include <gonio/simd/instruction_sets.hpp>
 #include <gonio/simd/scalar.hpp>
 
 #include <cstddef>
@@ -9,19 +10,6 @@
 #include <immintrin.h>
 
 namespace gonio::simd {
-
-struct sse2 {
-    static constexpr std::size_t lanes = 4;
-};
-struct avx2 {
-    static constexpr std::size_t lanes = 8;
-};
-struct avx512 {
-    static constexpr std::size_t lanes = 16;
-};
-
-template<class Isa>
-struct Native;
 
 #if defined(__SSE2__)
 template<>

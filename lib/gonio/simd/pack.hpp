@@ -6,12 +6,8 @@
 // names of scalar.hpp mean the same here, lane by lane.
 #pragma once
 
+#include <gonio/simd/instruction_sets.hpp>
 #include <gonio/simd/scalar.hpp>
-#if defined(__x86_64__)
-#include <gonio/simd/native_x86.hpp>
-#elif defined(__aarch64__)
-#include <gonio/simd/native_neon.hpp>
-#endif
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A target of one's own: what an engine has of lights, and the text that it reads. gonio turns the rest into that.
+// A custom target: the kinds of light that an engine has, and the text that it reads. gonio converts the others.
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/scene_content.hpp>
 

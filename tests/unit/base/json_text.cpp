@@ -10,7 +10,7 @@ namespace gonio {
 namespace {
 
 std::string refusal(const std::string& text) {
-    const Result<detail::OrderedJson> json = detail::parse_json(text, "x.json");
+    const Result<detail::Json> json = detail::parse_json(text, "x.json");
     if (json) return "no failure";
     EXPECT_EQ(json.error().failure, Failure::malformed);
     return to_text(json.error().diagnostics.back());

@@ -1,5 +1,6 @@
 // Properties of every material, for all parameters and directions.
 #include <gonio/shading/brdf.hpp>
+#include <gonio/simd/native.hpp>
 
 #include "brdf_cases.hpp"
 #include "poses.hpp"

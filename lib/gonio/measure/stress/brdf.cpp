@@ -5,6 +5,7 @@
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/simd/native.hpp>
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@ namespace gonio::detail {
 // Reads the value of the rig's key "stage"; `source` names the rig in messages. A stage with custom surfaces gets a
 // camera that looks at its solids, or at its rectangles if it has no solids, from a position from which they are
 // visible.
-Result<Stage> read_rig_stage(const RigJson& json, const std::string& source);
+Result<Stage> read_rig_stage(const Json& json, const std::string& source);
 
 // The keys of such a stage, of a surface, and of the primitive that a surface's key names; empty if there is none.
 std::span<const std::string_view> rig_stage_keys();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/base/codes/rig.hpp>
-#include <gonio/base/json_text.hpp>
+#include <gonio/base/json.hpp>
 #include <gonio/base/result.hpp>
 
 #include <cstddef>
@@ -12,11 +12,9 @@
 
 namespace gonio::detail {
 
-using RigJson = OrderedJson;
-
 struct RigSink {
-    std::function<Result<void>(std::size_t index, const RigJson& light)> light;
-    std::function<Result<void>(const std::string& key, const RigJson& value)> member;
+    std::function<Result<void>(std::size_t index, const Json& light)> light;
+    std::function<Result<void>(const std::string& key, const Json& value)> member;
 };
 
 // "rig.json: lights[3].shape: message" as an error (malformed); `path` may be empty.

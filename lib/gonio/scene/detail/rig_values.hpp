@@ -13,27 +13,27 @@
 namespace gonio::detail {
 
 // "a number", "an array".
-std::string_view type_of(const RigJson& json);
+std::string_view type_of(const Json& json);
 
 // The hint for a plain number where a number with a unit is expected: "800" → "800lm"; otherwise empty.
-std::string unit_hint(const RigJson& json, std::string_view unit);
+std::string unit_hint(const Json& json, std::string_view unit);
 
-Result<std::string> text_of(const RigJson& json, std::string hint = {});
+Result<std::string> text_of(const Json& json, std::string hint = {});
 
 // Three numbers.
-Result<glm::dvec3> vector_of(const RigJson& json);
+Result<glm::dvec3> vector_of(const Json& json);
 
 // Within 1e100 m, the range of a probe.
-Result<glm::dvec3> position_of(const RigJson& json);
+Result<glm::dvec3> position_of(const Json& json);
 
 // Fails on a zero vector.
-Result<glm::dvec3> nonzero_vector_of(const RigJson& json);
+Result<glm::dvec3> nonzero_vector_of(const Json& json);
 
 // A length with its unit, greater than 0 [m].
-Result<double> positive_length(const RigJson& json);
+Result<double> positive_length(const Json& json);
 
 // An angle with its unit [rad].
-Result<double> angle_of(const RigJson& json);
+Result<double> angle_of(const Json& json);
 
 template<class T, class Value>
 Result<void> keep(Result<Value> value, T& target) {
