@@ -23,6 +23,10 @@ constexpr std::array plasma{ink(0x0d0887), ink(0x47039f), ink(0x7301a8), ink(0x9
                             ink(0xd8576b), ink(0xed7953), ink(0xfa9e3b), ink(0xfdc926), ink(0xf0f921)};
 constexpr std::array cividis{ink(0x00204d), ink(0x00336f), ink(0x39486b), ink(0x575c6d), ink(0x707173),
                              ink(0x8a8779), ink(0xa69d75), ink(0xc4b56c), ink(0xe4cf5b), ink(0xffea46)};
+// A. Mikhailov, "Turbo, an improved rainbow colormap for visualization", Google AI Blog, 2019. At steps of 1/17.
+constexpr std::array turbo{ink(0x30123b), ink(0x3f3e9c), ink(0x4666dd), ink(0x458cfd), ink(0x2fb2f4), ink(0x1ad4d0),
+                           ink(0x22ebaa), ink(0x52fa7a), ink(0x8bff4b), ink(0xb7f735), ink(0xdbe236), ink(0xf5c53a),
+                           ink(0xfea130), ink(0xf9751d), ink(0xe84b0c), ink(0xce2d04), ink(0xa91601), ink(0x7a0403)};
 constexpr std::array gray{ink(0x000000), ink(0xffffff)};
 
 // The formula of the paper, from (59, 76, 192) to (180, 4, 38), at steps of 1/10.
@@ -37,6 +41,7 @@ constexpr std::array known{
     Palette{"magma", "black, violet, cream", magma},
     Palette{"plasma", "blue, red, yellow", plasma},
     Palette{"cividis", "blue, grey, yellow: safe for colour-blind viewers", cividis},
+    Palette{"turbo", "blue, green, red, as lighting programs draw it; dark at both ends", turbo, false},
     Palette{"gray", "black to white", gray},
 };
 

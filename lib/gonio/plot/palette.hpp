@@ -15,12 +15,13 @@ namespace gonio {
 // Color Universal Design, 2008, without its yellow, which is hard to see on paper). Repeats after seven.
 Ink series_color(std::size_t index);
 
-// A ramp from dark to light along which equal steps look equal. The knots are uniformly spaced on [0, 1] as
-// sRGB-encoded bytes; between knots the encoded channels are interpolated.
+// A ramp of colours; with few exceptions from dark to light, so that equal steps look equal. The knots are uniformly
+// spaced on [0, 1] as sRGB-encoded bytes; between knots the encoded channels are interpolated.
 struct Palette {
     std::string_view name;
     std::string_view summary;
     std::span<const Ink> knots;
+    bool rises = true; // from dark to light
 
     // Three sRGB-encoded channels, 1 = 255. Values outside [0, 1] get the colour of that end; NaN is dark.
     std::array<float, 3> at(double value) const;

@@ -161,6 +161,7 @@ double lightness(const std::array<float, 3>& rgb) {
 
 TEST(Palette, LightnessRisesEvenly) {
     for (const Palette& palette : palettes()) {
+        if (!palette.rises) continue;
         const double span = lightness(palette.at(1.0)) - lightness(palette.at(0.0));
         EXPECT_GT(span, 60.0) << palette.name;
         double before = lightness(palette.at(0.0));
@@ -173,6 +174,19 @@ TEST(Palette, LightnessRisesEvenly) {
             before = now;
         }
     }
+}
+
+// Turbo is light in the middle: blue below, red above.
+TEST(Palette, TurboGoesFromBlueThroughGreenToRed) {
+    const Palette* const turbo = find_palette("turbo").value();
+    EXPECT_FALSE(turbo->rises);
+    EXPECT_GT(lightness(turbo->at(0.5)), 85.0);
+    EXPECT_LT(lightness(turbo->at(0.0)), 20.0);
+    EXPECT_LT(lightness(turbo->at(1.0)), 30.0);
+    const auto low = turbo->at(0.15);
+    const auto high = turbo->at(0.85);
+    EXPECT_GT(low[2], 2.0F * low[0]);
+    EXPECT_GT(high[0], 2.0F * high[2]);
 }
 
 TEST(Palette, OfSignedValuesIsAsDarkToBothSides) {
