@@ -91,11 +91,14 @@ void check_horizontal(const IesFile& file, const TablePlaces& places, Report& re
 void check_ies(const IesFile& file, const TablePlaces& places, Report& report) {
     check_vertical(file, places, report);
     check_horizontal(file, places, report);
-    if (!ies_opening_shape(file))
+    if (!ies_opening_shape(file)) {
+        const std::optional<OpeningShape> in_1995 = opening_shape_of_1995(file);
         report.add("IES0219", places.shape,
                    fmt::format("width {}, length {} and height {} encode no shape in {}", file.width, file.length,
                                file.height, to_text(file.version)),
-                   "a circle of diameter d is -d -d 0 since 2002 and -d 0 0 before");
+                   fmt::format("it is read as a {}; a circle of diameter d is -d -d 0 since 2002 and -d 0 0 before",
+                               in_1995 ? fmt::format("{}, as in LM-63-1995", to_text(*in_1995)) : "box"));
+    }
     if (places.first_negative != no_place) report.add("IES0401", places.first_negative, "a negative candela value");
     const Poles poles = look_at_poles(file.vertical_deg, file.candela, places.peak);
     if (poles.all_zero) report.add("IES0402", places.candela, "every candela value is zero");

@@ -64,13 +64,25 @@ std::span<const ShapeCode> codes_of(IesVersion version) {
     return codes_of_2002;
 }
 
+std::array<char, 3> signs_of(const IesFile& file) {
+    const auto sign = [](double value) { return value > 0.0 ? '+' : value < 0.0 ? '-' : '0'; };
+    return {sign(file.width), sign(file.length), sign(file.height)};
+}
+
+std::optional<OpeningShape> shape_in(std::span<const ShapeCode> codes, std::string_view signs) {
+    for (const ShapeCode& code : codes)
+        if (code.signs == signs) return code.shape;
+    return std::nullopt;
+}
+
 LuminousOpening opening_of(const IesFile& file) {
     const double unit = file.feet ? meters_per_foot : 1.0;
     LuminousOpening opening;
     opening.width_m = std::abs(file.width) * unit;
     opening.length_m = std::abs(file.length) * unit;
     opening.height_m = std::abs(file.height) * unit;
-    opening.shape = profile_detail::ies_opening_shape(file).value_or(OpeningShape::box);
+    const std::optional<OpeningShape> shape = profile_detail::ies_opening_shape(file);
+    opening.shape = shape ? *shape : profile_detail::opening_shape_of_1995(file).value_or(OpeningShape::box);
     switch (opening.shape) {
     case OpeningShape::disk:
     case OpeningShape::vertical_cylinder:
@@ -138,15 +150,17 @@ LuminousOpening opening_of(const Tm33File& file) {
 } // namespace
 
 std::optional<OpeningShape> profile_detail::ies_opening_shape(const IesFile& file) {
-    const auto sign = [](double value) { return value > 0.0 ? '+' : value < 0.0 ? '-' : '0'; };
-    const std::array signs{sign(file.width), sign(file.length), sign(file.height)};
+    const std::array signs = signs_of(file);
     const std::string_view text(signs.data(), signs.size());
     if (text == "000") return OpeningShape::point;
     if (text.find('-') == std::string_view::npos)
         return file.height == 0.0 ? OpeningShape::rectangle : OpeningShape::box;
-    for (const ShapeCode& code : codes_of(file.version))
-        if (code.signs == text) return code.shape;
-    return std::nullopt;
+    return shape_in(codes_of(file.version), text);
+}
+
+std::optional<OpeningShape> profile_detail::opening_shape_of_1995(const IesFile& file) {
+    const std::array signs = signs_of(file);
+    return shape_in(codes_of_1995, {signs.data(), signs.size()});
 }
 
 const char* to_text(OpeningShape shape) {

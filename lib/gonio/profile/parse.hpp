@@ -85,6 +85,9 @@ void check_ldt(const LdtFile& file, const LdtPlaces& places, Report& report);
 // The shape that the signs of the dimensions encode in the file's edition; nothing if it has no such code.
 std::optional<OpeningShape> ies_opening_shape(const IesFile& file);
 
+// By the table of LM-63-1995, which files of other editions use too.
+std::optional<OpeningShape> opening_shape_of_1995(const IesFile& file);
+
 // The places of an emitter's luminous intensity and its symmetry.
 struct Tm33Places {
     std::size_t table = no_place;

@@ -1,4 +1,5 @@
 // Every rule of the LM-63 reader with the smallest file that triggers it.
+#include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/write.hpp>
 
@@ -433,6 +434,11 @@ TEST(IesRead, UnknownShapeCodes) {
                 "lamp:7:18: warning[IES0219]: width -0.1, length 0 and height 0 encode no shape in LM-63-2002");
     expect_error(read(circle, true),
                  "lamp:7:18: error[IES0219]: width -0.1, length 0 and height 0 encode no shape in LM-63-2002");
+    const Profile later = read(circle).value();
+    EXPECT_EQ(luminous_opening(later).shape, OpeningShape::disk);
+    EXPECT_EQ(luminous_opening(later).length_m, luminous_opening(later).width_m);
+    const Profile unknown = read(with(lamp, 7, "1 1000 1 3 2 1 2 0.1 -0.2 0")).value();
+    EXPECT_EQ(luminous_opening(unknown).shape, OpeningShape::box);
     const TextLines disk = with(lamp, 7, "1 1000 1 3 2 1 2 -0.1 -0.1 0"); // a circle since 2002
     expect_silent(read(disk));
     expect_silent(read(with(disk, 1, "IES:LM-63-2019")));

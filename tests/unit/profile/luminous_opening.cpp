@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         OpeningCase{v19, -1, -1, -2, ellipsoid, 1, 1, 2}, OpeningCase{v02, -1, 2, -1, horizontal_cylinder, 1, 2, 1},
         OpeningCase{v02, 2, -1, -1, horizontal_cylinder_across, 2, 1, 1},
         OpeningCase{v02, -1, 0, -1, upright_disk, 1, 0, 1}, OpeningCase{v02, 0, -1, -1, upright_disk, 0, 1, 1},
-        OpeningCase{v02, -1, 0, 0, box, 1, 0, 0}));
+        OpeningCase{v02, -1, 0, 0, disk, 1, 1, 0}, OpeningCase{v02, 1, -2, 0, box, 1, 2, 0}));
 
 TEST(LuminousOpening, FeetBecomeMetres) {
     IesFile file;

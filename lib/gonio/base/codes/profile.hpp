@@ -118,8 +118,8 @@ inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
      "The input power cannot be negative. It is kept as written."},
     {"IES0219", Severity::warning, Strict::error, "unknown shape of the luminous opening",
      "The signs of width, length and height encode the shape of the luminous opening, by a table that differs "
-     "between versions. The table of this version does not have this combination. The opening is taken as a box "
-     "of these dimensions."},
+     "between versions. The table of this version does not have this combination. The opening is taken as the "
+     "shape that it has in LM-63-1995, otherwise as a box of these dimensions."},
     {"IES0220", Severity::error, Strict::same, "line with ballast factor and watts missing",
      "Before the vertical angles stand a line of ten numbers and a line of three: ballast factor, field 12 and input "
      "watts. The second line is not there, so that the first three angles are read in its place."},
