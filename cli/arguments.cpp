@@ -102,23 +102,19 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
                                     given.values[0], given.values[1]),
                         "give it once");
     }
-    arguments.take_rig(command);
+    arguments.take_rig();
     return arguments;
 }
 
 // `gonio preview room.json` is `gonio preview --rig room.json`: no profile is JSON.
-void Arguments::take_rig(const Command& command) {
-    for (const OptionGroup& group : command.groups)
-        for (const Option& option : group.options) {
-            if (option.names != "--rig" || positional_.size() != 1 || !ends_with_any_case(positional_[0], ".json"))
-                continue;
-            for (Given& given : given_) {
-                if (given.name != "--rig" || given.present) continue;
-                given.values = std::exchange(positional_, {});
-                given.present = true;
-                return;
-            }
-        }
+void Arguments::take_rig() {
+    if (positional_.size() != 1 || !ends_with_any_case(positional_[0], ".json")) return;
+    for (Given& given : given_) { // every option of the command
+        if (given.name != "--rig" || given.present) continue;
+        given.values = std::exchange(positional_, {});
+        given.present = true;
+        return;
+    }
 }
 
 const Arguments::Given& Arguments::find(std::string_view name) const {

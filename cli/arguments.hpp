@@ -38,7 +38,7 @@ private:
     };
 
     const Given& find(std::string_view name) const;
-    void take_rig(const Command& command);
+    void take_rig();
 
     std::vector<Given> given_;
     std::vector<std::string> positional_;

@@ -69,7 +69,10 @@ _gonio() {{
         completion:completion) words="bash zsh fish" ;;
 {2}    esac
     if [[ -n $words ]]; then
-        COMPREPLY=($(compgen -W "$words" -- "$current"))
+        # The last name of a list: unreal,u<TAB>.
+        local before=""
+        [[ $current == *,* ]] && before="${{current%,*}},"
+        COMPREPLY=($(compgen -P "$before" -W "$words" -- "${{current##*,}}"))
         return
     fi
     if [[ $current == -* ]]; then

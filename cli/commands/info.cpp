@@ -330,11 +330,13 @@ std::string opening_text(const LuminousOpening& opening) {
     return opening.shape == OpeningShape::point ? text : text + " m";
 }
 
+std::string line_of(std::string_view name, const std::string& value) {
+    return fmt::format("  {:<12}{}\n", name, value);
+}
+
 std::string to_text(const Facts& facts) {
     std::string text = facts.file + "\n";
-    const auto line = [&](std::string_view name, const std::string& value) {
-        text += fmt::format("  {:<12}{}\n", name, value);
-    };
+    const auto line = [&](std::string_view name, const std::string& value) { text += line_of(name, value); };
     line("format", fmt::format("{} {}, type {}", facts.format, facts.version, facts.photometry));
     line("grid", facts.photometry == 'C'
                      ? fmt::format("{} C-planes × {} gamma angles", facts.planes, facts.gammas)
@@ -380,9 +382,7 @@ std::string to_text(const Facts& facts) {
 // What --all adds.
 std::string more_text(const Facts& facts) {
     std::string text;
-    const auto line = [&](std::string_view name, const std::string& value) {
-        text += fmt::format("  {:<12}{}\n", name, value);
-    };
+    const auto line = [&](std::string_view name, const std::string& value) { text += line_of(name, value); };
     const auto number = [](const std::optional<double>& value, int digits) {
         return value ? rounded(*value, digits) : std::string("none");
     };

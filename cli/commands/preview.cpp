@@ -71,7 +71,7 @@ constexpr std::array examples{
             "the path-traced reference, for 30 seconds"},
     Example{"gonio preview --sheet catalogue -o sheet.png", "all profiles of a folder at a glance"},
     Example{"gonio preview --rig room.json --export room.py", "the same room for Blender's Cycles, as a check"},
-    Example{"gonio preview lamp.ies -o - --to exr | oiiotool - -o lamp.tif", "scene-linear luminance to another tool"},
+    Example{"gonio preview lamp.ies -o - --to png | convert - lamp.jpg", "through a pipe, here to ImageMagick"},
 };
 
 // The values that a display mode other than beauty shows, in lux or cd/m².

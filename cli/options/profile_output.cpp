@@ -29,20 +29,24 @@ Result<ProfileTarget> profile_target(const Arguments& arguments, const std::stri
     const auto dialect = arguments.value("--dialect");
     const std::string extension = to_lower(extension_of(output));
     const std::string format = named ? to_lower(*named) : extension == "xml" ? std::string("tm33") : extension;
-    const std::array formats{ProfileTarget::lm63, ProfileTarget::eulumdat, ProfileTarget::tm33};
-    std::optional<ProfileTarget> target = find_profile_target(format);
-    if (target && std::find(formats.begin(), formats.end(), *target) == formats.end()) target.reset();
-    if (named && !target) return unknown_name("format", *named, std::array<std::string_view, 3>{"ies", "ldt", "tm33"});
+    static constexpr std::array formats{ProfileTarget::lm63, ProfileTarget::eulumdat, ProfileTarget::tm33};
+    const auto format_of = [](std::string_view name) {
+        const std::optional<ProfileTarget> found = find_profile_target(name);
+        return found ? std::find(formats.begin(), formats.end(), *found) : formats.end();
+    };
+    const auto* const target = format_of(format);
+    const bool known = target != formats.end();
+    if (named && !known) return unknown_name("format", *named, std::array<std::string_view, 3>{"ies", "ldt", "tm33"});
     if (dialect) {
         const std::optional<ProfileTarget> edition = find_profile_target(*dialect);
-        if (!edition || std::find(formats.begin(), formats.end(), *edition) != formats.end())
+        if (!edition || format_of(*dialect) != formats.end())
             return unknown_name("dialect", *dialect,
                                 std::array<std::string_view, 4>{"lm-63-1995", "lm-63-2002", "lm-63-2019", "portable"});
-        if (target && *target != ProfileTarget::lm63)
+        if (known && *target != ProfileTarget::lm63)
             return fail("USE0107", fmt::format("--dialect {} is for IES, but the output is {}", *dialect, format));
         return *edition;
     }
-    if (!target)
+    if (!known)
         return fail("USE0104",
                     output == "-" ? std::string("stdout has no file name to show the format")
                                   : fmt::format("the name '{}' does not show a format", output),

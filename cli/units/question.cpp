@@ -133,9 +133,7 @@ Result<UnitsAnswer> read_question(std::string_view row, const UnitsRequest& requ
 Result<UnitsRequest> units_request(const Arguments& arguments) {
     UnitsRequest request;
     request.shape = arguments.value("--shape").value_or("point");
-    for (const std::string& list : arguments.values("--to"))
-        for (std::string& unit : split_at_commas(list))
-            request.wanted.push_back(std::move(unit));
+    if (const auto list = arguments.value("--to")) request.wanted = split_at_commas(*list);
     const std::string policy = arguments.value("--policy").value_or("physical");
     Result<std::vector<const Policy*>> found = find_all_named("policy", policy, policies(), "all");
     if (!found) return pass_on(found);
