@@ -104,18 +104,28 @@ Result<void> parse_storage(const Arguments& arguments, BakeRequest& request) {
     return {};
 }
 
-} // namespace
+// The engines of --engine; a null pointer without it.
+Result<std::vector<const Engine*>> parse_engines(const Arguments& arguments) {
+    const auto names = arguments.value("--engine");
+    if (!names) return std::vector<const Engine*>{nullptr};
+    if (arguments.value("--layout"))
+        return fail("USE0107", "--layout and --engine are both given",
+                    "an engine sets the layout; leave one of them out");
+    Result<std::vector<const Engine*>> chosen = find_all_named("engine", *names, engines(), "all");
+    if (!chosen || chosen->size() == 1) return chosen;
+    for (const auto& [option, written] :
+         {std::pair{"--output", "-o"}, {"--sidecar", "--sidecar"}, {"--manifest", "--manifest"}})
+        if (arguments.value(option))
+            return fail("USE0107", fmt::format("{} names one file, but there are {} engines", written, chosen->size()),
+                        "use -O DIR, where each engine gets a folder; or name one engine");
+    return chosen;
+}
 
-Result<BakeRequest> parse_bake(const Arguments& arguments) {
+Result<BakeRequest> parse_bake(const Arguments& arguments, const Engine* engine) {
     BakeRequest request;
-    if (const auto name = arguments.value("--engine")) {
-        if (arguments.value("--layout"))
-            return fail("USE0107", "--layout and --engine are both given",
-                        "an engine sets the layout; leave one of them out");
-        Result<const Engine*> engine = find_engine(*name);
-        if (!engine) return pass_on(engine);
-        request.engine = *engine;
-        request.bake = request.engine->bake;
+    request.engine = engine;
+    if (engine != nullptr) {
+        request.bake = engine->bake;
     } else {
         Result<Layout> layout = parse_layout(arguments.value("--layout").value_or("latlong"));
         if (!layout) return pass_on(layout);
@@ -143,6 +153,25 @@ Result<BakeRequest> parse_bake(const Arguments& arguments) {
     request.update = arguments.has("--update");
     request.bake.skip = !arguments.has("--no-skip");
     return request;
+}
+
+} // namespace
+
+Result<std::vector<BakeRequest>> parse_bake(const Arguments& arguments) {
+    const Result<std::vector<const Engine*>> chosen = parse_engines(arguments);
+    if (!chosen) return Unexpected(chosen.error());
+    std::vector<BakeRequest> requests;
+    for (const Engine* engine : *chosen) {
+        Result<BakeRequest> request = parse_bake(arguments, engine);
+        if (!request) {
+            if (chosen->size() > 1)
+                error_hint(request.error(), fmt::format("this is about the engine {}", engine->name));
+            return pass_on(request);
+        }
+        if (chosen->size() > 1) request->subfolder = engine->name;
+        requests.push_back(std::move(*request));
+    }
+    return requests;
 }
 
 } // namespace gonio::cli

@@ -14,12 +14,16 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
 inline constexpr std::array bake_options{
     Option{"--layout", "LAYOUT", "layout of the directions (latlong)", "layouts"},
-    Option{"--engine", "NAME", "use the layout, size, frame and sampling that an engine reads", "engines"},
+    Option{"--engine", "NAME,…",
+           "use the layout, size, frame and sampling that an engine reads; several, or all: a folder for each in that "
+           "of -O",
+           "engines"},
     Option{"-s,--size", "WxH",
            "width and height in texels (latlong: 512x256; cube: of one face); auto: see --max-error"},
     Option{"--max-error", "LIMIT", "with -s auto: use the smallest size within this error: 5cd, or 1% of the peak"},
@@ -39,9 +43,11 @@ struct ErrorLimit {
     bool of_peak = false;
 };
 
+// Of one engine, or of none.
 struct BakeRequest {
     BakeOptions bake;
     const Engine* engine = nullptr;
+    std::string subfolder;               // of -O; empty: the folder itself
     std::optional<ErrorLimit> max_error; // for --size auto
     std::optional<media::Pixel> pixel;
     ProfileInputOptions input;
@@ -52,6 +58,7 @@ struct BakeRequest {
     Catalogue catalogue;
 };
 
-Result<BakeRequest> parse_bake(const Arguments& arguments);
+// A request for each engine, or one.
+Result<std::vector<BakeRequest>> parse_bake(const Arguments& arguments);
 
 } // namespace gonio::cli

@@ -138,7 +138,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
     std::optional<std::string> named = arguments.value("--to");
     if (!named && request.engine != nullptr && arguments.value("--output-dir")) named = request.engine->format;
     Result<std::vector<Job>> outputs =
-        plan_outputs(arguments, inputs, named.value_or("exr"), share_of(request.catalogue));
+        plan_outputs(arguments, inputs, named.value_or("exr"), share_of(request.catalogue), request.subfolder);
     if (!outputs) return pass_on(outputs);
     if (!request.max_error) {
         const Result<std::vector<PlacedChart>> charts =
@@ -154,7 +154,7 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
         if (!format) return Unexpected(format.error());
         const Result<media::Pixel> pixel = pixel_of(**format, request);
         if (!pixel) return Unexpected(pixel.error());
-        TextureJob job{std::move(files), *format, *pixel, {}, {}, recipe_of(request, **format, *pixel)};
+        TextureJob job{&request, std::move(files), *format, *pixel, {}, {}, recipe_of(request, **format, *pixel)};
         const bool to_stdout = job.files.output == "-";
         if (request.bake.layout == Layout::cube && to_stdout)
             return fail("USE0108", "six files cannot go to stdout", "use -o FILE, or --layout cube-strip");
@@ -184,7 +184,8 @@ bool is_up_to_date(const TextureJob& job) {
            std::equal(job.pictures.begin(), job.pictures.end(), record->files.begin(), record->files.end(), holds);
 }
 
-Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
+    const BakeRequest& request = *job.request;
     Made made;
     const Stopwatch reading;
     Result<LoadedProfile> loaded = load(job.files.input, request.input);
@@ -250,7 +251,8 @@ Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, Rep
     return made;
 }
 
-Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind) {
+Result<Made> found_texture(const TextureJob& job, ReportKind kind) {
+    const BakeRequest& request = *job.request;
     Made found;
     found.outcome.unchanged = true;
     found.outcome.remarks.push_back(fmt::format("{}: up to date", job.files.output));

@@ -16,6 +16,7 @@
 namespace gonio::cli {
 
 struct TextureJob {
+    const BakeRequest* request = nullptr;
     Job files;
     const media::ImageFormat* format = nullptr;
     media::Pixel pixel = media::Pixel::float32;
@@ -25,7 +26,7 @@ struct TextureJob {
 };
 
 // Fails (usage, unsupported) before any work is done: on outputs that collide, exist or are inputs, on a folder that is
-// not one, and on anything the format cannot store or the layout does not support.
+// not one, and on anything the format cannot store or the layout does not support. The request must outlive the jobs.
 Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const BakeRequest& request,
                                               const std::vector<std::string>& inputs);
 
@@ -33,9 +34,9 @@ Result<std::vector<TextureJob>> plan_textures(const Arguments& arguments, const 
 bool is_up_to_date(const TextureJob& job);
 
 // Bakes and writes. If one of the files cannot be written, all files stay as they were.
-Result<Made> make_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
+Result<Made> make_texture(const TextureJob& job, ReportKind kind);
 
 // Describes the existing files, for a report and a manifest.
-Result<Made> found_texture(const TextureJob& job, const BakeRequest& request, ReportKind kind);
+Result<Made> found_texture(const TextureJob& job, ReportKind kind);
 
 } // namespace gonio::cli

@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -33,6 +35,8 @@ constexpr std::array examples{
             "a cookie for a spot light"},
     Example{"gonio bake lamp.ies --engine unity-spot --cone 80deg -o cookie.png",
             "a cookie for Unity; 'gonio list engines' shows all engines"},
+    Example{"gonio bake library --engine unity-spot,unreal -O textures",
+            "for two engines, each in a folder of its own"},
     Example{"gonio bake lamp.ies --layout cube -s 128x128 -o lamp.exr",
             "six files lamp-px.exr, -nx, -py, -ny, -pz, -nz, and lamp.exr.json"},
     Example{"gonio bake lamp.ies -s auto --max-error 1% -o lamp.exr", "the smallest texture within 1 % of the peak"},
@@ -46,37 +50,44 @@ Result<int> bake_all(const Arguments& arguments, Console& console) {
     if (arguments.has("--merge")) return merge_manifests(arguments, console);
     Result<std::vector<std::string>> inputs = input_files(arguments);
     if (!inputs) return pass_on(inputs);
-    Result<BakeRequest> request = parse_bake(arguments);
-    if (!request) return pass_on(request);
-    if (request->sidecar && inputs->size() > 1)
+    Result<std::vector<BakeRequest>> requests = parse_bake(arguments);
+    if (!requests) return pass_on(requests);
+    const BakeRequest& first = requests->front();
+    if (first.sidecar && inputs->size() > 1)
         return fail("USE0107", "--sidecar names one file, but there are several inputs");
-    const Result<std::vector<TextureJob>> jobs = plan_textures(arguments, *request, *inputs);
-    if (!jobs) return Unexpected(jobs.error());
+    std::vector<TextureJob> jobs;
+    for (const BakeRequest& request : *requests) {
+        Result<std::vector<TextureJob>> planned = plan_textures(arguments, request, *inputs);
+        if (!planned) return pass_on(planned);
+        std::move(planned->begin(), planned->end(), std::back_inserter(jobs));
+    }
     const ReportKind kind = report_kind(arguments);
-    if ((kind != ReportKind::words || request->stats) && arguments.value("--output") == "-")
+    if ((kind != ReportKind::words || first.stats) && arguments.value("--output") == "-")
         return both_to_standard_output();
     std::vector<std::string> outputs;
-    for (const TextureJob& job : *jobs)
+    for (const TextureJob& job : jobs)
         outputs.insert(outputs.end(), job.pictures.begin(), job.pictures.end());
     console.say(names_that_differ_by_case(outputs));
-    const auto stays = [&](const TextureJob& job) { return request->update && is_up_to_date(job); };
+    const auto stays = [&](const TextureJob& job) { return first.update && is_up_to_date(job); };
     if (arguments.has("--dry-run")) {
-        for (const TextureJob& job : *jobs)
+        for (const TextureJob& job : jobs)
             if (!stays(job))
                 for (const std::string& picture : job.pictures)
                     console.print(fmt::format("{} -> {}\n", job.files.input, picture));
         return 0;
     }
     std::vector<std::string> names;
-    for (const TextureJob& job : *jobs)
+    for (const TextureJob& job : jobs)
         names.push_back(job.files.input);
-    const unsigned threads = request->bake.threads;
-    // Threads work on different profiles, or together on a single one.
-    if (names.size() > 1) request->bake.threads = 1;
-    return run_catalogue({names, "gonio.bake/1", "baked", threads}, request->catalogue,
-                         jobs->empty() ? std::string() : jobs->front().recipe, kind, console, [&](std::size_t index) {
-                             const TextureJob& job = (*jobs)[index];
-                             return stays(job) ? found_texture(job, *request, kind) : make_texture(job, *request, kind);
+    const unsigned threads = first.bake.threads;
+    // Threads work on different textures, or together on a single one.
+    if (names.size() > 1)
+        for (BakeRequest& request : *requests)
+            request.bake.threads = 1;
+    return run_catalogue({names, "gonio.bake/1", "baked", threads}, first.catalogue,
+                         jobs.empty() ? std::string() : jobs.front().recipe, kind, console, [&](std::size_t index) {
+                             const TextureJob& job = jobs[index];
+                             return stays(job) ? found_texture(job, kind) : make_texture(job, kind);
                          });
 }
 

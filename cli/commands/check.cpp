@@ -130,6 +130,8 @@ int run(const Arguments& arguments, Console& console) {
     if (!files) return console.fail(files.error());
     Result<ProfileInputOptions> options = profile_input(arguments);
     if (!options) return console.fail(options.error());
+    if (options->smooth_deg)
+        return console.fail(fail("USE0107", "check judges the file as it is, so --smooth has no effect").value());
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return console.fail(threads.error());
 

@@ -1,5 +1,6 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/symmetry.hpp>
 #include <gonio/web/to_profile.hpp>
 
 #include "../arguments.hpp"
@@ -31,6 +32,7 @@ constexpr std::array convert_options{
            "dialects"},
     Option{"--compact", "FRACTION",
            "leave out planes that a symmetry restores within this fraction of the peak; 0: exactly (keep all)"},
+    mirror_option,
     Option{"-u,--update", "", "with -O: write only outputs that are older than their input"},
     Option{"--overwrite", "", "with -O: replace existing files"},
     Option{"-n,--dry-run", "", "print what would be written, but write nothing"},
@@ -61,13 +63,20 @@ struct Converted {
     Diagnostics diagnostics;
 };
 
+// From the table as it was changed in reading, not from the file.
+Result<MadeProfile> convert_web(const LoadedProfile& loaded, const Request& request) {
+    return to_profile(request.compact ? compacted(loaded.web, *request.compact) : loaded.web,
+                      header_of(loaded.profile, request.input.resolve), request.target);
+}
+
 // Reads, converts, writes, and reads the written bytes again: the reported error is that of the bytes.
 Result<Converted> convert(const Job& job, const Request& request) {
     const auto& [target, input, compact] = request;
     Result<LoadedProfile> loaded = load(job.input, input);
     if (!loaded) return pass_on(loaded);
-    Result<MadeProfile> made = compact ? convert_compacted(loaded->profile, target, *compact, input.resolve)
-                                       : convert_profile(loaded->profile, target, input.resolve);
+    Result<MadeProfile> made = input.smooth_deg ? convert_web(*loaded, request)
+                               : compact        ? convert_compacted(loaded->profile, target, *compact, input.resolve)
+                                                : convert_profile(loaded->profile, target, input.resolve);
     if (!made) return pass_on(made);
     const std::string bytes = write_profile(made->profile, target);
     Result<Profile> again = read_profile(bytes, job.output);

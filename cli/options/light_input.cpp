@@ -3,15 +3,40 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 
+#include "smooth_table.hpp"
 #include "values.hpp"
 
 #include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
 
 namespace gonio::cli {
 
 bool is_about_messages(std::string_view color) {
     return color == "auto" || color == "always" || color == "never";
 }
+
+namespace {
+
+// --smooth, if it is given.
+Result<void> smooth_profile(const Arguments& arguments, Shape& shape, Diagnostics& diagnostics) {
+    const Result<std::optional<double>> step = smooth_step(arguments);
+    if (!step) return Unexpected(step.error());
+    if (!*step) return {};
+    auto* const profile = std::get_if<ProfileShape>(&shape);
+    if (profile == nullptr)
+        return fail("USE0107", fmt::format("--smooth is for the table of a profile, not for a {}", kind_of(shape)));
+    if (Result<void> loaded = load_profile(shape, diagnostics); !loaded) return loaded;
+    Result<Web> smooth = smooth_table(*profile->web, **step, profile->file, diagnostics);
+    if (!smooth) return pass_on(smooth);
+    profile->web = std::make_shared<const Web>(std::move(*smooth));
+    return {};
+}
+
+} // namespace
 
 Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics) {
@@ -26,6 +51,7 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
     Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
     if (!shape) return pass_on(shape);
     light.shape = *shape;
+    if (Result<void> smooth = smooth_profile(arguments, light.shape, diagnostics); !smooth) return pass_on(smooth);
     light.name = kind_of(light.shape);
     hang(light, placement);
     if (const auto text = arguments.value("--intensity")) {

@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "smooth_table.hpp"
 
 #include <array>
 #include <string>
@@ -24,6 +25,7 @@ inline constexpr std::array light_options{
     Option{"--direction", "X,Y,Z", "direction of the light (from the stage; probe: 0,0,-1)"},
     Option{"--up", "X,Y,Z", "direction of C90 of a profile (from the stage; probe: 0,1,0)"},
     Option{"--rotate", "ANGLE", "rotate the light about its direction, C0 towards C90: 90deg"},
+    smooth_option,
     Option{"--range", "LENGTH", "distance at which the light fades to zero (none)"},
 };
 
@@ -32,8 +34,8 @@ inline constexpr OptionGroup light_group{"light", light_options};
 // Whether the value of --color says when diagnostics are coloured, and is not a light's colour.
 bool is_about_messages(std::string_view color);
 
-// The light of the positional FILE or --shape. Reads no profile; remarks about the colour go to `diagnostics`. Fails
-// (usage) if there is neither or both, and on option values that make no sense.
+// The light of the positional FILE or --shape. Reads a profile only to smooth it; remarks about the colour go to
+// `diagnostics`. Fails (usage) if there is neither or both, and on option values that make no sense.
 Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
                                      Diagnostics& diagnostics);
 

@@ -21,11 +21,77 @@ namespace {
 
 bool write_durably = false;
 
+std::string file_name(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+// Without the ending of the file's name.
 std::string stem_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-    const std::size_t dot = name.rfind('.');
-    return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+    const std::size_t name = path.size() - file_name(path).size();
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos || dot <= name ? path : path.substr(0, dot);
+}
+
+// The names below the deepest folder that all have in common.
+std::vector<std::string> below_common_folder(const std::vector<std::string>& inputs) {
+    std::vector<std::string> names;
+    std::optional<std::string> common; // ends with a slash
+    for (const std::string& input : inputs) {
+        names.push_back(input == "-" ? "stdin" : absolute_name(input));
+        if (input == "-") continue;
+        if (!common) common = names.back();
+        const auto [differs, _] =
+            std::mismatch(common->begin(), common->end(), names.back().begin(), names.back().end());
+        common->erase(differs, common->end());
+        common->resize(common->rfind('/') + 1);
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (inputs[i] != "-") names[i].erase(0, common->size());
+    return names;
+}
+
+// The names of the files of -O, without their endings.
+std::vector<std::string> names_in_folder(const std::vector<std::string>& inputs, bool mirror) {
+    std::vector<std::string> names;
+    if (!mirror) {
+        for (const std::string& input : inputs)
+            names.push_back(input == "-" ? "stdin" : stem_of(file_name(input)));
+        return names;
+    }
+    names = below_common_folder(inputs);
+    std::map<std::string, std::size_t> with_stem;
+    for (const std::string& name : names)
+        ++with_stem[stem_of(name)];
+    for (std::string& name : names)
+        if (std::string stem = stem_of(name); with_stem[stem] == 1) name = std::move(stem);
+    return names;
+}
+
+// An error for every input that would be written to the file of one before it.
+Result<void> distinct_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                              bool mirror) {
+    constexpr std::size_t most = 20;
+    std::map<std::string, std::string> taken; // by output, the input
+    Diagnostics clashes;
+    std::size_t more = 0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto [other, is_new] = taken.emplace(outputs[i], inputs[i]);
+        if (is_new) continue;
+        if (clashes.size() == most) {
+            ++more;
+            continue;
+        }
+        clashes.push_back(
+            error_at("USE0108", {},
+                     fmt::format("'{}' and '{}' would both be written to '{}'", other->second, inputs[i], outputs[i]))
+                .diagnostics.back());
+    }
+    if (clashes.empty()) return {};
+    Diagnostic& last = clashes.back();
+    if (more > 0) last.message += fmt::format(", and so would {} more", more);
+    last.hint = mirror ? "give them different names, or write them to different folders"
+                       : "add --mirror, which keeps folders and, where needed, endings; or give them different names";
+    return Unexpected(Error{Failure::usage, std::move(clashes)});
 }
 
 } // namespace
@@ -91,7 +157,7 @@ Unexpected both_to_standard_output(std::string_view what) {
 }
 
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
-                                      std::string_view extension, Share share) {
+                                      std::string_view extension, Share share, const std::string& subfolder) {
     const auto file = arguments.value("--output");
     const auto folder = arguments.value("--output-dir");
     if (file && folder) return fail("USE0107", "-o and -O are both given", "-o writes one file, -O a folder of them");
@@ -110,21 +176,24 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                    ? fail("FIL0101", "cannot write into it: it is not a folder", "-O names a folder", *folder)
                    : fail(Failure::io, "the folder does not exist", fmt::format("create it: mkdir -p '{}'", *folder),
                           *folder);
+    const bool mirror = arguments.has("--mirror");
+    if (mirror && !folder) return fail("USE0104", "--mirror needs -O", "use -O DIR");
+    std::vector<std::string> outputs;
+    if (file) {
+        outputs = {*file};
+    } else {
+        const std::string in = subfolder.empty() ? *folder : *folder + "/" + subfolder;
+        for (const std::string& name : names_in_folder(inputs, mirror))
+            outputs.push_back(fmt::format("{}/{}.{}", in, name, extension));
+        if (Result<void> distinct = distinct_outputs(inputs, outputs, mirror); !distinct) return pass_on(distinct);
+    }
     FilesInUse files(inputs);
     std::vector<Job> jobs;
-    std::map<std::string, std::string> taken; // by output, the input
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const std::string& input = inputs[i];
         Job job;
         job.input = input;
-        job.output =
-            file ? *file : fmt::format("{}/{}.{}", *folder, input == "-" ? "stdin" : stem_of(input), extension);
-        if (folder)
-            if (const auto [other, is_new] = taken.emplace(job.output, input); !is_new)
-                return fail(
-                    "USE0108",
-                    fmt::format("'{}' and '{}' would both be written to '{}'", other->second, input, job.output),
-                    "give them different names, or write them to different folders");
+        job.output = outputs[i];
         if (i % share.step != share.first) continue;
         if (Result<void> free = files.take(job.output); !free) return pass_on(free);
         job.name = folder ? job.output.substr(folder->size() + 1) : job.output;
@@ -138,6 +207,9 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
         }
         jobs.push_back(std::move(job));
     }
+    if (folder && !arguments.has("--dry-run"))
+        for (const Job& job : jobs)
+            if (Result<void> made = make_folders_of(*folder, job.name); !made) return pass_on(made);
     return jobs;
 }
 

@@ -27,9 +27,13 @@ inline constexpr OptionGroup picture_format_group{"picture", picture_format_opti
 inline constexpr Option durable_option{
     "--durable", "", "flush files to disk before they are renamed: a power cut leaves the old or the new file"};
 
+inline constexpr Option mirror_option{
+    "--mirror", "", "with -O: keep the folders of the inputs below the one that they share, and make them"};
+
 inline constexpr std::array output_options{
     Option{"-o,--output", "FILE", "write one output; '-' is stdout (with --to)"},
     Option{"-O,--output-dir", "DIR", "write one output per input into an existing folder"},
+    mirror_option,
     Option{"-u,--update", "", "with -O: write only outdated files"},
     Option{"--overwrite", "", "with -O: replace existing files"},
     Option{"-n,--dry-run", "", "print what would be written, but write nothing"},
@@ -80,10 +84,12 @@ struct Share {
     std::size_t step = 1;
 };
 
-// Pairs the inputs of a share with outputs; `extension` names the files of -O. Fails (usage) if both or neither of -o
-// and -O are given, if -o is given with several inputs, if two inputs (of all) would write the same output, if an
-// output is one of the inputs, or if an output exists and may not be replaced; (io) if -O is not a folder.
+// Pairs the inputs of a share with outputs; `extension` names the files of -O, or of its `subfolder`. With --mirror,
+// inputs in one folder that differ in their endings only keep them ("lamp.ies.exr", "lamp.ldt.exr"). Folders in that of
+// -O are made, except for a dry run. Fails (usage) if both or neither of -o and -O are given, if -o is given with
+// several inputs, if two inputs (of all) would write the same output, with an error for each of them, if an output is
+// one of the inputs, or if an output exists and may not be replaced; (io) if -O is not a folder.
 Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vector<std::string>& inputs,
-                                      std::string_view extension, Share share = {});
+                                      std::string_view extension, Share share = {}, const std::string& subfolder = {});
 
 } // namespace gonio::cli

@@ -7,6 +7,8 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/radiometric.hpp>
 
+#include "smooth_table.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -90,6 +92,9 @@ Result<ProfileInputOptions> profile_input(const Arguments& arguments) {
         if (!named) return pass_on(named);
         options.resolve.azimuth = *named;
     }
+    Result<std::optional<double>> smooth = smooth_step(arguments);
+    if (!smooth) return pass_on(smooth);
+    options.smooth_deg = *smooth;
     if (const auto text = arguments.value("--tilt")) {
         Result<double> tilt = parse_amount(*text, Dimension::angle, "--tilt");
         if (!tilt) return pass_on(tilt);
@@ -108,6 +113,7 @@ std::string recipe_of(const ProfileInputOptions& options) {
     if (resolve.tilt_deg != 0.0) text += fmt::format(" tilt={}deg", resolve.tilt_deg);
     if (resolve.azimuth == AzimuthConvention::lm63) text += " azimuth=ies";
     if (resolve.azimuth == AzimuthConvention::eulumdat) text += " azimuth=eulumdat";
+    if (options.smooth_deg) text += fmt::format(" smooth={}deg", *options.smooth_deg);
     return text;
 }
 
@@ -137,9 +143,9 @@ Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, con
     Result<Profile> profile = read_profile(bytes, file, read);
     if (!profile) return pass_on(profile);
     if (options.photometric && !options.resolve.as_candela)
-        if (const std::string unit = radiometric_unit(*profile); !unit.empty())
-            return fail("UNS0104", fmt::format("the intensities of this profile are in {}, not in candela", unit),
-                        "add --as-candela to take its numbers as candela", file);
+        if (Result<void> checked = require_candela(*profile, "add --as-candela to take its numbers as candela");
+            !checked)
+            return pass_on(checked);
     Diagnostics diagnostics = profile->diagnostics;
     Result<ResolvedWeb> resolved = resolve_web(*profile, options.resolve);
     if (!resolved) {
@@ -149,7 +155,13 @@ Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, con
     }
     diagnostics.insert(diagnostics.end(), std::make_move_iterator(resolved->diagnostics.begin()),
                        std::make_move_iterator(resolved->diagnostics.end()));
-    return LoadedProfile{std::move(bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
+    LoadedProfile loaded{std::move(bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
+    if (options.smooth_deg) {
+        Result<Web> smooth = smooth_table(loaded.web, *options.smooth_deg, file, loaded.diagnostics);
+        if (!smooth) return pass_on(smooth);
+        loaded.web = std::move(*smooth);
+    }
+    return loaded;
 }
 
 } // namespace gonio::cli

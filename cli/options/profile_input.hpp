@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "smooth_table.hpp"
 
 #include <array>
 #include <string>
@@ -20,6 +21,7 @@ inline constexpr std::array profile_input_options{
     Option{"--tilt", "DEG", "IES with TILT factors: mounting tilt of the lamp, for example 30deg (0deg)"},
     Option{"--azimuth", "TRADITION",
            "azimuth convention, ies or eulumdat: rotates files of the other one by 90° (as written)"},
+    smooth_option,
     Option{"--as-candela", "", "take the numbers of a radiometric profile (mW/sr) as candela"},
     Option{"--strict", "", "refuse files that depart from the standard"},
 };
@@ -29,7 +31,8 @@ inline constexpr OptionGroup profile_input_group{"input", profile_input_options}
 struct ProfileInputOptions {
     ReadOptions read;
     ResolveOptions resolve;
-    bool photometric = false; // refuse radiometric profiles (UNS0104), unless --as-candela
+    std::optional<double> smooth_deg; // the step
+    bool photometric = false;         // refuse radiometric profiles (UNS0104), unless --as-candela
 };
 
 Result<ProfileInputOptions> profile_input(const Arguments& arguments);
@@ -47,7 +50,7 @@ struct LoadedProfile {
     std::string bytes;
     Profile profile;
     Web web;
-    Diagnostics diagnostics; // of reading and resolving
+    Diagnostics diagnostics; // of reading, resolving and smoothing
 };
 
 Result<LoadedProfile> load(const std::string& file, const ProfileInputOptions& options);

@@ -29,11 +29,23 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, error);
 }
 
+std::string absolute_name(const std::string& path) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    return (error ? fs::path(path) : absolute).lexically_normal().string();
+}
+
 Result<void> make_folder(const std::string& path) {
     std::error_code error;
     fs::create_directory(path, error);
     if (error) return fail("FIL0103", "cannot create the folder: " + error.message(), {}, path);
     if (!is_folder(path)) return fail(Failure::io, "this is a file, not a folder", {}, path);
+    return {};
+}
+
+Result<void> make_folders_of(const std::string& folder, std::string_view path) {
+    for (std::size_t slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/', slash + 1))
+        if (Result<void> made = make_folder(folder + "/" + std::string(path.substr(0, slash))); !made) return made;
     return {};
 }
 

@@ -2,9 +2,12 @@
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/radiometric.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace gonio {
@@ -42,6 +45,13 @@ std::string radiometric_unit(const Profile& profile) {
         }
     }
     return unit.empty() && is_radiant ? "radiometric units" : unit;
+}
+
+Result<void> require_candela(const Profile& profile, std::string hint) {
+    const std::string unit = radiometric_unit(profile);
+    if (unit.empty()) return {};
+    return fail("UNS0104", fmt::format("the intensities of this profile are in {}, not in candela", unit),
+                std::move(hint), profile.source);
 }
 
 bool states_radiometric_unit(const IesKeyword& keyword) {

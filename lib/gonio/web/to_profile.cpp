@@ -198,6 +198,20 @@ Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, Prof
     return web_detail::with_numbers_in_range(std::move(made));
 }
 
+namespace {
+
+// Whether the light, turned by 90° about its axis, differs somewhere by more than 1 % of its peak.
+bool changes_when_turned(const Web& web) {
+    if (web.stored_symmetry() == Symmetry::axial) return false;
+    const double least = 0.01 * peak(web).intensity.value;
+    for (int c = 0; c < 360; c += 5)
+        for (double gamma = 0.0; gamma <= 180.0; gamma += 2.5)
+            if (std::abs(web.candela(c, gamma) - web.candela(c + 90.0, gamma)) > least) return true;
+    return false;
+}
+
+} // namespace
+
 Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options) {
     const auto* ies = std::get_if<IesFile>(&profile.file);
     if (target == ProfileTarget::lm63 && ies != nullptr && !is_default(options))
@@ -215,7 +229,20 @@ Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target
     }
     Result<ResolvedWeb> resolved = resolve_web(profile, options);
     if (!resolved) return pass_on(resolved);
-    return to_profile(resolved->web, header_of(profile, options), target);
+    Result<MadeProfile> made = to_profile(resolved->web, header_of(profile, options), target);
+    const bool from_eulumdat = std::holds_alternative<LdtFile>(profile.file);
+    const bool to_eulumdat = target == ProfileTarget::eulumdat;
+    if (made && from_eulumdat != to_eulumdat && options.azimuth == AzimuthConvention::as_written &&
+        changes_when_turned(resolved->web)) {
+        Losses losses(profile.source);
+        losses.add("WEB0220",
+                   fmt::format("C0 stays C0, but {} puts it {} the luminaire", to_eulumdat ? "EULUMDAT" : "LM-63",
+                               to_eulumdat ? "across" : "along"),
+                   fmt::format("add --azimuth {} to turn it by 90°", to_eulumdat ? "eulumdat" : "ies"));
+        Diagnostics said = losses.take();
+        made->diagnostics.insert(made->diagnostics.end(), said.begin(), said.end());
+    }
+    return made;
 }
 
 Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget target, double tolerance,

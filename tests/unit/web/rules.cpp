@@ -268,6 +268,7 @@ const std::map<std::string, Rule>& smallest_files() {
         {"WEB0217", {ies({{2, "TILT=a.tlt"}}), false, T::lm63, "beside"}},
         {"WEB0218", {"<IESTM33-22><Emitter/>" + tm33("<IESTM33-22><Version>1.1</Version>", ""), false, T::lm63}},
         {"WEB0219", {ies({{3, "1 1000 1 2 2 1 2 0 0 0"}, {6, "0 90"}, {7, "9 1 9 1"}}), false, T::lm63, "compact"}},
+        {"WEB0220", {ies({{3, "1 1000 1 2 2 1 2 0 0 0"}, {6, "0 90"}, {7, "9 1 9 5"}}), false, T::eulumdat}},
 
         {"WEB0301", {ies({{3, "1 1 1 2 1 1 2 0 0 0"}})}},
         {"WEB0302", {ies({{3, "1 9999 1 2 1 1 2 0 0 0"}})}},

@@ -45,6 +45,10 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0207", Severity::warning, Strict::same, "black picture",
      "There are lights that shine, but no surface that the camera sees gets any: the lights are hidden behind a wall, "
      "stand outside the stage, or face away."},
+    {"RES0208", Severity::note, Strict::same, "table smoothed",
+     "You asked for a smooth curve between the angles of a profile's table. All values of the table are kept. Between "
+     "them the luminaire was not measured: the flux is that of the curve, and the message states it before and "
+     "after."},
 
     {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
      "By the convention of the program, the light does not emit what the number states in SI units."},

@@ -90,6 +90,10 @@ inline constexpr auto web_codes = std::to_array<DiagnosticCode>({
     {"WEB0219", Severity::note, Strict::same, "stored by its symmetry",
      "You asked to look for symmetry, and the planes of the table repeat one another. The planes that the "
      "symmetry restores are left out. The light is the same, within the tolerance that you asked for."},
+    {"WEB0220", Severity::note, Strict::same, "azimuths of the other standard",
+     "In LM-63 and TM-33, C0 is along the luminaire; in EULUMDAT it is across. Length, width and C were written under "
+     "the same names as in the source, so a program that follows both standards shows the light turned by 90 degrees. "
+     "Many files of manufacturers are written like this, because programs differ. '--azimuth' turns the light."},
 
     {"WEB0301", Severity::warning, Strict::same, "more light than the lamps give",
      "The flux of the table exceeds the lumens that the file declares for its lamps. Usual causes are the lumens "
