@@ -44,6 +44,7 @@
 #include <gonio/preview/tone_map.hpp>
 #include <gonio/profile/field_places.hpp>
 #include <gonio/profile/luminous_opening.hpp>
+#include <gonio/profile/photometry_type.hpp>
 #include <gonio/profile/profile.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/profile/tm33_file.hpp>

@@ -1,7 +1,9 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/light/photometry.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/web.hpp>
 
 #include <fmt/format.h>
 

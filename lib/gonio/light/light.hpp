@@ -2,7 +2,9 @@
 #pragma once
 
 #include <gonio/base/frame.hpp>
-#include <gonio/light/photometry.hpp>
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/light/photometric_value.hpp>
 #include <gonio/light/shape.hpp>
 
 #include <glm/vec3.hpp>

@@ -136,6 +136,8 @@ Emission emission_of_strength(const ShapeFactors& factors, double strength) {
 
 } // namespace
 
+ShapePhotometry::ShapePhotometry(Shape shape, ShapeFactors factors) : shape_(std::move(shape)), factors_(factors) {}
+
 Result<ShapePhotometry> ShapePhotometry::of(Shape shape) {
     Result<ShapeFactors> factors = shape_factors(shape);
     if (!factors) return pass_on(factors);

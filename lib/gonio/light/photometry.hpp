@@ -65,7 +65,7 @@ public:
     Result<Meters> distance_of(const Emission& emission, Lux illuminance) const;
 
 private:
-    ShapePhotometry(Shape shape, ShapeFactors factors) : shape_(std::move(shape)), factors_(factors) {}
+    ShapePhotometry(Shape shape, ShapeFactors factors);
     const Factor& flux();
     Result<double> strength_of(const PhotometricValue& value, ConversionSteps* steps);
 

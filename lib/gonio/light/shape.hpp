@@ -3,7 +3,6 @@
 
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
-#include <gonio/web/web.hpp>
 
 #include <memory>
 #include <span>
@@ -13,6 +12,8 @@
 #include <vector>
 
 namespace gonio {
+
+class Web;
 
 // Punctual shapes emit from a point and have no luminance. A mask multiplies their intensity by a web over its peak.
 

@@ -3,11 +3,10 @@
 #include <gonio/measure/specular_truth.hpp>
 #include <gonio/shading/irradiance_ellipse.hpp>
 #include <gonio/shading/kernels_specular.hpp>
-#include <gonio/shading/specular_named.hpp>
+#include <gonio/shading/specular_in_double.hpp>
 #include <gonio/simd/dispatch.hpp>
 
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace gonio::measure {
@@ -26,77 +25,58 @@ constexpr std::pair<const char*, SpecularMethod> names[] = {
     {"spherical-hack", SpecularMethod::spherical_hack},
     {"sun-disk", SpecularMethod::sun_disk}};
 
-template<class S>
-vec3<S> vec(const float (&v)[3]) {
-    return {static_cast<S>(v[0]), static_cast<S>(v[1]), static_cast<S>(v[2])};
+vec3<double> vec(const float (&v)[3]) {
+    return {v[0], v[1], v[2]};
 }
 
-template<class S>
-vec3<S> at(const std::array<std::vector<float>, 3>& v, std::size_t i) {
-    return {static_cast<S>(v[0][i]), static_cast<S>(v[1][i]), static_cast<S>(v[2][i])};
+vec3<double> at(const std::array<std::vector<float>, 3>& v, std::size_t i) {
+    return {v[0][i], v[1][i], v[2][i]};
 }
 
 // Calls work(light) with the light as its specific type, placed about the origin.
-template<class S, class Work>
-S with_light(const shading::LightConstants& light, const Work& work) {
-    const vec3<S> zero{S(0), S(0), S(0)};
-    const auto radius = static_cast<S>(light.radius);
+template<class Work>
+double with_light(const shading::LightConstants& light, const Work& work) {
+    const vec3<double> zero{0.0, 0.0, 0.0};
+    const double radius = light.radius;
+    const double width = light.width;
+    const double height = light.height;
     switch (light.kind) {
     case Kind::sphere:
-        return work(shading::SphereLight<S>{zero, zero, radius, S(0)});
+        return work(shading::SphereLight<double>{zero, zero, radius, 0.0});
     case Kind::disk:
-        return work(shading::DiskLight<S>{zero, zero, vec<S>(light.axis), radius, S(0), light.two_sided});
+        return work(shading::DiskLight<double>{zero, zero, vec(light.axis), radius, 0.0, light.two_sided});
     case Kind::ellipse:
-        return work(shading::EllipseLight<S>{zero, zero, vec<S>(light.axis), vec<S>(light.width_direction),
-                                             S(0.5) * static_cast<S>(light.width),
-                                             S(0.5) * static_cast<S>(light.height), S(0), light.two_sided});
+        return work(shading::EllipseLight<double>{zero, zero, vec(light.axis), vec(light.width_direction), 0.5 * width,
+                                                  0.5 * height, 0.0, light.two_sided});
     case Kind::rectangle:
-        return work(shading::RectangleLight<S>{zero, zero, vec<S>(light.axis), vec<S>(light.width_direction),
-                                               static_cast<S>(light.width), static_cast<S>(light.height), S(0),
-                                               light.two_sided});
+        return work(shading::RectangleLight<double>{zero, zero, vec(light.axis), vec(light.width_direction), width,
+                                                    height, 0.0, light.two_sided});
     case Kind::tube:
-        return work(shading::TubeLight<S>{zero, zero, vec<S>(light.axis), radius, static_cast<S>(light.length), S(0)});
+        return work(shading::TubeLight<double>{zero, zero, vec(light.axis), radius, light.length, 0.0});
     default:
-        return S(0);
+        return 0.0;
     }
 }
 
-// Each case in turn.
-template<class S, SpecularMethod method>
-void one_by_one(const SpecularCases& cases, std::span<S> luminance) {
+void ltc_in_double(const SpecularCases& cases, std::span<double> luminance) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::size_t group = i / SpecularCases::group_size;
-        luminance[i] = with_light<S>(cases.area.lights[group], [&](const auto& light) {
-            return shading::specular_by<method>(light, at<S>(cases.area.position, i) * S(-1),
-                                                at<S>(cases.area.normal, i), at<S>(cases.view, i),
-                                                static_cast<S>(cases.alpha[group]))
-                .scale;
-        });
+        luminance[i] =
+            specular_in_double(cases.area.lights[group], SpecularMethod::ltc, at(cases.area.position, i) * -1.0,
+                               at(cases.area.normal, i), at(cases.view, i), cases.alpha[group]);
     }
 }
 
-template<SpecularMethod method>
-void in_floats(const SpecularCases& cases, std::span<float> luminance) {
-    one_by_one<float, method>(cases, luminance);
-}
-
-constexpr void (*float_methods[])(const SpecularCases&,
-                                  std::span<float>) = {in_floats<SpecularMethod::ltc>,
-                                                       in_floats<SpecularMethod::representative_point>,
-                                                       in_floats<SpecularMethod::dominant_direction>,
-                                                       in_floats<SpecularMethod::specular_d>,
-                                                       in_floats<SpecularMethod::spherical_hack>,
-                                                       in_floats<SpecularMethod::sun_disk>};
-
-SpecularMethodUnderTest kernel_method(const char* name, SpecularMethod method,
-                                      const shading::SpecularKernels& kernels) {
+// One float at a time is a set of its own.
+SpecularMethodUnderTest kernel_method(const char* name, SpecularMethod method, simd::InstructionSet set) {
+    const shading::SpecularKernels& kernels = shading::specular_kernels(set);
     const auto work = [&kernels, method](const SpecularCases& cases, std::span<float> luminance) {
         std::array<float, SpecularCases::group_size> grazing{};
         for (std::size_t g = 0; g < cases.area.lights.size(); ++g)
             kernels.specular(cases.surfaces(g), cases.area.lights[g], cases.alpha[g], method,
                              luminance.data() + g * SpecularCases::group_size, grazing.data());
     };
-    return {name, kernels.name, work, {}};
+    return {name, set == simd::InstructionSet::scalar ? "float" : kernels.name, work, {}};
 }
 
 } // namespace
@@ -104,37 +84,17 @@ SpecularMethodUnderTest kernel_method(const char* name, SpecularMethod method,
 std::vector<SpecularMethodUnderTest> specular_methods(Kind kind) {
     std::vector<SpecularMethodUnderTest> methods;
     if (kind == Kind::punctual) return methods;
-    methods.push_back({"ltc", "double", {}, one_by_one<double, SpecularMethod::ltc>});
-    for (const auto& [name, method] : names) {
-        methods.push_back({name, "float", float_methods[static_cast<std::size_t>(method)], {}});
+    methods.push_back({"ltc", "double", {}, ltc_in_double});
+    for (const auto& [name, method] : names)
         for (const simd::InstructionSet set : simd::available_sets())
-            if (set != simd::InstructionSet::scalar)
-                methods.push_back(kernel_method(name, method, shading::specular_kernels(set)));
-    }
+            methods.push_back(kernel_method(name, method, set));
     return methods;
 }
 
 double specular_in_double(const shading::LightConstants& light, SpecularMethod method, vec3<double> center,
                           vec3<double> normal, vec3<double> view, double alpha) {
-    return with_light<double>(light, [&](const auto& shape) {
-        const auto by = [&]<SpecularMethod named>() {
-            return shading::specular_by<named>(shape, center, normal, view, alpha).scale;
-        };
-        switch (method) {
-        case SpecularMethod::ltc:
-            return by.template operator()<SpecularMethod::ltc>();
-        case SpecularMethod::representative_point:
-            return by.template operator()<SpecularMethod::representative_point>();
-        case SpecularMethod::dominant_direction:
-            return by.template operator()<SpecularMethod::dominant_direction>();
-        case SpecularMethod::specular_d:
-            return by.template operator()<SpecularMethod::specular_d>();
-        case SpecularMethod::spherical_hack:
-            return by.template operator()<SpecularMethod::spherical_hack>();
-        case SpecularMethod::sun_disk:
-            return by.template operator()<SpecularMethod::sun_disk>();
-        }
-        return 0.0;
+    return with_light(light, [&](const auto& shape) {
+        return shading::specular_in_double(method, shape, center, normal, view, alpha).scale;
     });
 }
 
@@ -142,8 +102,8 @@ std::vector<double> specular_truth(const SpecularCases& cases, unsigned threads)
     std::vector<double> truth(cases.size());
     parallel_for(cases.size(), threads, [&](std::size_t i) {
         const std::size_t group = i / SpecularCases::group_size;
-        truth[i] = specular_by_quadrature(cases.area.lights[group], at<double>(cases.area.position, i) * -1.0,
-                                          at<double>(cases.area.normal, i), at<double>(cases.view, i),
+        truth[i] = specular_by_quadrature(cases.area.lights[group], at(cases.area.position, i) * -1.0,
+                                          at(cases.area.normal, i), at(cases.view, i),
                                           static_cast<double>(cases.alpha[group]));
     });
     return truth;

@@ -1,6 +1,7 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/detail/intensity_pattern.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/web/web.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/preview/detail/light_reach.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

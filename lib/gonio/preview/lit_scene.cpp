@@ -2,6 +2,7 @@
 #include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/reference.hpp>
 
 #include <glm/geometric.hpp>
@@ -12,30 +13,6 @@
 namespace gonio::detail {
 
 namespace {
-
-shading::SpecularMethod specular_method(IrradianceMethod method) {
-    using Specular = shading::SpecularMethod;
-    switch (method) {
-    case IrradianceMethod::representative_point:
-    case IrradianceMethod::ue4:
-    case IrradianceMethod::point:
-        return Specular::representative_point;
-    case IrradianceMethod::dominant_direction:
-    case IrradianceMethod::frostbite:
-        return Specular::dominant_direction;
-    case IrradianceMethod::specular_d:
-        return Specular::specular_d;
-    case IrradianceMethod::spherical_hack:
-        return Specular::spherical_hack;
-    case IrradianceMethod::sun_disk:
-        return Specular::sun_disk;
-    case IrradianceMethod::exact:
-    case IrradianceMethod::reference:
-    case IrradianceMethod::ltc:
-        break;
-    }
-    return Specular::ltc;
-}
 
 std::optional<shading::Approximation> approximation(IrradianceMethod method) {
     if (method == IrradianceMethod::frostbite) return shading::Approximation::frostbite;

@@ -7,6 +7,7 @@
 
 #include <gonio/base/diagnostics.hpp>
 #include <gonio/profile/field_places.hpp>
+#include <gonio/profile/photometry_type.hpp>
 #include <gonio/profile/tm33_file.hpp>
 
 #include <cstddef>
@@ -15,9 +16,6 @@
 #include <vector>
 
 namespace gonio {
-
-// The three goniometer geometries of LM-63 (LM-75). EULUMDAT is always C.
-enum class Photometry { a, b, c };
 
 // ANSI/IES LM-63 ------------------------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 #include <gonio/scene/light_sampler.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/geometric.hpp>
 

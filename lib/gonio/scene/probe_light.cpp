@@ -6,6 +6,7 @@
 #include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/irradiance_area.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/geometric.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/shading/specular_method.hpp>
 
 #include <cstdint>
 
@@ -53,6 +54,9 @@ ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const gl
 
 // The methods named after their treatment of the lobe: ltc and the methods after it that share its illuminance.
 bool is_specular_method(IrradianceMethod method);
+
+// The treatment of the lobe by any method: one of these, or what goes with an irradiance.
+shading::SpecularMethod specular_method(IrradianceMethod method);
 
 // Whether these methods support the material's lobe: GGX alone, or none.
 bool has_named_lobe(const Material& material);

@@ -5,8 +5,8 @@
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/shading/specular_in_double.hpp>
 #include <gonio/shading/specular_ltc.hpp>
-#include <gonio/shading/specular_named.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -31,26 +31,6 @@ template<class CoreLight>
                                            double linear_roughness) {
     return shading::diffuse_ltc(light, light.center, point.normal, point.view, linear_roughness);
 }
-template<class CoreLight>
-[[gnu::noinline]] shading::SpecularLuminance<double> specular(const CoreLight& light, Vec to_center, Vec normal,
-                                                              Vec view, double alpha, IrradianceMethod method) {
-    using shading::specular_by;
-    using shading::SpecularMethod;
-    switch (method) {
-    case IrradianceMethod::dominant_direction:
-        return specular_by<SpecularMethod::dominant_direction>(light, to_center, normal, view, alpha);
-    case IrradianceMethod::specular_d:
-        return specular_by<SpecularMethod::specular_d>(light, to_center, normal, view, alpha);
-    case IrradianceMethod::spherical_hack:
-        return specular_by<SpecularMethod::spherical_hack>(light, to_center, normal, view, alpha);
-    case IrradianceMethod::sun_disk:
-        return specular_by<SpecularMethod::sun_disk>(light, to_center, normal, view, alpha);
-    case IrradianceMethod::representative_point:
-        return specular_by<SpecularMethod::representative_point>(light, to_center, normal, view, alpha);
-    default:
-        return specular_by<SpecularMethod::ltc>(light, to_center, normal, view, alpha);
-    }
-}
 
 // The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
 // the receiver.
@@ -74,7 +54,8 @@ struct ByMethod {
                 if constexpr (decltype(core)::lobe == shading::LobeKind::ggx) {
                     const auto gloss = shading::gloss(core);
                     const auto share =
-                        specular(core_light, core_light.center, point.normal, point.view, gloss.lobe.alpha, method);
+                        shading::specular_in_double(specular_method(method), core_light, core_light.center,
+                                                    point.normal, point.view, gloss.lobe.alpha);
                     const auto channel = [&](double f0) {
                         return gloss.factor * share.scale * (f0 + (gloss.f90 - f0) * share.grazing);
                     };
@@ -101,6 +82,30 @@ private:
 };
 
 } // namespace
+
+shading::SpecularMethod specular_method(IrradianceMethod method) {
+    using Specular = shading::SpecularMethod;
+    switch (method) {
+    case IrradianceMethod::representative_point:
+    case IrradianceMethod::ue4:
+    case IrradianceMethod::point:
+        return Specular::representative_point;
+    case IrradianceMethod::dominant_direction:
+    case IrradianceMethod::frostbite:
+        return Specular::dominant_direction;
+    case IrradianceMethod::specular_d:
+        return Specular::specular_d;
+    case IrradianceMethod::spherical_hack:
+        return Specular::spherical_hack;
+    case IrradianceMethod::sun_disk:
+        return Specular::sun_disk;
+    case IrradianceMethod::exact:
+    case IrradianceMethod::reference:
+    case IrradianceMethod::ltc:
+        break;
+    }
+    return Specular::ltc;
+}
 
 bool is_specular_method(IrradianceMethod method) {
     switch (method) {

@@ -8,6 +8,7 @@
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/geometric.hpp>
 

@@ -12,7 +12,7 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
-#include <gonio/profile/profile.hpp>
+#include <gonio/profile/photometry_type.hpp>
 
 #include <glm/vec3.hpp>
 

@@ -4,6 +4,7 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/web/web.hpp>
 
 #include "../reference_rows.hpp"
 #include "reference_cases.hpp"

@@ -3,6 +3,7 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/preview/kernels_intensity.hpp>
+#include <gonio/web/web.hpp>
 
 #include <glm/vec3.hpp>
 
