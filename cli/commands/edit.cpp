@@ -256,6 +256,7 @@ Result<int> edit(const Arguments& arguments, Console& console) {
     }
     Luminaire& edited = luminaires.front();
     if (Result<void> changed = change_web(edited.web, arguments, cost); !changed) return pass_on(changed);
+    if (arguments.has("--rotate")) edited.header.azimuth = AzimuthConvention::as_written;
     if (cost.max_error_cd > 0.0) {
         const double top = std::abs(peak(edited.web).intensity.value);
         console.note(fmt::format("resampled: error up to {} cd, {} of the peak; flux {:+.3g} lm",

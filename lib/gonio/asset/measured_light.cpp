@@ -1,6 +1,7 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/measured_light.hpp>
 #include <gonio/base/codes/result.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/compare.hpp>
@@ -63,11 +64,8 @@ Result<Colored> color_of(const MeasuredLightSource& source, const MeasuredLightO
 } // namespace
 
 std::string asset_name(std::string_view file) {
-    const std::size_t slash = file.rfind('/');
-    std::string_view stem = slash == std::string_view::npos ? file : file.substr(slash + 1);
-    if (const std::size_t dot = stem.rfind('.'); dot != std::string_view::npos && dot > 0) stem = stem.substr(0, dot);
     std::string name;
-    for (const char c : stem)
+    for (const char c : without_extension(file_name(file)))
         name += is_letter_or_digit(c) || c == '-' ? c : '_';
     if (name.empty() || name == "-") name = "light";
     return name;
@@ -102,7 +100,9 @@ Result<MeasuredLight> measured_light(const MeasuredLightSource& source, const Me
         if (!scaled) return pass_on(scaled);
         wanted = std::move(*scaled);
     }
-    Result<MadeProfile> made = to_profile(wanted, source.header, ProfileTarget::portable);
+    ProfileHeader header = source.header;
+    if (turn_deg != 0.0) header.azimuth = AzimuthConvention::as_written;
+    Result<MadeProfile> made = to_profile(wanted, header, ProfileTarget::portable);
     if (!made) return pass_on(made);
     std::string bytes = write_profile(made->profile, ProfileTarget::portable);
     Result<Profile> again = read_profile(bytes, source.file);

@@ -123,6 +123,9 @@ ProfileHeader header_of(const Profile& profile, const ResolveOptions& options) {
     if (options.as_candela) std::erase_if(header.keywords, states_radiometric_unit);
     header.source = profile.source;
     header.opening = luminous_opening(profile);
+    if (options.azimuth == AzimuthConvention::as_written)
+        header.azimuth =
+            std::holds_alternative<LdtFile>(profile.file) ? AzimuthConvention::eulumdat : AzimuthConvention::lm63;
     return header;
 }
 

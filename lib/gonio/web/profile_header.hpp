@@ -31,6 +31,9 @@ struct ProfileHeader {
     double width_m = 0.0;
     double height_m = 0.0;
 
+    // The convention by which the web counts C; as_written: none, as for light that was made or turned by hand.
+    AzimuthConvention azimuth = AzimuthConvention::as_written;
+
     // EULUMDAT only.
     std::optional<int> type_indicator; // derived from the light if not given
     double tilt_deg = 0.0;             // during the measurement

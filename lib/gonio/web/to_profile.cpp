@@ -120,6 +120,28 @@ void report_resampling(const ResampledWeb& resampled, const Web& web, Losses& lo
     losses.add("WEB0205", std::move(message));
 }
 
+// Whether the light, turned by 90° about its axis, differs somewhere by more than 1 % of its peak.
+bool changes_when_turned(const Web& web) {
+    if (web.stored_symmetry() == Symmetry::axial) return false;
+    const double least = 0.01 * peak(web).intensity.value;
+    for (int c = 0; c < 360; c += 5)
+        for (double gamma = 0.0; gamma <= 180.0; gamma += 2.5)
+            if (std::abs(web.candela(c, gamma) - web.candela(c + 90.0, gamma)) > least) return true;
+    return false;
+}
+
+// C was kept, though the source's standard and the target's count it from different sides of the luminaire.
+void report_azimuth(const Web& web, const ProfileHeader& header, ProfileTarget target, Losses& losses) {
+    const bool to_eulumdat = target == ProfileTarget::eulumdat;
+    const AzimuthConvention wanted = to_eulumdat ? AzimuthConvention::eulumdat : AzimuthConvention::lm63;
+    if (header.azimuth == AzimuthConvention::as_written || header.azimuth == wanted || !changes_when_turned(web))
+        return;
+    losses.add("WEB0220",
+               fmt::format("C0 stays C0, but {} puts it {} the luminaire", to_eulumdat ? "EULUMDAT" : "LM-63",
+                           to_eulumdat ? "across" : "along"),
+               fmt::format("add --azimuth {} to turn it by 90°", to_eulumdat ? "eulumdat" : "ies"));
+}
+
 } // namespace
 
 double web_detail::rounded_to(double value, int digits) {
@@ -194,23 +216,10 @@ Result<MadeProfile> to_profile(const Web& web, const ProfileHeader& header, Prof
         made.profile.file = web_detail::make_tm33(written, header, losses);
     else
         made.profile.file = web_detail::make_ies(written, header, request_of(target), losses);
+    report_azimuth(written, header, target, losses);
     made.diagnostics = losses.take();
     return web_detail::with_numbers_in_range(std::move(made));
 }
-
-namespace {
-
-// Whether the light, turned by 90° about its axis, differs somewhere by more than 1 % of its peak.
-bool changes_when_turned(const Web& web) {
-    if (web.stored_symmetry() == Symmetry::axial) return false;
-    const double least = 0.01 * peak(web).intensity.value;
-    for (int c = 0; c < 360; c += 5)
-        for (double gamma = 0.0; gamma <= 180.0; gamma += 2.5)
-            if (std::abs(web.candela(c, gamma) - web.candela(c + 90.0, gamma)) > least) return true;
-    return false;
-}
-
-} // namespace
 
 Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target, const ResolveOptions& options) {
     const auto* ies = std::get_if<IesFile>(&profile.file);
@@ -229,20 +238,7 @@ Result<MadeProfile> convert_profile(const Profile& profile, ProfileTarget target
     }
     Result<ResolvedWeb> resolved = resolve_web(profile, options);
     if (!resolved) return pass_on(resolved);
-    Result<MadeProfile> made = to_profile(resolved->web, header_of(profile, options), target);
-    const bool from_eulumdat = std::holds_alternative<LdtFile>(profile.file);
-    const bool to_eulumdat = target == ProfileTarget::eulumdat;
-    if (made && from_eulumdat != to_eulumdat && options.azimuth == AzimuthConvention::as_written &&
-        changes_when_turned(resolved->web)) {
-        Losses losses(profile.source);
-        losses.add("WEB0220",
-                   fmt::format("C0 stays C0, but {} puts it {} the luminaire", to_eulumdat ? "EULUMDAT" : "LM-63",
-                               to_eulumdat ? "across" : "along"),
-                   fmt::format("add --azimuth {} to turn it by 90°", to_eulumdat ? "eulumdat" : "ies"));
-        Diagnostics said = losses.take();
-        made->diagnostics.insert(made->diagnostics.end(), said.begin(), said.end());
-    }
-    return made;
+    return to_profile(resolved->web, header_of(profile, options), target);
 }
 
 Result<MadeProfile> convert_compacted(const Profile& profile, ProfileTarget target, double tolerance,

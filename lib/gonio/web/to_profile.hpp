@@ -3,7 +3,7 @@
 // The resulting file describes the same web: when resolved again, it agrees with the original to 1e-6 of the peak or
 // better (numbers are written exactly; scaling to cd/klm rounds once). Anything that the target cannot store is
 // reported in the diagnostics: codes WEB02… of gonio/base/codes/web.hpp. Azimuths are kept; the 90° between the
-// conventions of LM-63 and EULUMDAT are not applied here, and convert_profile() notes it.
+// conventions of LM-63 and EULUMDAT are not applied here, but noted (WEB0220).
 //
 // Tables are written as readers expect them. Vertical angles begin at 0 or 90 and end at 90 or 180 degrees, padded with
 // zeros if the web's table ends elsewhere. LM-63 without symmetry has planes from 0 to 360, both included; symmetric
