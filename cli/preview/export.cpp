@@ -46,6 +46,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     options.width = request.render.width;
     options.height = request.render.height;
     options.white = white;
+    options.bounces = request.export_bounces;
     Result<LightScene> scene = stage_scene(**format, request.stage, request.stage.camera, lights, options);
     if (!scene) return pass_on(scene);
     ExportedScene exported;

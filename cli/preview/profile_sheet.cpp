@@ -1,5 +1,6 @@
 #include "profile_sheet.hpp"
 
+#include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/sheet.hpp>
 #include <gonio/preview/exposure.hpp>
@@ -139,7 +140,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
                 tiles[index].fault = reason_of(thumbnail.error());
                 outcome.error = std::move(thumbnail.error());
             }
-            tiles[index].name = file == "-" ? "stdin" : file.substr(file.rfind('/') + 1);
+            tiles[index].name = file == "-" ? "stdin" : file_name(file);
             if (kind == ReportKind::words)
                 outcome.report = nullptr;
             else if (!outcome.error)

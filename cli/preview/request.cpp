@@ -1,5 +1,6 @@
 #include "request.hpp"
 
+#include <gonio/asset/stage_scene.hpp>
 #include <gonio/scene/sky.hpp>
 
 #include "../options/files_in_use.hpp"
@@ -118,6 +119,19 @@ Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& re
     return {};
 }
 
+Result<void> read_bounces(const Arguments& arguments, PreviewRequest& request) {
+    const auto text = arguments.value("--bounces");
+    if (!text) return {};
+    if (!arguments.has("--export"))
+        return fail("USE0104", "--bounces needs --export",
+                    "pictures of gonio show direct light; other renderers bounce it");
+    Result<std::uint64_t> bounces = whole_number(*text, "--bounces");
+    if (!bounces) return pass_on(bounces);
+    if (*bounces > max_bounces) return fail("USE0106", fmt::format("--bounces {} is above {}", *bounces, max_bounces));
+    request.export_bounces = static_cast<int>(*bounces);
+    return {};
+}
+
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     auto output = arguments.value("--output");
     if (arguments.has("--output-dir")) {
@@ -129,6 +143,7 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     request.export_file = arguments.value("--export").value_or("");
     if (arguments.has("--export"))
         if (Result<void> checked = check_export(request.export_file); !checked) return checked;
+    if (Result<void> read = read_bounces(arguments, request); !read) return read;
     if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail("USE0104", "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;

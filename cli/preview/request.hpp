@@ -71,6 +71,7 @@ struct PreviewRequest {
     std::vector<IrradianceMethod> compared; // of --compare, with the baseline first; else empty
     std::string output;                     // empty: no picture, only an exported scene
     std::string export_file;                // empty: none
+    int export_bounces = 0;
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

@@ -121,7 +121,9 @@ scene.render.engine = "CYCLES"
 scene.cycles.samples = 1024
 scene.cycles.use_adaptive_sampling = False
 scene.cycles.use_denoising = False
-scene.cycles.max_bounces = 0
+scene.cycles.max_bounces = {bounces}
+scene.cycles.diffuse_bounces = {bounces}
+scene.cycles.glossy_bounces = {bounces}
 scene.cycles.pixel_filter_type = "BOX"
 scene.render.resolution_x = {width}
 scene.render.resolution_y = {height}
@@ -175,7 +177,7 @@ std::string blender_stage(const SceneStage& stage, double lumens_per_watt) {
                             std::visit(Shown{fmt::format("materials[{}]", surface.material)}, surface.shape));
     const Frame& eye = stage.camera.frame;
     text += fmt::format(settings, "fov"_a = stage.camera.vertical_fov, "position"_a = tuple(eye.origin),
-                        "x"_a = tuple(eye.x), "y"_a = tuple(eye.y), "z"_a = tuple(eye.z),
+                        "x"_a = tuple(eye.x), "y"_a = tuple(eye.y), "z"_a = tuple(eye.z), "bounces"_a = stage.bounces,
                         "width"_a = stage.camera.width, "height"_a = stage.camera.height);
     if (stage.white)
         text += fmt::format("scene.view_settings.exposure = {}\n", std::log2(lumens_per_watt / stage.white->value));

@@ -3,7 +3,8 @@
 // An omni light of φ lm emits φ/4π cd, a spot of φ lm emits φ/π cd on its axis, whatever its cone. A spot falls as
 // 1 − ((1 − cosθ)/(1 − cos outer))^p, where p is spot_angle_attenuation: linear over the cosine for p = 1, with a hard
 // edge for large p. With an attenuation of 2, the distance falloff is the inverse square times the window of the range.
-// Every light has a range: if the light does not specify one, the window takes away at most 0.01 lx.
+// Every light has a range: if the light does not specify one, the window takes away at most
+// `window_loss_lx`.
 //
 // A profile that stays within 60° of its aim is a spot of large p with a projector that is a plane across the aim, −Z
 // (up is +Y, right +X). Other profiles are omni lights with a panorama: its first row is −Y and its middle is +Z,
@@ -101,7 +102,9 @@ std::string node(const SceneLight& light, const SceneContent& scene) {
 } // namespace
 
 std::vector<AssetFile> godot_files(const SceneContent& scene) {
-    std::string text = fmt::format("; {}\n[gd_scene format=3]\n", scene.description);
+    std::string text = fmt::format(
+        "; {}\n; A light without a range of its own ends where this takes away at most {} lx.\n[gd_scene format=3]\n",
+        scene.description, window_loss_lx);
     for (std::size_t i = 0; i < scene.profiles.size(); ++i)
         text += fmt::format("\n[ext_resource type=\"Texture2D\" path=\"{}.png\" id=\"{}\"]\n", scene.profiles[i].name,
                             i + 1);

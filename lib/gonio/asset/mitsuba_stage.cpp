@@ -26,8 +26,9 @@ std::string word(std::string_view name, std::string_view value) {
     return fmt::format(R"(<string name="{}" value="{}"/>)", name, value);
 }
 
-std::string sensor(const SceneCamera& camera) {
+std::string sensor(const SceneCamera& camera, int bounces) {
     const Frame& eye = camera.frame;
+    const int max_depth = bounces + 2; // 1 shows emitters alone
     return fmt::format("    <integrator type=\"path\">{}</integrator>\n"
                        "    <sensor type=\"perspective\">\n"
                        "        {}\n"
@@ -35,10 +36,10 @@ std::string sensor(const SceneCamera& camera) {
                        "        <sampler type=\"independent\">{}</sampler>\n"
                        "        <film type=\"hdrfilm\">{}{}{}{}<rfilter type=\"box\"/></film>\n"
                        "    </sensor>\n",
-                       count("max_depth", 2), mitsuba_matrix(-eye.x, eye.y, -eye.z, eye.origin), word("fov_axis", "y"),
-                       number("fov", camera.vertical_fov * 180.0 / std::numbers::pi), number("near_clip", 0.01),
-                       number("far_clip", 10000.0), count("sample_count", 1024), count("width", camera.width),
-                       count("height", camera.height), word("pixel_format", "rgb"),
+                       count("max_depth", max_depth), mitsuba_matrix(-eye.x, eye.y, -eye.z, eye.origin),
+                       word("fov_axis", "y"), number("fov", camera.vertical_fov * 180.0 / std::numbers::pi),
+                       number("near_clip", 0.01), number("far_clip", 10000.0), count("sample_count", 1024),
+                       count("width", camera.width), count("height", camera.height), word("pixel_format", "rgb"),
                        word("component_format", "float32"));
 }
 
@@ -111,7 +112,7 @@ struct ShapeText {
 } // namespace
 
 std::string mitsuba_stage(const SceneStage& stage) {
-    std::string text = sensor(stage.camera);
+    std::string text = sensor(stage.camera, stage.bounces);
     for (const SceneMaterial& material : stage.materials)
         text += material_text(material);
     for (const SceneSurface& surface : stage.surfaces)

@@ -21,7 +21,7 @@ std::string column(const glm::dvec3& v, int w) {
     return fmt::format("{} {}", triple(v, " "), w);
 }
 
-std::string camera_text(const SceneCamera& camera, std::string_view picture) {
+std::string camera_text(const SceneCamera& camera, int bounces, std::string_view picture) {
     const Frame& eye = camera.frame;
     const std::array<glm::dvec3, 3> rows{eye.x, eye.y, -eye.z};
     const auto of_axis = [&](int k) { return glm::dvec3(rows[0][k], rows[1][k], rows[2][k]); };
@@ -34,9 +34,10 @@ std::string camera_text(const SceneCamera& camera, std::string_view picture) {
                        "  \"string filename\" \"{}.exr\"\n"
                        "PixelFilter \"box\" \"float xradius\" [ 0.5 ] \"float yradius\" [ 0.5 ]\n"
                        "Sampler \"zsobol\" \"integer pixelsamples\" [ 1024 ]\n"
-                       "Integrator \"path\" \"integer maxdepth\" [ 1 ]\n",
+                       "Integrator \"path\" \"integer maxdepth\" [ {} ]\n",
                        column(of_axis(0), 0), column(of_axis(1), 0), column(of_axis(2), 0), column(moved, 1),
-                       2.0 * std::atan(tangent) * 180.0 / std::numbers::pi, camera.width, camera.height, picture);
+                       2.0 * std::atan(tangent) * 180.0 / std::numbers::pi, camera.width, camera.height, picture,
+                       bounces + 1);
 }
 
 std::string named(std::string_view name, std::string_view type, const std::string& rest) {
@@ -115,7 +116,7 @@ struct ShapeText {
 } // namespace
 
 std::string pbrt_stage(const SceneStage& stage, std::string_view picture) {
-    std::string text = camera_text(stage.camera, picture) + "WorldBegin\n";
+    std::string text = camera_text(stage.camera, stage.bounces, picture) + "WorldBegin\n";
     for (const SceneMaterial& material : stage.materials)
         text += material_text(material);
     for (const SceneSurface& surface : stage.surfaces)

@@ -57,6 +57,7 @@ struct SceneStage {
     std::vector<SceneSurface> surfaces;
     SceneCamera camera;
     std::optional<Nits> white; // the luminance that our picture shows as 1
+    int bounces = 0;           // how often light is reflected before it reaches the surface that the camera sees
     bool shows_backs = false;  // the camera is behind a one-sided surface, which our camera looks through
 };
 

@@ -46,8 +46,7 @@ ScaledColor scaled(const glm::dvec3& color) {
 }
 
 double generous_range(double candela) {
-    constexpr double most_lux = 0.01;
-    return std::sqrt(1.0887 * candela / most_lux);
+    return std::sqrt(1.0887 * candela / window_loss_lx);
 }
 
 AssetPicture baked_picture(const Web& web, BakeOptions options, int channels) {

@@ -17,12 +17,12 @@ namespace {
 using namespace asset_detail;
 
 constexpr std::array formats{
-    StageFormat{".gltf", "glTF 2.0 with .bin and .ies beside it", "gltf", gltf_text_files},
-    StageFormat{".glb", "glTF 2.0 in one file", "gltf", gltf_binary_files},
-    StageFormat{".usda", "OpenUSD with UsdLux, UsdPreviewSurface", "usd", usd_files},
-    StageFormat{".pbrt", "pbrt-v4", "pbrt", pbrt_files},
-    StageFormat{".xml", "Mitsuba 3", "mitsuba", mitsuba_files},
-    StageFormat{".py", "a Blender script that creates a scene for Cycles", "blender", blender_files},
+    StageFormat{".gltf", "glTF 2.0 with .bin and .ies beside it", "gltf", false, gltf_text_files},
+    StageFormat{".glb", "glTF 2.0 in one file", "gltf", false, gltf_binary_files},
+    StageFormat{".usda", "OpenUSD with UsdLux, UsdPreviewSurface", "usd", false, usd_files},
+    StageFormat{".pbrt", "pbrt-v4", "pbrt", true, pbrt_files},
+    StageFormat{".xml", "Mitsuba 3", "mitsuba", true, mitsuba_files},
+    StageFormat{".py", "a Blender script that creates a scene for Cycles", "blender", true, blender_files},
 };
 
 // A square of an infinite plane, with its middle at the foot of the perpendicular from the eye.
@@ -132,6 +132,10 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
                                                  material.name, format.target));
     }
     made.white = options.white;
+    made.bounces = options.bounces;
+    if (options.bounces > 0 && !format.has_bounces)
+        built->instead.push_back(fmt::format("{} does not store a number of bounces: set {} where you render it",
+                                             format.extension, options.bounces));
     if (made.shows_backs && mixes)
         built->instead.push_back(
             fmt::format("the camera is behind a one-sided wall: {} shows the back of the wall", format.target));

@@ -8,7 +8,9 @@
 //   solids       the target's own; glTF and Blender get meshes with smooth normals and corners on the surface; their
 //                faces lie inside by at most ball_sag of the radius
 //   a material   a Lambertian part of the same albedo and a GGX lobe of the same α and f0; what is lost is reported
-//   shadows      of all surfaces; gonio renders no bounces, and the file turns them off in the renderer if possible
+//   shadows      of all surfaces
+//   bounces      none, as gonio renders, or the number that the options ask for; where the format has no such setting,
+//                it is reported
 //
 // One-sided surfaces are lit and seen from one side; if a renderer shows the back and the camera sees it, that is
 // reported.
@@ -28,6 +30,8 @@ namespace gonio {
 
 inline constexpr Meters plane_size{2000.0};
 
+inline constexpr int max_bounces = 1024; // Cycles' own limit
+
 // 1 − cos(π/128): 256 corners around.
 inline constexpr double ball_sag = 3.1e-4;
 
@@ -36,6 +40,7 @@ struct StageFormat {
     std::string_view extension; // ".gltf"
     std::string_view summary;   // for lists
     std::string_view target;    // the target of its lights
+    bool has_bounces;           // it says how often a renderer reflects light
     std::vector<AssetFile> (*files)(const SceneContent& scene);
 };
 
@@ -50,6 +55,7 @@ struct StageSceneOptions {
     int width = 512;         // of the picture [pixels]
     int height = 512;
     std::optional<Nits> white; // the luminance that our picture shows as 1, stated in the files
+    int bounces = 0;           // [0, max_bounces], how often the renderer reflects light between surfaces
 };
 
 // The first file is the scene; it reads the others from beside it. Fails as light_scene() does.

@@ -3,7 +3,7 @@
 //
 // Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
 // are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a spot falls as the square of a linear function
-// of the cosine.
+// of the cosine. Unity's own default range is 10 m, so every light gets one.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
@@ -104,7 +104,8 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
                            vector("Color", color.rgb), color.factor * intensity, unit);
     };
     constexpr double degree = 180.0 / std::numbers::pi;
-    const std::string range = light.range ? fmt::format("        light.range = {}f;\n", *light.range) : "";
+    const std::string range =
+        fmt::format("        light.range = {}f;\n", light.range.value_or(generous_range(light.intensity)));
     switch (light.kind) {
     case LightKind::spot:
         return add("Spot", light.intensity, "Candela", light.frame.y) +
@@ -113,7 +114,7 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
                range;
     case LightKind::rect:
         return add("Rectangle", light.nits, "Nits", light.frame.y) +
-               fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, light.height);
+               fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, light.height) + range;
     case LightKind::sun:
         return add("Directional", light.lux, "Lux", light.frame.y);
     case LightKind::profile:
@@ -146,9 +147,10 @@ std::vector<AssetFile> unity_files(const SceneContent& scene) {
     const std::string name = identifier(scene.name);
     std::string text =
         fmt::format("// {}\n// Keep in a folder named Editor under Assets. GameObject > Light > {} makes "
-                    "the lights, in metres.\nusing UnityEditor;\nusing UnityEngine;\nusing "
+                    "the lights, in metres; one without a range of its own ends where this takes away at most {} "
+                    "lx.\nusing UnityEditor;\nusing UnityEngine;\nusing "
                     "UnityEngine.Rendering;\n",
-                    scene.description, scene.name);
+                    scene.description, scene.name, window_loss_lx);
     if (!scene.profiles.empty()) text += fmt::format(cookies, "identifier"_a = name, "profiles"_a = profiles);
     text += fmt::format(maker, "identifier"_a = name, "name"_a = scene.name, "lights"_a = lights);
     files.push_back({scene.name + ".cs", std::move(text), {}});

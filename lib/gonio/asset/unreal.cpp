@@ -3,7 +3,7 @@
 // Left-handed, Z up, centimetres; the engine takes candela unchanged and scales them itself. A light's +X is the aim.
 // For a profile, −Y is C0 and −Z is C90; its candela are used (bUseIESBrightness) times IESBrightnessScale. A spot
 // falls as the square of a linear function of the cosine. Every light has an attenuation radius; if the light does not
-// specify one, its window takes away at most 0.01 lx.
+// specify one, its window takes away at most `window_loss_lx`.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* head = R"python(# {description}
 # Run in the editor: Tools > Execute Python Script. Places the lights; profiles are imported from beside this file.
+# A light without a range of its own ends where this takes away at most {loss} lx.
 import os
 
 import unreal
@@ -102,7 +103,7 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
 
 std::vector<AssetFile> unreal_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::string text = fmt::format(head, "description"_a = scene.description);
+    std::string text = fmt::format(head, "description"_a = scene.description, "loss"_a = window_loss_lx);
     if (!scene.profiles.empty()) text += importer;
     text += "\n\n";
     for (const SceneLight& light : scene.lights)

@@ -65,7 +65,9 @@ struct ScaledColor {
 };
 ScaledColor scaled(const glm::dvec3& color);
 
-// Range of a light's window [m] at which it takes away at most 0.01 lx: ⟨1 − (d/r)⁴⟩² takes away at most 1.0887 I/r².
+// Range of a light's window [m] at which it takes away at most `window_loss_lx`, which the files state: ⟨1 − (d/r)⁴⟩²
+// takes away at most 1.0887 I/r². Engines compute a light wherever its range reaches, so that it must not be too long.
+inline constexpr double window_loss_lx = 0.1;
 double generous_range(double candela);
 
 // Triangles of a mesh; normals point outwards.
