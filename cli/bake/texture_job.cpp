@@ -6,6 +6,7 @@
 #include <gonio/base/file.hpp>
 #include <gonio/base/folder.hpp>
 #include <gonio/base/json_text.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/version.hpp>
 #include <gonio/web/metrics.hpp>
 
@@ -27,19 +28,12 @@ namespace {
 
 constexpr std::array<std::string_view, 6> face_names{"px", "nx", "py", "ny", "pz", "nz"};
 
-std::string name_of(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
-
 // "out/lamp.exr" → "out/lamp-px.exr", …
 std::vector<std::string> face_files(const std::string& output) {
-    const std::size_t slash = output.rfind('/');
-    const std::size_t dot = output.rfind('.');
-    const bool has_end = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
-    const std::string stem = has_end ? output.substr(0, dot) : output;
+    const std::string stem = without_extension(output);
     std::vector<std::string> files;
     for (const std::string_view face : face_names)
-        files.push_back(fmt::format("{}-{}{}", stem, face, has_end ? output.substr(dot) : std::string()));
+        files.push_back(fmt::format("{}-{}{}", stem, face, output.substr(stem.size())));
     return files;
 }
 
@@ -118,7 +112,7 @@ std::string stats_line(const std::string& input, const Texture& texture, double 
 // written at the same time.
 bool holds(const std::string& picture, const FileRecord& record) {
     const Result<std::string> bytes = read_file(picture, limit("output-bytes"));
-    return bytes && name_of(picture) == record.file && matches(record, *bytes);
+    return bytes && file_name(picture) == record.file && matches(record, *bytes);
 }
 
 // Refuses to replace files without --overwrite; plan_outputs has already checked the output's own name.
@@ -213,7 +207,8 @@ Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
     TextureFile description{
         std::string(media::to_text(job.pixel)), channels_of(request), request.engine, {}, job.recipe};
     if (faces)
-        std::transform(job.pictures.begin(), job.pictures.end(), std::back_inserter(description.face_files), name_of);
+        std::transform(job.pictures.begin(), job.pictures.end(), std::back_inserter(description.face_files),
+                       [](const std::string& picture) { return file_name(picture); });
     const auto sidecar_of = [&] { return texture_sidecar(*texture, {source.file, source.sha256}, description); };
     std::vector<OutputFile> files;
     const int width = texture->image.width / static_cast<int>(job.pictures.size());
@@ -222,7 +217,7 @@ Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
         Result<std::string> bytes = media::encode_image(
             picture_of(*texture, static_cast<int>(i) * width, width, channels_of(request)), *job.format, writing);
         if (!bytes) return pass_on(bytes);
-        description.files.push_back(file_record(name_of(job.pictures[i]), *bytes));
+        description.files.push_back(file_record(file_name(job.pictures[i]), *bytes));
         files.push_back({job.pictures[i], std::move(*bytes)});
     }
     const std::string sidecar = sidecar_of(); // describes the pictures, which cannot describe themselves

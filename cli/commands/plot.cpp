@@ -1,4 +1,5 @@
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/picture_size.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/plot/diagram.hpp>
@@ -108,8 +109,7 @@ Result<Request> parse(const Arguments& arguments) {
 
 // The file name without its folder: a label has little room.
 std::string label_of(const std::string& file) {
-    if (file == "-") return "stdin";
-    return file.substr(file.rfind('/') + 1);
+    return file == "-" ? "stdin" : file_name(file);
 }
 
 Result<void> write_page(const Result<Drawing>& page, const Request& request, const std::string& output) {

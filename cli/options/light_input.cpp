@@ -36,10 +36,23 @@ Result<void> smooth_profile(const Arguments& arguments, Shape& shape, Diagnostic
     return {};
 }
 
+Result<std::vector<LightDescription>> at_positions(const std::vector<std::string>& positions, LightDescription light) {
+    if (positions.empty()) return std::vector{std::move(light)};
+    std::vector<LightDescription> lights;
+    for (const std::string& text : positions) {
+        Result<glm::dvec3> position = parse_vector(text, "--position");
+        if (!position) return pass_on(position);
+        lights.push_back(light);
+        lights.back().position = *position;
+        if (positions.size() > 1) lights.back().name += fmt::format("-{}", lights.size());
+    }
+    return lights;
+}
+
 } // namespace
 
-Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
-                                     Diagnostics& diagnostics) {
+Result<std::vector<LightDescription>> light_input(const Arguments& arguments, const LightPlacement& placement,
+                                                  Diagnostics& diagnostics) {
     const std::vector<std::string>& files = arguments.positional();
     const auto shape_text = arguments.value("--shape");
     if (files.size() > 1) return fail("USE0107", fmt::format("expected one profile, but {} are given", files.size()));
@@ -69,8 +82,7 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
         const char* option;
         glm::dvec3* target;
     };
-    for (const Vector& vector :
-         {Vector{"--position", &light.position}, Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
+    for (const Vector& vector : {Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
         const auto text = arguments.value(vector.option);
         if (!text) continue;
         Result<glm::dvec3> parsed = parse_vector(*text, vector.option);
@@ -87,7 +99,7 @@ Result<LightDescription> light_input(const Arguments& arguments, const LightPlac
         if (!meters) return pass_on(meters);
         light.range = Meters(*meters);
     }
-    return light;
+    return at_positions(arguments.values("--position"), std::move(light));
 }
 
 std::vector<std::string> files_of(const Shape& shape) {

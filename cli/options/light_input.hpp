@@ -21,7 +21,9 @@ inline constexpr std::array light_options{
     Option{"--color", "COLOR",
            "colour of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, "
            "always, never for messages"},
-    Option{"--position", "X,Y,Z", "position of the light's centre in metres (from the stage; probe: 0,0,0)"},
+    Option{"--position", "X,Y,Z",
+           "position of the light's centre in metres (from the stage; probe: 0,0,0); repeat it for more such lights",
+           "", true},
     Option{"--direction", "X,Y,Z", "direction of the light (from the stage; probe: 0,0,-1)"},
     Option{"--up", "X,Y,Z", "direction of C90 of a profile (from the stage; probe: 0,1,0)"},
     Option{"--rotate", "ANGLE", "rotate the light about its direction, C0 towards C90: 90deg"},
@@ -34,10 +36,11 @@ inline constexpr OptionGroup light_group{"light", light_options};
 // Whether the value of --color says when diagnostics are coloured, and is not a light's colour.
 bool is_about_messages(std::string_view color);
 
-// The light of the positional FILE or --shape. Reads a profile only to smooth it; remarks about the colour go to
-// `diagnostics`. Fails (usage) if there is neither or both, and on option values that make no sense.
-Result<LightDescription> light_input(const Arguments& arguments, const LightPlacement& placement,
-                                     Diagnostics& diagnostics);
+// The light of the positional FILE or --shape, once for each --position: "sphere", or "sphere-1", "sphere-2", …. Reads
+// a profile only to smooth it; remarks about the colour go to `diagnostics`. Fails (usage) if there is neither or both,
+// and on option values that make no sense.
+Result<std::vector<LightDescription>> light_input(const Arguments& arguments, const LightPlacement& placement,
+                                                  Diagnostics& diagnostics);
 
 // The files that a light's shape names: its profile or its mask.
 std::vector<std::string> files_of(const Shape& shape);

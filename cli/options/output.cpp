@@ -6,6 +6,7 @@
 #include <gonio/base/folder.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/named.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 
 #include "files_in_use.hpp"
@@ -20,17 +21,6 @@ namespace gonio::cli {
 namespace {
 
 bool write_durably = false;
-
-std::string file_name(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
-
-// Without the ending of the file's name.
-std::string stem_of(const std::string& path) {
-    const std::size_t name = path.size() - file_name(path).size();
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string::npos || dot <= name ? path : path.substr(0, dot);
-}
 
 // The names below the deepest folder that all have in common.
 std::vector<std::string> below_common_folder(const std::vector<std::string>& inputs) {
@@ -55,15 +45,15 @@ std::vector<std::string> names_in_folder(const std::vector<std::string>& inputs,
     std::vector<std::string> names;
     if (!mirror) {
         for (const std::string& input : inputs)
-            names.push_back(input == "-" ? "stdin" : stem_of(file_name(input)));
+            names.push_back(input == "-" ? "stdin" : without_extension(file_name(input)));
         return names;
     }
     names = below_common_folder(inputs);
     std::map<std::string, std::size_t> with_stem;
     for (const std::string& name : names)
-        ++with_stem[stem_of(name)];
+        ++with_stem[without_extension(name)];
     for (std::string& name : names)
-        if (std::string stem = stem_of(name); with_stem[stem] == 1) name = std::move(stem);
+        if (std::string stem = without_extension(name); with_stem[stem] == 1) name = std::move(stem);
     return names;
 }
 

@@ -1,6 +1,7 @@
 #include "profile_output.hpp"
 
 #include <gonio/base/kind_text.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/compare.hpp>
@@ -14,15 +15,6 @@
 #include <algorithm>
 
 namespace gonio::cli {
-
-namespace {
-
-std::string_view extension_of(std::string_view file) {
-    const std::size_t dot = file.rfind('.');
-    return dot == std::string_view::npos ? std::string_view{} : file.substr(dot + 1);
-}
-
-} // namespace
 
 Result<ProfileTarget> profile_target(const Arguments& arguments, const std::string& output) {
     const auto named = arguments.value("--to");

@@ -17,12 +17,12 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
     LightsInput input;
     const auto rig_file = arguments.value("--rig");
     if (!rig_file) {
-        Result<LightDescription> light = light_input(arguments, placement, diagnostics);
-        if (!light) return pass_on(light);
-        input.files = files_of(light->shape);
+        Result<std::vector<LightDescription>> lights = light_input(arguments, placement, diagnostics);
+        if (!lights) return pass_on(lights);
+        input.files = files_of(lights->front().shape);
         for (std::string& file : files_of_color(arguments.value("--color").value_or("")))
             input.files.push_back(std::move(file));
-        input.rig.lights.push_back(std::move(*light));
+        input.rig.lights = std::move(*lights);
         return input;
     }
     if (const std::string_view option = given_light_option(arguments); !option.empty())
@@ -40,10 +40,13 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
 
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads) {
     if (!input.rig_file.empty()) return resolve_lights(std::move(input.rig), diagnostics, threads);
-    Result<Light> light = resolve_light(std::move(input.rig.lights.front()), diagnostics);
-    if (!light) return pass_on(light);
     std::vector<Light> lights;
-    lights.push_back(std::move(*light));
+    for (LightDescription& description : input.rig.lights) {
+        if (!lights.empty()) description.shape = lights.front().shape; // its profile is read once
+        Result<Light> light = resolve_light(std::move(description), diagnostics);
+        if (!light) return pass_on(light);
+        lights.push_back(std::move(*light));
+    }
     return lights;
 }
 

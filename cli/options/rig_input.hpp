@@ -1,4 +1,4 @@
-// The lights of a command: those of a rig file, or one from the command line.
+// The lights of a command: those of a rig file, or of the command line.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -26,12 +26,12 @@ inline constexpr std::array rig_options{
 RigReadOptions rig_read_options(const Arguments& arguments);
 
 struct LightsInput {
-    std::string rig_file; // empty: one light from options
+    std::string rig_file; // empty: the lights of options, alike but for their positions
     Rig rig;
     std::vector<std::string> files; // every file that was read for the lights
 };
 
-// The lights of --rig, or the light of the positional FILE or --shape, which is placed at `placement`. Reads the rig
+// The lights of --rig, or the positional FILE or --shape at `placement` or at each --position. Reads the rig
 // and its profiles, but not the profile of a single light. Fails (usage) if a rig and a light are both given, and as
 // read_rig_file and light_input do.
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement, Diagnostics& diagnostics);

@@ -1,5 +1,6 @@
 #include "falloff_request.hpp"
 
+#include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
 
 #include "../options/files_in_use.hpp"
@@ -24,7 +25,7 @@ Result<std::vector<LightDescription>> described(const Arguments& arguments) {
         if (!files) return pass_on(files);
         for (const std::string& file : *files) {
             LightDescription light;
-            light.name = file.substr(file.rfind('/') + 1);
+            light.name = file_name(file);
             light.shape = ProfileShape{file, nullptr};
             lights.push_back(std::move(light));
         }

@@ -1,6 +1,7 @@
 #include <gonio/base/detail/posix_file.hpp>
 #include <gonio/base/detail/temporary_files.hpp>
 #include <gonio/base/file_set.hpp>
+#include <gonio/base/path.hpp>
 
 #include <climits>
 
@@ -142,7 +143,7 @@ struct FileSet::State {
         const std::string target = behind_links(path);
         Staged file;
         file.path = path;
-        file.name = target.substr(target.rfind('/') + 1);
+        file.name = file_name(target);
         if (file.name.empty() || file.name == "." || file.name == "..")
             return fail("FIL0103", "cannot write: it is not the name of a file", {}, path);
         file.replaces = existing != nullptr;

@@ -1,4 +1,5 @@
 #include <gonio/base/folder.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 
 #include <algorithm>
@@ -16,10 +17,8 @@ Unexpected unreadable(const std::string& folder, const std::error_code& error) {
 }
 
 bool ends_in(std::string_view name, std::span<const std::string_view> extensions) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string_view::npos) return false;
-    const std::string extension = to_lower(name.substr(dot + 1));
-    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+    const std::string extension = to_lower(extension_of(name));
+    return !extension.empty() && std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include <gonio/base/file.hpp>
+#include <gonio/base/path.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/read.hpp>
@@ -52,9 +53,7 @@ bool looks_like_ldt(std::string_view bytes, TextRange text) {
 }
 
 std::optional<ProfileFormat> format_of_name(const std::string& name) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string::npos) return std::nullopt;
-    const std::string_view extension = std::string_view(name).substr(dot + 1);
+    const std::string_view extension = extension_of(name);
     if (equals_any_case(extension, "IES")) return ProfileFormat::ies;
     if (equals_any_case(extension, "LDT")) return ProfileFormat::ldt;
     if (equals_any_case(extension, "XML") || equals_any_case(extension, "TM33")) return ProfileFormat::tm33;
