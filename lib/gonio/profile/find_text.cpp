@@ -1,8 +1,13 @@
 // Finds the text in the bytes of a file, and checks that it is text at all.
+#include <gonio/base/text.hpp>
 #include <gonio/profile/parse.hpp>
 #include <gonio/profile/scanner.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 namespace gonio::profile_detail {
 
@@ -12,6 +17,33 @@ constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
 bool is_line_end(char c) {
     return c == '\n' || c == '\r';
+}
+
+// What often stands under the name of a photometric file, by its first bytes; capitals do not matter.
+struct OtherFile {
+    std::string_view begins;
+    std::string_view name;
+    std::string_view hint = {};
+};
+
+constexpr std::string_view extract = "extract the profile from it";
+constexpr std::string_view download = "the download failed: open the file in a browser to see why";
+constexpr OtherFile other_files[] = {{"\x89PNG", "a PNG picture"},
+                                     {"\xFF\xD8\xFF", "a JPEG picture"},
+                                     {"GIF8", "a GIF picture"},
+                                     {"%PDF-", "a PDF document"},
+                                     {"{\\rtf", "an RTF document", "save it as plain text"},
+                                     {"PK\x03\x04", "a ZIP archive", extract},
+                                     {"Rar!", "a RAR archive", extract},
+                                     {"\x1F\x8B", "a gzip archive", extract},
+                                     {"<!doctype html", "a web page", download},
+                                     {"<html", "a web page", download},
+                                     {"SPV1.", "an SPV file", "export it as IES or EULUMDAT"}};
+
+const OtherFile* other_file(std::string_view bytes) {
+    for (const OtherFile& other : other_files)
+        if (starts_with_any_case(bytes, other.begins)) return &other;
+    return nullptr;
 }
 
 } // namespace
@@ -43,13 +75,14 @@ Result<TextRange> find_text(std::string_view bytes, Report& report) {
         --text.end;
     const bool nothing = std::all_of(bytes.begin(), bytes.end(), [](char c) { return is_blank(c) || is_line_end(c); });
     if (nothing) return report.fail("PRF0101", 0, "the file is empty");
+    if (const OtherFile* const other = other_file(begins))
+        return report.fail("PRF0102", text.begin, fmt::format("not a photometric file but {}", other->name),
+                           std::string(other->hint));
     // Text never contains NUL and every other file does; a stray control byte in a remark does no harm. Ctrl-Z counts
     // as an end only if the bytes before it are text.
     const std::size_t ctrl_z = std::min(bytes.substr(0, text.end).find('\x1A', text.begin), text.end);
     if (const std::size_t i = bytes.substr(0, ctrl_z).find('\0', text.begin); i != std::string_view::npos)
         return report.fail("PRF0102", i, "not a photometric file: text has no NUL bytes");
-    if (begins.starts_with("\x89PNG"))
-        return report.fail("PRF0102", text.begin, "not a photometric file but a PNG picture");
     const auto is_data = [](char c) { return !is_blank(c) && !is_line_end(c) && c != '\0' && c != '\x1A'; };
     const auto* const after = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(ctrl_z), bytes.end(), is_data);
     if (text.end == text.begin || ctrl_z == text.begin)

@@ -232,15 +232,36 @@ private:
 
     Unexpected bad_token(Token token) { return not_a_number(numbers_, token, report_); }
 
-    // The thirteen numbers, in the order of the standard.
+    static constexpr std::array<std::string_view, 13> header_numbers{"the number of lamps",
+                                                                     "the lumens per lamp",
+                                                                     "the candela multiplier",
+                                                                     "the number of vertical angles",
+                                                                     "the number of horizontal angles",
+                                                                     "the photometric type",
+                                                                     "the unit of length",
+                                                                     "the width",
+                                                                     "the length",
+                                                                     "the height",
+                                                                     "the ballast factor",
+                                                                     "field 12",
+                                                                     "the input watts"};
+
+    std::string header_cut_off(std::size_t found) const {
+        const bool include = file_.tilt_keyword == "INCLUDE";
+        return fmt::format("13 numbers must follow {}, but {} found",
+                           include ? std::string("the TILT table") : "TILT=" + file_.tilt_keyword,
+                           found == 1 ? std::string("1 is") : fmt::format("{} are", found));
+    }
+
+    // In the order of the standard.
     Result<void> read_header() {
-        std::array<double, 13> value{};
-        std::array<std::size_t, 13> place{};
+        std::array<double, header_numbers.size()> value{};
+        std::array<std::size_t, header_numbers.size()> place{};
         for (std::size_t i = 0; i < value.size(); ++i) {
             const Token token = numbers_.next(value[i]);
             if (token == Token::end)
-                return report_.fail("IES0207", text_.end,
-                                    fmt::format("13 numbers announced by TILT={}, {} found", file_.tilt_keyword, i));
+                return report_.fail("IES0207", text_.end, header_cut_off(i),
+                                    fmt::format("the file is cut off; next would be {}", header_numbers[i]));
             if (token != Token::number) return bad_token(token);
             place[i] = numbers_.token_offset();
             if (i == 10) ballast_begins_line_ = numbers_.token_begins_line();

@@ -287,7 +287,12 @@ TEST(IesRead, TooFewAngles) {
     expect_error(read(lines), "lamp:11:1: error[IES0205]: 3 horizontal angles announced, 1 found");
     lines.resize(6);
     lines.emplace_back("1 1000 1 3");
-    expect_error(read(lines), "lamp:8:1: error[IES0207]: 13 numbers announced by TILT=NONE, 4 found");
+    expect_error(read(lines), "lamp:8:1: error[IES0207]: 13 numbers must follow TILT=NONE, but 4 are found");
+    // The TILT table is whole: what is missing is named, and the table is not blamed.
+    lines.resize(5);
+    lines.insert(lines.end(), {"TILT=INCLUDE", "1", "2", "0 90", "1 0.9", "1"});
+    expect_error(read(lines), "lamp:12:1: error[IES0207]: 13 numbers must follow the TILT table, but 1 is found");
+    EXPECT_EQ(read(lines).error().diagnostics.back().hint, "the file is cut off; next would be the lumens per lamp");
 }
 
 // Three angles are read as ballast factor, field 12 and watts: the counts are right, and no angle is to be changed.

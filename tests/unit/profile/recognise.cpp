@@ -23,6 +23,14 @@ TEST(Recognise, WhatIsNoText) {
                  "lamp.ies:1:1: error[PRF0102]: not a photometric file but a PNG picture");
     expect_error(read_profile("\xEF\xBB\xBF\x89PNG\n", "lamp.ies"),
                  "lamp.ies:1:4: error[PRF0102]: not a photometric file but a PNG picture");
+    for (const auto& [bytes, name] : {std::pair{std::string("PK\x03\x04\0\0", 6), "a ZIP archive"},
+                                      {"%PDF-1.4\n%\xE2", "a PDF document"},
+                                      {"\xFF\xD8\xFF\xE0", "a JPEG picture"},
+                                      {"\x1F\x8B\x08", "a gzip archive"},
+                                      {"<!DOCTYPE HTML>\n<title>404", "a web page"},
+                                      {"SPV1.0\n1 2 3\n", "an SPV file"}})
+        expect_error(read_profile(bytes, "lamp.ies"),
+                     std::string("lamp.ies:1:1: error[PRF0102]: not a photometric file but ") + name);
     expect_error(read_profile(std::string("abc\n\0def", 8), "lamp.ies"),
                  "lamp.ies:2:1: error[PRF0102]: not a photometric file: text has no NUL bytes");
     expect_error(read_profile(std::string(5, '\0'), "lamp.ldt"),

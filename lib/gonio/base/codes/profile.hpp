@@ -11,8 +11,9 @@ namespace gonio {
 inline constexpr auto profile_codes = std::to_array<DiagnosticCode>({
     {"PRF0101", Severity::error, Strict::same, "empty file", "The file is empty or holds only blanks."},
     {"PRF0102", Severity::error, Strict::same, "not a photometric file",
-     "IES and EULUMDAT files are text. This file has control bytes, so it is something else under the name of a "
-     "photometric file: a picture, an archive, or a resource fork that a copy left behind."},
+     "IES and EULUMDAT files are text. This file is something else under the name of a photometric file, by its first "
+     "bytes or because it has control bytes: a picture, an archive, a web page in place of a download, or a resource "
+     "fork that a copy left behind."},
     {"PRF0103", Severity::error, Strict::same, "format not recognised",
      "An IES file names its version in the first line or has a TILT= line. A EULUMDAT file has numbers in lines 2 "
      "to 7. A TM-33 document is XML with a known root element. This text has none of these, and the file name "
