@@ -201,9 +201,14 @@ Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
     Result<bool> answered = answer_without_shape(request, result);
     if (!answered) return pass_on(answered);
     if (*answered) return read;
+    ProgramShape shown = program_shape(*request.policy, result.shape);
+    result.shape = std::move(shown.shape);
     Result<PolicyMeaning> meaning = policy_meaning(*request.policy, result.shape, result.value.unit.unit->dimension);
     if (!meaning) return pass_on(meaning);
     warn(*request.policy, *meaning, result.value_text, result.diagnostics);
+    if (!shown.note.empty())
+        result.diagnostics.push_back(result_diagnostic(
+            "RES0303", fmt::format("{} does not have this spot: {}", request.policy->name, shown.note)));
 
     Result<Emission> emitted = emission(result.shape, physical_value(*meaning, result.value), request, &result.steps);
     if (!emitted) return pass_on(emitted);
@@ -231,7 +236,8 @@ Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& reque
     for (const Policy* const policy : request.policies) {
         PolicyRow made;
         made.policy = policy;
-        Result<PolicyMeaning> meaning = policy_meaning(*policy, question.shape, question.value.unit.unit->dimension);
+        const ProgramShape shown = program_shape(*policy, question.shape);
+        Result<PolicyMeaning> meaning = policy_meaning(*policy, shown.shape, question.value.unit.unit->dimension);
         if (!meaning && meaning.error().failure != Failure::unsupported) return pass_on(meaning);
         if (!meaning) {
             made.lacks = meaning.error().diagnostics.back().message;
@@ -239,10 +245,11 @@ Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& reque
             continue;
         }
         made.meaning = *meaning;
-        Result<Emission> emitted = emission(question.shape, physical_value(*meaning, question.value), request, nullptr);
+        if (!shown.note.empty()) made.meaning.note += (made.meaning.note.empty() ? "" : "; ") + shown.note;
+        Result<Emission> emitted = emission(shown.shape, physical_value(*meaning, question.value), request, nullptr);
         if (!emitted) return pass_on(emitted);
         for (const PhotometricUnit& unit : *units) {
-            Result<double> number = express_as(question.shape, *emitted, unit, request, nullptr);
+            Result<double> number = express_as(shown.shape, *emitted, unit, request, nullptr);
             if (!number) return pass_on(number);
             made.answers.push_back({unit, *number});
         }

@@ -168,8 +168,6 @@ public:
         Meanings meanings;
         meanings.units =
             is<SunShape>() ? std::vector{honest(Dimension::illuminance, "intensity = E")} : std::vector{candela()};
-        if (const auto* spot = std::get_if<SpotShape>(&shape_); spot != nullptr && spot->falloff != Falloff::frostbite)
-            meanings.note = "the suggested lobe is the squared linear one (falloff=frostbite)";
         return meanings;
     }
 
@@ -207,9 +205,6 @@ public:
                           honest(Dimension::power, "\"power\", exact for the light"), candela()};
         if (has_area()) meanings.units.push_back(honest(Dimension::luminance, "L"));
         if (is<SunShape>()) meanings.units = {honest(Dimension::illuminance, "\"illuminance\"")};
-        if (const auto* spot = std::get_if<SpotShape>(&shape_);
-            spot != nullptr && spot->falloff != Falloff::smoothstep_cos)
-            meanings.note = "the lobe is smoothstep over the cosine (falloff=smoothstep-cos)";
         return meanings;
     }
 
@@ -269,35 +264,47 @@ private:
 struct PolicyRules {
     Policy policy;
     Meanings (*meanings)(const Rules& rules);
+    std::optional<Falloff> lobe = {}; // of its spots; empty: any, or none that gonio has
+    bool from_axis = false;           // the lobe falls from the axis on: its spots have no inner angle
 };
 
 constexpr std::array rules{
     PolicyRules{{"physical", "lumens are the emitted flux", "this program"}, nullptr},
     PolicyRules{{"frostbite", "spots read π lumens as 1 candela, for every cone",
                  "Lagarde and de Rousiers, Moving Frostbite to PBR, 2014"},
-                [](const Rules& r) { return r.frostbite(false); }},
+                [](const Rules& r) { return r.frostbite(false); },
+                Falloff::frostbite},
     PolicyRules{{"frostbite-cone", "spots take lumens for the solid angle of their outer cone",
                  "Lagarde and de Rousiers, Moving Frostbite to PBR, 2014"},
-                [](const Rules& r) { return r.frostbite(true); }},
+                [](const Rules& r) { return r.frostbite(true); },
+                Falloff::frostbite},
     PolicyRules{{"unreal", "spots by their outer cone; nits of spheres times the whole surface",
                  "Unreal Engine 5, SpotLightComponent, PointLightComponent, RectLightComponent"},
-                [](const Rules& r) { return r.unreal(); }},
+                [](const Rules& r) { return r.unreal(); },
+                Falloff::frostbite},
     PolicyRules{{"unity-hdrp", "spots as points, unless \"reflector\" is on; tubes as lines",
                  "Unity Graphics, LightUnitUtils.cs"},
-                [](const Rules& r) { return r.unity(); }},
+                [](const Rules& r) { return r.unity(); },
+                Falloff::frostbite},
     PolicyRules{{"filament", "spots take lumens for π candela", "Filament, LightManager.cpp"},
-                [](const Rules& r) { return r.filament(); }},
+                [](const Rules& r) { return r.filament(); },
+                Falloff::frostbite},
     PolicyRules{{"godot", "spots take lumens for π candela", "Godot, light_storage.cpp"},
-                [](const Rules& r) { return r.godot(); }},
+                [](const Rules& r) { return r.godot(); },
+                Falloff::linear_cos,
+                true},
     PolicyRules{{"threejs", "spots take lumens for π candela", "three.js, src/lights"},
-                [](const Rules& r) { return r.threejs(); }},
+                [](const Rules& r) { return r.threejs(); },
+                Falloff::smoothstep_cos},
     PolicyRules{{"gltf", "candela and lux only", "Khronos, KHR_lights_punctual"},
-                [](const Rules& r) { return r.gltf(); }},
+                [](const Rules& r) { return r.gltf(); },
+                Falloff::frostbite},
     PolicyRules{{"usd", "nits only", "OpenUSD, UsdLux"}, [](const Rules& r) { return r.usd(); }},
     PolicyRules{{"blender", "radiant watts; spots are cut out of a point", "Blender, Cycles light.cpp"},
                 [](const Rules& r) { return r.blender(); }},
     PolicyRules{{"pbrt", "exact; spots are smoothstep over the cosine", "pbrt-v4, lights.cpp"},
-                [](const Rules& r) { return r.pbrt(); }},
+                [](const Rules& r) { return r.pbrt(); },
+                Falloff::smoothstep_cos},
 };
 
 constexpr auto policy_list = [] {
@@ -306,6 +313,12 @@ constexpr auto policy_list = [] {
         list[i] = rules[i].policy;
     return list;
 }();
+
+const PolicyRules* rules_of(const Policy& policy) {
+    for (const PolicyRules& known : rules)
+        if (known.policy.name == policy.name) return &known;
+    return nullptr;
+}
 
 // Φ of one candela before any mask.
 Result<Facts> facts_of(const Shape& shape) {
@@ -336,11 +349,23 @@ Result<const Policy*> find_policy(std::string_view name) {
     return find_named("policy", name, policy_list);
 }
 
+ProgramShape program_shape(const Policy& policy, Shape shape) {
+    ProgramShape shown{std::move(shape), {}};
+    const PolicyRules* const found = rules_of(policy);
+    auto* const spot = std::get_if<SpotShape>(&shown.shape);
+    if (found == nullptr || !found->lobe || spot == nullptr || spot->inner.value == spot->outer.value) return shown;
+    const double inner = found->from_axis ? 0.0 : spot->inner.value;
+    if (spot->falloff == *found->lobe && spot->inner.value == inner) return shown;
+    spot->falloff = *found->lobe;
+    spot->inner = Radians(inner);
+    shown.note = fmt::format("its lobe is {}{}", to_text(*found->lobe), found->from_axis ? " from the axis on" : "");
+    return shown;
+}
+
 Result<PolicyMeaning> policy_meaning(const Policy& policy, const Shape& shape, Dimension dimension) {
     PolicyMeaning meaning;
-    const auto* const found = std::find_if(rules.begin(), rules.end(),
-                                           [&](const PolicyRules& known) { return known.policy.name == policy.name; });
-    if (found == rules.end()) return fail(Failure::internal, "a policy was asked for that does not exist");
+    const PolicyRules* const found = rules_of(policy);
+    if (found == nullptr) return fail(Failure::internal, "a policy was asked for that does not exist");
     if (found->meanings == nullptr) {
         meaning.own = true;
         return meaning;

@@ -30,6 +30,15 @@ std::span<const Policy> policies();
 // Fails (usage) on an unknown name and suggests the nearest.
 Result<const Policy*> find_policy(std::string_view name);
 
+// A shape as the program shows it.
+struct ProgramShape {
+    Shape shape;
+    std::string note; // "its lobe is smoothstep-cos"; empty if the shape is the same
+};
+
+// Spots get the lobe that the program has, other shapes stay as they are. Hard spots stay hard.
+ProgramShape program_shape(const Policy& policy, Shape shape);
+
 // How a policy interprets a unit for one shape.
 struct PolicyMeaning {
     bool own = false;                 // whether the program uses this unit; if not, it keeps its physical meaning

@@ -51,6 +51,30 @@ TEST(Policy, LumensOfASpotAreWhatThePublishedFactorsSay) {
     EXPECT_NEAR(emitted_over_said("pbrt", spot, Dimension::luminous_flux), 1.0, 0.0);
 }
 
+TEST(Policy, ASpotHasTheLobeOfTheProgram) {
+    const Shape spot = shape("spot:outer=40deg,inner=25deg");
+    const auto shown = [&](const char* policy) { return program_shape(**find_policy(policy), spot); };
+    const auto lobe = [&](const char* policy) { return std::get<SpotShape>(shown(policy).shape); };
+    EXPECT_EQ(lobe("threejs").falloff, Falloff::smoothstep_cos);
+    EXPECT_EQ(lobe("godot").falloff, Falloff::linear_cos);
+    EXPECT_EQ(lobe("godot").inner.value, 0.0);
+    EXPECT_TRUE(shown("unreal").note.empty());
+    EXPECT_TRUE(shown("physical").note.empty());
+    // 800 lm are 254.6 cd. Over u = (cosθ − cos b)/(cos a − cos b), smoothstep has the mean 1/2 and a linear fall too:
+    // Φ = 2π I (1 − cos a + (cos a − cos b)/2).
+    const double a = std::cos(25.0 / 180.0 * pi);
+    const double b = std::cos(40.0 / 180.0 * pi);
+    const auto emitted = [&](const char* policy) {
+        return 800.0 *
+               policy_meaning(**find_policy(policy), shown(policy).shape, Dimension::luminous_flux)->emitted_over_said;
+    };
+    EXPECT_NEAR(emitted("threejs"), 1600.0 * (1.0 - a + 0.5 * (a - b)), 1e-9);
+    EXPECT_NEAR(emitted("godot"), 1600.0 * 0.5 * (1.0 - b), 1e-9);
+    // A hard spot stays hard.
+    const Shape hard = shape("spot:outer=40deg,inner=40deg");
+    EXPECT_TRUE(program_shape(**find_policy("threejs"), hard).note.empty());
+}
+
 TEST(Policy, FrostbitesGuardedLobeIsIntegratedWithItsGuard) {
     for (const auto& [inner, outer] : {std::pair{10.0, 20.0}, {1.0, 2.0}, {2.4, 2.5}, {0.0, 1.0}, {5.0, 5.0}}) {
         const double flux = frostbite_flux(inner * pi / 180.0, outer * pi / 180.0);
