@@ -88,6 +88,18 @@ Tm33Symmetry symmetry_of(const Web& web, const Grid& grid) {
     return first == 90.0 ? Tm33Symmetry::bilateral_90 : Tm33Symmetry::none;
 }
 
+// Removes what XML 1.0 cannot hold, not even as a reference: control characters except tab and line ends, U+FFFE and
+// U+FFFF. Whether there was any.
+bool keep_xml_characters(std::string& text) {
+    const std::size_t size = text.size();
+    std::erase_if(text,
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'; });
+    for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+        for (std::size_t at = text.find(none); at != std::string::npos; at = text.find(none, at))
+            text.erase(at, none.size());
+    return text.size() != size;
+}
+
 void take_keywords(Tm33File& file, Tm33Emitter& emitter, const ProfileHeader& header, Losses& losses) {
     Keywords keywords(header);
     std::string added;
@@ -116,6 +128,11 @@ void take_keywords(Tm33File& file, Tm33Emitter& emitter, const ProfileHeader& he
         (void)keywords.take(name);
     }
     keywords.rest(file.header);
+    bool removed = keep_xml_characters(emitter.description);
+    removed |= keep_xml_characters(emitter.catalog_number);
+    for (Tm33Text& text : file.header)
+        removed |= keep_xml_characters(text.text);
+    if (removed) losses.add("WEB0221", "control characters left out of the texts");
     if (!added.empty())
         losses.add("WEB0215", fmt::format("required by {} but missing in the source: {}", edition(file), added));
 }

@@ -269,6 +269,7 @@ const std::map<std::string, Rule>& smallest_files() {
         {"WEB0218", {"<IESTM33-22><Emitter/>" + tm33("<IESTM33-22><Version>1.1</Version>", ""), false, T::lm63}},
         {"WEB0219", {ies({{3, "1 1000 1 2 2 1 2 0 0 0"}, {6, "0 90"}, {7, "9 1 9 1"}}), false, T::lm63, "compact"}},
         {"WEB0220", {ies({{3, "1 1000 1 2 2 1 2 0 0 0"}, {6, "0 90"}, {7, "9 1 9 5"}}), false, T::eulumdat}},
+        {"WEB0221", {ies({{2, "[OTHER] x\x02y\nTILT=NONE"}}), false, T::tm33}},
 
         {"WEB0301", {ies({{3, "1 1 1 2 1 1 2 0 0 0"}})}},
         {"WEB0302", {ies({{3, "1 9999 1 2 1 1 2 0 0 0"}})}},

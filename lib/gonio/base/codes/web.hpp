@@ -94,6 +94,8 @@ inline constexpr auto web_codes = std::to_array<DiagnosticCode>({
      "In LM-63 and TM-33, C0 is along the luminaire; in EULUMDAT it is across. Length, width and C were written under "
      "the same names as in the source, so a program that follows both standards shows the light turned by 90 degrees. "
      "Many files of manufacturers are written like this, because programs differ. '--azimuth' turns the light."},
+    {"WEB0221", Severity::warning, Strict::same, "control characters left out",
+     "XML cannot hold control characters other than tab and the ends of lines. They are left out of the keywords."},
 
     {"WEB0301", Severity::warning, Strict::same, "more light than the lamps give",
      "The flux of the table exceeds the lumens that the file declares for its lamps. Usual causes are the lumens "
