@@ -60,7 +60,7 @@ std::string transform(const Frame& frame) {
 
 std::string node(const SceneLight& light, const SceneContent& scene) {
     const ScaledColor color = scaled(light.color);
-    const double reach = light.range.value_or(generous_range(light.intensity));
+    const double reach = reach_of(light);
     std::string type = "OmniLight3D";
     std::string amount;
     const auto omni = [&] {

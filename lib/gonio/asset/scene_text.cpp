@@ -45,8 +45,8 @@ ScaledColor scaled(const glm::dvec3& color) {
     return {color / most, most};
 }
 
-double generous_range(double candela) {
-    return std::sqrt(1.0887 * candela / window_loss_lx);
+double reach_of(const SceneLight& light, double units_per_meter) {
+    return light.range.value_or(std::sqrt(1.0887 * light.intensity / window_loss_lx) * units_per_meter);
 }
 
 AssetPicture baked_picture(const Web& web, BakeOptions options, int channels) {

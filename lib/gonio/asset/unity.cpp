@@ -104,8 +104,7 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
                            vector("Color", color.rgb), color.factor * intensity, unit);
     };
     constexpr double degree = 180.0 / std::numbers::pi;
-    const std::string range =
-        fmt::format("        light.range = {}f;\n", light.range.value_or(generous_range(light.intensity)));
+    const std::string range = fmt::format("        light.range = {}f;\n", reach_of(light));
     switch (light.kind) {
     case LightKind::spot:
         return add("Spot", light.intensity, "Candela", light.frame.y) +

@@ -70,8 +70,7 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
         return fmt::format("setup(light, {}, {}, {}{})\n", vector(color.rgb), intensity,
                            candela ? "unreal.LightUnits.CANDELAS" : "None", more);
     };
-    const std::string reach = fmt::format(
-        ", attenuation_radius={}", light.range.value_or(generous_range(light.intensity) * scene.units_per_meter));
+    const std::string reach = fmt::format(", attenuation_radius={}", reach_of(light, scene.units_per_meter));
     constexpr double degree = 180.0 / std::numbers::pi;
     switch (light.kind) {
     case LightKind::spot:

@@ -65,10 +65,11 @@ struct ScaledColor {
 };
 ScaledColor scaled(const glm::dvec3& color);
 
-// Range of a light's window [m] at which it takes away at most `window_loss_lx`, which the files state: ⟨1 − (d/r)⁴⟩²
-// takes away at most 1.0887 I/r². Engines compute a light wherever its range reaches, so that it must not be too long.
+// The range of a light [unit], for programs in which every light has one. If the light does not specify it, the window
+// takes away at most `window_loss_lx`, which the files state: ⟨1 − (d/r)⁴⟩² takes away at most 1.0887 I/r². Engines
+// compute a light wherever its range reaches, so that it must not be too long.
 inline constexpr double window_loss_lx = 0.1;
-double generous_range(double candela);
+double reach_of(const SceneLight& light, double units_per_meter = 1.0);
 
 // Triangles of a mesh; normals point outwards.
 struct Mesh {

@@ -56,8 +56,7 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "The convention of the program does not cover this unit. The amount keeps its physical meaning."},
     {"RES0303", Severity::note, Strict::same, "lobe of the program",
      "The program has one way in which the light of a spot falls towards the edge, and it is not the way that you "
-     "named. "
-     "The numbers are those of the light that the program shows."},
+     "named. The numbers are those of the light that the program shows."},
 
     {"RES0401", Severity::warning, Strict::same, "point on a light without size",
      "The illuminance at the position of a point light is infinite. The light counts as 0 there."},
