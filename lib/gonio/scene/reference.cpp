@@ -14,7 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace gonio {
 
@@ -22,6 +25,7 @@ namespace {
 
 using detail::CubatureResult;
 using detail::LightRegion;
+using detail::PolarEdges;
 using detail::PolarPeak;
 using detail::Vec;
 using detail::vec;
@@ -69,6 +73,52 @@ PolarPeak smooth(const LightRegion& region, Vec normal) {
     Vec along = normal - middle * dot(normal, middle);
     if (!(dot(along, along) > 1e-12)) along = cross(middle, std::abs(middle.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 1, 0});
     return {middle, along, 1.0, 1.0};
+}
+
+// How to integrate a function that has no peak.
+struct SmoothWay {
+    PolarPeak peak;
+    PolarEdges edges;
+};
+
+// The angles [rad] of a full turn at which the stored planes and their mirror images lie.
+std::vector<double> plane_azimuths(const Web& mask) {
+    const Symmetry stored = mask.stored_symmetry();
+    std::vector<double> degrees;
+    if (stored == Symmetry::axial) return degrees;
+    for (const double c : mask.planes_deg()) {
+        degrees.push_back(c);
+        if (stored == Symmetry::bilateral_0_180 || stored == Symmetry::quadrant) degrees.push_back(-c);
+        if (stored == Symmetry::bilateral_90_270 || stored == Symmetry::quadrant) degrees.push_back(180.0 - c);
+        if (stored == Symmetry::quadrant) degrees.push_back(180.0 + c);
+    }
+    for (double& c : degrees)
+        c = std::remainder(c, 360.0) + 0.0; // −0 counts as 0
+    std::sort(degrees.begin(), degrees.end());
+    degrees.erase(std::unique(degrees.begin(), degrees.end()), degrees.end());
+    for (double& c : degrees)
+        c *= std::numbers::pi / 180.0;
+    return degrees;
+}
+
+// Behind a mask of type C the pole is that of its angles, so that its grid consists of lines of the polar coordinates.
+// Not if the cells would take more than half of the evaluations, nor for a rough goal, which a few cells across the
+// grid reach sooner.
+SmoothWay way_of(const Light& light, const LightRegion& region, Vec normal, const ReferenceGoal& goal) {
+    const Web* const mask = mask_of(light.shape).web;
+    SmoothWay way{smooth(region, normal), {}};
+    constexpr double rough = 1e-5;
+    if (mask == nullptr || mask->photometry() != Photometry::c || goal.relative_error > rough) return way;
+    PolarEdges edges;
+    edges.azimuths = plane_azimuths(*mask);
+    for (const double gamma : mask->gammas_deg())
+        if (gamma > 0.0 && gamma < 180.0) edges.angles.push_back(gamma * std::numbers::pi / 180.0);
+    constexpr std::size_t evaluations_in_cell = 49;
+    if (edges.empty() ||
+        (edges.azimuths.size() + 1) * (edges.angles.size() + 1) > goal.most_evaluations / (2 * evaluations_in_cell))
+        return way;
+    // The light reaches the receiver in the opposite direction: γ = 0 is −Z, C0 is +X.
+    return {{vec(light.frame.z), vec(light.frame.x) * -1.0, 1.0, 1.0}, std::move(edges)};
 }
 
 // For a lobe of normals of the width α: about the mirrored view the light's direction moves by 2 in the plane of
@@ -119,7 +169,7 @@ Pose pose(const Light& light, const glm::dvec3& position, const glm::dvec3& norm
 // ∫ f(l) ⟨n·l⟩ over the light times its luminance; f is a function of the unit direction. `closed_lx` is the integral
 // for f = 1.
 template<class F>
-ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, double closed_lx,
+ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges& edges, const F& f, double closed_lx,
                          const ReferenceGoal& goal) {
     const double relative_error = std::max(goal.relative_error, 1e-13);
     const double reach = p.region.reach();
@@ -131,7 +181,7 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const F& f, doubl
         return {bounded(value), bounded(error), 1, error <= relative_error * value};
     }
     const auto integrand = [&](Vec l) { return f(l) * std::max(dot(p.normal, l), 0.0); };
-    detail::PolarCubature<decltype(integrand)> cubature(p.region, peak, integrand);
+    detail::PolarCubature<decltype(integrand)> cubature(p.region, peak, integrand, edges);
     const CubatureResult result = cubature.integrate({relative_error, goal.most_evaluations});
     return {bounded(result.value * p.scale), bounded(result.error_estimate * p.scale), result.evaluations,
             result.converged};
@@ -166,7 +216,8 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
     if (p.region.dark() || !(p.scale > 0.0)) return {};
     const EmissionByDirection emission(light);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
-    return integrate(p, smooth(p.region, p.normal), emission, closed_lx, goal);
+    const SmoothWay way = way_of(light, p.region, p.normal, goal);
+    return integrate(p, way.peak, way.edges, emission, closed_lx, goal);
 }
 
 ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
@@ -179,12 +230,14 @@ ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& pos
     const Vec weight = vec(rec709_luminance * light.color); // to Y
     const detail::SurfaceParts parts = detail::surface_parts(material);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
-    const auto part = [&](const detail::SurfaceParts::Reflectance& reflectance, const PolarPeak& peak) {
+    const auto part = [&](const detail::SurfaceParts::Reflectance& reflectance, const PolarPeak& peak,
+                          const PolarEdges& edges) {
         const auto f = [&](Vec l) { return dot(weight, reflectance(p.normal, l, v)) * emission(l); };
-        return integrate(p, peak, f, closed_lx, goal);
+        return integrate(p, peak, edges, f, closed_lx, goal);
     };
-    return {part(parts.diffuse, smooth(p.region, p.normal)),
-            part(parts.specular, lobe(p.region, p.normal, v, parts.alpha))};
+    const SmoothWay way = way_of(light, p.region, p.normal, goal);
+    return {part(parts.diffuse, way.peak, way.edges),
+            part(parts.specular, lobe(p.region, p.normal, v, parts.alpha), {})};
 }
 
 } // namespace gonio

@@ -1,5 +1,6 @@
 // The reference integrator against stored values of another program, quadrature over the light's surface, closed forms,
 // and its own result at higher convergence.
+#include <gonio/measure/random.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/reference.hpp>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -396,22 +398,108 @@ TEST(Reference, AMaskedLightIsItsIntensityFromFar) {
     }
 }
 
-// ∫ x^k over [−1, 1]: Kronrod's rule is exact to degree 22, Gauss's to 13.
-TEST(Reference, GaussKronrodIsExactForItsDegrees) {
-    constexpr detail::GaussKronrod rule;
-    for (int k = 0; k <= 22; ++k) {
+// A grid of `planes` by `gammas` cells over all directions, with random intensities up to 10 cd.
+std::shared_ptr<const Web> random_web(unsigned planes, unsigned gammas, std::uint64_t seed) {
+    measure::Random random(seed);
+    std::vector<double> c;
+    std::vector<double> gamma;
+    std::vector<double> candela;
+    for (unsigned i = 0; i <= planes; ++i)
+        c.push_back(360.0 * i / planes);
+    for (unsigned i = 0; i <= gammas; ++i)
+        gamma.push_back(180.0 * i / gammas);
+    for (unsigned i = 0; i < planes * (gammas + 1); ++i)
+        candela.push_back(random.uniform(0.0, 10.0));
+    for (unsigned i = 0; i <= gammas; ++i) // C360 is C0
+        candela.push_back(candela[i]);
+    return web_of(c, gamma, candela);
+}
+
+// Each cell divided into n by n: the same light.
+std::shared_ptr<const Web> divided(const Web& web, int n) {
+    const auto finer = [n](std::span<const double> angles) {
+        std::vector<double> found{angles.front()};
+        for (std::size_t i = 1; i < angles.size(); ++i)
+            for (int k = 1; k <= n; ++k)
+                found.push_back(angles[i - 1] + (angles[i] - angles[i - 1]) * k / n);
+        return found;
+    };
+    const std::vector<double> planes = finer(web.planes_deg());
+    const std::vector<double> gammas = finer(web.gammas_deg());
+    std::vector<double> candela;
+    for (const double c : planes)
+        for (const double gamma : gammas)
+            candela.push_back(web.candela_at(c, gamma));
+    return web_of(planes, gammas, candela);
+}
+
+// A grid with more cells than the evaluations can resolve is integrated about another pole, without its lines.
+TEST(Reference, AMaskDividedFinerIsTheSame) {
+    const ReferenceGoal goal{1e-6, 500'000};
+    for (unsigned i = 0; i < 24; ++i) {
+        const test::ReferenceCase c = test::reference_case(i, 10);
+        const auto mask = random_web(3 + i % 5, 2 + i % 4, i);
+        const auto fine = divided(*mask, 32);
+        ASSERT_GT(fine->planes_deg().size() * fine->gammas_deg().size(), goal.most_evaluations / (2 * 49));
+        const ReferenceValue by_grid = reference_illuminance(masked(c.light, mask, 10.0), origin, c.normal, goal);
+        const ReferenceValue other = reference_illuminance(masked(c.light, fine, 10.0), origin, c.normal, goal);
+        EXPECT_TRUE(by_grid.converged) << i;
+        EXPECT_NEAR(by_grid.value, other.value, by_grid.error_estimate + other.error_estimate + 1e-12 * other.value)
+            << i;
+        const ReferenceLuminance lit =
+            reference_luminance(masked(c.light, mask, 10.0), origin, c.normal, c.view, c.material, goal);
+        const ReferenceLuminance also =
+            reference_luminance(masked(c.light, fine, 10.0), origin, c.normal, c.view, c.material, goal);
+        EXPECT_NEAR(lit.diffuse.value, also.diffuse.value,
+                    lit.diffuse.error_estimate + also.diffuse.error_estimate + 1e-12 * also.diffuse.value)
+            << i;
+    }
+}
+
+// On the light itself it fills the hemisphere: E/L = ∫ I cos γ dω, here cell by cell in (C, γ).
+TEST(Reference, AMaskOverTheWholeHemisphere) {
+    const auto mask = random_web(36, 36, 3);
+    const Light light = masked(placed(DiskShape{Meters(0.3)}, {0.1, 0.2, 0.0}, {0.3, 0.4, -1.0}), mask, 10.0);
+    constexpr const auto& rule = detail::kronrod_15;
+    double sum = 0.0;
+    for (int c = 0; c < 36; ++c)
+        for (int g = 0; g < 18; ++g)
+            for (std::size_t i = 0; i < rule.count; ++i)
+                for (std::size_t k = 0; k < rule.count; ++k) {
+                    const double c_deg = 10.0 * c + 5.0 + 5.0 * rule.node[i];
+                    const double gamma_deg = 5.0 * g + 2.5 + 2.5 * rule.node[k];
+                    const double gamma = gamma_deg * pi / 180.0;
+                    sum += rule.kronrod[i] * rule.kronrod[k] * mask->candela(c_deg, gamma_deg) * std::sin(gamma) *
+                           std::cos(gamma) * (5.0 * pi / 180.0) * (2.5 * pi / 180.0);
+                }
+    sum *= light.web_scale * light.luminance.value;
+    const ReferenceValue e = reference_illuminance(light, light.frame.origin, light.frame.z, {1e-9, 4'000'000});
+    EXPECT_TRUE(e.converged);
+    EXPECT_NEAR(e.value, sum, 1e-11 * sum);
+    EXPECT_LE(e.evaluations, 49U * 36U * 18U * 4U);
+}
+
+template<std::size_t count>
+void expect_exact(const detail::GaussKronrod<count>& rule, int kronrod_degree, int gauss_degree) {
+    for (int k = 0; k <= kronrod_degree; ++k) {
         double kronrod = 0.0;
         double gauss_sum = 0.0;
-        for (std::size_t i = 0; i < detail::GaussKronrod::count; ++i) {
+        for (std::size_t i = 0; i < count; ++i) {
             kronrod += rule.kronrod[i] * std::pow(rule.node[i], k);
             gauss_sum += rule.gauss[i] * std::pow(rule.node[i], k);
         }
         const double truth = k % 2 == 0 ? 2.0 / (k + 1) : 0.0;
-        EXPECT_NEAR(kronrod, truth, 1e-15) << k;
-        if (k <= 13) {
-            EXPECT_NEAR(gauss_sum, truth, 1e-15) << k;
+        EXPECT_NEAR(kronrod, truth, 1e-15) << count << ' ' << k;
+        if (k <= gauss_degree) {
+            EXPECT_NEAR(gauss_sum, truth, 1e-15) << count << ' ' << k;
         }
     }
+}
+
+// ∫ x^k over [−1, 1]: with 2n + 1 nodes Kronrod's rule is exact to degree 3n + 1, Gauss's with n to 2n − 1.
+TEST(Reference, GaussKronrodIsExactForItsDegrees) {
+    expect_exact(detail::kronrod_15, 22, 13);
+    expect_exact(detail::kronrod_7, 10, 5);
 }
 
 } // namespace

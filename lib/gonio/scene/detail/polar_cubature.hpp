@@ -7,6 +7,9 @@
 // of α. Cells of (azimuth, s) are integrated by the product of two Gauss–Kronrod rules of 7 and 15 nodes (R. Piessens
 // et al., "QUADPACK", 1983), and the worst cell is halved along its worse side until the sum of the errors is small
 // enough.
+//
+// Along known edges of the integrand, such as the grid of a measured profile about the pole, sections and rays are
+// divided beforehand. Between them the integrand is simple, and rules of 3 and 7 nodes are used.
 #pragma once
 
 #include <gonio/scene/detail/light_region.hpp>
@@ -29,6 +32,15 @@ struct PolarPeak {
     double squeeze = 1.0;
 };
 
+// Where the integrand's slope jumps: azimuths about the pole from `along` on, and angles from the pole, in (0, π) and
+// ascending [rad].
+struct PolarEdges {
+    std::vector<double> azimuths;
+    std::vector<double> angles;
+
+    bool empty() const { return azimuths.empty() && angles.empty(); }
+};
+
 struct CubatureGoal {
     double relative_error = 1e-6;
     std::size_t most_evaluations = 4'000'000;
@@ -41,25 +53,19 @@ struct CubatureResult {
     bool converged = true;
 };
 
-// Kronrod's 15 nodes on [−1, 1] and their weights; Gauss's seven are every other one of them.
+// The nodes on [−1, 1] of Kronrod's rule and its weights; the nodes of Gauss's rule are every other one of them.
+template<std::size_t node_count>
 struct GaussKronrod {
-    static constexpr std::size_t count = 15;
+    static constexpr std::size_t count = node_count;
+    static constexpr std::size_t half = (count + 1) / 2;
     std::array<double, count> node{};
     std::array<double, count> kronrod{};
     std::array<double, count> gauss{}; // 0 at the other nodes
 
-    constexpr GaussKronrod() {
-        constexpr std::array nodes{0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
-                                   0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
-                                   0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
-                                   0.207784955007898467600689403773245, 0.0};
-        constexpr std::array weights{0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
-                                     0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
-                                     0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
-                                     0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-        constexpr std::array gauss_weights{0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
-                                           0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
-        for (std::size_t i = 0; i < 8; ++i) {
+    // Of the lower half, the middle included.
+    constexpr GaussKronrod(const std::array<double, half>& nodes, const std::array<double, half>& weights,
+                           const std::array<double, half / 2>& gauss_weights) {
+        for (std::size_t i = 0; i < half; ++i) {
             node[i] = -nodes[i];
             node[count - 1 - i] = nodes[i];
             kronrod[i] = kronrod[count - 1 - i] = weights[i];
@@ -67,14 +73,35 @@ struct GaussKronrod {
         }
     }
 };
+inline constexpr GaussKronrod<7> kronrod_7({0.960491268708020283423507092629080, 0.774596669241483377035853079956480,
+                                            0.434243749346802558002071502844628, 0.0},
+                                           {0.104656226026467265193823857192073, 0.268488089868333440728569280666710,
+                                            0.401397414775962222905051818618432, 0.450916538658474142345110087045571},
+                                           {0.555555555555555555555555555555556, 0.888888888888888888888888888888889});
+inline constexpr GaussKronrod<15> kronrod_15(
+    {0.991455371120812639206854697526329, 0.949107912342758524526189684047851, 0.864864423359769072789712788640926,
+     0.741531185599394439863864773280788, 0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
+     0.207784955007898467600689403773245, 0.0},
+    {0.022935322010529224963732008058970, 0.063092092629978553290700663189204, 0.104790010322250183839876322541518,
+     0.140653259715525918745189590510238, 0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+     0.204432940075298892414161999234649, 0.209482141084727828012999174891714},
+    {0.129484966168869693270611432679082, 0.279705391489276667901467771423780, 0.381830050505118944950369775488975,
+     0.417959183673469387755102040816327});
 
 template<class Integrand>
 class PolarCubature {
 public:
     // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there except for features that adaptivity
     // resolves.
-    PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand)
-        : region_(region), integrand_(integrand), pole_(peak.pole), width_(peak.width), squeeze_(peak.squeeze) {
+    PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand,
+                  const PolarEdges& edges = {})
+        : region_(region),
+          integrand_(integrand),
+          pole_(peak.pole),
+          width_(peak.width),
+          squeeze_(peak.squeeze),
+          edges_(edges),
+          edged_(!edges_.empty()) {
         divide(peak.along);
     }
 
@@ -118,6 +145,7 @@ private:
         double from = 0.0; // ψ
         double to = 0.0;
         bool horizon = false; // the rays end there
+        bool even = false;    // between two edges of the integrand, away from the outline's turns
     };
     struct Cell {
         std::size_t section = 0;
@@ -169,23 +197,31 @@ private:
         quarter_ = cross(pole_, zero_);
         // The azimuth of `zero_` measured from `along_`.
         offset_ = std::atan2(dot(zero_, cross(pole_, along_)), dot(zero_, along_));
-        std::vector<double> turns;
+        struct Turn {
+            double azimuth;
+            bool edge;
+        };
+        std::vector<Turn> turns;
         for (const Vec& point : region_.turns(pole_)) {
             const double x = dot(point, zero_);
             const double y = dot(point, quarter_);
-            if (x != 0.0 || y != 0.0) turns.push_back(std::atan2(y, x));
+            if (x != 0.0 || y != 0.0) turns.push_back({std::atan2(y, x), false});
         }
-        for (int k = 0; k < 4; ++k) // the axes of the peak
-            turns.push_back(std::remainder(0.5 * pi * k - offset_, 2.0 * pi));
-        std::sort(turns.begin(), turns.end());
+        if (edges_.azimuths.empty())
+            for (int k = 0; k < 4; ++k) // the axes of the peak
+                turns.push_back({std::remainder(0.5 * pi * k - offset_, 2.0 * pi), edged_});
+        for (const double azimuth : edges_.azimuths)
+            turns.push_back({std::remainder(azimuth - offset_, 2.0 * pi), true});
+        std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.azimuth < b.azimuth; });
         for (std::size_t i = 0; i < turns.size(); ++i) {
-            const double from = turns[i];
-            const double to = i + 1 < turns.size() ? turns[i + 1] : turns.front() + 2.0 * pi;
+            const Turn& next = turns[i + 1 < turns.size() ? i + 1 : 0];
+            const double from = turns[i].azimuth;
+            const double to = i + 1 < turns.size() ? next.azimuth : next.azimuth + 2.0 * pi;
             const Vec between = tangent(0.5 * (from + to));
             const PolarInterval seen = region_.along(pole_, between);
             if (!(from < to) || seen.empty()) continue;
-            sections_.push_back(
-                {squeezed(from + offset_), squeezed(to + offset_), seen.to >= region_.above(pole_, between).to});
+            sections_.push_back({squeezed(from + offset_), squeezed(to + offset_),
+                                 !edged_ && seen.to >= region_.above(pole_, between).to, turns[i].edge && next.edge});
         }
     }
 
@@ -194,13 +230,17 @@ private:
     void begin(std::size_t section) {
         const Ray ray = cast(section, 0.5);
         const double wanted = 0.5 * (ray.s1 - ray.s0);
-        const std::size_t pieces = wanted > 1.0 ? static_cast<std::size_t>(std::min(wanted, 8.0)) : 1;
+        const std::size_t pieces = wanted > 1.0 && !edged_ ? static_cast<std::size_t>(std::min(wanted, 8.0)) : 1;
         for (std::size_t i = 0; i < pieces; ++i) {
             Cell cell;
             cell.section = section;
             cell.u0 = static_cast<double>(i) / static_cast<double>(pieces);
             cell.u1 = static_cast<double>(i + 1) / static_cast<double>(pieces);
             evaluate(cell);
+            if (edged_) {
+                cells_.push_back(cell);
+                continue;
+            }
             for (const Cell& half : halves(cell))
                 cells_.push_back(half);
         }
@@ -232,10 +272,11 @@ private:
     };
 
     Ray cast(std::size_t section, double t) const {
-        const auto [from, to, horizon] = sections_[section];
+        const auto [from, to, horizon, even] = sections_[section];
         const double rest = 1.0 - t;
-        const double psi = from + (to - from) * t * t * t * (10.0 - t * (15.0 - 6.0 * t));
-        const double crowding = 30.0 * t * t * rest * rest;
+        const double psi =
+            even ? from + (to - from) * t : from + (to - from) * t * t * t * (10.0 - t * (15.0 - 6.0 * t));
+        const double crowding = even ? 1.0 : 30.0 * t * t * rest * rest;
         const double c = std::cos(psi);
         const double s = squeeze_ * std::sin(psi);
         const double norm = std::sqrt(c * c + s * s);
@@ -251,8 +292,66 @@ private:
         return ray;
     }
 
+    // Sums by Kronrod's and by Gauss's rule.
+    struct RayIntegral {
+        double kronrod = 0.0;
+        double gauss = 0.0;
+    };
+
+    // Over u from u0 to u1, per du/2 there.
+    template<std::size_t count>
+    RayIntegral along_ray(const GaussKronrod<count>& rule, const Ray& ray, bool horizon, double u0, double u1) {
+        RayIntegral sums;
+        const double reach = ray.s1 - ray.s0;
+        for (std::size_t j = 0; j < count; ++j) {
+            const double u = 0.5 * (u0 + u1) + 0.5 * (u1 - u0) * rule.node[j];
+            const double left = 1.0 - u;
+            const double s = ray.s0 + reach * (horizon ? 1.0 - left * left * left : u);
+            const double theta = ray.width * std::sinh(s);
+            const double sine = std::sin(theta);
+            const Vec toward = pole_ * std::cos(theta) + ray.tangent * sine;
+            const double f = integrand_(toward) * sine * std::sqrt(theta * theta + ray.width * ray.width) *
+                             (horizon ? 3.0 * left * left : 1.0);
+            sums.kronrod += rule.kronrod[j] * f;
+            sums.gauss += rule.gauss[j] * f;
+        }
+        evaluations_ += count;
+        return sums;
+    }
+
+    // The same, divided where the ray crosses edges.
+    template<std::size_t count>
+    RayIntegral along_divided_ray(const GaussKronrod<count>& rule, const Ray& ray, double u0, double u1) {
+        const double reach = ray.s1 - ray.s0;
+        const auto angle_at = [&](double u) { return ray.width * std::sinh(ray.s0 + reach * u); };
+        RayIntegral sums;
+        const double last = angle_at(u1);
+        double from = u0;
+        const auto add = [&](double to) {
+            const RayIntegral piece = along_ray(rule, ray, false, from, to);
+            const double share = (to - from) / (u1 - u0);
+            sums.kronrod += share * piece.kronrod;
+            sums.gauss += share * piece.gauss;
+            from = to;
+        };
+        for (auto edge = std::upper_bound(edges_.angles.begin(), edges_.angles.end(), angle_at(u0));
+             edge != edges_.angles.end() && *edge < last; ++edge) {
+            const double to = (std::asinh(*edge / ray.width) - ray.s0) / reach;
+            if (to > from && to < u1) add(to);
+        }
+        add(u1);
+        return sums;
+    }
+
     void evaluate(Cell& cell) {
-        constexpr std::size_t count = GaussKronrod::count;
+        if (edged_)
+            evaluate_by(kronrod_7, cell);
+        else
+            evaluate_by(kronrod_15, cell);
+    }
+
+    template<std::size_t count>
+    void evaluate_by(const GaussKronrod<count>& rule, Cell& cell) {
         double kk = 0.0;
         double gk = 0.0; // Gauss over the azimuth
         double kg = 0.0; // Gauss along the rays
@@ -262,25 +361,12 @@ private:
             const Ray ray = cast(cell.section, t);
             const double reach = ray.s1 - ray.s0;
             if (!(reach > 0.0)) continue;
-            double k = 0.0;
-            double g = 0.0;
-            for (std::size_t j = 0; j < count; ++j) {
-                const double u = 0.5 * (cell.u0 + cell.u1) + 0.5 * (cell.u1 - cell.u0) * rule.node[j];
-                const double left = 1.0 - u;
-                const double s = ray.s0 + reach * (horizon ? 1.0 - left * left * left : u);
-                const double theta = ray.width * std::sinh(s);
-                const double sine = std::sin(theta);
-                const Vec toward = pole_ * std::cos(theta) + ray.tangent * sine;
-                const double f = integrand_(toward) * sine * std::sqrt(theta * theta + ray.width * ray.width) *
-                                 (horizon ? 3.0 * left * left : 1.0);
-                k += rule.kronrod[j] * f;
-                g += rule.gauss[j] * f;
-            }
-            evaluations_ += count;
+            const RayIntegral sums = edged_ ? along_divided_ray(rule, ray, cell.u0, cell.u1)
+                                            : along_ray(rule, ray, horizon, cell.u0, cell.u1);
             const double measure = ray.measure * reach;
-            kk += rule.kronrod[i] * k * measure;
-            gk += rule.gauss[i] * k * measure;
-            kg += rule.kronrod[i] * g * measure;
+            kk += rule.kronrod[i] * sums.kronrod * measure;
+            gk += rule.gauss[i] * sums.kronrod * measure;
+            kg += rule.kronrod[i] * sums.gauss * measure;
         }
         const double area = 0.25 * (cell.t1 - cell.t0) * (cell.u1 - cell.u0);
         cell.value = kk * area;
@@ -289,7 +375,6 @@ private:
         cell.rounding = (4e-15 + 2e-16 / region_.reach()) * std::abs(cell.value);
     }
 
-    static constexpr GaussKronrod rule{};
     static constexpr double inherited = 0.25;
     static constexpr std::size_t patience = 512;
 
@@ -298,6 +383,8 @@ private:
     Vec pole_;
     double width_;
     double squeeze_;
+    PolarEdges edges_;
+    bool edged_;
     Vec along_{}, zero_{}, quarter_{};
     double offset_ = 0.0;
     std::vector<Section> sections_;
