@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # If one input of a batch runs out of memory, only that input fails: the others are read, and the final line reports it.
+# With whatever little memory the program starts, it says what it lacks.
 #
 #   tests/system/out_of_memory.sh GONIO
 set -euo pipefail
@@ -50,4 +51,20 @@ grep -q '"message": "out of memory"' out || fail "--json does not report it"
 limited compare first.ies big.ies # no batch
 ((status == 5)) || fail "compare: exit $status, not 5"
 grep -q 'error\[UNS0103\]: out of memory$' said || fail "compare does not say why"
+
+# From the program's own size on: first the kernel cannot load it, then the loader cannot (127), then it runs.
+said_so=0
+loaded=0
+least=$(($(stat --format %s "$gonio") / 1024))
+for ((kb = least; kb < least + 6000; kb += 24)); do
+    status=0
+    (ulimit -v "$kb" && exec "$gonio" info -q first.ies) > out 2> said || status=$?
+    grep -q 'error\[UNS0103\]: out of memory' said && said_so=$((said_so + 1))
+    case $status in
+    0 | 5 | 127) loaded=1 ;;
+    126 | 137 | 139) ((loaded == 0)) || fail "with $kb KiB: exit $status" ;;
+    *) fail "with $kb KiB: exit $status" ;;
+    esac
+done
+((said_so > 0)) || fail "no limit shows what is missing"
 echo "passed"
