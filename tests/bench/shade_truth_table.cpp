@@ -6,11 +6,9 @@
 // Each error is the mean of |value − truth| over the mean of the truth: the error as seen over a whole picture. The
 // last row is over all lights except the sun. Without arguments 12 points per side; takes about a minute.
 #include <gonio/light/light.hpp>
+#include <gonio/measure/shade_in_double.hpp>
 #include <gonio/preview/shading_constants.hpp>
-#include <gonio/scene/core_material.hpp>
 #include <gonio/scene/reference.hpp>
-#include <gonio/shading/packet.hpp>
-#include <gonio/shading/shade.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -59,19 +57,12 @@ shading::LightConstants constants_of(const Light& light) {
     return constants;
 }
 
-template<SpecularMethod method>
-Parts shaded(const Light& light, const Material& material, const Point& point) {
-    Parts parts;
-    shading::detail::with_light<double>(constants_of(light), [&](const auto& typed) {
-        std::visit(
-            [&](const auto& kind) {
-                const shading::SurfacePoint<double> at{vec(point.position), vec(point.normal), vec(point.view)};
-                const auto found = shading::shade_parts<method>(at, typed, core_material(kind));
-                parts = {found.diffuse.x, found.specular.x};
-            },
-            material);
-    });
-    return parts;
+Parts shaded(SpecularMethod method, const Light& light, const Material& material, const Point& point) {
+    shading::LightConstants constants = constants_of(light);
+    constants.specular_method = method;
+    const auto found = measure::shade_parts_in_double({vec(point.position), vec(point.normal), vec(point.view)},
+                                                      constants, material_constants(material));
+    return {found.diffuse.x, found.specular.x};
 }
 
 struct Errors {
@@ -132,8 +123,8 @@ int main(int argc, char** argv) {
                     const Point point = point_of(wall, (i % side + 0.5) / side, (i / side + 0.5) / side);
                     const ReferenceLuminance truth = reference_luminance(*light, point.position, point.normal,
                                                                          point.view, *material, {1e-5, 400'000});
-                    const Parts ltc = shaded<SpecularMethod::ltc>(*light, *material, point);
-                    const Parts one = shaded<SpecularMethod::representative_point>(*light, *material, point);
+                    const Parts ltc = shaded(SpecularMethod::ltc, *light, *material, point);
+                    const Parts one = shaded(SpecularMethod::representative_point, *light, *material, point);
                     errors.diffuse += std::abs(ltc.diffuse - truth.diffuse.value);
                     errors.specular += std::abs(ltc.specular - truth.specular.value);
                     errors.by_point += std::abs(one.specular - truth.specular.value);

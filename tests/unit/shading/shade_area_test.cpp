@@ -1,5 +1,6 @@
-// Lights with a size on every material by every specular method: the kernels of each instruction set against shade.hpp
-// in double.
+// Lights with a size on every material by every specular method: the kernels of each instruction set against the same
+// formulas in double.
+#include <gonio/measure/shade_in_double.hpp>
 #include <gonio/measure/specular_cases.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
@@ -63,37 +64,6 @@ std::vector<std::pair<std::string, MaterialConstants>> materials_of(float alpha)
             {"kulla-conty", constants_of(kulla_conty_material(f0, alpha))}};
 }
 
-template<SpecularMethod method>
-Reflected<double> parts(const SurfacePoint<double>& point, const LightConstants& light,
-                        const MaterialConstants& material) {
-    Reflected<double> result{};
-    detail::with_light<double>(light, [&](const auto& typed) {
-        with_material(material.kind, [&]<template<class> class Material>() {
-            result = shade_parts<method>(point, typed, material_of<Material, double>(material));
-        });
-    });
-    return result;
-}
-
-Reflected<double> parts_by(const SurfacePoint<double>& point, const LightConstants& light,
-                           const MaterialConstants& material) {
-    switch (light.specular_method) {
-    case SpecularMethod::ltc:
-        return parts<SpecularMethod::ltc>(point, light, material);
-    case SpecularMethod::representative_point:
-        return parts<SpecularMethod::representative_point>(point, light, material);
-    case SpecularMethod::dominant_direction:
-        return parts<SpecularMethod::dominant_direction>(point, light, material);
-    case SpecularMethod::specular_d:
-        return parts<SpecularMethod::specular_d>(point, light, material);
-    case SpecularMethod::spherical_hack:
-        return parts<SpecularMethod::spherical_hack>(point, light, material);
-    case SpecularMethod::sun_disk:
-        return parts<SpecularMethod::sun_disk>(point, light, material);
-    }
-    return {};
-}
-
 template<template<class> class... Material>
 constexpr std::size_t count_of(MaterialList<Material...> /*list*/) {
     return sizeof...(Material);
@@ -142,7 +112,8 @@ TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
                 float* const out[3] = {rgb.data(), rgb.data() + surfaces.count, rgb.data() + 2 * surfaces.count};
                 kernels.shade(surfaces, light, material, out);
                 for (std::size_t i = 0; i < surfaces.count; ++i) {
-                    const Reflected<double> truth = parts_by(point_of(surfaces, i), light, material);
+                    const Reflected<double> truth =
+                        gonio::measure::shade_parts_in_double(point_of(surfaces, i), light, material);
                     const vec3<double> sum = truth.diffuse + truth.specular;
                     const double channels[3] = {sum.x, sum.y, sum.z};
                     bool near = true;
@@ -155,6 +126,34 @@ TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
             EXPECT_LE(off, cases.all.size() / 50)
                 << "method " << static_cast<int>(method) << ' ' << materials_of(0.5F)[m].first;
         }
+}
+
+// shade_parts_in_double() puts together from its parts what shade_parts() computes.
+TEST(ShadeInDouble, IsWhatShadePartsComputes) {
+    for (const Kind kind : {Kind::sphere, Kind::tube, Kind::sun}) {
+        const Cases cases(kind, 256);
+        for (std::size_t g = 0; g < cases.lights.size(); ++g) {
+            LightConstants light = cases.lights[g];
+            light.specular_method = SpecularMethod::representative_point;
+            const MaterialConstants material = materials_of(std::max(cases.all.alpha[g], 0.03F))[2].second;
+            const Surfaces surfaces = cases.all.surfaces(g);
+            for (std::size_t i = 0; i < surfaces.count; ++i) {
+                const SurfacePoint<double> point = point_of(surfaces, i);
+                const Reflected<double> found = gonio::measure::shade_parts_in_double(point, light, material);
+                Reflected<double> whole{};
+                const auto by_type = [&](auto typed) {
+                    detail::constants(light, typed);
+                    whole = shade_parts<SpecularMethod::representative_point>(point, typed,
+                                                                              material_of<Frostbite, double>(material));
+                };
+                if (kind == Kind::sphere) by_type(SphereLight<double>{});
+                if (kind == Kind::tube) by_type(TubeLight<double>{});
+                if (kind == Kind::sun) by_type(SunLight<double>{});
+                EXPECT_NEAR(found.diffuse.y, whole.diffuse.y, 1e-13 * whole.diffuse.y);
+                EXPECT_NEAR(found.specular.y, whole.specular.y, 1e-13 * whole.specular.y);
+            }
+        }
+    }
 }
 
 // A sun gives the same as a very distant sphere with the same angle.

@@ -1,0 +1,81 @@
+#include <gonio/measure/shade_in_double.hpp>
+#include <gonio/shading/packet.hpp>
+#include <gonio/shading/shade.hpp>
+#include <gonio/shading/specular_in_double.hpp>
+
+namespace gonio::measure {
+
+namespace {
+
+using namespace shading;
+using Point = SurfacePoint<double>;
+
+// Not inlined: shade_parts() in one piece would be compiled for each light, material and method. These depend on two of
+// them at most.
+template<class CoreLight>
+[[gnu::noinline]] double lux(const Point& point, const CoreLight& light) {
+    return illuminance(point, light);
+}
+template<class CoreLight, class CoreMaterial>
+[[gnu::noinline]] Reflected<double> scattered(const Point& point, const CoreLight& light,
+                                              const CoreMaterial& material) {
+    return scattered_parts(point, light, material, lux(point, light));
+}
+template<class CoreLight, class Lobe>
+[[gnu::noinline]] SpecularLuminance<double> specular(SpecularMethod method, const Point& point, const CoreLight& light,
+                                                     const Lobe& lobe) {
+    const vec3<double> to_center = shading::detail::way_to(light, point.position);
+    const auto by = [&]<SpecularMethod named>() {
+        return specular_by<named>(light, to_center, point.normal, point.view, lobe);
+    };
+    switch (method) {
+    case SpecularMethod::ltc:
+        return by.template operator()<SpecularMethod::ltc>();
+    case SpecularMethod::representative_point:
+        return by.template operator()<SpecularMethod::representative_point>();
+    case SpecularMethod::dominant_direction:
+        return by.template operator()<SpecularMethod::dominant_direction>();
+    case SpecularMethod::specular_d:
+        return by.template operator()<SpecularMethod::specular_d>();
+    case SpecularMethod::spherical_hack:
+        return by.template operator()<SpecularMethod::spherical_hack>();
+    case SpecularMethod::sun_disk:
+        return by.template operator()<SpecularMethod::sun_disk>();
+    }
+    return {};
+}
+
+template<class CoreLight>
+concept IsSun = __is_same(CoreLight, SunLight<double>);
+
+// GGX under the lights that the library itself compiles.
+template<class CoreLight>
+requires(!IsSun<CoreLight>) SpecularLuminance<double> specular(SpecularMethod method, const Point& point,
+                                                               const CoreLight& light, const GgxLobe<double>& lobe) {
+    return specular_in_double(method, light, shading::detail::way_to(light, point.position), point.normal, point.view,
+                              lobe.alpha);
+}
+
+} // namespace
+
+Reflected<double> shade_parts_in_double(const Point& point, const LightConstants& light,
+                                        const MaterialConstants& material) {
+    Reflected<double> result{};
+    shading::detail::with_light<double>(light, [&](const auto& typed) {
+        with_material(material.kind, [&]<template<class> class Material>() {
+            const Material<double> core = material_of<Material, double>(material);
+            Reflected<double> parts = scattered(point, typed, core);
+            if constexpr (Glossy<Material>) {
+                const auto glossy = gloss(core);
+                const SpecularLuminance<double> seen = specular(light.specular_method, point, typed, glossy.lobe);
+                const double fade = shading::detail::faded(typed, shading::detail::way_to(typed, point.position));
+                parts.specular = parts.specular + glossy({seen.scale * fade, seen.grazing});
+            }
+            const vec3<double> color = shading::detail::color_of<double>(typed);
+            result = {shading::detail::finite(color * parts.diffuse), shading::detail::finite(color * parts.specular)};
+        });
+    });
+    return result;
+}
+
+} // namespace gonio::measure
