@@ -8,6 +8,7 @@
 #include <gonio/base/file_scope.hpp>
 #include <gonio/color/spectrum.hpp>
 #include <gonio/scene/rig.hpp>
+#include <gonio/web/integrate.hpp>
 
 #include "../asset_bytes.hpp"
 #include "../json_text.hpp"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,9 +28,10 @@ namespace {
 // An input by its bytes, which are enough to decide whether its files are up to date.
 struct Source {
     std::string name;
+    std::string folder; // below those of the targets
     ManifestFile input; // with the hash of all files that the input names
     std::string bytes;
-    std::optional<Rig> rig; // empty: a profile
+    std::optional<Rig> rig; // empty: a profile, or the light that the request describes
 };
 
 // What is to be written from it.
@@ -46,6 +49,18 @@ bool is_rig(std::string_view bytes) {
     return first != std::string_view::npos && bytes[first] == '{';
 }
 
+// The flux of a profile with a requested amount of light.
+Result<Lumens> flux_at(const PhotometricValue& amount, const Web& web, const std::string& file) {
+    LightDescription description;
+    description.name = file;
+    description.shape = ProfileShape{file, std::make_shared<const Web>(web)};
+    description.intensity = amount;
+    Diagnostics ignored; // those of the profile were said when it was read
+    Result<Light> light = resolve_light(std::move(description), ignored);
+    if (!light) return pass_on(light);
+    return Lumens(light->web_scale * flux(web).value);
+}
+
 Result<Content> content_of_profile(const Source& source, const ImportRequest& request) {
     Content content;
     Result<LoadedProfile> loaded = load_bytes(source.bytes, source.input.file, request.input);
@@ -58,9 +73,16 @@ Result<Content> content_of_profile(const Source& source, const ImportRequest& re
         if (!held) return pass_on(held);
         spectra = std::move(*held);
     }
-    Result<MeasuredLight> light = measured_light({source.input.file, loaded->bytes, loaded->web, header, spectra},
-                                                 request.light, content.diagnostics);
+    MeasuredLightOptions options = request.light;
+    if (request.intensity) {
+        Result<Lumens> flux = flux_at(*request.intensity, loaded->web, source.input.file);
+        if (!flux) return pass_on(flux);
+        options.flux = *flux;
+    }
+    Result<MeasuredLight> light =
+        measured_light({source.input.file, loaded->bytes, loaded->web, header, spectra}, options, content.diagnostics);
     if (!light) return pass_on(light);
+    light->name = source.name;
     content.description =
         fmt::format("{:.6g} lm, greatest difference {:.2g} cd", light->flux.value, light->max_error.value);
     content.report = {{"name", light->name},
@@ -97,15 +119,27 @@ Result<Content> content_of_rig(Rig rig, const std::string& name) {
     return content;
 }
 
+Result<Content> content_of_described(const LightDescription& described, const std::string& name) {
+    Content content;
+    Result<Light> light = resolve_light(described, content.diagnostics);
+    if (!light) return pass_on(light);
+    content.lights = {std::move(*light)};
+    content.description = "1 light";
+    content.report = {{"name", name}, {"lights", 1}};
+    return content;
+}
+
 Result<Content> content_of(const Source& source, const ImportRequest& request) {
+    if (request.described) return content_of_described(*request.described, source.name);
     return source.rig ? content_of_rig(*source.rig, source.name) : content_of_profile(source, request);
 }
 
 Result<Rig> rig_of(const std::string& file, const std::string& bytes, const ImportRequest& request) {
-    const bool changed = request.light.flux || !request.light.color.empty() || request.light.rotation.value != 0.0;
+    const bool changed =
+        request.light.flux || request.intensity || !request.light.color.empty() || request.light.rotation.value != 0.0;
     if (changed)
         return fail("USE0107", "the lights of a rig have their own amount, colour and rotation",
-                    "leave --flux, --color and --rotate out", file);
+                    "leave --flux, --intensity, --color and --rotate out", file);
     Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
     if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
@@ -116,11 +150,27 @@ Result<Rig> rig_of(const std::string& file, const std::string& bytes, const Impo
     return rig;
 }
 
-Result<Source> read_source(const std::string& file, const ImportRequest& request) {
+// By its words and the bytes of the files that they name.
+Result<Source> described_source(const ImportJob& job, const ImportRequest& request) {
+    std::string all = request.description;
+    std::vector<std::string> files = files_of(request.described->shape);
+    const std::vector<std::string> of_color = files_of_color(request.light.color);
+    files.insert(files.end(), of_color.begin(), of_color.end());
+    for (const std::string& file : files) {
+        Result<ManifestFile> hash = hashed(file);
+        if (!hash) return pass_on(hash);
+        all += " " + hash->sha256;
+    }
+    return Source{job.name, job.folder, {job.file, sha256(all)}, {}, {}};
+}
+
+Result<Source> read_source(const ImportJob& job, const ImportRequest& request) {
+    if (request.described) return described_source(job, request);
+    const std::string& file = job.file;
     Result<std::string> bytes =
         file == "-" ? read_standard_input(limit("profile-bytes")) : read_file(file, limit("rig-bytes"));
     if (!bytes) return pass_on(bytes);
-    Source source{asset_name(file), {file, {}}, std::move(*bytes), {}};
+    Source source{job.name, job.folder, {file, {}}, std::move(*bytes), {}};
     if (file == "-" || !is_rig(source.bytes)) {
         source.input.sha256 = sha256(source.bytes);
         return source;
@@ -162,7 +212,7 @@ struct Written {
 
 // The existing files, if they were made from the same source by the same recipe.
 std::optional<Written> found(const Source& source, const Target& target, const ImportRequest& request) {
-    const std::string folder = folder_of(request, target) + "/";
+    const std::string folder = folder_of(request, target) + "/" + source.folder;
     const std::string record_file = folder + asset_record_name(source.name);
     if (!request.update || source.input.file == "-" || !file_exists(record_file)) return std::nullopt;
     const Result<std::string> text = read_file(record_file, limit("record-bytes"));
@@ -197,7 +247,7 @@ Result<Written> made(const Source& source, const Content& content, const Target&
                      std::move(scene->instead)},
                     {}};
     const auto add = [&](const std::string& name, std::string bytes) -> Result<FileRecord> {
-        const std::string path = folder_of(request, target) + "/" + name;
+        const std::string path = folder_of(request, target) + "/" + source.folder + name;
         if (!request.overwrite && !request.update && file_exists(path))
             return fail("USE0108", fmt::format("'{}' exists", path),
                         "add --overwrite, or -u to write only outdated files");
@@ -279,9 +329,9 @@ Json report_of(const ManifestFile& input, const Content& content, const std::vec
 
 } // namespace
 
-Result<Made> import_one(const std::string& file, const ImportRequest& request, const FilesInUse& inputs,
-                        ReportKind kind) {
-    Result<Source> source = read_source(file, request);
+Result<Made> import_one(const ImportJob& job, const ImportRequest& request, const FilesInUse& inputs, ReportKind kind) {
+    const std::string& file = job.file;
+    Result<Source> source = read_source(job, request);
     if (!source) return pass_on(source);
     std::vector<std::optional<Written>> there = found_of_all(*source, request);
     const bool complete = std::all_of(there.begin(), there.end(), [](const auto& written) { return !!written; });

@@ -56,6 +56,29 @@ Result<void> parse_light(const Arguments& arguments, MeasuredLightOptions& light
     return {};
 }
 
+// Everything that describes a light without a file, or the amount of a profile.
+Result<void> parse_described(const Arguments& arguments, ImportRequest& request) {
+    for (const char* option : {"--preset", "--shape", "--intensity"})
+        if (const auto text = arguments.value(option))
+            request.description += fmt::format(" {}={}", std::string_view(option).substr(2), *text);
+    if (is_described(arguments)) {
+        if (request.light.flux)
+            return fail("USE0107", "--flux scales a profile", "use --intensity for the amount of a shape");
+        Diagnostics ignored; // about the colour: they are said when the light is resolved
+        Result<LightDescription> light = light_itself(arguments, ignored);
+        if (!light) return pass_on(light);
+        if (const auto name = arguments.value("--preset")) light->name = *name;
+        request.described = std::move(*light);
+    } else if (const auto text = arguments.value("--intensity")) {
+        if (request.light.flux)
+            return fail("USE0107", "--flux and --intensity are both given", "leave one of them out");
+        Result<PhotometricValue> value = parse_photometric_value(*text);
+        if (!value) return pass_on(value);
+        request.intensity = *value;
+    }
+    return {};
+}
+
 // "cm", or "2.5cm".
 Result<Meters> parse_unit(const std::string& text) {
     const bool has_number = !text.empty() && (text[0] == '.' || text[0] == '-' || (text[0] >= '0' && text[0] <= '9'));
@@ -80,6 +103,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
                     file_exists(*folder) ? "" : "create it first: mkdir " + *folder, *folder);
     request.folder = *folder;
     if (Result<void> light = parse_light(arguments, request.light); !light) return pass_on(light);
+    if (Result<void> light = parse_described(arguments, request); !light) return pass_on(light);
     if (const auto text = arguments.value("--unit-scale")) {
         Result<Meters> unit = parse_unit(*text);
         if (!unit) return pass_on(unit);
@@ -102,12 +126,16 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     return request;
 }
 
+bool is_described(const Arguments& arguments) {
+    return arguments.has("--shape") || arguments.has("--preset");
+}
+
 std::string folder_of(const ImportRequest& request, const Target& target) {
     return fmt::format("{}/{}", request.folder, target.name);
 }
 
 std::string recipe_of(const ImportRequest& request) {
-    std::string text = fmt::format("gonio {} import", version);
+    std::string text = fmt::format("gonio {} import", version) + request.description;
     if (request.light.flux) text += fmt::format(" flux={}lm", request.light.flux->value);
     if (!request.light.color.empty()) text += " color=" + request.light.color;
     if (request.light.rotation.value != 0.0) text += fmt::format(" rotate={}deg", to_degrees(request.light.rotation));

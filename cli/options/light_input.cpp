@@ -2,6 +2,7 @@
 
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/presets.hpp>
 
 #include "smooth_table.hpp"
 #include "values.hpp"
@@ -51,24 +52,31 @@ Result<std::vector<LightDescription>> at_positions(const std::vector<std::string
 
 } // namespace
 
-Result<std::vector<LightDescription>> light_input(const Arguments& arguments, const LightPlacement& placement,
-                                                  Diagnostics& diagnostics) {
+Result<LightDescription> light_itself(const Arguments& arguments, Diagnostics& diagnostics) {
     const std::vector<std::string>& files = arguments.positional();
-    const auto shape_text = arguments.value("--shape");
+    const auto preset_name = arguments.value("--preset");
+    auto shape_text = arguments.value("--shape");
+    auto amount = arguments.value("--intensity");
     if (files.size() > 1) return fail("USE0107", fmt::format("expected one profile, but {} are given", files.size()));
-    if (files.empty() && !shape_text)
+    if (files.empty() && !shape_text && !preset_name)
         return fail("USE0104", "no light is given", "name a profile, or use --shape sphere:r=10cm --intensity 800lm");
-    if (!files.empty() && shape_text)
-        return fail("USE0107", "a profile and --shape are both given", "leave one of them out");
+    if (!files.empty() && (shape_text || preset_name))
+        return fail("USE0107", fmt::format("a profile and {} are both given", shape_text ? "--shape" : "--preset"),
+                    "leave one of them out");
+    if (preset_name) {
+        Result<const LightPreset*> preset = find_preset(*preset_name);
+        if (!preset) return pass_on(preset);
+        if (!shape_text) shape_text = (*preset)->shape;
+        if (!amount) amount = (*preset)->value;
+    }
     LightDescription light;
     Result<Shape> shape = shape_text ? parse_shape(*shape_text) : Result<Shape>(ProfileShape{files[0], nullptr});
     if (!shape) return pass_on(shape);
     light.shape = *shape;
     if (Result<void> smooth = smooth_profile(arguments, light.shape, diagnostics); !smooth) return pass_on(smooth);
     light.name = kind_of(light.shape);
-    hang(light, placement);
-    if (const auto text = arguments.value("--intensity")) {
-        Result<PhotometricValue> value = parse_photometric_value(*text);
+    if (amount) {
+        Result<PhotometricValue> value = parse_photometric_value(*amount);
         if (!value) return pass_on(value);
         light.intensity = *value;
     }
@@ -78,28 +86,36 @@ Result<std::vector<LightDescription>> light_input(const Arguments& arguments, co
         if (!rgb) return pass_on(rgb);
         light.color = *rgb;
     }
+    if (const auto text = arguments.value("--rotate")) {
+        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
+        if (!angle) return pass_on(angle);
+        light.rotation = Radians(*angle);
+    }
+    return light;
+}
+
+Result<std::vector<LightDescription>> light_input(const Arguments& arguments, const LightPlacement& placement,
+                                                  Diagnostics& diagnostics) {
+    Result<LightDescription> light = light_itself(arguments, diagnostics);
+    if (!light) return pass_on(light);
+    hang(*light, placement);
     struct Vector {
         const char* option;
         glm::dvec3* target;
     };
-    for (const Vector& vector : {Vector{"--direction", &light.direction}, Vector{"--up", &light.up}}) {
+    for (const Vector& vector : {Vector{"--direction", &light->direction}, Vector{"--up", &light->up}}) {
         const auto text = arguments.value(vector.option);
         if (!text) continue;
         Result<glm::dvec3> parsed = parse_vector(*text, vector.option);
         if (!parsed) return pass_on(parsed);
         *vector.target = *parsed;
     }
-    if (const auto text = arguments.value("--rotate")) {
-        Result<double> angle = parse_amount(*text, Dimension::angle, "--rotate");
-        if (!angle) return pass_on(angle);
-        light.rotation = Radians(*angle);
-    }
     if (const auto text = arguments.value("--range")) {
         Result<double> meters = parse_amount(*text, Dimension::length, "--range");
         if (!meters) return pass_on(meters);
-        light.range = Meters(*meters);
+        light->range = Meters(*meters);
     }
-    return at_positions(arguments.values("--position"), std::move(light));
+    return at_positions(arguments.values("--position"), std::move(*light));
 }
 
 std::vector<std::string> files_of(const Shape& shape) {

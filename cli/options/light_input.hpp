@@ -15,8 +15,13 @@
 
 namespace gonio::cli {
 
+inline constexpr Option shape_option{"--shape", "SHAPE", "shape of the light, if no FILE is given", "shapes"};
+inline constexpr Option preset_option{"--preset", "NAME", "an everyday source: its shape and amount, if not given",
+                                      "presets"};
+
 inline constexpr std::array light_options{
-    Option{"--shape", "SHAPE", "shape of the light, if no FILE is given", "shapes"},
+    shape_option,
+    preset_option,
     Option{"--intensity", "VALUE", "amount of light: 800lm, 1200cd, 5000nt, 300lx@2m (profile: as measured)"},
     Option{"--color", "COLOR",
            "colour of the light: 2700K, 2700K/0.003, d65, LED-B3, spectrum:FILE, #ffd9a0, rgb(1,0.8,0.6); or auto, "
@@ -36,9 +41,14 @@ inline constexpr OptionGroup light_group{"light", light_options};
 // Whether the value of --color says when diagnostics are coloured, and is not a light's colour.
 bool is_about_messages(std::string_view color);
 
-// The light of the positional FILE or --shape, once for each --position: "sphere", or "sphere-1", "sphere-2", …. Reads
-// a profile only to smooth it; remarks about the colour go to `diagnostics`. Fails (usage) if there is neither or both,
-// and on option values that make no sense.
+// The light of the positional FILE, --shape or --preset, with amount, colour and rotation: at the origin, aimed down.
+// Reads a profile only to smooth it; remarks about the colour go to `diagnostics`. Fails (usage) if there is none or
+// more than one, and on option values that make no sense.
+Result<LightDescription> light_itself(const Arguments& arguments, Diagnostics& diagnostics);
+
+// The same, placed, once for each --position: "sphere", or "sphere-1", "sphere-2",
+// …. Reads a profile only to smooth it; remarks about the colour go to `diagnostics`. Fails (usage) if there is neither
+// or both, and on option values that make no sense.
 Result<std::vector<LightDescription>> light_input(const Arguments& arguments, const LightPlacement& placement,
                                                   Diagnostics& diagnostics);
 

@@ -40,23 +40,6 @@ std::vector<std::string> below_common_folder(const std::vector<std::string>& inp
     return names;
 }
 
-// The names of the files of -O, without their endings.
-std::vector<std::string> names_in_folder(const std::vector<std::string>& inputs, bool mirror) {
-    std::vector<std::string> names;
-    if (!mirror) {
-        for (const std::string& input : inputs)
-            names.push_back(input == "-" ? "stdin" : without_extension(file_name(input)));
-        return names;
-    }
-    names = below_common_folder(inputs);
-    std::map<std::string, std::size_t> with_stem;
-    for (const std::string& name : names)
-        ++with_stem[without_extension(name)];
-    for (std::string& name : names)
-        if (std::string stem = without_extension(name); with_stem[stem] == 1) name = std::move(stem);
-    return names;
-}
-
 // An error for every input that would be written to the file of one before it.
 Result<void> distinct_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                               bool mirror) {
@@ -85,6 +68,22 @@ Result<void> distinct_outputs(const std::vector<std::string>& inputs, const std:
 }
 
 } // namespace
+
+std::vector<std::string> names_in_folder(const std::vector<std::string>& inputs, bool mirror) {
+    std::vector<std::string> names;
+    if (!mirror) {
+        for (const std::string& input : inputs)
+            names.push_back(input == "-" ? "stdin" : without_extension(file_name(input)));
+        return names;
+    }
+    names = below_common_folder(inputs);
+    std::map<std::string, std::size_t> with_stem;
+    for (const std::string& name : names)
+        ++with_stem[without_extension(name)];
+    for (std::string& name : names)
+        if (std::string stem = without_extension(name); with_stem[stem] == 1) name = std::move(stem);
+    return names;
+}
 
 Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output) {
     const media::ImageFormat* format = media::find_image_format(named ? *named : output);

@@ -84,6 +84,10 @@ struct Share {
     std::size_t step = 1;
 };
 
+// The names of the outputs of several inputs below -O, without their endings: "lamp". With --mirror below the folder
+// that all share, "office/lamp", and with the input's ending where that tells two apart: "office/lamp.ies".
+std::vector<std::string> names_in_folder(const std::vector<std::string>& inputs, bool mirror);
+
 // Pairs the inputs of a share with outputs; `extension` names the files of -O, or of its `subfolder`. With --mirror,
 // inputs in one folder that differ in their endings only keep them ("lamp.ies.exr", "lamp.ldt.exr"). Folders in that of
 // -O are made, except for a dry run. Fails (usage) if both or neither of -o and -O are given, if -o is given with

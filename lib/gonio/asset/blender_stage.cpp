@@ -109,6 +109,10 @@ ball = round_mesh("ball", 0.0)
 )python";
 
 constexpr const char* settings = R"python(
+for light in scene.collection.objects:
+    if light.type == "LIGHT":
+        light.visible_camera = True  # Blender hides new lights
+
 eye = bpy.data.cameras.new("camera")
 eye.sensor_fit = "VERTICAL"
 eye.angle = {fov}

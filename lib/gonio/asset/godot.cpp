@@ -91,6 +91,7 @@ std::string node(const SceneLight& light, const SceneContent& scene) {
         break;
     default:
         omni();
+        if (light.radius > 0.0) amount += fmt::format("light_size = {}\n", light.radius);
     }
     return fmt::format(
         "\n[node name=\"{}\" type=\"{}\" parent=\".\"]\ntransform = {}\nlight_color = Color({}, {}, {}, 1)\n"

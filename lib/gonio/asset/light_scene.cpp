@@ -97,13 +97,14 @@ Grid grid_of(const Light& light) {
     return std::visit([](const auto& shape) { return grid_of(shape); }, light.shape);
 }
 
-Result<Web> far_web(const Light& light) {
+// The light's intensities by the angles of `frame`, which is the light's own or turned about its direction.
+Result<Web> far_web(const Light& light, const Frame& frame) {
     Grid grid = grid_of(light);
     std::vector<double> candela;
     for (const double c : grid.planes)
         for (const double gamma : grid.gammas) {
             const glm::dvec3 local = direction_of({degrees(c), degrees(gamma)});
-            candela.push_back(light.intensity_towards(light.frame.to_world(local)).value);
+            candela.push_back(light.intensity_towards(frame.to_world(local)).value);
         }
     return Web::create(grid.symmetry, std::move(grid.planes), std::move(grid.gammas), std::move(candela));
 }
@@ -115,8 +116,9 @@ Result<Lumens> flux_of(const Light& light) {
     return Lumens(flux_factor(light.shape, *factors).value * light.intensity.value);
 }
 
-// The light's intensity in every direction as a luminaire; exact for a web and for a masked point.
-Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
+// The light's intensity in every direction as a luminaire; exact for a web and for a masked point, which have the
+// light's own frame.
+Result<MeasuredLight> profile_of(const Light& light, const Frame& frame, const std::string& name) {
     MeasuredLightOptions options;
     options.color = "rgb(1,1,1)";
     std::string file = fmt::format("a {}", kind_of(light.shape));
@@ -128,7 +130,7 @@ Result<MeasuredLight> profile_of(const Light& light, const std::string& name) {
         web = point->mask->scaled(light.web_scale * light.intensity.value);
         file = point->mask_file;
     } else {
-        Result<Web> made = far_web(light);
+        Result<Web> made = far_web(light, frame);
         if (!made) return pass_on(made);
         web = std::move(*made);
         Result<Lumens> flux = flux_of(light);
@@ -227,7 +229,7 @@ private:
     Result<void> place_profile(const Light& light, SceneLight made) {
         auto [known, is_new] = shared_.try_emplace(profile_key(light), content_.profiles.size());
         if (is_new) {
-            Result<MeasuredLight> profile = profile_of(light, fmt::format("{}.{}", name_, made.name));
+            Result<MeasuredLight> profile = profile_of(light, made.frame, fmt::format("{}.{}", name_, made.name));
             if (!profile) return pass_on(profile);
             content_.profiles.push_back(std::move(*profile));
         }
@@ -236,8 +238,9 @@ private:
         return place_as(LightKind::profile, std::move(made));
     }
 
-    Result<void> place_far(const Light& light, SceneLight made, std::string_view why) {
-        say(light, fmt::format("{}: written as a point with the same intensity in every direction", why));
+    Result<void> place_far(const Light& light, SceneLight made, std::string_view why,
+                           std::string_view what = "a point") {
+        say(light, fmt::format("{}: written as {} with the same intensity in every direction", why, what));
         return place_profile(light, std::move(made));
     }
 
@@ -288,8 +291,8 @@ private:
     Result<void> place(const Light& light, const SphereShape& sphere, SceneLight made) {
         made.radius = sphere.radius.value * scale_.length;
         if (!sphere.mask && !holds(LightKind::sphere) && holds(LightKind::point)) {
-            say(light,
-                fmt::format("{} does not have sphere lights: written as a point of the same intensity", target_.name));
+            say(light, fmt::format("{} does not have sphere lights: written as a point of the same intensity{}",
+                                   target_.name, target_.holds.point_radius ? " and radius" : ""));
             return place_as(LightKind::point, std::move(made));
         }
         return place_area(light, sphere, LightKind::sphere, false, std::move(made));
@@ -311,6 +314,14 @@ private:
     Result<void> place(const Light& light, const TubeShape& tube, SceneLight made) {
         made.radius = tube.radius.value * scale_.length;
         made.width = tube.length.value * scale_.length;
+        if (!tube.mask && !holds(LightKind::tube) && target_.holds.profile_size) {
+            // The tube lies along C90 of its profile.
+            const glm::dvec3 along = made.frame.x;
+            made.frame.x = made.frame.y;
+            made.frame.y = -along;
+            return place_far(light, std::move(made), fmt::format("{} does not have tube lights", target_.name),
+                             "a point of the tube's size");
+        }
         return place_area(light, tube, LightKind::tube, false, std::move(made));
     }
     Result<void> place(const Light& light, const SunShape& sun, SceneLight made) {

@@ -25,6 +25,7 @@ namespace {
 // Kinds of light that targets have besides profiles.
 constexpr std::array point_sun{LightKind::point, LightKind::sun};
 constexpr std::array point_rect_sun{LightKind::point, LightKind::rect, LightKind::sun};
+constexpr std::array point_rect_tube_sun{LightKind::point, LightKind::rect, LightKind::tube, LightKind::sun};
 constexpr std::array point_sphere_rect_sun{LightKind::point, LightKind::sphere, LightKind::rect, LightKind::sun};
 constexpr std::array all_kinds{LightKind::point, LightKind::sphere, LightKind::disk, LightKind::ellipse,
                                LightKind::rect,  LightKind::tube,   LightKind::sun};
@@ -37,10 +38,11 @@ constexpr TargetHolds pbrt_holds{all_kinds, Falloff::smoothstep_cos, true, false
 constexpr TargetHolds mitsuba_holds{all_kinds, Falloff::linear_angle, true, false, 90.0, TargetLength::any};
 constexpr TargetHolds luxcore_holds{all_kinds, std::nullopt, false, false, 90.0, TargetLength::any};
 constexpr TargetHolds usd_holds{all_kinds, Falloff::smoothstep_angle, true, false, 90.0, TargetLength::any};
-constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter};
-constexpr TargetHolds unity_holds{point_rect_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter};
-constexpr TargetHolds unreal_holds{point_sphere_rect_sun,   Falloff::frostbite, true, true, 80.0,
-                                   TargetLength::centimeter};
+constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false};
+constexpr TargetHolds unity_holds{
+    point_rect_tube_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter, true, false};
+constexpr TargetHolds unreal_holds{
+    point_sphere_rect_sun, Falloff::frostbite, true, true, 80.0, TargetLength::centimeter, false, true};
 constexpr TargetHolds raw_holds{{}, std::nullopt, false, false, 90.0, TargetLength::none};
 
 constexpr std::array all{

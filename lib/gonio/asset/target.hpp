@@ -44,6 +44,8 @@ struct TargetHolds {
     bool range = false;                  // a window ⟨1 − (d/r)⁴⟩² over distance
     double widest_spot_deg = 90.0;       // outer half angle
     TargetLength length = TargetLength::any;
+    bool point_radius = false; // its points have a radius, for shadows and highlights
+    bool profile_size = false; // its profiles have a radius and a length across them, as a tube has
 };
 
 struct Target {

@@ -2,8 +2,8 @@
 // importer's settings and a menu item that makes the lights.
 //
 // Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
-// are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a spot falls as the square of a linear function
-// of the cosine. Unity's own default range is 10 m, so every light gets one.
+// are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a tube is a line, in lumens; a spot falls as
+// the square of a linear function of the cosine. Unity's own default range is 10 m, so every light gets one.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
@@ -73,6 +73,17 @@ static class Lights_{identifier}
         return null;
     }}
 
+    // The radius that HDRP's shadows and highlights have; the other pipelines have none.
+    static void SetRadius(Light light, float radius)
+    {{
+        var data = System.Type.GetType("UnityEngine.Rendering.HighDefinition.HDAdditionalLightData, "
+                                       + "Unity.RenderPipelines.HighDefinition.Runtime");
+        if (data == null) return;
+        var settings = light.gameObject.GetComponent(data);
+        if (settings == null) settings = light.gameObject.AddComponent(data);
+        data.GetProperty("shapeRadius")?.SetValue(settings, radius);
+    }}
+
     [MenuItem("GameObject/Light/{name}")]
     static void Make()
     {{
@@ -114,13 +125,18 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
     case LightKind::rect:
         return add("Rectangle", light.nits, "Nits", light.frame.y) +
                fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, light.height) + range;
+    case LightKind::tube: // a line of Φ lm has Φ/2π cd to its side, which a radius does not change
+        return add("Tube", 2.0 * std::numbers::pi * light.intensity, "Lumen", light.frame.y) +
+               fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, 2.0 * light.radius) +
+               range;
     case LightKind::sun:
         return add("Directional", light.lux, "Lux", light.frame.y);
     case LightKind::profile:
         return add("Point", light.intensity, "Candela", light.frame.x) +
                fmt::format("        light.cookie = Cookie({});\n", quoted(scene.profiles[light.profile].name)) + range;
     default:
-        return add("Point", light.intensity, "Candela", light.frame.y) + range;
+        return add("Point", light.intensity, "Candela", light.frame.y) + range +
+               (light.radius > 0.0 ? fmt::format("        SetRadius(light, {}f);\n", light.radius) : std::string());
     }
 }
 

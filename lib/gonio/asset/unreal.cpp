@@ -1,9 +1,9 @@
 // Unreal Engine: the portable profiles and a Python script for the editor, which imports them and places the lights.
 //
 // Left-handed, Z up, centimetres; the engine takes candela unchanged and scales them itself. A light's +X is the aim.
-// For a profile, −Y is C0 and −Z is C90; its candela are used (bUseIESBrightness) times IESBrightnessScale. A spot
-// falls as the square of a linear function of the cosine. Every light has an attenuation radius; if the light does not
-// specify one, its window takes away at most `window_loss_lx`.
+// For a profile, −Y is C0 and −Z is C90, along which a source length lies; its candela are used (bUseIESBrightness)
+// times IESBrightnessScale. A spot falls as the square of a linear function of the cosine. Every light has an
+// attenuation radius; if the light does not specify one, its window takes away at most `window_loss_lx`.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -89,9 +89,11 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
     case LightKind::profile:
         return place("PointLight", -light.frame.x) +
                setup(light.intensity,
-                     fmt::format("{}, source_radius=0.0, ies_texture=profile({}), use_ies_brightness=True, "
+                     fmt::format("{}, source_radius={}{}, ies_texture=profile({}), use_ies_brightness=True, "
                                  "ies_brightness_scale={}",
-                                 reach, quoted(scene.profiles[light.profile].name), color.factor));
+                                 reach, light.radius,
+                                 light.width > 0.0 ? fmt::format(", source_length={}", light.width) : std::string(),
+                                 quoted(scene.profiles[light.profile].name), color.factor));
     default:
         return place("PointLight", light.frame.x) +
                setup(color.factor * light.intensity, fmt::format("{}, source_radius={}", reach, light.radius));

@@ -63,6 +63,13 @@ double guarded_solid_angle(const SpotShape& spot) {
     return 2.0 * pi * (rise + std::fmax(0.0, depth - frostbite_guard));
 }
 
+// A tube's flux over its intensity to the side: π A L over (2rl + πr²) L.
+double tube_sr(const TubeShape& tube) {
+    const double r = tube.radius.value;
+    const double l = tube.length.value;
+    return pi * (2.0 * pi * r * l + 4.0 * pi * r * r) / (2.0 * r * l + pi * r * r);
+}
+
 // What every policy needs to know of a shape: Φ over its intensity, with any mask.
 struct Facts {
     double solid_angle = 0.0; // of a punctual shape
@@ -114,7 +121,10 @@ public:
             meanings.units = {honest(Dimension::luminous_flux, "I = Φ/4π"),
                               {Dimension::luminance, 4.0, "I = 4π r (r + l/2) L"},
                               {Dimension::luminance_ev, 4.0, "I = 4π r (r + l/2) L, L = 2^EV"}};
-            if (is<TubeShape>()) meanings.note = "shines alike in all directions";
+            if (const auto* tube = std::get_if<TubeShape>(&shape_)) {
+                meanings.units.push_back({Dimension::luminous_intensity, 4.0 * pi / tube_sr(*tube), "I, all around"});
+                meanings.note = "shines alike in all directions";
+            }
         } else if (is<RectShape>()) {
             meanings.units = {honest(Dimension::luminous_flux, "I = Φ/π"), honest(Dimension::luminance, "I = A L"),
                               honest(Dimension::luminance_ev, "I = A L, L = 2^EV")};
@@ -129,10 +139,7 @@ public:
         Meanings meanings = punctual(rule, true);
         if (is<FrustumShape>()) meanings.units = {lumens(facts_.solid_angle, 4.0 * pi, rule.spot_formula), candela()};
         if (const auto* tube = std::get_if<TubeShape>(&shape_)) {
-            const double r = tube->radius.value;
-            const double l = tube->length.value;
-            const double true_sr = pi * (2.0 * pi * r * l + 4.0 * pi * r * r) / (2.0 * r * l + pi * r * r);
-            meanings.units = {{Dimension::luminous_flux, true_sr / (2.0 * pi), "L = Φ/4πl of a line"}};
+            meanings.units = {{Dimension::luminous_flux, tube_sr(*tube) / (2.0 * pi), "L = Φ/4πl of a line"}};
             meanings.note = "a line without a radius";
         } else {
             add_areas(meanings);

@@ -7,6 +7,8 @@
 #include <gonio/light/closed_forms.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/policy.hpp>
+#include <gonio/light/program_fields.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/resolve.hpp>
@@ -373,6 +375,44 @@ TEST(LightScene, FarProfilesAreThoseOfTheShapes) {
                 EXPECT_NEAR(web.candela(c, gamma), truth, 2e-3 * most) << name << ' ' << c << ' ' << gamma;
             }
     }
+}
+
+// Engines without an area light of a shape take its size where they have a field for it.
+TEST(LightScene, KeepsTheSizesThatEnginesTake) {
+    std::vector<Light> lights = studio();
+    std::erase_if(lights, [](const Light& light) { return light.name != "tube" && light.name != "key light"; });
+    const auto written = [&](const char* target) {
+        return *light_scene(**find_target(target), lights, {"pair", "", Meters(1.0)});
+    };
+    const auto text_of = [](const LightScene& scene, std::string_view ending) {
+        for (const AssetFile& file : scene.files)
+            if (file.name.ends_with(ending)) return file.bytes;
+        return std::string();
+    };
+    EXPECT_NE(text_of(written("godot"), ".tscn").find("omni_attenuation = 2.0\nlight_size = 0.1\n"), std::string::npos);
+
+    const LightScene unity = written("unity");
+    const std::string made = text_of(unity, ".cs");
+    EXPECT_NE(made.find("SetRadius(light, 0.1f);"), std::string::npos);
+    EXPECT_NE(made.find("light.areaSize = new Vector2(1.2f, 0.04f);"), std::string::npos);
+    EXPECT_EQ(unity.instead.size(), 1U); // the sphere
+    // The same number as 'gonio units' names for the light's fields.
+    const std::size_t tube = made.find("LightType.Tube");
+    ASSERT_NE(tube, std::string::npos);
+    const std::size_t unit = made.find("f, LightUnit.Lumen", tube);
+    ASSERT_NE(unit, std::string::npos);
+    const std::size_t number = made.rfind(' ', unit);
+    const Light& light = lights[1];
+    const Emission emission{light.intensity, light.luminance, light.illuminance};
+    const ProgramLight fields = *program_light(**find_policy("unity-hdrp"), light.shape, emission);
+    EXPECT_NEAR(std::stod(made.substr(number, unit - number)), std::stod(fields.fields[0].value), 0.01);
+
+    const LightScene unreal = written("unreal");
+    EXPECT_NE(text_of(unreal, ".py").find("source_radius=2, source_length=120, ies_texture"), std::string::npos);
+    // The length lies along C90, where a tube hardly shines.
+    const Web web = resolve_web(*read_profile(text_of(unreal, ".ies"), "tube.ies"))->web;
+    EXPECT_LT(web.candela(90.0, 90.0), 0.03 * web.candela(0.0, 90.0));
+    EXPECT_NEAR(flux(web).value, 1500.0, 0.02);
 }
 
 TEST(LightScene, OfGltfHasIndicesAndPlaces) {
