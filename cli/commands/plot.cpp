@@ -5,6 +5,7 @@
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/plot/svg.hpp>
+#include <gonio/web/profile_header.hpp>
 
 #include "../arguments.hpp"
 #include "../batch.hpp"
@@ -28,7 +29,7 @@ namespace {
 
 constexpr std::array diagram_options{
     Option{"--diagram", "KIND", "polar, cartesian, heat-map, isolux, cone, falloff (polar)", "diagrams"},
-    Option{"-s,--size", "WxH", "width and height in pixels (720x720)"},
+    Option{"-s,--size", "WxH", "width and height in pixels (720x720; a half circle is less high)"},
     Option{"--plane", "DEG", "polar, cartesian, cone: plane to draw, with the opposite one (0deg 90deg)", {}, true},
     Option{"--per-klm", "", "show candela per 1000 lm, to compare shapes"},
     Option{"--height", "LENGTH", "isolux, cone: height of the light above the plane (3m)"},
@@ -91,6 +92,7 @@ Result<Request> parse(const Arguments& arguments) {
         request.plot.width_px = size->width;
         request.plot.height_px = size->height;
     }
+    request.plot.lower_if_half = !arguments.has("--size");
     Result<void> planes = read_planes(arguments, request.plot);
     if (!planes) return pass_on(planes);
     Result<double> height = positive_length(arguments, "--height", request.plot.mounting_height_m);
@@ -110,6 +112,13 @@ Result<Request> parse(const Arguments& arguments) {
 // The file name without its folder: a label has little room.
 std::string label_of(const std::string& file) {
     return file == "-" ? "stdin" : file_name(file);
+}
+
+PlottedWeb plotted(const std::string& file, const LoadedProfile& loaded, const Request& request) {
+    const ProfileHeader header = header_of(loaded.profile, request.input.resolve);
+    std::string_view name = keyword_text(header, "LUMINAIRE");
+    if (name.empty()) name = keyword_text(header, "LUMCAT");
+    return {label_of(file), &loaded.web, std::string(name)};
 }
 
 Result<void> write_page(const Result<Drawing>& page, const Request& request, const std::string& output) {
@@ -157,7 +166,7 @@ Result<int> draw_together(const std::vector<std::string>& files, const Request& 
     }
     std::vector<PlottedWeb> webs;
     for (std::size_t i = 0; i < files.size(); ++i)
-        webs.push_back({label_of(files[i]), &profiles[i].web});
+        webs.push_back(plotted(files[i], profiles[i], request));
     Result<void> drawn = draw(webs, request, output);
     if (!drawn) return pass_on(drawn);
     return 0;
@@ -174,7 +183,7 @@ int draw_each(const std::vector<Job>& jobs, const Request& request, unsigned thr
             outcome.error = std::move(loaded.error());
             return outcome;
         }
-        const PlottedWeb web{label_of(jobs[index].input), &loaded->web};
+        const PlottedWeb web = plotted(jobs[index].input, *loaded, request);
         Result<void> drawn = draw({&web, 1}, request, jobs[index].output);
         if (!drawn) outcome.error = std::move(drawn.error());
         outcome.diagnostics = std::move(loaded->diagnostics);

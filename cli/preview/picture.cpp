@@ -74,9 +74,9 @@ public:
             picture_.scale = ValueScale{false, 0.0, white_luminance(picture_.exposure).value};
         picture_.use = use_of(values_, picture_.scale.value_or(ValueScale{false, 0.0, 1.0}));
         if (request.look.look != Look::isolux) return;
-        picture_.levels = request.look.levels.empty()
-                              ? contour_levels(picture_.use.greatest, request.look.unit->base_per_unit)
-                              : request.look.levels;
+        picture_.levels = request.look.levels.empty() ? contour_levels(picture_.use.least, picture_.use.greatest,
+                                                                       request.look.unit->base_per_unit)
+                                                      : request.look.levels;
     }
 
     Result<EncodedPicture> make() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace gonio {
 
@@ -35,14 +36,39 @@ std::vector<double> ticks(double low, double high, int count) {
     return at;
 }
 
-std::vector<double> levels_1_2_5(double low, double high) {
+namespace {
+
+constexpr std::array series_1_2_5{1.0, 2.0, 5.0};
+constexpr std::array series_of_6{1.0, 1.5, 2.0, 3.0, 5.0, 7.0};
+constexpr std::array series_of_13{1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0};
+
+std::vector<double> levels_of(std::span<const double> series, double low, double high) {
     std::vector<double> levels;
     if (!std::isnormal(low) || low < 0.0 || !std::isfinite(high)) return levels;
     for (int decade = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, decade) <= high; ++decade)
-        for (const double factor : {1.0, 2.0, 5.0}) {
+        for (const double factor : series) {
             const double level = factor * std::pow(10.0, decade);
             if (level >= low && level <= high) levels.push_back(level);
         }
+    return levels;
+}
+
+} // namespace
+
+std::vector<double> levels_1_2_5(double low, double high) {
+    return levels_of(series_1_2_5, low, high);
+}
+
+std::vector<double> fitting_levels(double low, double high, std::size_t wanted) {
+    if (!std::isnormal(low) || low < 0.0 || !std::isfinite(high)) return {};
+    for (const std::span<const double> series :
+         {std::span<const double>(series_1_2_5), std::span<const double>(series_of_6),
+          std::span<const double>(series_of_13)}) {
+        std::vector<double> levels = levels_of(series, low, high);
+        if (levels.size() >= wanted) return levels;
+    }
+    std::vector<double> levels = ticks(low, high, static_cast<int>(wanted) + 1);
+    std::erase_if(levels, [&](double level) { return !(level > low && level < high); });
     return levels;
 }
 

@@ -1,6 +1,7 @@
 // The samples, axis numbers and contour levels of diagrams.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace gonio {
@@ -16,5 +17,9 @@ std::vector<double> ticks(double low, double high, int count);
 // 1, 2 and 5 times the powers of ten within [low, high]; none unless `low` is a normal number above 0 and `high` is
 // finite.
 std::vector<double> levels_1_2_5(double low, double high);
+
+// The same, or, if those are fewer than `wanted`, more levels of each power of ten; where even the finest series has
+// too few, ticks strictly between `low` and `high`. In ascending order.
+std::vector<double> fitting_levels(double low, double high, std::size_t wanted);
 
 } // namespace gonio

@@ -21,12 +21,14 @@ namespace gonio {
 struct PlottedWeb {
     std::string label; // UTF-8
     const Web* web = nullptr;
+    std::string name = {}; // of the luminaire, as its file states it; the title of a diagram without another
 };
 
 struct PlotOptions {
     int width_px = 720;
     int height_px = 720;
-    std::string title;                         // empty: no title
+    bool lower_if_half = false;                // polar: a half circle gets a page of its own height
+    std::string title;                         // empty: the name of the luminaire, if there is one
     std::vector<double> planes_deg{0.0, 90.0}; // polar, cartesian: each with the opposite plane C + 180°
     bool per_klm = false;                      // cd/klm instead of cd
     double mounting_height_m = 3.0;            // isolux: of the light above the plane; cone: the farthest plane

@@ -5,11 +5,13 @@
 #include <gonio/plot/diagram_page.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/metrics.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace gonio::plot_detail {
@@ -22,6 +24,9 @@ constexpr double margin_px = 16.0;
 constexpr double line_px = 20.0; // of the legend
 constexpr double swatch_px = 28.0;
 constexpr double letter_px = 7.4; // approximate width of a letter at 12 px
+constexpr double title_letter_px = 9.4;
+constexpr double title_px = 28.0;
+constexpr double facts_px = 22.0;
 constexpr double curve_step_deg = 0.5;
 
 // The γ at which a curve is evaluated on one side of the nadir.
@@ -37,6 +42,33 @@ std::vector<double> curve_gammas(const Web& web) {
         if (end > 0.0 && end < 180.0) gammas.push_back(end);
     sort_unique(gammas);
     return gammas;
+}
+
+// About as many letters as fit, with an ellipsis if some are left out. UTF-8.
+std::string shortened(const std::string& text, double width, double letter) {
+    const auto most = static_cast<std::size_t>(std::max(width / letter, 4.0));
+    std::size_t letters = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue; // within a letter
+        if (++letters == most && text.size() - i > 1) return text.substr(0, i) + "…";
+    }
+    return text;
+}
+
+std::string title_of(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    if (!options.title.empty() || webs.size() != 1) return options.title;
+    return shortened(webs[0].name, options.width_px - 2.0 * margin_px, title_letter_px);
+}
+
+// "6000 lm, peak 4078 cd at C 160°, γ 60°"; empty on a small page.
+std::string facts_of(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    if (webs.size() != 1 || webs[0].web == nullptr || options.width_px < 400 || options.height_px < 320) return {};
+    const Web& web = *webs[0].web;
+    const Peak top = peak(web);
+    const std::string plane =
+        web.stored_symmetry() == Symmetry::axial ? std::string() : fmt::format("C {}°, ", rounded(top.c_deg, 4));
+    return fmt::format("{}: {} lm, peak {} cd at {}γ {}°", webs[0].label, rounded(flux(web).value, 4),
+                       rounded(top.intensity.value, 4), plane, rounded(top.gamma_deg, 4));
 }
 
 // Lines that the legend needs when entries are placed side by side while they fit.
@@ -79,9 +111,13 @@ Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options,
             name += (name.empty() ? "" : ", ") + plotted.label;
     Drawing page(options.width_px, options.height_px, fmt::format("{}: {}", name, diagram));
     area = {margin_px, margin_px, options.width_px - margin_px, options.height_px - margin_px};
-    if (!options.title.empty()) {
-        page.text({0.5 * options.width_px, margin_px + 12.0}, options.title, {TextAnchor::middle, 16.0, {}, true});
-        area.top += 28.0;
+    if (const std::string title = title_of(webs, options); !title.empty()) {
+        page.text({0.5 * options.width_px, area.top + 12.0}, title, {TextAnchor::middle, 16.0, {}, true});
+        area.top += title_px;
+    }
+    if (const std::string facts = facts_of(webs, options); !facts.empty()) {
+        page.text({0.5 * options.width_px, area.top + 8.0}, facts, {TextAnchor::middle, 12.0, ink(0x555555)});
+        area.top += facts_px;
     }
     const std::vector<LegendPlace> places = place_legend(legend, area.width());
     if (!places.empty()) area.bottom -= line_px * static_cast<double>(places.back().line + 1) + 4.0;
@@ -92,6 +128,13 @@ Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options,
         page.text({x + swatch_px + 8.0, y}, legend[i].text);
     }
     return page;
+}
+
+double furniture_px(std::span<const PlottedWeb> webs, const PlotOptions& options, std::span<const LegendEntry> legend) {
+    const std::vector<LegendPlace> places = place_legend(legend, options.width_px - 2.0 * margin_px);
+    return 2.0 * margin_px + (title_of(webs, options).empty() ? 0.0 : title_px) +
+           (facts_of(webs, options).empty() ? 0.0 : facts_px) +
+           (places.empty() ? 0.0 : line_px * static_cast<double>(places.back().line + 1) + 4.0);
 }
 
 Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options) {
@@ -115,6 +158,25 @@ std::vector<CurvePoint> plane_curve(const Web& web, double c_deg, double scale) 
     return points;
 }
 
+namespace {
+
+// "street.ies, 6000 lm, C0–C180, beam 139°": the luminaire where there are several, the plane unless all are alike.
+std::string legend_of(const PlottedWeb& plotted, double c_deg, bool alone) {
+    const Web& web = *plotted.web;
+    std::string text = alone ? std::string() : fmt::format("{}, {} lm", plotted.label, rounded(flux(web).value, 4));
+    const auto add = [&](const std::string& part) {
+        if (!text.empty()) text += ", ";
+        text += part;
+    };
+    if (web.stored_symmetry() != Symmetry::axial)
+        add(fmt::format("C{}–C{}", rounded(c_deg), rounded(std::fmod(c_deg + 180.0, 360.0))));
+    if (const std::optional<Radians> beam = spread_angle(web, c_deg, 0.5))
+        add(fmt::format("beam {}°", rounded(to_degrees(*beam), 3)));
+    return text.empty() ? plotted.label : text;
+}
+
+} // namespace
+
 Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     std::vector<PlaneCurve> curves;
     for (std::size_t w = 0; w < webs.size(); ++w) {
@@ -125,9 +187,7 @@ Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, c
         for (std::size_t p = 0; p < options.planes_deg.size() && (p == 0 || !axial); ++p) {
             const double c_deg = options.planes_deg[p];
             PlaneCurve curve;
-            curve.legend.text = axial ? webs[w].label
-                                      : fmt::format("{} C{}–C{}", webs[w].label, rounded(c_deg),
-                                                    rounded(std::fmod(c_deg + 180.0, 360.0)));
+            curve.legend.text = legend_of(webs[w], c_deg, webs.size() == 1);
             curve.legend.pen = {series_color(webs.size() == 1 ? p : w), 2.0};
             if (p > 0) curve.legend.pen.dash_px = {6.0, 4.0};
             curve.points = plane_curve(web, c_deg, *scale);

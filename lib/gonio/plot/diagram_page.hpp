@@ -30,9 +30,13 @@ struct LegendEntry {
 // Fails unless there is at least one web and at most `most`, on a page with sides of 160 to 16384 pixels.
 Result<void> check_request(std::span<const PlottedWeb> webs, const PlotOptions& options, std::size_t most);
 
-// A page with the title at the top and the legend at the bottom; `area` receives the remaining space.
+// A page with the title and the facts of a single luminaire at the top and the legend at the bottom; `area` receives
+// the remaining space. Small pages have no facts.
 Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options, std::string_view diagram,
                    std::span<const LegendEntry> legend, Area& area);
+
+// Height that begin_page() takes from a page.
+double furniture_px(std::span<const PlottedWeb> webs, const PlotOptions& options, std::span<const LegendEntry> legend);
 
 // 1, or the factor from candela to candela per 1000 lm. Fails if the web has no flux to divide by.
 Result<double> intensity_scale(const PlottedWeb& plotted, const PlotOptions& options);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gonio {
@@ -64,9 +65,11 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
     const double extent_m = options.extent_m > 0.0 ? options.extent_m : 2.0 * height_m;
     Field field = field_of(*webs[0].web, height_m, extent_m);
     double top = 0.0;
+    double least = std::numeric_limits<double>::infinity();
     for (double& value : field.values) {
         value *= *scale;
         top = std::fmax(top, value);
+        least = std::fmin(least, value);
     }
     Result<void> bright = check_top(top, webs, "no light reaches the plane below the luminaire",
                                     "it may shine upwards: try the polar diagram");
@@ -84,7 +87,13 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
         return at;
     }();
     const Chart chart(left, {"C0 → [m]", inside}, {"C90 ↑ [m]", inside}, false, true);
-    const std::vector<double> levels = levels_1_2_5(top * std::pow(10.0, -decades), top);
+    constexpr std::size_t lines_wanted = 6;
+    std::vector<double> levels = fitting_levels(std::fmax(least, top * std::pow(10.0, -decades)), top, lines_wanted);
+    // Where all of the plane is bright, the lowest band begins at its least value, rounded down to three digits.
+    if (least > top * std::pow(10.0, -decades)) {
+        const double digit = std::pow(10.0, std::floor(std::log10(least)) - 2.0);
+        levels.insert(levels.begin(), digit * std::floor(least / digit));
+    }
     const std::vector<Ink> colors = band_colors(levels.size());
     page.begin_clip({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height());
     page.rectangle({chart.inner().left, chart.inner().top}, chart.inner().width(), chart.inner().height(),

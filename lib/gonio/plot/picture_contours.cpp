@@ -119,8 +119,9 @@ PagePath path_of(const ContourLine& line) {
 
 } // namespace
 
-std::vector<double> contour_levels(double greatest, double unit) {
-    std::vector<double> levels = levels_1_2_5(1e-3 * greatest / unit, greatest / unit);
+std::vector<double> contour_levels(double least, double greatest, double unit) {
+    constexpr std::size_t wanted = 6;
+    std::vector<double> levels = fitting_levels(std::fmax(least, 1e-3 * greatest) / unit, greatest / unit, wanted);
     for (double& level : levels)
         level *= unit;
     return levels;

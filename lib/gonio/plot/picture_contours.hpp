@@ -11,8 +11,9 @@
 
 namespace gonio {
 
-// 1, 2 and 5 times the powers of ten between the greatest value and a thousandth of it, in multiples of `unit`.
-std::vector<double> contour_levels(double greatest, double unit);
+// Round multiples of `unit` between the least value of a picture and its greatest, over at most three decades: 1, 2 and
+// 5 times the powers of ten, or finer steps where those are fewer than six.
+std::vector<double> contour_levels(double least, double greatest, double unit);
 
 // A colour for each of `count` levels, from the brighter part of the palette, which stands out from a dimmed picture.
 std::vector<Ink> contour_inks(std::size_t count, const Palette& palette);

@@ -17,6 +17,7 @@ using namespace plot_detail;
 namespace {
 
 constexpr double label_room_px = 26.0;
+constexpr double page_margin_px = 16.0;
 constexpr TextStyle label_style{TextAnchor::middle, 11.0, ink(0x333333), false, 1.5};
 
 // Whether no curve exceeds this share of the greatest intensity above (or below) the horizontal.
@@ -100,9 +101,17 @@ Result<Drawing> polar_diagram(std::span<const PlottedWeb> webs, const PlotOption
     std::vector<LegendEntry> legend;
     for (const PlaneCurve& curve : *curves)
         legend.push_back(curve.legend);
+    const bool lower = !is_dark(*curves, *top, false);
+    const bool upper = !is_dark(*curves, *top, true);
+    PlotOptions page_options = options;
+    if (options.lower_if_half && lower != upper) {
+        const double radius = 0.5 * options.width_px - page_margin_px - label_room_px;
+        const double height = radius + 2.0 * label_room_px + furniture_px(webs, options, legend);
+        page_options.height_px = std::min(options.height_px, static_cast<int>(std::ceil(height)));
+    }
     Area area;
-    Drawing page = begin_page(webs, options, "polar diagram of the luminous intensity", legend, area);
-    const Dial dial = place_dial(area, !is_dark(*curves, *top, false), !is_dark(*curves, *top, true));
+    Drawing page = begin_page(webs, page_options, "polar diagram of the luminous intensity", legend, area);
+    const Dial dial = place_dial(area, lower, upper);
     const std::vector<double> rings = ticks(0.0, *top, 5);
     draw_grid(page, dial, rings, options);
     for (const PlaneCurve& curve : *curves) {

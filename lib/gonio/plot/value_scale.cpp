@@ -91,6 +91,7 @@ ScaleUse use_of(const Image& values, const ValueScale& scale) {
         below += value < scale.low ? 1 : 0;
         above += value > scale.high ? 1 : 0;
         use.greatest = std::fmax(use.greatest, value);
+        use.least = lit == 1 ? value : std::fmin(use.least, value);
     }
     if (lit == 0) return use;
     use.below_share = static_cast<double>(below) / static_cast<double>(lit);

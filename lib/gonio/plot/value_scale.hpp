@@ -33,6 +33,7 @@ struct ScaleUse {
     double below_share = 0.0; // of all pixels > 0
     double above_share = 0.0;
     double greatest = 0.0;
+    double least = 0.0; // above 0
 };
 
 ScaleUse use_of(const Image& values, const ValueScale& scale);

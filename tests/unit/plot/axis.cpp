@@ -40,5 +40,14 @@ TEST(Axis, LevelsStepBy125) {
     EXPECT_TRUE(levels_1_2_5(10.0, 1.0).empty());
 }
 
+TEST(Axis, LevelsAreFinerWhereFewWouldFit) {
+    EXPECT_EQ(fitting_levels(3.0, 250.0, 6), (std::vector<double>{5, 10, 20, 50, 100, 200}));
+    EXPECT_EQ(fitting_levels(20.0, 120.0, 5), (std::vector<double>{20, 30, 50, 70, 100}));
+    EXPECT_EQ(fitting_levels(20.0, 70.0, 6), (std::vector<double>{20, 25, 30, 40, 50, 60, 70}));
+    EXPECT_EQ(fitting_levels(300.0, 330.0, 5), (std::vector<double>{305, 310, 315, 320, 325}));
+    EXPECT_TRUE(fitting_levels(0.0, 330.0, 5).empty());
+    EXPECT_TRUE(fitting_levels(7.0, 7.0, 5).empty());
+}
+
 } // namespace
 } // namespace gonio

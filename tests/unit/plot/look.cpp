@@ -191,8 +191,9 @@ TEST(Look, ContoursAreLabelledWithTheirLevel) {
         }
     EXPECT_NE(std::find(texts.begin(), texts.end(), "25"), texts.end());
     EXPECT_NE(std::find(texts.begin(), texts.end(), "50"), texts.end());
-    EXPECT_EQ(contour_levels(40.0, 1.0), (std::vector<double>{0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20}));
-    EXPECT_TRUE(contour_levels(0.0, 1.0).empty());
+    EXPECT_EQ(contour_levels(0.0, 40.0, 1.0), (std::vector<double>{0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20}));
+    EXPECT_EQ(contour_levels(9.0, 400.0, 10.0), (std::vector<double>{10, 15, 20, 30, 50, 70, 100, 150, 200, 300}));
+    EXPECT_TRUE(contour_levels(0.0, 0.0, 1.0).empty());
 }
 
 TEST(Legend, LeavesThePictureAsItIsAtAnySize) {
