@@ -33,7 +33,7 @@ constexpr std::array examples{
     Example{"gonio preview --rig room.json -o room.png", "what it looks like"},
 };
 
-// Every key that a rig can have, once.
+// Every key that a rig can have, once; one that this light cannot have is a comment.
 constexpr std::string_view skeleton =
     R"json(// A rig: the lights of a scene, the stage that they are shown on, and the camera.
 // World: right-handed, Z up; arrays are in metres. Comments like this one may stay.
@@ -49,6 +49,7 @@ constexpr std::string_view skeleton =
       "direction": [0, 0, -1],        // along which it shines
       "up": [0, 1, 0],                // its height, and C90 of a profile, point there
       "rotate": "0deg",               // about the direction
+      // "smooth": "1deg",            // only of a profile: a curve through its table, so that no facets show
       "range": "12m"                  // where it has faded to nothing; leave it out for no limit
     },
     { "name": "lamp", "shape": "sphere:r=3cm", "intensity": "800lm", "color": "2700K", "position": [-1.2, -0.5, 1.2] }
@@ -81,7 +82,7 @@ Outcome check(const std::string& file, const RigReadOptions& options) {
         outcome.error = std::move(rig.error());
         return outcome;
     }
-    Diagnostics diagnostics = rig->diagnostics;
+    Diagnostics diagnostics;
     const std::size_t files = rig->files.size();
     const std::string stage = rig->stage ? fmt::format(", stage '{}'", rig->stage->name) : std::string();
     Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), diagnostics, 1);

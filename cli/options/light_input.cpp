@@ -3,8 +3,9 @@
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/presets.hpp>
+#include <gonio/web/smooth.hpp>
 
-#include "smooth_table.hpp"
+#include "smooth_step.hpp"
 #include "values.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ Result<void> smooth_profile(const Arguments& arguments, Shape& shape, Diagnostic
     if (profile == nullptr)
         return fail("USE0107", fmt::format("--smooth is for the table of a profile, not for a {}", kind_of(shape)));
     if (Result<void> loaded = load_profile(shape, diagnostics); !loaded) return loaded;
-    Result<Web> smooth = smooth_table(*profile->web, **step, profile->file, diagnostics);
+    Result<Web> smooth = smoothed(*profile->web, **step, profile->file, diagnostics);
     if (!smooth) return pass_on(smooth);
     profile->web = std::make_shared<const Web>(std::move(*smooth));
     return {};

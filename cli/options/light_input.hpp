@@ -7,7 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
-#include "smooth_table.hpp"
+#include "smooth_step.hpp"
 
 #include <array>
 #include <string>

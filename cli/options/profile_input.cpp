@@ -6,8 +6,9 @@
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/web/radiometric.hpp>
+#include <gonio/web/smooth.hpp>
 
-#include "smooth_table.hpp"
+#include "smooth_step.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -157,7 +158,7 @@ Result<LoadedProfile> load_bytes(std::string bytes, const std::string& file, con
                        std::make_move_iterator(resolved->diagnostics.end()));
     LoadedProfile loaded{std::move(bytes), std::move(*profile), std::move(resolved->web), std::move(diagnostics)};
     if (options.smooth_deg) {
-        Result<Web> smooth = smooth_table(loaded.web, *options.smooth_deg, file, loaded.diagnostics);
+        Result<Web> smooth = smoothed(loaded.web, *options.smooth_deg, file, loaded.diagnostics);
         if (!smooth) return pass_on(smooth);
         loaded.web = std::move(*smooth);
     }

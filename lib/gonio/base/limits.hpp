@@ -43,6 +43,7 @@ inline constexpr std::array limits{
     Limit{"rig-depth", 8, "levels", "nested arrays and objects, in one light or other member of a rig"},
     Limit{"rig-values", 4096, "values", "one light or other member of a rig"},
     Limit{"rig-lights", std::size_t{1} << 24U, "lights", "a rig"},
+    Limit{"rig-smooth", std::size_t{1} << 24U, "intensities", "the smooth tables of a rig, all together"},
     Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
     Limit{"import-lights", 100000, "lights", "a rig that import writes for a target"},
     // Text

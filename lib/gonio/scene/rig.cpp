@@ -10,6 +10,7 @@
 #include <gonio/scene/detail/rig_values.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/web/smooth.hpp>
 
 #include <fmt/format.h>
 
@@ -36,8 +37,8 @@ using detail::unit_hint;
 
 constexpr std::string_view schema_name = "gonio.rig/1";
 constexpr std::array<std::string_view, 5> top_keys{"schema", "lights", "stage", "camera", "materials"};
-constexpr std::array<std::string_view, 9> light_keys{"name",      "shape", "intensity", "color", "position",
-                                                     "direction", "up",    "rotate",    "range"};
+constexpr std::array<std::string_view, 10> light_keys{"name",      "shape", "intensity", "color",  "position",
+                                                      "direction", "up",    "rotate",    "smooth", "range"};
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
 constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
 
@@ -88,6 +89,7 @@ private:
         LightDescription light;
         light.name = fmt::format("light {}", index + 1);
         bool has_shape = false;
+        std::optional<Radians> smooth;
         for (const auto& [key, value] : json.items()) {
             Result<void> read;
             if (key == "name") {
@@ -110,6 +112,8 @@ private:
                 read = keep(nonzero_vector_of(value), light.up);
             } else if (key == "rotate") {
                 read = keep(angle_of(value), light.rotation);
+            } else if (key == "smooth") {
+                read = keep(angle_of(value), smooth);
             } else if (key == "range") {
                 read = keep(positive_length(value), light.range);
             } else {
@@ -119,7 +123,30 @@ private:
         }
         if (!has_shape)
             return refuse("RIG0104", path, "the key 'shape' is missing", R"(for example "shape": "sphere:r=10cm")");
+        if (smooth)
+            if (Result<void> done = smooth_profile(light.shape, to_degrees(*smooth), path + ".smooth"); !done)
+                return done;
         rig_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    // Lights with the same table and step share one smooth table, too.
+    Result<void> smooth_profile(Shape& shape, double step_deg, const std::string& path) {
+        auto* const profile = std::get_if<ProfileShape>(&shape);
+        if (profile == nullptr)
+            return refuse("RIG0106", path, fmt::format("is for the table of a profile, not for a {}", kind_of(shape)));
+        std::shared_ptr<const Web>& known = smooth_[{profile->web, step_deg}];
+        if (!known) {
+            Result<Web> web = smoothed(*profile->web, step_deg, profile->file, rig_.diagnostics);
+            if (!web) return placed(web.error(), rig_.source, path);
+            smooth_intensities_ += web->horizontal_deg().size() * web->vertical_deg().size();
+            if (smooth_intensities_ > limit("rig-smooth").value)
+                return refuse("RIG0108", path,
+                              fmt::format("makes the smooth tables larger than {}", to_text(limit("rig-smooth"))),
+                              std::string(limits_hint));
+            known = std::make_shared<const Web>(std::move(*web));
+        }
+        profile->web = known;
         return {};
     }
 
@@ -269,6 +296,8 @@ private:
     std::map<std::string, glm::dvec3> colors_;
     std::map<std::string, Shape> shapes_;
     std::map<std::pair<bool, std::string>, std::shared_ptr<const Web>> webs_;
+    std::map<std::pair<std::shared_ptr<const Web>, double>, std::shared_ptr<const Web>> smooth_; // by table and step
+    std::size_t smooth_intensities_ = 0;
 };
 
 } // namespace

@@ -3,7 +3,8 @@
 //   { "schema": "gonio.rig/1",
 //     "lights": [ { "name": "key", "shape": "sphere:r=10cm", "intensity": "800lm", "color": "#ffd9a0",
 //                   "position": [0, 0, 2], "direction": [0, 0, -1], "up": [0, 1, 0], "rotate": "90deg",
-//                   "range": "12m" } ],
+//                   "range": "12m" },
+//                 { "shape": "ies:lamp.ies", "smooth": "1deg", "position": [1, 0, 2] } ],
 //     "stage": "floor",
 //     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
 //     "materials": { "floor": "lambert:albedo=0.5" } }

@@ -1,3 +1,5 @@
+#include <gonio/base/codes/result.hpp>
+#include <gonio/web/integrate.hpp>
 #include <gonio/web/plane_range.hpp>
 #include <gonio/web/smooth.hpp>
 
@@ -175,6 +177,17 @@ Result<Web> smoothed(const Web& web, double step_deg) {
     }
     return Web::create(web.photometry(), web.stored_symmetry(), std::move(horizontal), std::move(vertical),
                        std::move(candela));
+}
+
+Result<Web> smoothed(const Web& web, double step_deg, const std::string& file, Diagnostics& diagnostics) {
+    Result<Web> smooth = smoothed(web, step_deg);
+    if (!smooth) return smooth;
+    diagnostics.push_back(result_diagnostic(
+        "RES0208",
+        fmt::format("a smooth curve through {} by {} angles: {:.6g} lm instead of {:.6g} lm",
+                    web.horizontal_deg().size(), web.vertical_deg().size(), flux(*smooth).value, flux(web).value),
+        {}, file));
+    return smooth;
 }
 
 } // namespace gonio

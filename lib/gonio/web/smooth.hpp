@@ -7,6 +7,8 @@
 #include <gonio/base/result.hpp>
 #include <gonio/web/web.hpp>
 
+#include <string>
+
 namespace gonio {
 
 // The web with every cell wider than `step_deg` divided evenly into cells that are not. Along the vertical angle of
@@ -18,5 +20,8 @@ namespace gonio {
 // mirrors, and over C = 0° of a full turn, and ends where the table ends. Its flux differs, as the curve does. Fails
 // (usage) unless 0.05° ≤ step ≤ 90°, and on more than 2 million intensities.
 Result<Web> smoothed(const Web& web, double step_deg);
+
+// The same for the table of `file`, with a note of its flux before and after.
+Result<Web> smoothed(const Web& web, double step_deg, const std::string& file, Diagnostics& diagnostics);
 
 } // namespace gonio

@@ -3,6 +3,7 @@
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>
+#include <gonio/web/web.hpp>
 
 #include "../folders.hpp"
 #include "../temporary_folder.hpp"
@@ -123,11 +124,13 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":"1lm"},{"shpae":"point"})"),
               "rig.json: error[RIG0103]: lights[1]: unknown key 'shpae'\n"
               "hint: did you mean 'shape'? there are: name, shape, intensity, color, position, direction, up, rotate, "
-              "range");
+              "smooth, range");
     EXPECT_EQ(light_refusal("{}"), "rig.json: error[RIG0104]: lights[0]: the key 'shape' is missing\nhint: for example "
                                    "\"shape\": \"sphere:r=10cm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point","shape":"point"})"),
               "rig.json: error[RIG0107]: lights[0]: the key 'shape' is given twice");
+    EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":"1lm","smooth":"1deg"})"),
+              "rig.json: error[RIG0106]: lights[0].smooth: is for the table of a profile, not for a point");
     EXPECT_EQ(light_refusal(R"({"shape":"sphere:r=0cm","intensity":"1lm"})"),
               "rig.json: error[RIG0106]: lights[0].shape: r of 'sphere' must be greater than 0, not 0cm");
     EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":800})"),
@@ -373,6 +376,25 @@ TEST_F(RigFiles, OfAnotherKindAreNotQuoted) {
                                                      "hint: write \"schema\": \"gonio.rig/1\" first");
     EXPECT_EQ(refusal(R"({"schema":"hunter2"})", Failure::unsupported),
               "rig.json: error[RIG0102]: schema: must be \"gonio.rig/1\", not another");
+}
+
+TEST(Rig, SmoothTablesAreSharedToo) {
+    Rig rig = read(with_lights(R"({"shape":"ies:downlight.ies"},
+        {"shape":"ies:downlight.ies","smooth":"0.5deg"},
+        {"smooth":"0.5deg","shape":"ies:downlight.ies","position":[3,0,0]},
+        {"shape":"ies:downlight.ies","smooth":"2deg"})"))
+                  .value();
+    const auto web_of = [&](std::size_t i) { return std::get<ProfileShape>(rig.lights[i].shape).web; };
+    EXPECT_EQ(web_of(1), web_of(2));
+    EXPECT_NE(web_of(0), web_of(1));
+    EXPECT_GT(web_of(1)->gammas_deg().size(), web_of(3)->gammas_deg().size());
+    for (const double gamma : web_of(0)->gammas_deg())
+        EXPECT_NEAR(web_of(1)->candela(0.0, gamma), web_of(0)->candela(0.0, gamma), 1e-9 * 3536.0);
+    EXPECT_EQ(std::count_if(rig.diagnostics.begin(), rig.diagnostics.end(),
+                            [](const Diagnostic& said) { return said.code == "RES0208"; }),
+              2);
+    EXPECT_NE(light_refusal(R"({"shape":"ies:downlight.ies","smooth":"0.01deg"})").find("lights[0].smooth"),
+              std::string::npos);
 }
 
 TEST(Rig, ProfilesAreReadOnceAndShared) {

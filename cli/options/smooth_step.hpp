@@ -2,13 +2,11 @@
 #pragma once
 
 #include <gonio/base/result.hpp>
-#include <gonio/web/web.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
 
 #include <optional>
-#include <string>
 
 namespace gonio::cli {
 
@@ -18,8 +16,5 @@ inline constexpr Option smooth_option{
 
 // The step in degrees, if --smooth is given.
 Result<std::optional<double>> smooth_step(const Arguments& arguments);
-
-// smoothed(), with a note of the flux before and after.
-Result<Web> smooth_table(const Web& web, double step_deg, const std::string& file, Diagnostics& diagnostics);
 
 } // namespace gonio::cli
