@@ -39,6 +39,7 @@ struct Compared {
     Image rgb_nt;
     Image nt;
     Image difference_nt; // from the first method; empty for the first
+    std::vector<PartialLight> partial_lights;
     measure::PictureError error;
 };
 
@@ -114,6 +115,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
             compared.error = measure::picture_error(compared.nt, truth, shows_light);
         }
         compared.rgb_nt = std::move(rendering->luminance_nt);
+        compared.partial_lights = std::move(rendering->partial_lights);
         comparison.methods.push_back(std::move(compared));
     }
     progress.clear();
@@ -161,12 +163,16 @@ Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& o
                              const Console& console) {
     const Compared& first = comparison.methods.front();
     std::vector<SheetTile> pictures;
+    std::vector<std::vector<PartialLight>> lights;
     for (const Compared& compared : comparison.methods) {
+        lights.push_back(compared.partial_lights);
+        expose(lights.back(), comparison.exposure);
         const measure::PictureError& error = comparison.methods[std::max<std::size_t>(1, pictures.size())].error;
         pictures.push_back(
             tile_of(compared, pictures.empty() ? error.mean : error.mean + error.bias, comparison.exposure));
     }
-    if (Result<void> shown = develop_tiles(pictures, request, console); !shown) return pass_on(shown);
+    if (Result<void> shown = develop_tiles(pictures, std::move(lights), request, console); !shown)
+        return pass_on(shown);
     std::vector<SheetTile> tiles;
     for (std::size_t i = 1; i < comparison.methods.size(); ++i) {
         const Compared& compared = comparison.methods[i];

@@ -14,8 +14,6 @@
 
 namespace gonio::cli {
 
-namespace {} // namespace
-
 Result<void> no_sheet_options(const Arguments& arguments) {
     for (const Option& option : contact_sheet_options)
         if (arguments.has(option.names))
@@ -56,28 +54,12 @@ Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::str
     return fits;
 }
 
-Result<void> develop_tiles(std::vector<SheetTile>& tiles, const PreviewRequest& request, const Console& console) {
-    int width = 0;
-    int height = 0;
-    for (const SheetTile& tile : tiles) {
-        width = std::max(width, tile.picture.width);
-        height += tile.picture.height;
-    }
-    if (height == 0) return {};
-    Image all(width, height, 3);
-    int top = 0;
-    for (const SheetTile& tile : tiles) {
-        paste(tile.picture, all, 0, top);
-        top += tile.picture.height;
-    }
-    Result<void> shown = show_exposed(all, request, console);
-    if (!shown) return shown;
-    top = 0;
-    for (SheetTile& tile : tiles) {
-        paste(all, tile.picture, 0, -top);
-        top += tile.picture.height;
-    }
-    return {};
+Result<void> develop_tiles(std::vector<SheetTile>& tiles, std::vector<std::vector<PartialLight>> lights,
+                           const PreviewRequest& request, const Console& console) {
+    std::vector<ExposedPicture> pictures;
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        pictures.push_back({&tiles[i].picture, std::move(lights[i])});
+    return show_exposed(pictures, request, console);
 }
 
 } // namespace gonio::cli

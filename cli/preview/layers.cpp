@@ -160,7 +160,8 @@ private:
         if (!parts) return pass_on(parts);
         const std::array<const Image*, 3> images{&parts->emission_nt, &parts->diffuse_nt, &parts->specular_nt};
         for (std::size_t i = 0; i < images.size(); ++i) {
-            const Rendering part{*images.at(i), {}, {}, {}};
+            Rendering part;
+            part.luminance_nt = *images.at(i);
             layered_.add(own_names.at(i), part.luminance_nt);
             layers_.push_back(
                 {{"layer", own_names.at(i)}, {"mean_nt", mean_of(quantity_image(part, PictureQuantity::luminance))}});

@@ -24,9 +24,12 @@ namespace {
 constexpr int ramp_colors = 256;
 
 // From cd/m² to display-encoded values.
-Result<void> develop(Image& image, Ev100 exposure, const PreviewRequest& request, const Console& console) {
+Result<void> develop(Image& image, std::vector<PartialLight> lights, Ev100 exposure, const PreviewRequest& request,
+                     const Console& console) {
     expose(image, exposure);
-    return show_exposed(image, request, console);
+    expose(lights, exposure);
+    const ExposedPicture picture{&image, std::move(lights)};
+    return show_exposed({&picture, 1}, request, console);
 }
 
 Image gray_picture(const Image& values) {
@@ -138,7 +141,8 @@ private:
 
     Result<Image> beauty() {
         Image image = std::move(rendering_.luminance_nt);
-        const Result<void> developed = develop(image, picture_.exposure, request_, console_);
+        const Result<void> developed =
+            develop(image, std::move(rendering_.partial_lights), picture_.exposure, request_, console_);
         if (!developed) return Unexpected(developed.error());
         return image;
     }
@@ -168,8 +172,8 @@ private:
     Result<Image> gray() const {
         Image image = gray_picture(values_);
         Image ramp = gray_picture(scale_row(*picture_.scale));
-        Result<void> developed = develop(image, picture_.exposure, request_, console_);
-        if (developed) developed = develop(ramp, picture_.exposure, request_, console_);
+        Result<void> developed = develop(image, {}, picture_.exposure, request_, console_);
+        if (developed) developed = develop(ramp, {}, picture_.exposure, request_, console_);
         if (!developed) return pass_on(developed);
         if (!request_.look.legend) return image;
         return with_legend(image, {*picture_.scale, legend_unit(request_.look), colors_of(ramp), picture_.use});
@@ -185,16 +189,32 @@ private:
 
 } // namespace
 
-Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console) {
-    if (request.exposure.auto_white) balance(exposed, white_balance(gray_world_white(exposed)));
-    if (request.exposure.white) balance(exposed, white_balance(*request.exposure.white));
-    if (request.exposure.tone_map == ToneMap::ue3) {
-        apply_ue3(exposed);
-        return {};
+Result<void> show_exposed(std::span<const ExposedPicture> pictures, const PreviewRequest& request,
+                          const Console& console) {
+    std::vector<Image> parts; // of pixels that show a light in part
+    std::vector<Image*> all;
+    for (const ExposedPicture& shown : pictures) {
+        parts.push_back(parts_of(*shown.picture, shown.lights));
+        if (!shown.picture->pixels.empty()) all.push_back(shown.picture);
     }
-    Result<media::DisplayUsed> used = media::apply_display(exposed, request.display);
-    if (!used) return pass_on(used);
-    console.say(used->diagnostics);
+    if (all.empty()) return {};
+    std::optional<glm::dmat3> white;
+    if (request.exposure.auto_white)
+        white = white_balance(gray_world_white(std::vector<const Image*>(all.begin(), all.end())));
+    if (request.exposure.white) white = white_balance(*request.exposure.white);
+    for (Image& image : parts)
+        if (!image.pixels.empty()) all.push_back(&image);
+    for (Image* const image : all) {
+        if (white) balance(*image, *white);
+        if (request.exposure.tone_map == ToneMap::ue3) apply_ue3(*image);
+    }
+    if (request.exposure.tone_map != ToneMap::ue3) {
+        Result<media::DisplayUsed> used = media::apply_display(all, request.display);
+        if (!used) return pass_on(used);
+        console.say(used->diagnostics);
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        merge_parts(parts[i], pictures[i].lights, *pictures[i].picture);
     return {};
 }
 

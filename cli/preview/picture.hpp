@@ -24,8 +24,16 @@ struct EncodedPicture {
     std::vector<double> levels;      // isolux, in base units
 };
 
-// Converts an exposed linear picture to display-encoded values, by the selected view or tone map.
-Result<void> show_exposed(Image& exposed, const PreviewRequest& request, const Console& console);
+// Exposed linear pictures and the lights in their pixels.
+struct ExposedPicture {
+    Image* picture = nullptr;
+    std::vector<PartialLight> lights;
+};
+
+// Converts them to display-encoded values, by the selected view or tone map. All together, because setting up a
+// transform costs as much as applying it; a white balance is that of all of them.
+Result<void> show_exposed(std::span<const ExposedPicture> pictures, const PreviewRequest& request,
+                          const Console& console);
 
 // Integer formats: exposed, through the display transform, in the selected display mode. Float formats: linear Rec.709
 // in cd/m², or one channel Y with the display mode's quantity in lux or cd/m².

@@ -6,6 +6,7 @@
 #include <gonio/preview/exposure.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
+#include <gonio/web/zones.hpp>
 
 #include "../batch.hpp"
 #include "../options/files_in_use.hpp"
@@ -14,9 +15,11 @@
 #include "../options/profile_input.hpp"
 #include "contact_sheet.hpp"
 #include "request.hpp"
+#include "stage_input.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,9 +72,23 @@ std::string beam_text(const Web& web) {
     return along == across ? "beam " + along : fmt::format("beam {} × {}", along, across);
 }
 
+// Where a luminaire that shines mostly upwards is shown unless a stage was chosen: the usual one has no ceiling.
+const Stage& room_for_uplights() {
+    static const Stage stage = [] {
+        Stage room = make_stage("room").value();
+        room.light.position.z = 1.8; // a floor lamp's height
+        return room;
+    }();
+    return stage;
+}
+
+bool is_uplight(const Web& web) {
+    return zone_flux(web, 90.0, 180.0).value > 0.5 * flux(web).value;
+}
+
 // Renders one profile at the position of the stage's light.
 Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& request, const SheetOptions& options,
-                               Outcome& outcome) {
+                               bool stage_is_chosen, Outcome& outcome) {
     Result<LoadedProfile> loaded = load(file, {});
     if (!loaded) return pass_on(loaded);
     outcome.diagnostics = std::move(loaded->diagnostics);
@@ -86,14 +103,15 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     LightDescription description;
     description.name = file;
     description.shape = ProfileShape{file, web};
-    hang(description, request.stage.light);
+    const Stage& stage = !stage_is_chosen && is_uplight(*web) ? room_for_uplights() : request.stage;
+    hang(description, stage.light);
     Result<Light> light = resolve_light(std::move(description), outcome.diagnostics);
     if (!light) return pass_on(light);
     RenderOptions render_options = request.render;
     render_options.width = options.picture_width_px;
     render_options.height = options.picture_height_px;
     render_options.threads = 1;
-    Result<Rendering> rendering = render(request.stage, {&*light, 1}, request.stage.camera, render_options);
+    Result<Rendering> rendering = render(stage, {&*light, 1}, stage.camera, render_options);
     if (!rendering) return pass_on(rendering);
     thumbnail.exposure = request.exposure.of(*rendering);
     thumbnail.tile.picture = std::move(rendering->luminance_nt);
@@ -126,6 +144,8 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
         console.print(fmt::format("{}\n", request->output));
         return 0;
     }
+    const bool stage_is_chosen = std::any_of(preview_stage_options.begin(), preview_stage_options.end(),
+                                             [&](const Option& option) { return arguments.has(option.names); });
     std::vector<SheetTile> tiles(files->size());
     const ReportKind kind = report_kind(arguments);
     const int status =
@@ -133,7 +153,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
             const std::string& file = (*files)[index];
             Outcome outcome;
             tiles[index].fault = "not shown"; // kept if thumbnail_of throws
-            Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, outcome);
+            Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, stage_is_chosen, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);
             } else {
@@ -147,7 +167,8 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
                 outcome.report["tile"] = index;
             return outcome;
         });
-    fine = develop_tiles(tiles, *request, console);
+    // Profiles are points, which no pixel shows.
+    fine = develop_tiles(tiles, std::vector<std::vector<PartialLight>>(tiles.size()), *request, console);
     if (!fine) return Unexpected(fine.error());
     Result<std::string> bytes = encode_for_display(sheet(tiles, *options), *request->format);
     if (!bytes) return pass_on(bytes);

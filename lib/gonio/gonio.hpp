@@ -39,6 +39,7 @@
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/drawing.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/partial_light.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/preview/render_stats.hpp>
 #include <gonio/preview/tone_map.hpp>

@@ -88,11 +88,18 @@ Result<void> apply_rows(Image& image, const std::vector<const Processor*>& proce
 } // namespace
 
 Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
-    if (image.channels != 3 && image.channels != 4)
-        return fail("USE0106", fmt::format("a picture of {} channels has no display colours", image.channels),
-                    "the picture must be RGB or RGBA");
-    if (image.pixels.size() != image.index(0, image.height))
-        return fail(Failure::internal, "the picture's buffer is not of the picture's size");
+    Image* const images[] = {&image};
+    return apply_display(images, options);
+}
+
+Result<DisplayUsed> apply_display(std::span<Image* const> images, const DisplayOptions& options) {
+    for (const Image* const image : images) {
+        if (image->channels != 3 && image->channels != 4)
+            return fail("USE0106", fmt::format("a picture of {} channels has no display colours", image->channels),
+                        "the picture must be RGB or RGBA");
+        if (image->pixels.size() != image->index(0, image->height))
+            return fail(Failure::internal, "the picture's buffer is not of the picture's size");
+    }
     Result<Config> config = Config::open(options.config);
     if (!config) return pass_on(config);
 
@@ -130,7 +137,8 @@ Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options) {
         to_aces.emplace(own->module(), *first);
         chain.insert(chain.begin(), &*to_aces);
     }
-    if (Result<void> applied = apply_rows(image, chain, options.threads); !applied) return pass_on(applied);
+    for (Image* const image : images)
+        if (Result<void> applied = apply_rows(*image, chain, options.threads); !applied) return pass_on(applied);
     return used;
 }
 

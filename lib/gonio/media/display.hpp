@@ -44,6 +44,9 @@ struct DisplayUsed {
 // (unsupported) on a transform that OpenColorIO refuses.
 Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options = {});
 
+// The same for several pictures, through one transform: setting it up costs as much as applying it to a small picture.
+Result<DisplayUsed> apply_display(std::span<Image* const> images, const DisplayOptions& options = {});
+
 struct Display {
     std::string name;
     std::vector<std::string> views; // the default first

@@ -11,8 +11,15 @@
 
 namespace gonio::detail {
 
-LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats)
-    : scene_(scene), tile_(rays, left, top), picture_(picture), stats_(stats), shader_(scene), soft_shadow_(scene) {}
+LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats,
+                 std::vector<PartialLight>& partial)
+    : scene_(scene),
+      tile_(rays, left, top),
+      picture_(picture),
+      stats_(stats),
+      partial_(partial),
+      shader_(scene),
+      soft_shadow_(scene) {}
 
 LitTile::Place LitTile::place_of(const Seen& seen) {
     return {seen.hit.surface, seen.hit.position, seen.hit.normal, seen.view};
@@ -46,7 +53,17 @@ void LitTile::show_emitters() {
         for (int channel = 0; channel < 3; ++channel)
             picture_.luminance_nt.pixels[std::size_t{seen.pixel} * 3 + static_cast<std::size_t>(channel)] +=
                 static_cast<float>(seen.share * mask * light.luminance.value * light.color[channel]);
+        if (seen.share < 1.0F) add_part(seen.pixel, seen.share, mask * light.luminance.value * light.color);
     }
+}
+
+// The points of a pixel on one light come one after the other.
+void LitTile::add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb) {
+    const std::array part{static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z)};
+    if (!partial_.empty() && partial_.back().pixel == pixel && partial_.back().rgb == part)
+        partial_.back().share += share;
+    else
+        partial_.push_back({pixel, share, part});
 }
 
 void LitTile::count_samples() {

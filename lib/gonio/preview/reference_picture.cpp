@@ -236,7 +236,8 @@ double ReferencePicture::error_estimate() const {
 }
 
 Rendering ReferencePicture::picture() const {
-    Rendering rendering{Image(options_.width, options_.height, 3), {}, {}, {}};
+    Rendering rendering;
+    rendering.luminance_nt = Image(options_.width, options_.height, 3);
     if (options_.illuminance) rendering.illuminance_lx = Image(options_.width, options_.height, 1);
     rendering.shows_light.resize(pixels_.size());
     RenderStats& stats = rendering.stats;

@@ -47,7 +47,8 @@ void RenderStats::add(const RenderStats& other) {
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options) {
     if (Result<void> checked = detail::check_rendering(lights, options); !checked) return pass_on(checked);
-    Rendering picture{Image(options.width, options.height, 3), {}, {}, {}};
+    Rendering picture;
+    picture.luminance_nt = Image(options.width, options.height, 3);
     picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
     const detail::LitScene scene(stage, lights, options);
@@ -57,12 +58,17 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     const int down = (options.height + detail::tile_size - 1) / detail::tile_size;
     const std::size_t tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
     std::vector<RenderStats> of_tiles(tiles);
+    std::vector<std::vector<PartialLight>> partial(tiles);
     parallel_for(tiles, options.threads, [&](std::size_t tile) {
         const int index = static_cast<int>(tile);
         detail::LitTile(scene, ray_scene, index % across * detail::tile_size, index / across * detail::tile_size,
-                        picture, of_tiles[tile])
+                        picture, of_tiles[tile], partial[tile])
             .light_up();
     });
+    for (const std::vector<PartialLight>& of_tile : partial)
+        picture.partial_lights.insert(picture.partial_lights.end(), of_tile.begin(), of_tile.end());
+    std::stable_sort(picture.partial_lights.begin(), picture.partial_lights.end(),
+                     [](const PartialLight& a, const PartialLight& b) { return a.pixel < b.pixel; });
     RenderStats& stats = picture.stats;
     for (const RenderStats& of_tile : of_tiles)
         stats.add(of_tile);

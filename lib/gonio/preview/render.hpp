@@ -11,6 +11,7 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/preview/partial_light.hpp>
 #include <gonio/preview/render_stats.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
@@ -57,6 +58,8 @@ struct Rendering {
     Image illuminance_lx;
     // For each pixel: 1 if it shows a light itself, even in only a part of it, else 0.
     std::vector<std::uint8_t> shows_light;
+    // Pixels that show a light in a part of them, in cd/m²; in the order of the pixels. Not of a reference_picture().
+    std::vector<PartialLight> partial_lights;
     RenderStats stats;
 };
 

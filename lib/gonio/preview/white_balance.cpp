@@ -21,13 +21,19 @@ glm::dmat3 white_balance(Xy white) {
 }
 
 Xy gray_world_white(const Image& exposed) {
+    const Image* const pictures[] = {&exposed};
+    return gray_world_white(pictures);
+}
+
+Xy gray_world_white(std::span<const Image* const> exposed) {
     const glm::dvec3 weights = luminance_row(rec709());
     glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i + 2 < exposed.pixels.size(); i += 3) {
-        const glm::dvec3 rgb(exposed.pixels[i], exposed.pixels[i + 1], exposed.pixels[i + 2]);
-        const double luminance = weights.x * rgb.x + weights.y * rgb.y + weights.z * rgb.z;
-        if (luminance > 0.0) sum += rgb / std::max(luminance, 1.0);
-    }
+    for (const Image* const picture : exposed)
+        for (std::size_t i = 0; i + 2 < picture->pixels.size(); i += 3) {
+            const glm::dvec3 rgb(picture->pixels[i], picture->pixels[i + 1], picture->pixels[i + 2]);
+            const double luminance = weights.x * rgb.x + weights.y * rgb.y + weights.z * rgb.z;
+            if (luminance > 0.0) sum += rgb / std::max(luminance, 1.0);
+        }
     const Result<Uv> mean = uv_of_rgb(sum, rec709());
     return mean ? to_xy(*mean) : d65_white;
 }

@@ -12,10 +12,12 @@
 
 namespace gonio::detail {
 
-// Adds to the pixels of this tile in the picture, in the order of the lights, and to the `stats` passed to it.
+// Adds to the pixels of this tile in the picture, in the order of the lights, and to the `stats` and the `partial`
+// lights passed to it.
 class LitTile {
 public:
-    LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats);
+    LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats,
+            std::vector<PartialLight>& partial);
 
     void light_up();
 
@@ -26,6 +28,7 @@ private:
     };
 
     void show_emitters();
+    void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
     void count_samples();
     void add_sky();
     std::vector<std::uint32_t> candidates() const;
@@ -61,6 +64,7 @@ private:
     TileSamples tile_;
     Rendering& picture_;
     RenderStats& stats_;
+    std::vector<PartialLight>& partial_;
     SampleShader shader_;
 
     // For the light that is being added:
