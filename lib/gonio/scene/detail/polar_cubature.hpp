@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace gonio::detail {
@@ -93,14 +94,13 @@ class PolarCubature {
 public:
     // integrand(ω) for unit directions ω of the region, in [0, ∞), smooth there except for features that adaptivity
     // resolves.
-    PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand,
-                  const PolarEdges& edges = {})
+    PolarCubature(const LightRegion& region, const PolarPeak& peak, const Integrand& integrand, PolarEdges edges = {})
         : region_(region),
           integrand_(integrand),
           pole_(peak.pole),
           width_(peak.width),
           squeeze_(peak.squeeze),
-          edges_(edges),
+          edges_(std::move(edges)),
           edged_(!edges_.empty()) {
         divide(peak.along);
     }
