@@ -119,9 +119,10 @@ Result<Content> content_of_rig(Rig rig, const std::string& name) {
     return content;
 }
 
-Result<Content> content_of_described(const LightDescription& described, const std::string& name) {
+Result<Content> content_of_described(const ImportRequest& request, const std::string& name) {
     Content content;
-    Result<Light> light = resolve_light(described, content.diagnostics);
+    content.diagnostics = request.remarks;
+    Result<Light> light = resolve_light(*request.described, content.diagnostics);
     if (!light) return pass_on(light);
     content.lights = {std::move(*light)};
     content.description = "1 light";
@@ -130,7 +131,7 @@ Result<Content> content_of_described(const LightDescription& described, const st
 }
 
 Result<Content> content_of(const Source& source, const ImportRequest& request) {
-    if (request.described) return content_of_described(*request.described, source.name);
+    if (request.described) return content_of_described(request, source.name);
     return source.rig ? content_of_rig(*source.rig, source.name) : content_of_profile(source, request);
 }
 

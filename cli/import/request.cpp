@@ -64,8 +64,7 @@ Result<void> parse_described(const Arguments& arguments, ImportRequest& request)
     if (is_described(arguments)) {
         if (request.light.flux)
             return fail("USE0107", "--flux scales a profile", "use --intensity for the amount of a shape");
-        Diagnostics ignored; // about the colour: they are said when the light is resolved
-        Result<LightDescription> light = light_itself(arguments, ignored);
+        Result<LightDescription> light = light_itself(arguments, request.remarks);
         if (!light) return pass_on(light);
         if (const auto name = arguments.value("--preset")) light->name = *name;
         request.described = std::move(*light);

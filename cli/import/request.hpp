@@ -47,6 +47,7 @@ struct ImportRequest {
     std::optional<PhotometricValue> intensity; // of a profile
     std::optional<LightDescription> described; // the light of --shape or --preset, instead of files
     std::string description;                   // of that light, or of the intensity: for the recipe
+    Diagnostics remarks;                       // about the described light's colour
     Meters unit{1.0};
     ProfileInputOptions input;
     RigReadOptions rig;
