@@ -1,4 +1,5 @@
 #include <gonio/base/named.hpp>
+#include <gonio/light/closed_forms.hpp>
 #include <gonio/light/lobe.hpp>
 #include <gonio/light/policy.hpp>
 
@@ -63,13 +64,6 @@ double guarded_solid_angle(const SpotShape& spot) {
     return 2.0 * pi * (rise + std::fmax(0.0, depth - frostbite_guard));
 }
 
-// A tube's flux over its intensity to the side: π A L over (2rl + πr²) L.
-double tube_sr(const TubeShape& tube) {
-    const double r = tube.radius.value;
-    const double l = tube.length.value;
-    return pi * (2.0 * pi * r * l + 4.0 * pi * r * r) / (2.0 * r * l + pi * r * r);
-}
-
 // What every policy needs to know of a shape: Φ over its intensity, with any mask.
 struct Facts {
     double solid_angle = 0.0; // of a punctual shape
@@ -122,7 +116,10 @@ public:
                               {Dimension::luminance, 4.0, "I = 4π r (r + l/2) L"},
                               {Dimension::luminance_ev, 4.0, "I = 4π r (r + l/2) L, L = 2^EV"}};
             if (const auto* tube = std::get_if<TubeShape>(&shape_)) {
-                meanings.units.push_back({Dimension::luminous_intensity, 4.0 * pi / tube_sr(*tube), "I, all around"});
+                meanings.units.push_back(
+                    {Dimension::luminous_intensity,
+                     4.0 * pi / closed_form::tube_solid_angle(tube->radius.value, tube->length.value),
+                     "I, all around"});
                 meanings.note = "shines alike in all directions";
             }
         } else if (is<RectShape>()) {
@@ -139,7 +136,9 @@ public:
         Meanings meanings = punctual(rule, true);
         if (is<FrustumShape>()) meanings.units = {lumens(facts_.solid_angle, 4.0 * pi, rule.spot_formula), candela()};
         if (const auto* tube = std::get_if<TubeShape>(&shape_)) {
-            meanings.units = {{Dimension::luminous_flux, tube_sr(*tube) / (2.0 * pi), "L = Φ/4πl of a line"}};
+            meanings.units = {{Dimension::luminous_flux,
+                               closed_form::tube_solid_angle(tube->radius.value, tube->length.value) / (2.0 * pi),
+                               "L = Φ/4πl of a line"}};
             meanings.note = "a line without a radius";
         } else {
             add_areas(meanings);
