@@ -2,6 +2,7 @@
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_in_double.hpp>
+#include <gonio/shading/with_specular_method.hpp>
 
 namespace gonio::measure {
 
@@ -25,24 +26,9 @@ template<class CoreLight, class Lobe>
 [[gnu::noinline]] SpecularLuminance<double> specular(SpecularMethod method, const Point& point, const CoreLight& light,
                                                      const Lobe& lobe) {
     const vec3<double> to_center = shading::detail::way_to(light, point.position);
-    const auto by = [&]<SpecularMethod named>() {
+    return with_specular_method(method, [&]<SpecularMethod named>() {
         return specular_by<named>(light, to_center, point.normal, point.view, lobe);
-    };
-    switch (method) {
-    case SpecularMethod::ltc:
-        return by.template operator()<SpecularMethod::ltc>();
-    case SpecularMethod::representative_point:
-        return by.template operator()<SpecularMethod::representative_point>();
-    case SpecularMethod::dominant_direction:
-        return by.template operator()<SpecularMethod::dominant_direction>();
-    case SpecularMethod::specular_d:
-        return by.template operator()<SpecularMethod::specular_d>();
-    case SpecularMethod::spherical_hack:
-        return by.template operator()<SpecularMethod::spherical_hack>();
-    case SpecularMethod::sun_disk:
-        return by.template operator()<SpecularMethod::sun_disk>();
-    }
-    return {};
+    });
 }
 
 template<class CoreLight>
