@@ -20,7 +20,6 @@ namespace {
 
 constexpr int least_px = 160;
 constexpr int most_px = static_cast<int>(limit("picture-side").value);
-constexpr double margin_px = 16.0;
 constexpr double line_px = 20.0; // of the legend
 constexpr double swatch_px = 28.0;
 constexpr double letter_px = 7.4; // approximate width of a letter at 12 px
@@ -57,17 +56,21 @@ std::string shortened(const std::string& text, double width, double letter) {
 
 std::string title_of(std::span<const PlottedWeb> webs, const PlotOptions& options) {
     if (!options.title.empty() || webs.size() != 1) return options.title;
-    return shortened(webs[0].name, options.width_px - 2.0 * margin_px, title_letter_px);
+    return shortened(webs[0].name, options.width_px - 2.0 * page_margin_px, title_letter_px);
 }
 
-// "6000 lm, peak 4078 cd at C 160°, γ 60°"; empty on a small page.
-std::string facts_of(std::span<const PlottedWeb> webs, const PlotOptions& options) {
-    if (webs.size() != 1 || webs[0].web == nullptr || options.width_px < 400 || options.height_px < 320) return {};
-    const Web& web = *webs[0].web;
+// Not of falloffs, which have no web, nor on a small page.
+bool has_facts(std::span<const PlottedWeb> webs, const PlotOptions& options) {
+    return webs.size() == 1 && webs[0].web != nullptr && options.width_px >= 400 && options.height_px >= 320;
+}
+
+// "street.ies: 6000 lm, peak 4078 cd at C 160°, γ 60°"
+std::string facts_of(const PlottedWeb& plotted) {
+    const Web& web = *plotted.web;
     const Peak top = peak(web);
     const std::string plane =
         web.stored_symmetry() == Symmetry::axial ? std::string() : fmt::format("C {}°, ", rounded(top.c_deg, 4));
-    return fmt::format("{}: {} lm, peak {} cd at {}γ {}°", webs[0].label, rounded(flux(web).value, 4),
+    return fmt::format("{}: {} lm, peak {} cd at {}γ {}°", plotted.label, rounded(flux(web).value, 4),
                        rounded(top.intensity.value, 4), plane, rounded(top.gamma_deg, 4));
 }
 
@@ -110,13 +113,14 @@ Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options,
         for (const PlottedWeb& plotted : webs)
             name += (name.empty() ? "" : ", ") + plotted.label;
     Drawing page(options.width_px, options.height_px, fmt::format("{}: {}", name, diagram));
-    area = {margin_px, margin_px, options.width_px - margin_px, options.height_px - margin_px};
+    area = {page_margin_px, page_margin_px, options.width_px - page_margin_px, options.height_px - page_margin_px};
     if (const std::string title = title_of(webs, options); !title.empty()) {
         page.text({0.5 * options.width_px, area.top + 12.0}, title, {TextAnchor::middle, 16.0, {}, true});
         area.top += title_px;
     }
-    if (const std::string facts = facts_of(webs, options); !facts.empty()) {
-        page.text({0.5 * options.width_px, area.top + 8.0}, facts, {TextAnchor::middle, 12.0, ink(0x555555)});
+    if (has_facts(webs, options)) {
+        page.text({0.5 * options.width_px, area.top + 8.0}, facts_of(webs[0]),
+                  {TextAnchor::middle, 12.0, ink(0x555555)});
         area.top += facts_px;
     }
     const std::vector<LegendPlace> places = place_legend(legend, area.width());
@@ -131,9 +135,9 @@ Drawing begin_page(std::span<const PlottedWeb> webs, const PlotOptions& options,
 }
 
 double furniture_px(std::span<const PlottedWeb> webs, const PlotOptions& options, std::span<const LegendEntry> legend) {
-    const std::vector<LegendPlace> places = place_legend(legend, options.width_px - 2.0 * margin_px);
-    return 2.0 * margin_px + (title_of(webs, options).empty() ? 0.0 : title_px) +
-           (facts_of(webs, options).empty() ? 0.0 : facts_px) +
+    const std::vector<LegendPlace> places = place_legend(legend, options.width_px - 2.0 * page_margin_px);
+    return 2.0 * page_margin_px + (title_of(webs, options).empty() ? 0.0 : title_px) +
+           (has_facts(webs, options) ? facts_px : 0.0) +
            (places.empty() ? 0.0 : line_px * static_cast<double>(places.back().line + 1) + 4.0);
 }
 
@@ -160,10 +164,10 @@ std::vector<CurvePoint> plane_curve(const Web& web, double c_deg, double scale) 
 
 namespace {
 
-// "street.ies, 6000 lm, C0–C180, beam 139°": the luminaire where there are several, the plane unless all are alike.
-std::string legend_of(const PlottedWeb& plotted, double c_deg, bool alone) {
+// "street.ies, 6000 lm, C0–C180, beam 139°": `text` is that of the luminaire, where there are several; the plane is
+// added unless all are alike.
+std::string legend_of(const PlottedWeb& plotted, std::string text, double c_deg) {
     const Web& web = *plotted.web;
-    std::string text = alone ? std::string() : fmt::format("{}, {} lm", plotted.label, rounded(flux(web).value, 4));
     const auto add = [&](const std::string& part) {
         if (!text.empty()) text += ", ";
         text += part;
@@ -184,10 +188,12 @@ Result<std::vector<PlaneCurve>> plane_curves(std::span<const PlottedWeb> webs, c
         if (!scale) return pass_on(scale);
         const Web& web = *webs[w].web;
         const bool axial = web.stored_symmetry() == Symmetry::axial;
+        const std::string luminaire =
+            webs.size() == 1 ? std::string() : fmt::format("{}, {} lm", webs[w].label, rounded(flux(web).value, 4));
         for (std::size_t p = 0; p < options.planes_deg.size() && (p == 0 || !axial); ++p) {
             const double c_deg = options.planes_deg[p];
             PlaneCurve curve;
-            curve.legend.text = legend_of(webs[w], c_deg, webs.size() == 1);
+            curve.legend.text = legend_of(webs[w], luminaire, c_deg);
             curve.legend.pen = {series_color(webs.size() == 1 ? p : w), 2.0};
             if (p > 0) curve.legend.pen.dash_px = {6.0, 4.0};
             curve.points = plane_curve(web, c_deg, *scale);

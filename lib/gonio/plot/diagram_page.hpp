@@ -11,6 +11,8 @@
 
 namespace gonio::plot_detail {
 
+inline constexpr double page_margin_px = 16.0;
+
 // The drawing area of a diagram, below the title and above the legend.
 struct Area {
     double left = 0.0;

@@ -17,7 +17,6 @@ using namespace plot_detail;
 namespace {
 
 constexpr double label_room_px = 26.0;
-constexpr double page_margin_px = 16.0;
 constexpr TextStyle label_style{TextAnchor::middle, 11.0, ink(0x333333), false, 1.5};
 
 // Whether no curve exceeds this share of the greatest intensity above (or below) the horizontal.
