@@ -1,16 +1,13 @@
 #include "contact_sheet.hpp"
 
 #include <gonio/base/picture_size.hpp>
-#include <gonio/plot/raster.hpp>
 
 #include "../options/output.hpp"
 #include "picture.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cstdint>
 
 namespace gonio::cli {
 
