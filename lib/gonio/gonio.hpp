@@ -58,6 +58,7 @@
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/transport/lighting_options.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/profile_header.hpp>

@@ -5,9 +5,9 @@
 // the same instruction set; divide its time by another row's. For a light with a size the baseline is that light's
 // `representative-point`. `items_per_second` counts surface points.
 #include <gonio/measure/sphere_cases.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/shading/kernels.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <benchmark/benchmark.h>
 

@@ -7,8 +7,8 @@
 // last row is over all lights except the sun. Without arguments 12 points per side; takes about a minute.
 #include <gonio/light/light.hpp>
 #include <gonio/measure/shade_in_double.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <glm/geometric.hpp>
 

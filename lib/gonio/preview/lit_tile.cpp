@@ -11,9 +11,10 @@
 
 namespace gonio::detail {
 
-LitTile::LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats,
-                 std::vector<PartialLight>& partial)
+LitTile::LitTile(const LitScene& scene, const RenderOptions& options, const RayScene& rays, int left, int top,
+                 Rendering& picture, RenderStats& stats, std::vector<PartialLight>& partial)
     : scene_(scene),
+      options_(options),
       tile_(rays, left, top),
       picture_(picture),
       stats_(stats),
@@ -32,7 +33,7 @@ LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
 void LitTile::light_up() {
     show_emitters();
     count_samples();
-    if (scene_.options.sky.value > 0.0) add_sky();
+    if (options_.sky.value > 0.0) add_sky();
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -77,11 +78,11 @@ void LitTile::count_samples() {
 }
 
 void LitTile::add_sky() {
-    const double nt = scene_.options.sky.value;
+    const double nt = options_.sky.value;
     for (const SurfaceSamples& samples : tile_.surfaces())
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
-            const double free = scene_.options.shadows == Shadows::off
+            const double free = options_.shadows == Shadows::off
                                     ? 1.0
                                     : sky_share(scene_.stage, samples.surface, samples.position_of(i), normal);
             const double weight = samples.share[i] * free * nt;
@@ -89,7 +90,7 @@ void LitTile::add_sky() {
             for (int channel = 0; channel < 3; ++channel)
                 picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
                     static_cast<float>(rgb[channel]);
-            if (scene_.options.illuminance)
+            if (options_.illuminance)
                 picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(std::numbers::pi * weight);
         }
 }
@@ -98,7 +99,7 @@ void LitTile::add_sky() {
 std::vector<std::uint32_t> LitTile::candidates() const {
     std::vector<std::uint32_t> found;
     if (tile_.surfaces().empty()) return found;
-    if (!scene_.options.skip) {
+    if (!options_.skip) {
         for (std::uint32_t i = 0; i < scene_.lights.size(); ++i)
             found.push_back(i);
         return found;
@@ -117,7 +118,7 @@ bool LitTile::find_groups(const LitLight& light) {
         if (why == Unlit::below_horizon) stats_.below_horizon += evaluations;
     };
     for (const SurfaceSamples& samples : tile_.surfaces()) {
-        const Unlit all = scene_.options.skip ? light.reach.unlit(samples.bounds) : Unlit::no;
+        const Unlit all = options_.skip ? light.reach.unlit(samples.bounds) : Unlit::no;
         if (all != Unlit::no) {
             count(all, samples.size());
             continue;
@@ -125,7 +126,7 @@ bool LitTile::find_groups(const LitLight& light) {
         Group group{&samples, {}};
         for (std::uint32_t i = 0; i < samples.chunks.size(); ++i) {
             const SurfaceSamples::Chunk& chunk = samples.chunks[i];
-            const Unlit why = scene_.options.skip ? light.reach.unlit(chunk.bounds) : Unlit::no;
+            const Unlit why = options_.skip ? light.reach.unlit(chunk.bounds) : Unlit::no;
             count(why, chunk.count);
             if (why == Unlit::no) group.chunks.push_back(i);
         }
@@ -149,11 +150,11 @@ LitTile::Visible LitTile::visible(const LitLight& light, const Place& place) {
 }
 
 bool LitTile::softly(const LitLight& light) const {
-    return light.has_surface && scene_.options.shadows == Shadows::soft;
+    return light.has_surface && options_.shadows == Shadows::soft;
 }
 
 double LitTile::hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {
-    const bool as_point = scene_.options.shadows == Shadows::hard;
+    const bool as_point = options_.shadows == Shadows::hard;
     if (!light.reach.at_infinity) return visible_share(scene_.stage, surface, position, light.reach.center, 0.0);
     const auto& sun = std::get<SunShape>(light.light.shape);
     // A disk cannot have the outline of a hemisphere, so its half angle stays below 90°.
@@ -164,9 +165,9 @@ double LitTile::hard_share(const LitLight& light, std::size_t surface, const glm
 void LitTile::find_shadows(const LitLight& light) {
     edges_.clear();
     is_shadowed_ = false;
-    if (scene_.options.shadows == Shadows::off) return;
+    if (options_.shadows == Shadows::off) return;
     soft_shadow_.begin(light);
-    is_shadowed_ = !scene_.options.skip;
+    is_shadowed_ = !options_.skip;
     for (const Group& group : groups_) {
         std::vector<std::uint32_t>& bodies = soft_shadow_.bodies(group.samples->surface);
         scene_.find_shadowing(group.samples->surface, group.samples->bounds, light, bodies);
@@ -223,7 +224,7 @@ void LitTile::shade(const LitLight& light, const Group& group) {
             }
             weight = weight_.data();
             through = visible_.data();
-            if (scene_.options.skip && std::all_of(weight_.begin(), weight_.end(), [](float w) { return w == 0.0F; })) {
+            if (options_.skip && std::all_of(weight_.begin(), weight_.end(), [](float w) { return w == 0.0F; })) {
                 stats_.in_shadow += chunk.count;
                 continue;
             }
@@ -251,7 +252,8 @@ void LitTile::shade_edges(const LitLight& light) {
                 by_surface.emplace_back().samples.surface = seen.hit.surface;
                 found = by_surface.end() - 1;
             }
-            found->samples.add(seen, tile_.pixel_of(center), 1.0 / (edge_samples * edge_samples), -1);
+            found->samples.add({seen.hit.position, seen.hit.normal, seen.view}, tile_.pixel_of(center),
+                               1.0 / (edge_samples * edge_samples), -1);
             found->visible.push_back(through);
         }
     for (const Edge& edge : by_surface) {
@@ -271,7 +273,7 @@ void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::s
         for (int channel = 0; channel < 3; ++channel)
             pixel[channel] += weight[i] * through.rgb[channel] * shader_.rgb()[static_cast<std::size_t>(channel)][i];
     }
-    if (!scene_.options.illuminance) return;
+    if (!options_.illuminance) return;
     for (std::size_t i = 0; i < count; ++i) {
         const float through = visible == nullptr ? 1.0F : visible[i].lx;
         picture_.illuminance_lx.pixels[samples.pixel[first + i]] += weight[i] * through * shader_.lx()[i];

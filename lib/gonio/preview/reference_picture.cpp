@@ -1,5 +1,4 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/preview/detail/light_reach.hpp>
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/detail/unit_hash.hpp>
 #include <gonio/preview/reference_picture.hpp>
@@ -8,6 +7,7 @@
 #include <gonio/scene/light_sampler.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/probe_light.hpp>
+#include <gonio/transport/light_reach.hpp>
 
 #include <glm/geometric.hpp>
 

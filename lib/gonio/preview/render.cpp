@@ -61,8 +61,8 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     std::vector<std::vector<PartialLight>> partial(tiles);
     parallel_for(tiles, options.threads, [&](std::size_t tile) {
         const int index = static_cast<int>(tile);
-        detail::LitTile(scene, ray_scene, index % across * detail::tile_size, index / across * detail::tile_size,
-                        picture, of_tiles[tile], partial[tile])
+        detail::LitTile(scene, options, ray_scene, index % across * detail::tile_size,
+                        index / across * detail::tile_size, picture, of_tiles[tile], partial[tile])
             .light_up();
     });
     for (const std::vector<PartialLight>& of_tile : partial)

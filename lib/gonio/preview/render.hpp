@@ -8,14 +8,12 @@
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/limits.hpp>
-#include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/preview/partial_light.hpp>
 #include <gonio/preview/render_stats.hpp>
-#include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
-#include <gonio/simd/dispatch.hpp>
+#include <gonio/transport/lighting_options.hpp>
 
 #include <cstdint>
 #include <span>
@@ -26,28 +24,10 @@ namespace gonio {
 // Greatest width and height of a picture.
 inline constexpr int max_picture_size = static_cast<int>(limit("picture-side").value);
 
-enum class Shadows : std::uint8_t {
-    off,
-    hard, // every light as a point at its centre
-    soft, // by the light's size and shape; for the sun, its disk
-};
-
-struct RenderOptions {
+struct RenderOptions : LightingOptions {
     int width = 512;
     int height = 512;
-    // exact: irradiance in closed form, highlights as by ltc; reference: everything by quadrature, a millisecond for
-    // each light with a size and each point. frostbite, ue4 and point use the irradiance of those renderers and the
-    // highlights that go with it (README.md).
-    IrradianceMethod method = IrradianceMethod::exact;
-    ReferenceGoal goal; // of `reference`
-    Shadows shadows = Shadows::soft;
-    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not visible itself
-    bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
-    bool illuminance = false; // computes Rendering::illuminance_lx
-    bool skip = true;         // false: evaluates every light at every point, even if it cannot reach the point
-    unsigned threads = 0;     // 0 = as many as the machine has
-    // Pictures of different instruction sets agree to 1e-4 of the picture's greatest luminance.
-    simd::InstructionSet instruction_set = simd::best_available();
+    bool skip = true; // false: evaluates every light at every point, even if it cannot reach the point
 };
 
 struct Rendering {

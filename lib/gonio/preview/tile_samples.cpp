@@ -32,29 +32,6 @@ bool differ(const Seen& a, const Seen& b) {
 
 } // namespace
 
-void SurfaceSamples::add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center) {
-    if (pixel.empty()) {
-        anchor = seen.hit.position;
-        constexpr std::size_t most = std::size_t{tile_size} * tile_size;
-        for (auto* arrays : {&position, &normal, &view})
-            for (std::vector<float>& array : *arrays)
-                array.reserve(most);
-        share.reserve(most);
-        pixel.reserve(most);
-        center.reserve(most);
-    }
-    const glm::dvec3 at = seen.hit.position - anchor;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        position[a].push_back(static_cast<float>(at[axis]));
-        normal[a].push_back(static_cast<float>(seen.hit.normal[axis]));
-        view[a].push_back(static_cast<float>(seen.view[axis]));
-    }
-    share.push_back(static_cast<float>(share_of_pixel));
-    pixel.push_back(of_pixel);
-    center.push_back(of_center);
-}
-
 TileSamples::TileSamples(const RayScene& scene, int left, int top)
     : scene_(scene),
       left_(left),
@@ -141,17 +118,14 @@ void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::
     if (of_surface == surfaces_.end()) {
         surfaces_.emplace_back().surface = seen.hit.surface;
         of_surface = surfaces_.end() - 1;
+        of_surface->reserve(std::size_t{tile_size} * tile_size);
     }
-    of_surface->add(seen, pixel, share, center);
+    of_surface->add({seen.hit.position, seen.hit.normal, seen.view}, pixel, share, center);
 }
 
 void TileSamples::collect() {
-    std::vector<std::size_t> begun;
     for (int block_y = top_; block_y < bottom_; block_y += block_size)
         for (int block_x = left_; block_x < right_; block_x += block_size) {
-            begun.clear();
-            for (const SurfaceSamples& samples : surfaces_)
-                begun.push_back(samples.size());
             for (int y = block_y; y < std::min(block_y + block_size, bottom_); ++y)
                 for (int x = block_x; x < std::min(block_x + block_size, right_); ++x) {
                     const auto center = static_cast<std::size_t>((y - top_ + 1) * stride_ + (x - left_ + 1));
@@ -163,22 +137,9 @@ void TileSamples::collect() {
                     for (const Seen& seen : fine(center))
                         add(seen, pixel, 1.0 / (edge_samples * edge_samples), -1);
                 }
-            finish_block(begun);
+            for (SurfaceSamples& samples : surfaces_)
+                samples.finish_chunk();
         }
-}
-
-// Makes a chunk of the points added to each surface since the sizes in `begun`.
-void TileSamples::finish_block(std::span<const std::size_t> begun) {
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-        SurfaceSamples& samples = surfaces_[s];
-        const std::size_t first = s < begun.size() ? begun[s] : 0;
-        if (first == samples.size()) continue;
-        BoundsBuilder builder;
-        for (std::size_t i = first; i < samples.size(); ++i)
-            builder.add(samples.position_of(i), samples.normal_of(i));
-        samples.chunks.push_back({first, samples.size() - first, builder.bounds()});
-        samples.bounds_builder.add(builder);
-    }
 }
 
 void TileSamples::bound_surfaces() {

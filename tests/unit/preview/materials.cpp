@@ -1,9 +1,9 @@
 // Every material of the grammar, from the grammar to the kernels of every instruction set.
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include "../shading/poses.hpp"
 

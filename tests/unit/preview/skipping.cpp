@@ -1,8 +1,8 @@
-#include <gonio/preview/detail/intensity_pattern.hpp>
-#include <gonio/preview/detail/light_reach.hpp>
-#include <gonio/preview/detail/light_tree.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/transport/intensity_pattern.hpp>
+#include <gonio/transport/light_reach.hpp>
+#include <gonio/transport/light_tree.hpp>
 
 #include "../web/webs.hpp"
 #include "numbers.hpp"
@@ -280,10 +280,10 @@ TEST(IntensityPattern, IsTheLightsIntensity) {
             for (int axis = 0; axis < 3; ++axis)
                 position[static_cast<std::size_t>(axis)].push_back(static_cast<float>(at[axis]));
         }
-        const preview::Points points{{position[0].data(), position[1].data(), position[2].data()}, count};
+        const transport::Points points{{position[0].data(), position[1].data(), position[2].data()}, count};
         for (const simd::InstructionSet set : simd::available_sets()) {
             std::vector<float> cd(count);
-            pattern.evaluate(points, anchor, preview::intensity_kernels(set), cd.data());
+            pattern.evaluate(points, anchor, transport::intensity_kernels(set), cd.data());
             std::size_t outside = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const glm::dvec3 at = anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);

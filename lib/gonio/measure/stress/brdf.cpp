@@ -2,10 +2,10 @@
 // and densities are also compared with double.
 #include <gonio/measure/brdf_cases.hpp>
 #include <gonio/measure/stress/subjects.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/simd/native.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <fmt/format.h>
 

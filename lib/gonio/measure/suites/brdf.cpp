@@ -3,8 +3,8 @@
 #include <gonio/measure/brdf_cases.hpp>
 #include <gonio/measure/furnace.hpp>
 #include <gonio/measure/suites/suites.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <array>
 #include <cmath>

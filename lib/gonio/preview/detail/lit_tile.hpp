@@ -1,11 +1,11 @@
 // One tile of a picture: its points under every light that may reach them.
 #pragma once
 
-#include <gonio/preview/detail/lit_scene.hpp>
-#include <gonio/preview/detail/sample_shader.hpp>
-#include <gonio/preview/detail/soft_shadow.hpp>
 #include <gonio/preview/detail/tile_samples.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/sample_shader.hpp>
+#include <gonio/transport/soft_shadow.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -16,8 +16,8 @@ namespace gonio::detail {
 // lights passed to it.
 class LitTile {
 public:
-    LitTile(const LitScene& scene, const RayScene& rays, int left, int top, Rendering& picture, RenderStats& stats,
-            std::vector<PartialLight>& partial);
+    LitTile(const LitScene& scene, const RenderOptions& options, const RayScene& rays, int left, int top,
+            Rendering& picture, RenderStats& stats, std::vector<PartialLight>& partial);
 
     void light_up();
 
@@ -61,6 +61,7 @@ private:
                const float* weight, const Visible* visible);
 
     const LitScene& scene_;
+    const RenderOptions& options_;
     TileSamples tile_;
     Rendering& picture_;
     RenderStats& stats_;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
-#include <gonio/preview/detail/light_tree.hpp>
-#include <gonio/preview/detail/sample_bounds.hpp>
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/transport/light_tree.hpp>
+#include <gonio/transport/surface_samples.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -30,35 +30,6 @@ struct Seen {
     std::uint32_t light = 0; // of the emitter
     Hit hit;
     glm::dvec3 view{0.0}; // unit, towards the eye
-};
-
-// Points on one surface, in the arrays that the kernels read.
-struct SurfaceSamples {
-    struct Chunk {
-        std::size_t first = 0;
-        std::size_t count = 0;
-        SampleBounds bounds;
-    };
-
-    std::size_t surface = 0;
-    glm::dvec3 anchor{0.0}; // positions are relative to it, so that all are near 0
-    std::array<std::vector<float>, 3> position;
-    std::array<std::vector<float>, 3> normal;
-    std::array<std::vector<float>, 3> view;
-    std::vector<float> share;         // of its pixel
-    std::vector<std::uint32_t> pixel; // of the picture
-    std::vector<std::int32_t> center; // index of the tile's centre that it belongs to; −1 for other points of a pixel
-    std::vector<Chunk> chunks;
-    BoundsBuilder bounds_builder;
-    SampleBounds bounds; // of all samples, and of the surface points at the pixels around the tile
-
-    std::size_t size() const { return pixel.size(); }
-    glm::dvec3 position_of(std::size_t i) const {
-        return anchor + glm::dvec3(position[0][i], position[1][i], position[2][i]);
-    }
-    glm::dvec3 normal_of(std::size_t i) const { return {normal[0][i], normal[1][i], normal[2][i]}; }
-    glm::dvec3 view_of(std::size_t i) const { return {view[0][i], view[1][i], view[2][i]}; }
-    void add(const Seen& seen, std::uint32_t of_pixel, double share_of_pixel, std::int32_t of_center);
 };
 
 // What every ray of a picture is tested against.
@@ -110,7 +81,6 @@ private:
     void find_outlines();
     void collect();
     void add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center);
-    void finish_block(std::span<const std::size_t> begun);
     void bound_surfaces();
 
     const RayScene& scene_;

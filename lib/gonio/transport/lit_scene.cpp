@@ -1,9 +1,9 @@
-#include <gonio/preview/detail/lit_scene.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -80,12 +80,12 @@ LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& ta
         constants.color[channel] = static_cast<float>(light.color[channel]);
 }
 
-LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options)
+LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options)
     : stage(on_stage),
       all_lights(with_lights),
       options(with_options),
       kernels(shading::kernels(with_options.instruction_set)),
-      intensity(preview::intensity_kernels(with_options.instruction_set)),
+      intensity(transport::intensity_kernels(with_options.instruction_set)),
       lights(lit_lights(with_lights, with_options.method)),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {

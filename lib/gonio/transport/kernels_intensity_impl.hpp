@@ -2,16 +2,16 @@
 // shading/kernels_impl.hpp applies here too.
 #pragma once
 
-#include <gonio/preview/kernels_intensity.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/vec3.hpp>
 #include <gonio/simd/math.hpp>
 #include <gonio/simd/packet.hpp>
+#include <gonio/transport/kernels_intensity.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
-namespace gonio::preview::detail {
+namespace gonio::transport::detail {
 
 using shading::vec3;
 
@@ -219,4 +219,4 @@ extern const IntensityKernels kernels_intensity_avx2;
 extern const IntensityKernels kernels_intensity_avx512;
 extern const IntensityKernels kernels_intensity_neon;
 
-} // namespace gonio::preview::detail
+} // namespace gonio::transport::detail

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace gonio::preview {
+namespace gonio::transport {
 
 struct Points {
     const float* position[3] = {}; // [m]
@@ -76,4 +76,4 @@ struct IntensityKernels {
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.
 const IntensityKernels& intensity_kernels(simd::InstructionSet set);
 
-} // namespace gonio::preview
+} // namespace gonio::transport

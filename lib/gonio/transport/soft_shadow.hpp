@@ -8,8 +8,8 @@
 // noise to filter, and overlapping solids are not counted twice. README.md has the error.
 #pragma once
 
-#include <gonio/preview/detail/lit_scene.hpp>
 #include <gonio/scene/light_lines.hpp>
+#include <gonio/transport/lit_scene.hpp>
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
-#include <gonio/preview/detail/soft_shadow.hpp>
 #include <gonio/scene/capsule_overlap.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
+#include <gonio/transport/soft_shadow.hpp>
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/preview/detail/light_reach.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/transport/light_reach.hpp>
 #include <gonio/web/web.hpp>
 
 #include <glm/common.hpp>

@@ -6,8 +6,8 @@
 // dominant-direction and representative-point. reference: quadrature, point by point.
 #pragma once
 
-#include <gonio/preview/detail/lit_scene.hpp>
-#include <gonio/preview/detail/tile_samples.hpp>
+#include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/surface_samples.hpp>
 
 #include <array>
 #include <cstddef>

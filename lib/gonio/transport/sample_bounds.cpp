@@ -1,4 +1,4 @@
-#include <gonio/preview/detail/sample_bounds.hpp>
+#include <gonio/transport/sample_bounds.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

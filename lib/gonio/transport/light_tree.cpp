@@ -1,4 +1,4 @@
-#include <gonio/preview/detail/light_tree.hpp>
+#include <gonio/transport/light_tree.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

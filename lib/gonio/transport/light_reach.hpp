@@ -4,7 +4,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
-#include <gonio/preview/detail/sample_bounds.hpp>
+#include <gonio/transport/sample_bounds.hpp>
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
 #include <gonio/light/light_color.hpp>
-#include <gonio/preview/detail/sample_shader.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/material_description.hpp>
 #include <gonio/scene/probe_light.hpp>
+#include <gonio/transport/sample_shader.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -58,7 +58,7 @@ bool is_grey(const Material& material) {
 
 void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                          const float* weight) {
-    const RenderOptions& options = scene_.options;
+    const LightingOptions& options = scene_.options;
     shading::Surfaces surfaces;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         surfaces.position[axis] = samples.position[axis].data() + first;

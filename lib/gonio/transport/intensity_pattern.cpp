@@ -1,6 +1,6 @@
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/preview/detail/intensity_pattern.hpp>
 #include <gonio/scene/reference.hpp>
+#include <gonio/transport/intensity_pattern.hpp>
 #include <gonio/web/web.hpp>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace gonio::detail {
 
 namespace {
 
-using preview::LobeConstants;
-using preview::WebConstants;
+using transport::LobeConstants;
+using transport::WebConstants;
 
 constexpr std::size_t most_steps = 4096;
 
@@ -112,7 +112,7 @@ WebTable::Axis::Axis(std::span<const double> angles) : angles_deg(angles.begin()
     }
 }
 
-preview::TableAxis WebTable::Axis::constants() const {
+transport::TableAxis WebTable::Axis::constants() const {
     return {angles_deg.data(), inverse_width.data(), first_cell.data(),
             angles_deg.size(), first_cell.size(),    steps_per_deg};
 }
@@ -158,8 +158,8 @@ bool IntensityPattern::has_axial_web() const {
     return table_ != nullptr && table_->is_axial();
 }
 
-void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3& anchor,
-                                const preview::IntensityKernels& kernels, float* cd) const {
+void IntensityPattern::evaluate(const transport::Points& points, const glm::dvec3& anchor,
+                                const transport::IntensityKernels& kernels, float* cd) const {
     if (as_point_) {
         for (std::size_t i = 0; i < points.count; ++i) {
             const glm::dvec3 at =
@@ -171,7 +171,7 @@ void IntensityPattern::evaluate(const preview::Points& points, const glm::dvec3&
     }
     std::fill(cd, cd + points.count, static_cast<float>(along_axis_));
     if (lobe_.kind == LobeConstants::Kind::none && table_ == nullptr) return;
-    preview::LightFrame frame;
+    transport::LightFrame frame;
     copy(light_.frame.origin - anchor, frame.origin);
     copy(light_.frame.x, frame.x);
     copy(light_.frame.y, frame.y);

@@ -1,14 +1,14 @@
 // A stage and its lights as the tiles of a picture need them: made once, then read by all threads.
 #pragma once
 
-#include <gonio/preview/detail/intensity_pattern.hpp>
-#include <gonio/preview/detail/light_reach.hpp>
-#include <gonio/preview/detail/light_tree.hpp>
-#include <gonio/preview/render.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/shading/kernels.hpp>
+#include <gonio/transport/intensity_pattern.hpp>
+#include <gonio/transport/light_reach.hpp>
+#include <gonio/transport/light_tree.hpp>
+#include <gonio/transport/lighting_options.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -34,7 +34,7 @@ struct LitLight {
 };
 
 struct LitScene {
-    LitScene(const Stage& on_stage, std::span<const Light> with_lights, const RenderOptions& with_options);
+    LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options);
 
     // Finds the surfaces that may be between the light and the points of `surface` within the bounds.
     void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
@@ -42,9 +42,9 @@ struct LitScene {
 
     const Stage& stage;
     std::span<const Light> all_lights;
-    const RenderOptions& options;
+    const LightingOptions& options;
     const shading::Kernels& kernels;
-    const preview::IntensityKernels& intensity;
+    const transport::IntensityKernels& intensity;
     std::vector<LitLight> lights;                              // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes

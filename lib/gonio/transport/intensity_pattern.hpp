@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
-#include <gonio/preview/kernels_intensity.hpp>
+#include <gonio/transport/kernels_intensity.hpp>
 #include <gonio/web/web.hpp>
 
 #include <glm/vec3.hpp>
@@ -18,8 +18,8 @@ class WebTable {
 public:
     explicit WebTable(const Web& web);
 
-    preview::WebConstants constants(double scale) const;
-    bool is_axial() const { return angles_ == preview::WebConstants::Angles::axial; }
+    transport::WebConstants constants(double scale) const;
+    bool is_axial() const { return angles_ == transport::WebConstants::Angles::axial; }
 
 private:
     struct Axis {
@@ -29,10 +29,10 @@ private:
         float steps_per_deg = 0.0F;
 
         explicit Axis(std::span<const double> angles);
-        preview::TableAxis constants() const;
+        transport::TableAxis constants() const;
     };
 
-    preview::WebConstants::Angles angles_;
+    transport::WebConstants::Angles angles_;
     Symmetry symmetry_;
     Axis horizontal_;
     Axis vertical_;
@@ -52,13 +52,13 @@ public:
     bool has_axial_web() const;
 
     // Candela, or the factor of a mask, ≥ 0: one per point. Positions are relative to `anchor`.
-    void evaluate(const preview::Points& points, const glm::dvec3& anchor, const preview::IntensityKernels& kernels,
+    void evaluate(const transport::Points& points, const glm::dvec3& anchor, const transport::IntensityKernels& kernels,
                   float* cd) const;
 
 private:
     const Light& light_;
     double along_axis_ = 0.0;
-    preview::LobeConstants lobe_;
+    transport::LobeConstants lobe_;
     std::shared_ptr<const WebTable> table_;
     double web_scale_ = 1.0;
     bool as_point_ = false;

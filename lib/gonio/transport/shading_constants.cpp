@@ -1,6 +1,6 @@
 #include <gonio/light/shape_traits.hpp>
-#include <gonio/preview/shading_constants.hpp>
 #include <gonio/scene/core_material.hpp>
+#include <gonio/transport/shading_constants.hpp>
 
 #include <variant>
 

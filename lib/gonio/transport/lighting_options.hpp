@@ -1,0 +1,38 @@
+// How the light of a scene is computed: what pictures and probes have in common.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/scene/probe.hpp>
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstdint>
+#include <limits>
+
+namespace gonio {
+
+enum class Shadows : std::uint8_t {
+    off,
+    hard, // every light as a point at its centre
+    soft, // by the light's size and shape; for the sun, its disk
+};
+
+// LightingOptions::bounces: until the light is absorbed.
+inline constexpr int all_bounces = std::numeric_limits<int>::max();
+
+struct LightingOptions {
+    // exact: irradiance in closed form, highlights as by ltc; reference: everything by quadrature, a millisecond for
+    // each light with a size and each point. frostbite, ue4 and point use the irradiance of those renderers and the
+    // highlights that go with it (README.md).
+    IrradianceMethod method = IrradianceMethod::exact;
+    ReferenceGoal goal; // of `reference`
+    Shadows shadows = Shadows::soft;
+    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not visible itself
+    int bounces = 0;          // between the surfaces of the stage: 0 = direct light alone, or all_bounces
+    bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
+    bool illuminance = false; // computes the illuminance of the surfaces too
+    unsigned threads = 0;     // 0 = as many as the machine has
+    // Results of different instruction sets agree to 1e-4 of the greatest luminance.
+    simd::InstructionSet instruction_set = simd::best_available();
+};
+
+} // namespace gonio
