@@ -1,5 +1,4 @@
 #include <gonio/preview/detail/lit_tile.hpp>
-#include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/probe_light.hpp>
 
 #include <glm/geometric.hpp>
@@ -139,27 +138,14 @@ bool LitTile::find_groups(const LitLight& light) {
 
 LitTile::Visible LitTile::visible(const LitLight& light, const Place& place) {
     ++stats_.shadow_tested;
-    if (!softly(light)) {
-        const auto share = static_cast<float>(hard_share(light, place.surface, place.position));
+    if (!scene_.has_soft_shadow(light)) {
+        const auto share = static_cast<float>(scene_.visible_center(light, place.surface, place.position));
         return {share, glm::vec3(share)};
     }
     const double share = soft_shadow_.visible(place.surface, place.position, place.normal);
     if (share == 1.0) return {};
     if (share > 0.0) ++stats_.in_penumbra;
     return {static_cast<float>(share), soft_shadow_.visible_luminance(place.view)};
-}
-
-bool LitTile::softly(const LitLight& light) const {
-    return light.has_surface && options_.shadows == Shadows::soft;
-}
-
-double LitTile::hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {
-    const bool as_point = options_.shadows == Shadows::hard;
-    if (!light.reach.at_infinity) return visible_share(scene_.stage, surface, position, light.reach.center, 0.0);
-    const auto& sun = std::get<SunShape>(light.light.shape);
-    // A disk cannot have the outline of a hemisphere, so its half angle stays below 90°.
-    const double half_angle = as_point ? 0.0 : std::min(0.5 * sun.diameter.value, 1.57);
-    return visible_share_of_sun(scene_.stage, surface, position, light.reach.toward, half_angle);
 }
 
 void LitTile::find_shadows(const LitLight& light) {

@@ -87,13 +87,13 @@ double sky_share(const Stage& stage, std::size_t own, const glm::dvec3& point, c
     return share * std::max(1.0 - panels, 0.0);
 }
 
-SkyAlbedo::SkyAlbedo(const CoreMaterial& material) {
+SkyAlbedo::SkyAlbedo(const CoreMaterial& material, Fineness fineness) {
     if (const auto* lambert = std::get_if<shading::Lambert<double>>(&material)) {
         albedo_.emplace_back(lambert->albedo.x, lambert->albedo.y, lambert->albedo.z);
         return;
     }
-    constexpr int nodes = 48;
-    constexpr int directions = 1024;
+    const int nodes = fineness == Fineness::fine ? 48 : 16;
+    const int directions = fineness == Fineness::fine ? 1024 : 256;
     // The lattice of the three-dimensional golden ratio (M. Roberts, 2018).
     constexpr double g = 1.2207440846057596;
     const auto fraction = [](double x) { return x - std::floor(x); };

@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +32,11 @@ double sky_share(const Stage& stage, std::size_t own, const glm::dvec3& point, c
 // directions each).
 class SkyAlbedo {
 public:
-    explicit SkyAlbedo(const CoreMaterial& material);
+    enum class Fineness : std::uint8_t {
+        coarse, // a twelfth of the time, within 1 %
+        fine
+    };
+    explicit SkyAlbedo(const CoreMaterial& material, Fineness fineness = Fineness::fine);
 
     glm::dvec3 operator()(double cosine) const;
 

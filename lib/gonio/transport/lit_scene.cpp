@@ -124,4 +124,12 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
     }
 }
 
+double LitScene::visible_center(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {
+    if (!light.reach.at_infinity) return visible_share(stage, surface, position, light.reach.center, 0.0);
+    const auto& sun = std::get<SunShape>(light.light.shape);
+    // A disk cannot have the outline of a hemisphere, so its half angle stays below 90°.
+    const double half_angle = options.shadows == Shadows::hard ? 0.0 : std::min(0.5 * sun.diameter.value, 1.57);
+    return visible_share_of_sun(stage, surface, position, light.reach.toward, half_angle);
+}
+
 } // namespace gonio::detail

@@ -40,6 +40,11 @@ struct LitScene {
     void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
                         std::vector<std::uint32_t>& found) const;
 
+    // Whether shadows of this light are soft: those of other lights are visible_center().
+    bool has_soft_shadow(const LitLight& light) const { return light.has_surface && options.shadows == Shadows::soft; }
+    // The share of a light without such shadows that reaches a point of `surface`; the sun's, of its disk.
+    double visible_center(const LitLight& light, std::size_t surface, const glm::dvec3& position) const;
+
     const Stage& stage;
     std::span<const Light> all_lights;
     const LightingOptions& options;

@@ -101,6 +101,31 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     }
 }
 
+void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& samples) {
+    const std::size_t count = samples.size();
+    shading::Surfaces surfaces;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        surfaces.position[axis] = samples.position[axis].data();
+        surfaces.normal[axis] = samples.normal[axis].data();
+    }
+    surfaces.count = count;
+    shading::LightConstants constants = light.constants;
+    for (int axis = 0; axis < 3; ++axis)
+        constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
+    if (light.has_pattern) {
+        intensity_.resize(count);
+        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                               samples.anchor, scene_.intensity, intensity_.data());
+        constants.intensity_cd = intensity_.data();
+    }
+    lx_.resize(count);
+    scene_.kernels.irradiance(surfaces, constants, lx_.data());
+    if (light.is_punctual) return;
+    const auto luminance_nt = static_cast<float>(light.light.luminance.value);
+    for (std::size_t i = 0; i < count; ++i)
+        lx_[i] *= luminance_nt * (light.has_pattern ? intensity_[i] : 1.0F);
+}
+
 // Replaces the exact irradiance by the approximated one, in the diffuse part and in `lx_`.
 void SampleShader::approximate(const LitLight& light, const shading::Surfaces& surfaces,
                                const shading::LightConstants& constants, std::size_t surface) {

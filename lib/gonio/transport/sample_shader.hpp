@@ -23,9 +23,12 @@ public:
     void shade(const LitLight& light, const SurfaceSamples& samples, std::size_t first, std::size_t count,
                const float* weight);
 
+    // The illuminance alone, by `exact` and without regard to what occludes the light: only lx() is set.
+    void illuminate(const LitLight& light, const SurfaceSamples& samples);
+
     // Results of the last call, `count` each.
     const std::array<std::vector<float>, 3>& rgb() const { return rgb_; } // luminance [nt]
-    const std::vector<float>& lx() const { return lx_; }                  // only if illuminance was requested
+    const std::vector<float>& lx() const { return lx_; }                  // only if illuminance is requested
 
     // The number of samples at which the quadrature stopped before it reached the requested error.
     std::size_t not_converged() const { return not_converged_; }

@@ -50,9 +50,7 @@ private:
     };
     static Place place_of(const Seen& seen);
     static Place place_of(const SurfaceSamples& samples, std::size_t i);
-    bool softly(const LitLight& light) const;
     Visible visible(const LitLight& light, const Place& place);
-    double hard_share(const LitLight& light, std::size_t surface, const glm::dvec3& position) const;
     void shade(const LitLight& light, const Group& group);
     void shade_edges(const LitLight& light);
     // Shades the samples [first, first + count), each multiplied by its `weight` and, if `visible` is given, by its

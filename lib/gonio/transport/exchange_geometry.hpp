@@ -1,0 +1,54 @@
+// What interreflection needs of a stage that does not depend on its lights' amounts, colours or on its materials.
+#pragma once
+
+#include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/node_grid.hpp>
+#include <gonio/transport/patches.hpp>
+#include <gonio/transport/ray_bundle.hpp>
+#include <gonio/transport/ray_caster.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+class ExchangeGeometry {
+public:
+    ExchangeGeometry(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality,
+                     unsigned threads);
+
+    const Stage& stage() const { return stage_; }
+    const RayCaster& caster() const { return caster_; }
+    const Patches& patches() const { return patches_; }
+    const std::vector<Node>& nodes() const { return nodes_; }
+
+    // The patches that the rays of a cell or node end on.
+    std::span<const std::uint32_t> cell_ends(std::size_t cell) const {
+        return std::span(cell_ends_).subspan(cell * cell_rays_, cell_rays_);
+    }
+    std::span<const std::uint32_t> node_ends(std::size_t node) const {
+        return std::span(node_ends_).subspan(node * node_rays_, node_rays_);
+    }
+    // The share of a cell's rays that meet no patch.
+    double escaping(std::size_t cell) const { return escaping_[cell]; }
+
+    NodeMean around(std::size_t chart, const glm::dvec3& position) const;
+    // The surface if it is a solid: rays that start on it do not meet it again.
+    std::size_t own(std::size_t surface) const;
+    std::size_t memory() const;
+
+private:
+    Stage stage_;
+    RayCaster caster_;
+    Patches patches_;
+    std::vector<Node> nodes_;
+    std::vector<NodeGrid> grids_; // by chart
+    std::size_t cell_rays_ = 0;
+    std::size_t node_rays_ = 0;
+    std::vector<std::uint32_t> cell_ends_;
+    std::vector<std::uint32_t> node_ends_;
+    std::vector<double> escaping_;
+};
+
+} // namespace gonio::detail

@@ -1,0 +1,19 @@
+// Indirect light on the cells of a stage: a fixed point of what the cells send each other, by Jacobi's iteration with
+// the mean level set by the balance of flux in each step, which is its slow mode.
+#pragma once
+
+#include <gonio/transport/exchange_geometry.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+// The illuminance of each cell by indirect light [lx] after `bounces` of them; `albedo` by surface, `direct_lx` by
+// patch.
+std::vector<glm::dvec3> solve_indirect(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
+                                       std::span<const glm::dvec3> direct_lx, int bounces, unsigned threads);
+
+} // namespace gonio::detail

@@ -1,0 +1,180 @@
+#include <gonio/base/parallel.hpp>
+#include <gonio/scene/sky.hpp>
+#include <gonio/transport/direct_map.hpp>
+#include <gonio/transport/exchange_geometry.hpp>
+#include <gonio/transport/indirect_solution.hpp>
+#include <gonio/transport/interreflection.hpp>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace gonio {
+
+namespace {
+
+using detail::ExchangeGeometry;
+using detail::no_patch;
+using detail::Patches;
+
+Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo) {
+    const Patches& patches = geometry.patches();
+    glm::dvec3 lost(0.0); // of light that is spread over all cells
+    double area_m2 = 0.0;
+    for (std::uint32_t cell = 0; cell < patches.cells().size(); ++cell) {
+        const glm::dvec3& of = albedo[patches.charts().all()[patches.cells()[cell].chart].surface];
+        lost += patches.cell_area_m2(cell) * (1.0 - of * (1.0 - geometry.escaping(cell)));
+        area_m2 += patches.cell_area_m2(cell);
+    }
+    constexpr double least = 1e-4;
+    if (std::min({lost.x, lost.y, lost.z}) >= least * area_m2) return {};
+    return fail("USE0106", "the stage is closed and its surfaces reflect all light, so light cannot leave it",
+                "give a surface an albedo below 1, or use --indirect off");
+}
+
+} // namespace
+
+glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
+    CoreMaterial core = core_material(material);
+    if (!specular) core = std::visit([](const auto& of) { return CoreMaterial(shading::diffuse_alone(of)); }, core);
+    if (const auto* lambert = std::get_if<shading::Lambert<double>>(&core))
+        return {lambert->albedo.x, lambert->albedo.y, lambert->albedo.z};
+    const SkyAlbedo albedo(core, SkyAlbedo::Fineness::coarse);
+    // 2 ∫ A(µ) µ dµ with µ = √s: the mean of A over s.
+    constexpr int steps = 32;
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < steps; ++i)
+        sum += albedo(std::sqrt((i + 0.5) / steps));
+    return glm::clamp(sum / static_cast<double>(steps), 0.0, 1.0);
+}
+
+Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const Light> lights,
+                                            const LightingOptions& options, const ExchangeQuality& quality,
+                                            const Interreflection* same_stage) {
+    Interreflection exchange;
+    exchange.receiver_rays_ = quality.receiver_rays;
+    exchange.geometry_ = same_stage != nullptr
+                             ? same_stage->geometry_
+                             : std::make_shared<ExchangeGeometry>(stage, lights, quality, options.threads);
+    const ExchangeGeometry& geometry = *exchange.geometry_;
+    const Patches& patches = geometry.patches();
+    exchange.albedo_.resize(stage.surfaces.size());
+    parallel_for(stage.surfaces.size(), options.threads,
+                 [&](std::size_t i) { exchange.albedo_[i] = hemispherical_albedo(stage.surfaces[i].material); });
+    if (options.bounces == all_bounces)
+        if (Result<void> solvable = has_solution(geometry, exchange.albedo_); !solvable) return pass_on(solvable);
+    LightingOptions exact = options;
+    exact.method = IrradianceMethod::exact;
+    exact.specular = false;
+    exact.sky = Nits();
+    {
+        const detail::LitScene scene(stage, lights, exact);
+        exchange.direct_lx_ = direct_map(patches, scene);
+    }
+    const int before_last = options.bounces == all_bounces ? all_bounces : options.bounces - 1;
+    const std::vector<glm::dvec3> cells_lx =
+        solve_indirect(geometry, exchange.albedo_, exchange.direct_lx_, before_last, options.threads);
+    // What each patch sends, for the last gathering.
+    std::vector<glm::dvec3> sent(patches.count());
+    for (std::uint32_t i = 0; i < sent.size(); ++i)
+        sent[i] = exchange.albedo_[patches.surface_of(i)] * (exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)]);
+    const std::vector<detail::Node>& nodes = geometry.nodes();
+    exchange.nodes_lx_.assign(nodes.size(), glm::dvec3(0.0));
+    constexpr std::size_t together = 64;
+    parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
+            if (nodes[i].covered || nodes[i].same_as != i) continue;
+            glm::dvec3 sum(0.0);
+            const std::span<const std::uint32_t> ends = geometry.node_ends(i);
+            for (const std::uint32_t patch : ends)
+                if (patch != no_patch) sum += sent[patch];
+            exchange.nodes_lx_[i] = sum / static_cast<double>(ends.size());
+        }
+    });
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        exchange.nodes_lx_[i] = exchange.nodes_lx_[nodes[i].same_as];
+    exchange.settle(options.bounces == all_bounces, options.threads);
+    return exchange;
+}
+
+// Sets the level of the gathered light by the balance of flux, where it can be known, and sums up that balance.
+void Interreflection::settle(bool to_the_end, unsigned threads) {
+    const Patches& patches = geometry_->patches();
+    std::vector<glm::dvec3> on_patch(patches.count());
+    constexpr std::uint32_t together = 256;
+    parallel_for((on_patch.size() + together - 1) / together, threads, [&](std::size_t block) {
+        for (std::uint32_t i = static_cast<std::uint32_t>(block) * together;
+             i < std::min<std::size_t>((block + 1) * together, on_patch.size()); ++i)
+            if (patches.area_m2(i) > 0.0) on_patch[i] = interpolated(patches.chart_of(i), patches.middle(i));
+    });
+    const auto sum = [&](const auto& of_patch) {
+        glm::dvec3 total(0.0);
+        for (std::uint32_t i = 0; i < on_patch.size(); ++i)
+            total += patches.area_m2(i) * of_patch(i);
+        return total;
+    };
+    const auto albedo = [&](std::uint32_t i) { return albedo_[patches.surface_of(i)]; };
+    const auto stays = [&](std::uint32_t i) { return 1.0 - geometry_->escaping(patches.cell_of(i)); };
+    const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
+    const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
+    if (to_the_end && !patches.charts().endless() && returned_lm.x >= 0.5 * sent_lm.x &&
+        returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
+        const glm::dvec3 lost_lm = sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });
+        for (int channel = 0; channel < 3; ++channel) {
+            if (!(lost_lm[channel] > 0.0)) continue;
+            const double factor = returned_lm[channel] / lost_lm[channel];
+            level_[channel] = factor;
+            for (glm::dvec3& lx : nodes_lx_)
+                lx[channel] *= factor;
+            for (glm::dvec3& lx : on_patch)
+                lx[channel] *= factor;
+        }
+    }
+    balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
+    balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
+    balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });
+    balance_.escaped_lm =
+        sum([&](std::uint32_t i) { return albedo(i) * (direct_lx_[i] + on_patch[i]) * (1.0 - stays(i)); });
+}
+
+glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position) const {
+    const detail::NodeMean mean = geometry_->around(chart, position);
+    glm::dvec3 lx(0.0);
+    for (std::size_t i = 0; i < mean.count; ++i)
+        lx += mean.weight[i] * nodes_lx_[mean.node[i]];
+    return lx;
+}
+
+glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
+    return interpolated(geometry_->patches().charts().index_of(surface, face), position);
+}
+
+glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const glm::dvec3& position) const {
+    const std::size_t chart = geometry_->patches().charts().index_of(surface, face);
+    const glm::dvec3 lx = direct_lx_[geometry_->patches().at(chart, position)] + interpolated(chart, position);
+    return std::numbers::inv_pi * albedo_[surface] * lx;
+}
+
+glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
+    const Frame frame = detail::frame_about(position + Patches::lift(geometry_->patches().square_m()) * normal, normal);
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& direction : detail::cosine_directions(receiver_rays_)) {
+        const detail::RayEnd end =
+            geometry_->caster().cast({frame.origin, frame.to_world(direction)}, detail::RayEnd::nothing);
+        if (end.surface != detail::RayEnd::nothing) sum += luminance_of(end.surface, end.face, end.position);
+    }
+    return std::numbers::pi / static_cast<double>(receiver_rays_) * sum;
+}
+
+std::size_t Interreflection::node_count() const {
+    return geometry_->nodes().size();
+}
+std::size_t Interreflection::patch_count() const {
+    return geometry_->patches().count();
+}
+std::size_t Interreflection::memory() const {
+    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3);
+}
+
+} // namespace gonio

@@ -1,0 +1,87 @@
+// Interreflection: the light that the surfaces of a stage send each other.
+//
+// Each surface scatters light in all directions alike, with the albedo of its own material over both hemispheres
+// (diffuse and specular), per channel. Direct light is known on patches, what bounces is solved on cells by rays of
+// fixed directions, and its illuminance is then gathered at nodes, between which it is interpolated. There is no noise.
+// README.md has the method, its error and its cost.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/stage.hpp>
+#include <gonio/transport/lighting_options.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gonio {
+
+namespace detail {
+class ExchangeGeometry;
+}
+
+// How finely a stage is divided. The defaults are those of the benchmark's front.
+struct ExchangeQuality {
+    double patches = 12000.0;         // about as many carry direct light
+    std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution
+    std::size_t node_rays = 1024;     // of each node, in the last gathering
+    double node_spacing = 1.0;        // multiplies the distances between nodes
+    std::size_t receiver_rays = 8192; // of a point that is not on a surface
+};
+
+// What balances in a stage, per channel [lm]: received = direct + indirect light on all surfaces.
+struct ExchangeBalance {
+    glm::dvec3 direct_lm{0.0};
+    glm::dvec3 indirect_lm{0.0};
+    glm::dvec3 absorbed_lm{0.0};
+    glm::dvec3 escaped_lm{0.0}; // reflected out of the stage, or to the backs of one-sided surfaces
+};
+
+class Interreflection {
+public:
+    // Stage and lights are not needed afterwards. Uses these options: bounces, of which there must be at least one;
+    // shadows, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no solution.
+    // `same_stage`: geometry that another object has for the same surfaces, in any materials, and lights at the same
+    // positions; it is used again.
+    static Result<Interreflection> of(const Stage& stage, std::span<const Light> lights, const LightingOptions& options,
+                                      const ExchangeQuality& quality = {}, const Interreflection* same_stage = nullptr);
+
+    // Illuminance by indirect light of a point on a surface, per channel [lx]: colours of luminance 1, so the
+    // illuminance is the luminance of the three.
+    glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
+
+    // The same at any point, which a bundle of its own rays gathers. `normal` is unit.
+    glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal) const;
+
+    // The luminance that a surface sends in every direction, per channel [nt], direct light included.
+    glm::dvec3 luminance_of(std::size_t surface, int face, const glm::dvec3& position) const;
+
+    const ExchangeBalance& balance() const { return balance_; }
+    const glm::dvec3& level() const { return level_; }
+    std::size_t node_count() const;
+    std::size_t patch_count() const;
+    // Of what is kept, in bytes.
+    std::size_t memory() const;
+
+private:
+    Interreflection() = default;
+    void settle(bool to_the_end, unsigned threads);
+    glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position) const;
+
+    std::shared_ptr<const detail::ExchangeGeometry> geometry_;
+    std::vector<glm::dvec3> albedo_;    // by surface
+    std::vector<glm::dvec3> direct_lx_; // by patch
+    std::vector<glm::dvec3> nodes_lx_;  // by node
+    glm::dvec3 level_{1.0};             // factors that the balance gave the nodes
+    ExchangeBalance balance_;
+    std::size_t receiver_rays_ = 0;
+};
+
+// The albedo over both hemispheres, per channel, in [0, 1]: the share of uniform light that the material reflects.
+glm::dvec3 hemispherical_albedo(const Material& material, bool specular = true);
+
+} // namespace gonio

@@ -1,0 +1,83 @@
+// A stage in patches, on which direct light is known, and in cells of a few patches, on which indirect light is solved.
+#pragma once
+
+#include <gonio/scene/stage.hpp>
+#include <gonio/transport/chart.hpp>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+// One chart in a grid of patches, numbered row by row (along u first) from `first_patch`.
+struct PatchGrid {
+    std::uint32_t first_patch = 0;
+    std::uint32_t first_cell = 0;
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+    std::uint32_t cell_columns = 0;
+    double low_u = 0.0, per_u = 0.0; // in the warped coordinate
+    double low_v = 0.0, per_v = 0.0;
+
+    glm::dvec2 corner(const Chart& chart, double column, double row) const {
+        return {chart.u.unwarped(low_u + column / per_u), chart.v.unwarped(low_v + row / per_v)};
+    }
+};
+
+struct Cell {
+    glm::dvec3 position{0.0}; // just above the surface, so that rays that start here do not meet it
+    glm::dvec3 normal{0.0};
+    std::uint32_t chart = 0;
+    bool covered = false; // lies in a solid or against another surface: it neither gets nor sends light
+};
+
+class Patches {
+public:
+    // Nothing smaller than this is `covered` by chance, and rays start this far above a surface [m].
+    static double lift(double square_m) { return 1e-4 * square_m; }
+
+    Patches(const Stage& stage, const Interest& interest, double count);
+
+    const Charts& charts() const { return charts_; }
+    const PatchGrid& grid(std::size_t chart) const { return grids_[chart]; }
+    std::size_t count() const { return cell_of_.size(); } // of patches
+    double square_m() const { return square_m_; }
+
+    // The patch that contains the point of the surface; the outermost ones continue without an end.
+    std::uint32_t at(std::size_t chart, const glm::dvec3& position) const;
+
+    std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
+    std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }
+    std::size_t chart_of(std::uint32_t patch) const { return cells_[cell_of_[patch]].chart; }
+    glm::dvec3 middle(std::uint32_t patch) const;
+    double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
+    // Of a quarter of the patch, numbered along u first; 0 if its middle is covered.
+    double quarter_m2(std::uint32_t patch, std::size_t quarter) const { return quarter_m2_[4 * patch + quarter]; }
+    const std::vector<Cell>& cells() const { return cells_; }
+    double cell_area_m2(std::uint32_t cell) const { return cell_area_m2_[cell]; }
+
+    // Whether the point above a surface lies in a solid or behind another surface that touches this one there.
+    static bool is_covered(const Stage& stage, std::size_t surface, const glm::dvec3& above, const glm::dvec3& normal,
+                           double lift_m);
+
+private:
+    void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid);
+    void add_cells(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
+
+    Charts charts_;
+    double square_m_ = 0.0;
+    std::vector<PatchGrid> grids_;
+    std::vector<std::uint32_t> cell_of_; // by patch
+    std::vector<std::uint32_t> surface_of_;
+    std::vector<double> area_m2_;
+    std::vector<double> quarter_m2_;
+    std::vector<Cell> cells_;
+    std::vector<double> cell_area_m2_;
+};
+
+} // namespace gonio::detail
