@@ -226,6 +226,11 @@ bool Charts::endless() const {
     return std::any_of(charts_.begin(), charts_.end(), [](const Chart& chart) { return chart.endless; });
 }
 
+bool Charts::uses_interest() const {
+    return std::any_of(charts_.begin(), charts_.end(),
+                       [](const Chart& chart) { return chart.u.core > 0.0 || chart.v.core > 0.0; });
+}
+
 double Charts::square_of(double count) const {
     return std::sqrt(area_ / count);
 }

@@ -62,7 +62,8 @@ public:
     Charts(const Stage& stage, const Interest& interest);
 
     const std::vector<Chart>& all() const { return charts_; }
-    bool endless() const; // whether there is a plane
+    bool endless() const;       // whether there is a plane
+    bool uses_interest() const; // whether the division depends on the interest
     std::size_t index_of(std::size_t surface, int face) const {
         return first_[surface] + static_cast<std::size_t>(face);
     }

@@ -33,13 +33,26 @@ public:
     // The share of a cell's rays that meet no patch.
     double escaping(std::size_t cell) const { return escaping_[cell]; }
 
+    // What the rays of all cells, or of all nodes, see of a chart is this much too little: with these factors on what
+    // it sends, uniform light from a chart arrives in full. 1 for charts that most of the light leaves without return,
+    // where the number of rays that return is too uncertain.
+    double cell_factor(std::size_t chart) const { return cell_factor_[chart]; }
+    double node_factor(std::size_t chart) const { return node_factor_[chart]; }
+
+    // Whether these surfaces and positions of lights are those of this geometry.
+    bool fits(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality) const;
+
     NodeMean around(std::size_t chart, const glm::dvec3& position) const;
     // The surface if it is a solid: rays that start on it do not meet it again.
     std::size_t own(std::size_t surface) const;
     std::size_t memory() const;
 
 private:
+    void balance();
+
     Stage stage_;
+    std::vector<glm::dvec3> light_positions_;
+    ExchangeQuality quality_;
     RayCaster caster_;
     Patches patches_;
     std::vector<Node> nodes_;
@@ -49,6 +62,8 @@ private:
     std::vector<std::uint32_t> cell_ends_;
     std::vector<std::uint32_t> node_ends_;
     std::vector<double> escaping_;
+    std::vector<double> cell_factor_; // by chart
+    std::vector<double> node_factor_;
 };
 
 } // namespace gonio::detail

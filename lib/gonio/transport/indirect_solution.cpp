@@ -11,45 +11,49 @@ namespace gonio::detail {
 namespace {
 
 constexpr int most_steps = 400;
-constexpr double least_change = 1e-6;
+constexpr double least_change = 1e-6; // of the greatest illuminance
 
 class Solver {
 public:
     Solver(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo, std::span<const glm::dvec3> direct_lx,
            unsigned threads)
-        : geometry_(geometry), patches_(geometry.patches()), albedo_(albedo), threads_(threads) {
-        sent_.resize(patches_.count());
-        for (std::uint32_t i = 0; i < sent_.size(); ++i)
-            sent_[i] = albedo[patches_.surface_of(i)] * direct_lx[i];
+        : geometry_(geometry), patches_(geometry.patches()), threads_(threads) {
         const std::size_t cells = patches_.cells().size();
-        cell_albedo_.resize(cells);
-        for (std::size_t i = 0; i < cells; ++i)
-            cell_albedo_[i] = albedo[patches_.charts().all()[patches_.cells()[i].chart].surface];
-        once_ = gathered([&](std::uint32_t patch) { return sent_[patch]; });
-        for (std::uint32_t i = 0; i < sent_.size(); ++i)
-            returned_lm_ += patches_.area_m2(i) * (1.0 - geometry.escaping(patches_.cell_of(i))) * sent_[i];
-        glm::dvec3 sent_lm(0.0);
-        for (std::uint32_t i = 0; i < sent_.size(); ++i)
-            sent_lm += patches_.area_m2(i) * sent_[i];
-        // In an open stage few rays return, and their number is too uncertain to balance by. A plane has light on parts
-        // of it that no patch counts.
-        balances_ = !patches_.charts().endless();
-        for (int channel = 0; channel < 3; ++channel)
-            balances_ = balances_ && returned_lm_[channel] >= 0.5 * sent_lm[channel];
+        reflected_.resize(cells);
+        for (std::size_t i = 0; i < cells; ++i) {
+            const std::size_t chart = patches_.cells()[i].chart;
+            reflected_[i] = geometry.cell_factor(chart) * albedo[patches_.charts().all()[chart].surface];
+        }
+        once_ = gathered([&](std::uint32_t patch) { return reflected_[patches_.cell_of(patch)] * direct_lx[patch]; });
     }
 
-    std::vector<glm::dvec3> solve(int bounces) {
+    // The first bounces one by one.
+    std::vector<glm::dvec3> first(int bounces) const {
         std::vector<glm::dvec3> lx = once_;
-        const bool all = bounces == all_bounces;
-        if (all) balance(lx);
-        for (int step = 1; step < (all ? most_steps : std::min(bounces, most_steps)); ++step) {
-            std::vector<glm::dvec3> next = gathered([&](std::uint32_t patch) {
-                const std::uint32_t cell = patches_.cell_of(patch);
-                return cell_albedo_[cell] * lx[cell];
-            });
+        for (int step = 1; step < bounces; ++step) {
+            std::vector<glm::dvec3> next = bounced(lx);
+            const double change = greatest_change(lx, next);
+            lx = std::move(next);
+            if (change < least_change) break;
+        }
+        return lx;
+    }
+
+    std::vector<glm::dvec3> all() const {
+        const std::vector<glm::dvec3> of_one =
+            gathered([&](std::uint32_t patch) { return reflected_[patches_.cell_of(patch)]; });
+        glm::dvec3 lost(0.0); // of an illuminance of 1 on all cells
+        for (std::uint32_t i = 0; i < of_one.size(); ++i)
+            lost += patches_.cell_area_m2(i) * (1.0 - of_one[i]);
+        std::vector<glm::dvec3> lx = once_;
+        for (int step = 0; step < most_steps; ++step) {
+            std::vector<glm::dvec3> next = bounced(lx);
+            glm::dvec3 missing(0.0);
+            for (std::uint32_t i = 0; i < next.size(); ++i)
+                missing += patches_.cell_area_m2(i) * (next[i] - lx[i]);
+            const glm::dvec3 level = missing / lost;
             for (std::size_t i = 0; i < next.size(); ++i)
-                next[i] += once_[i];
-            if (all) balance(next);
+                if (!patches_.cells()[i].covered) next[i] = glm::max(next[i] + level * of_one[i], glm::dvec3(0.0));
             const double change = greatest_change(lx, next);
             lx = std::move(next);
             if (change < least_change) break;
@@ -75,16 +79,14 @@ private:
         return lx;
     }
 
-    // What arrives is what is sent and does not escape: Σ E A = Σ ρ (E₀ + E) A (1 − x).
-    void balance(std::vector<glm::dvec3>& lx) const {
-        if (!balances_) return;
-        glm::dvec3 lost_lm(0.0);
-        for (std::uint32_t i = 0; i < lx.size(); ++i)
-            lost_lm += patches_.cell_area_m2(i) * lx[i] * (1.0 - cell_albedo_[i] * (1.0 - geometry_.escaping(i)));
-        for (int channel = 0; channel < 3; ++channel)
-            if (lost_lm[channel] > 0.0)
-                for (glm::dvec3& of_cell : lx)
-                    of_cell[channel] *= returned_lm_[channel] / lost_lm[channel];
+    std::vector<glm::dvec3> bounced(std::span<const glm::dvec3> lx) const {
+        std::vector<glm::dvec3> next = gathered([&](std::uint32_t patch) {
+            const std::uint32_t cell = patches_.cell_of(patch);
+            return reflected_[cell] * lx[cell];
+        });
+        for (std::size_t i = 0; i < next.size(); ++i)
+            next[i] += once_[i];
+        return next;
     }
 
     static double greatest_change(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after) {
@@ -100,13 +102,9 @@ private:
 
     const ExchangeGeometry& geometry_;
     const Patches& patches_;
-    std::span<const glm::dvec3> albedo_;
     unsigned threads_;
-    std::vector<glm::dvec3> sent_; // of direct light, by patch [lm/m²]
-    std::vector<glm::dvec3> cell_albedo_;
-    std::vector<glm::dvec3> once_; // the first bounce, by cell [lx]
-    glm::dvec3 returned_lm_{0.0};
-    bool balances_ = true;
+    std::vector<glm::dvec3> reflected_; // the albedo of each cell, times its chart's factor
+    std::vector<glm::dvec3> once_;      // the first bounce, by cell [lx]
 };
 
 } // namespace
@@ -114,7 +112,8 @@ private:
 std::vector<glm::dvec3> solve_indirect(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
                                        std::span<const glm::dvec3> direct_lx, int bounces, unsigned threads) {
     if (bounces <= 0) return std::vector<glm::dvec3>(geometry.patches().cells().size(), glm::dvec3(0.0));
-    return Solver(geometry, albedo, direct_lx, threads).solve(bounces);
+    const Solver solver(geometry, albedo, direct_lx, threads);
+    return bounces == all_bounces ? solver.all() : solver.first(bounces);
 }
 
 } // namespace gonio::detail

@@ -1,5 +1,7 @@
-// Indirect light on the cells of a stage: a fixed point of what the cells send each other, by Jacobi's iteration with
-// the mean level set by the balance of flux in each step, which is its slow mode.
+// Indirect light on the cells of a stage: the fixed point of what the cells send each other, by Jacobi's iteration. Its
+// slow mode is the mean level, which each step corrects by what is left of it.
+//
+// Everything is linear in the direct light, so the lights' shares add up.
 #pragma once
 
 #include <gonio/transport/exchange_geometry.hpp>

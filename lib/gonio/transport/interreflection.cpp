@@ -51,11 +51,11 @@ glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
 
 Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const Light> lights,
                                             const LightingOptions& options, const ExchangeQuality& quality,
-                                            const Interreflection* same_stage) {
+                                            const Interreflection* known) {
     Interreflection exchange;
     exchange.receiver_rays_ = quality.receiver_rays;
-    exchange.geometry_ = same_stage != nullptr
-                             ? same_stage->geometry_
+    exchange.geometry_ = known != nullptr && known->geometry_->fits(stage, lights, quality)
+                             ? known->geometry_
                              : std::make_shared<ExchangeGeometry>(stage, lights, quality, options.threads);
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
@@ -78,7 +78,8 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     // What each patch sends, for the last gathering.
     std::vector<glm::dvec3> sent(patches.count());
     for (std::uint32_t i = 0; i < sent.size(); ++i)
-        sent[i] = exchange.albedo_[patches.surface_of(i)] * (exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)]);
+        sent[i] = geometry.node_factor(patches.chart_of(i)) * exchange.albedo_[patches.surface_of(i)] *
+                  (exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)]);
     const std::vector<detail::Node>& nodes = geometry.nodes();
     exchange.nodes_lx_.assign(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
@@ -94,12 +95,11 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     });
     for (std::size_t i = 0; i < nodes.size(); ++i)
         exchange.nodes_lx_[i] = exchange.nodes_lx_[nodes[i].same_as];
-    exchange.settle(options.bounces == all_bounces, options.threads);
+    exchange.sum_up(options.threads);
     return exchange;
 }
 
-// Sets the level of the gathered light by the balance of flux, where it can be known, and sums up that balance.
-void Interreflection::settle(bool to_the_end, unsigned threads) {
+void Interreflection::sum_up(unsigned threads) {
     const Patches& patches = geometry_->patches();
     std::vector<glm::dvec3> on_patch(patches.count());
     constexpr std::uint32_t together = 256;
@@ -116,21 +116,6 @@ void Interreflection::settle(bool to_the_end, unsigned threads) {
     };
     const auto albedo = [&](std::uint32_t i) { return albedo_[patches.surface_of(i)]; };
     const auto stays = [&](std::uint32_t i) { return 1.0 - geometry_->escaping(patches.cell_of(i)); };
-    const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
-    const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
-    if (to_the_end && !patches.charts().endless() && returned_lm.x >= 0.5 * sent_lm.x &&
-        returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
-        const glm::dvec3 lost_lm = sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });
-        for (int channel = 0; channel < 3; ++channel) {
-            if (!(lost_lm[channel] > 0.0)) continue;
-            const double factor = returned_lm[channel] / lost_lm[channel];
-            level_[channel] = factor;
-            for (glm::dvec3& lx : nodes_lx_)
-                lx[channel] *= factor;
-            for (glm::dvec3& lx : on_patch)
-                lx[channel] *= factor;
-        }
-    }
     balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
     balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });

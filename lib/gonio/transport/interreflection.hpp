@@ -31,6 +31,8 @@ struct ExchangeQuality {
     std::size_t node_rays = 1024;     // of each node, in the last gathering
     double node_spacing = 1.0;        // multiplies the distances between nodes
     std::size_t receiver_rays = 8192; // of a point that is not on a surface
+
+    friend bool operator==(const ExchangeQuality&, const ExchangeQuality&) = default;
 };
 
 // What balances in a stage, per channel [lm]: received = direct + indirect light on all surfaces.
@@ -45,10 +47,10 @@ class Interreflection {
 public:
     // Stage and lights are not needed afterwards. Uses these options: bounces, of which there must be at least one;
     // shadows, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no solution.
-    // `same_stage`: geometry that another object has for the same surfaces, in any materials, and lights at the same
-    // positions; it is used again.
+    // `known`: for the same surfaces in any materials, and lights at the same positions, what depends on these alone is
+    // taken from it.
     static Result<Interreflection> of(const Stage& stage, std::span<const Light> lights, const LightingOptions& options,
-                                      const ExchangeQuality& quality = {}, const Interreflection* same_stage = nullptr);
+                                      const ExchangeQuality& quality = {}, const Interreflection* known = nullptr);
 
     // Illuminance by indirect light of a point on a surface, per channel [lx]: colours of luminance 1, so the
     // illuminance is the luminance of the three.
@@ -61,7 +63,6 @@ public:
     glm::dvec3 luminance_of(std::size_t surface, int face, const glm::dvec3& position) const;
 
     const ExchangeBalance& balance() const { return balance_; }
-    const glm::dvec3& level() const { return level_; }
     std::size_t node_count() const;
     std::size_t patch_count() const;
     // Of what is kept, in bytes.
@@ -69,7 +70,7 @@ public:
 
 private:
     Interreflection() = default;
-    void settle(bool to_the_end, unsigned threads);
+    void sum_up(unsigned threads);
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
