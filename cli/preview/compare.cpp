@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,11 +93,13 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
                            const Console& console, Diagnostics& diagnostics) {
     Comparison comparison;
     std::vector<std::uint8_t> shows_light;
+    std::shared_ptr<const Interreflection> known;
     Progress progress(request.compared.size(), console.shows_progress());
     for (const IrradianceMethod method : request.compared) {
         progress.show(comparison.methods.size(), to_text(method));
         RenderOptions options = size;
         options.method = method;
+        options.known = known;
         Result<Rendering> rendering = render(request.stage, lights, request.stage.camera, options);
         if (!rendering) return pass_on(rendering);
         if (rendering->stats.not_converged > 0)
@@ -117,6 +120,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
         compared.rgb_nt = std::move(rendering->luminance_nt);
         compared.partial_lights = std::move(rendering->partial_lights);
         comparison.methods.push_back(std::move(compared));
+        known = std::move(rendering->indirect);
     }
     progress.clear();
     scale_differences(comparison);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace gonio::cli {
@@ -46,7 +47,8 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     options.width = request.render.width;
     options.height = request.render.height;
     options.white = white;
-    options.bounces = request.export_bounces;
+    options.bounces = std::min(request.render.bounces, max_bounces);
+    options.bounces_matter = request.bounces_given;
     Result<LightScene> scene = stage_scene(**format, request.stage, request.stage.camera, lights, options);
     if (!scene) return pass_on(scene);
     ExportedScene exported;

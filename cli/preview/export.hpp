@@ -19,8 +19,6 @@ inline constexpr std::array preview_export_options{
     Option{"--export", "FILE",
            "write stage, camera, materials and lights for other renderers: .gltf, .glb, .usda, .pbrt, .xml (Mitsuba) "
            "or .py (Blender), with the files that they need; renders a picture only with -o"},
-    Option{"--bounces", "N",
-           "with --export: how often the other renderer reflects light between surfaces (0, as gonio)"},
 };
 
 // Fails (usage) on a name that implies no format, and on a folder or stdout.

@@ -25,18 +25,21 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> own_names{"emission", "diffuse",         "specular",
-                                                    "sky",      "illuminance-sky", "illuminance"};
+constexpr std::array<std::string_view, 8> own_names{"emission", "diffuse", "specular",        "direct",
+                                                    "indirect", "sky",     "illuminance-sky", "illuminance"};
 
 struct LayerChoice {
     bool lights = false;
     bool parts = false;
+    bool direct = false;
+    bool indirect = false;
     bool illuminance = false;
 
     // An ambient sky counts as a light.
     std::size_t channels(std::size_t light_count) const {
         const std::size_t each = lights ? (illuminance ? 4U : 3U) : 0U;
-        return 3U + (parts ? 9U : 0U) + (illuminance ? 1U : 0U) + each * light_count;
+        return 3U + (parts ? 9U : 0U) + (direct ? 3U : 0U) + (indirect ? 3U : 0U) + (illuminance ? 1U : 0U) +
+               each * light_count;
     }
 };
 
@@ -49,6 +52,10 @@ Result<LayerChoice> read_choice(std::string_view text) {
             choice.lights = true;
         } else if (name == "parts") {
             choice.parts = true;
+        } else if (name == "direct") {
+            choice.direct = true;
+        } else if (name == "indirect") {
+            choice.indirect = true;
         } else if (name == "illuminance") {
             choice.illuminance = true;
         } else {
@@ -112,7 +119,9 @@ public:
         exposure_ = request_.exposure.of(*all);
         layered_.add("", all->luminance_nt);
         if (choice_.illuminance) add_lux("illuminance", all->illuminance_lx, "");
+        options.known = all->indirect;
         if (Result<void> added = add_parts(all->luminance_nt, options); !added) return pass_on(added);
+        if (Result<void> added = add_bounces(all->luminance_nt, options); !added) return pass_on(added);
         *all = {};
         if (Result<void> added = add_lights(options, diagnostics); !added) return pass_on(added);
         return layered_.encode({{"gonio:unit", std::string("cd/m2")},
@@ -159,13 +168,31 @@ private:
         Result<PictureParts> parts = picture_parts(picture, request_.stage, lights_, request_.stage.camera, options);
         if (!parts) return pass_on(parts);
         const std::array<const Image*, 3> images{&parts->emission_nt, &parts->diffuse_nt, &parts->specular_nt};
-        for (std::size_t i = 0; i < images.size(); ++i) {
-            Rendering part;
-            part.luminance_nt = *images.at(i);
-            layered_.add(own_names.at(i), part.luminance_nt);
-            layers_.push_back(
-                {{"layer", own_names.at(i)}, {"mean_nt", mean_of(quantity_image(part, PictureQuantity::luminance))}});
-        }
+        for (std::size_t i = 0; i < images.size(); ++i)
+            add_own(own_names.at(i), *images.at(i));
+        return {};
+    }
+
+    void add_own(std::string_view name, const Image& nt) {
+        Rendering part;
+        part.luminance_nt = nt;
+        layered_.add(std::string(name), nt);
+        layers_.push_back({{"layer", name}, {"mean_nt", mean_of(quantity_image(part, PictureQuantity::luminance))}});
+    }
+
+    Result<void> add_bounces(const Image& picture, const RenderOptions& options) {
+        if (!choice_.direct && !choice_.indirect) return {};
+        RenderOptions without = options;
+        without.bounces = 0;
+        without.illuminance = false;
+        Result<Rendering> direct = render(request_.stage, lights_, request_.stage.camera, without);
+        if (!direct) return pass_on(direct);
+        if (choice_.direct) add_own("direct", direct->luminance_nt);
+        if (!choice_.indirect) return {};
+        Image indirect = picture;
+        for (std::size_t i = 0; i < indirect.pixels.size(); ++i)
+            indirect.pixels[i] -= direct->luminance_nt.pixels[i];
+        add_own("indirect", indirect);
         return {};
     }
 

@@ -12,10 +12,11 @@
 namespace gonio::cli {
 
 inline constexpr std::array preview_layer_options{
-    Option{
-        "--aov", "LIST",
-        "add layers to the .exr: lights (one for each, by name), parts (emission, diffuse, specular), illuminance (lx)",
-        "layers"},
+    Option{"--aov", "LIST",
+           "add layers to the .exr: lights (one for each, by name), parts (emission, diffuse, specular), direct and "
+           "indirect, "
+           "illuminance (lx)",
+           "layers"},
 };
 
 struct LayerKind {
@@ -25,6 +26,8 @@ struct LayerKind {
 inline constexpr std::array layer_kinds{
     LayerKind{"lights", "one layer for each light, by name; they add up to the picture"},
     LayerKind{"parts", "emission, diffuse and specular; they add up to the picture"},
+    LayerKind{"direct", "light that no surface has reflected before; with indirect it adds up to the picture"},
+    LayerKind{"indirect", "light that bounced between the surfaces of the stage"},
     LayerKind{"illuminance", "lx on what is seen; with lights, also from each light"},
 };
 

@@ -20,7 +20,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -86,9 +88,26 @@ bool is_uplight(const Web& web) {
     return zone_flux(web, 90.0, 180.0).value > 0.5 * flux(web).value;
 }
 
+// What interreflection needs of each of the two stages, whichever tile computes it first: it is the same from all.
+class KnownStages {
+public:
+    std::shared_ptr<const Interreflection> of(const Stage& stage) {
+        const std::lock_guard lock(mutex_);
+        return known_[&stage];
+    }
+    void add(const Stage& stage, std::shared_ptr<const Interreflection> known) {
+        const std::lock_guard lock(mutex_);
+        known_[&stage] = std::move(known);
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<const Stage*, std::shared_ptr<const Interreflection>> known_;
+};
+
 // Renders one profile at the position of the stage's light.
 Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& request, const SheetOptions& options,
-                               bool stage_is_chosen, Outcome& outcome) {
+                               bool stage_is_chosen, KnownStages& known, Outcome& outcome) {
     Result<LoadedProfile> loaded = load(file, {});
     if (!loaded) return pass_on(loaded);
     outcome.diagnostics = std::move(loaded->diagnostics);
@@ -111,8 +130,10 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     render_options.width = options.picture_width_px;
     render_options.height = options.picture_height_px;
     render_options.threads = 1;
+    render_options.known = known.of(stage);
     Result<Rendering> rendering = render(stage, {&*light, 1}, stage.camera, render_options);
     if (!rendering) return pass_on(rendering);
+    known.add(stage, std::move(rendering->indirect));
     thumbnail.exposure = request.exposure.of(*rendering);
     thumbnail.tile.picture = std::move(rendering->luminance_nt);
     expose(thumbnail.tile.picture, thumbnail.exposure);
@@ -146,6 +167,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     }
     const bool stage_is_chosen = std::any_of(preview_stage_options.begin(), preview_stage_options.end(),
                                              [&](const Option& option) { return arguments.has(option.names); });
+    KnownStages known;
     std::vector<SheetTile> tiles(files->size());
     const ReportKind kind = report_kind(arguments);
     const int status =
@@ -153,7 +175,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
             const std::string& file = (*files)[index];
             Outcome outcome;
             tiles[index].fault = "not shown"; // kept if thumbnail_of throws
-            Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, stage_is_chosen, outcome);
+            Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, stage_is_chosen, known, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);
             } else {

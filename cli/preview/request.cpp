@@ -84,6 +84,20 @@ bool is_one_picture(const Arguments& arguments) {
                         [&](std::string_view option) { return arguments.has(option); });
 }
 
+Result<int> read_bounces(const Arguments& arguments) {
+    const auto text = arguments.value("--indirect");
+    if (!text || *text == "all") return all_bounces;
+    if (*text == "off") return 0;
+    const Result<std::uint64_t> bounces = whole_number(*text, "--indirect");
+    if (!bounces)
+        return fail("USE0105", fmt::format("--indirect takes all, off or a number of bounces, not '{}'", *text),
+                    "for example --indirect 2");
+    if (*bounces > max_bounces)
+        return fail("USE0106", fmt::format("--indirect {} is above {}", *bounces, max_bounces),
+                    "all is until the light is absorbed");
+    return static_cast<int>(*bounces);
+}
+
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
@@ -104,6 +118,10 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
         request.budget = *budget;
     }
     request.render.skip = !arguments.has("--no-skip");
+    Result<int> bounces = read_bounces(arguments);
+    if (!bounces) return pass_on(bounces);
+    request.render.bounces = *bounces;
+    request.bounces_given = arguments.has("--indirect");
     return {};
 }
 
@@ -119,19 +137,6 @@ Result<void> read_without_picture(const Arguments& arguments, PreviewRequest& re
     return {};
 }
 
-Result<void> read_bounces(const Arguments& arguments, PreviewRequest& request) {
-    const auto text = arguments.value("--bounces");
-    if (!text) return {};
-    if (!arguments.has("--export"))
-        return fail("USE0104", "--bounces needs --export",
-                    "pictures of gonio show direct light; other renderers bounce it");
-    Result<std::uint64_t> bounces = whole_number(*text, "--bounces");
-    if (!bounces) return pass_on(bounces);
-    if (*bounces > max_bounces) return fail("USE0106", fmt::format("--bounces {} is above {}", *bounces, max_bounces));
-    request.export_bounces = static_cast<int>(*bounces);
-    return {};
-}
-
 Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     auto output = arguments.value("--output");
     if (arguments.has("--output-dir")) {
@@ -143,7 +148,6 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     request.export_file = arguments.value("--export").value_or("");
     if (arguments.has("--export"))
         if (Result<void> checked = check_export(request.export_file); !checked) return checked;
-    if (Result<void> read = read_bounces(arguments, request); !read) return read;
     if (!output && arguments.has("--export")) return read_without_picture(arguments, request);
     if (!output) return fail("USE0104", "no output is given", "use -o FILE, for example -o lamp.png");
     request.output = *output;

@@ -43,6 +43,9 @@ inline constexpr std::array preview_method_options{
            "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
            "each value)"},
     Option{"--time", "T", "time limit of the method reference for one picture, for example 30s; Ctrl-C stops it"},
+    Option{"--bounces,--indirect", "N",
+           "how often light bounces between the surfaces of the stage: a number, all (the default) or off; also in "
+           "exported scenes"},
     Option{"--stats", "", "print what was skipped because no light reaches it"},
     Option{"--no-skip", "", "evaluate every light at every point; the picture is the same"},
 };
@@ -71,7 +74,7 @@ struct PreviewRequest {
     std::vector<IrradianceMethod> compared; // of --compare, with the baseline first; else empty
     std::string output;                     // empty: no picture, only an exported scene
     std::string export_file;                // empty: none
-    int export_bounces = 0;
+    bool bounces_given = false;             // by an option, not by default
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

@@ -223,8 +223,10 @@ Result<Cell> Sweeper::render_cell(std::size_t index, int width, int height) {
     of_cell->render.height = height;
     Result<std::vector<Light>> lights = resolve_input(std::move(of_cell->lights), noticed, of_cell->render.threads);
     if (!lights) return pass_on(lights);
+    of_cell->render.known = known_;
     Result<Rendering> rendering = render(of_cell->stage, *lights, of_cell->stage.camera, of_cell->render);
     if (!rendering) return pass_on(rendering);
+    known_ = rendering->indirect;
     Diagnostics fresh = diagnostics_;
     add_new(noticed, fresh);
     console_.say(Diagnostics(fresh.begin() + static_cast<std::ptrdiff_t>(diagnostics_.size()), fresh.end()));

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,7 @@ private:
     Console& console_;
     bool exposure_changes_ = false;
     std::optional<Ev100> shared_exposure_;
+    std::shared_ptr<const Interreflection> known_; // of the last cell
     Json cells_ = Json::array();
     Diagnostics diagnostics_;
 };

@@ -133,7 +133,7 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     }
     made.white = options.white;
     made.bounces = options.bounces;
-    if (options.bounces > 0 && !format.has_bounces)
+    if (options.bounces > 0 && options.bounces_matter && !format.has_bounces)
         built->instead.push_back(fmt::format("{} does not store a number of bounces: set {} where you render it",
                                              format.extension, options.bounces));
     if (made.shows_backs && mixes)

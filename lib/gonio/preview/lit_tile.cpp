@@ -1,5 +1,8 @@
+#include <gonio/light/light_color.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
+#include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
+#include <gonio/transport/interreflection.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -33,6 +36,7 @@ void LitTile::light_up() {
     show_emitters();
     count_samples();
     if (options_.sky.value > 0.0) add_sky();
+    if (picture_.indirect != nullptr) add_indirect();
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -85,13 +89,31 @@ void LitTile::add_sky() {
                                     ? 1.0
                                     : sky_share(scene_.stage, samples.surface, samples.position_of(i), normal);
             const double weight = samples.share[i] * free * nt;
-            const glm::dvec3 rgb = weight * scene_.sky_albedos[samples.surface](glm::dot(normal, samples.view_of(i)));
+            const glm::dvec3 rgb = weight * scene_.albedos[samples.surface](glm::dot(normal, samples.view_of(i)));
             for (int channel = 0; channel < 3; ++channel)
                 picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
                     static_cast<float>(rgb[channel]);
             if (options_.illuminance)
                 picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(std::numbers::pi * weight);
         }
+}
+
+void LitTile::add_indirect() {
+    for (const SurfaceSamples& samples : tile_.surfaces()) {
+        const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const glm::dvec3 position = samples.position_of(i);
+            const glm::dvec3 lx = static_cast<double>(samples.share[i]) *
+                                  picture_.indirect->on_surface(samples.surface, face_at(geometry, position), position);
+            const double cosine = glm::dot(glm::normalize(samples.normal_of(i)), samples.view_of(i));
+            const glm::dvec3 rgb = std::numbers::inv_pi * lx * scene_.albedos[samples.surface](cosine);
+            for (int channel = 0; channel < 3; ++channel)
+                picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
+                    static_cast<float>(rgb[channel]);
+            if (options_.illuminance)
+                picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(glm::dot(lx, rec709_luminance));
+        }
+    }
 }
 
 // The lights within range of the tile, in their order.

@@ -42,9 +42,11 @@ Result<void> render_each_light(const Stage& stage, std::span<const Light> lights
                                const RenderOptions& options, const Rendering& unlit,
                                const std::function<Result<void>(std::size_t light, Rendering share)>& use) {
     std::vector<Light> one_lit = all_dark(lights);
+    RenderOptions again = options;
+    again.known = unlit.indirect;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         Light dark = std::exchange(one_lit[i], lights[i]);
-        Result<Rendering> share = render(stage, one_lit, camera, options);
+        Result<Rendering> share = render(stage, one_lit, camera, again);
         if (!share) return pass_on(share);
         one_lit[i] = std::move(dark);
         share->luminance_nt = minus(std::move(share->luminance_nt), unlit.luminance_nt);
@@ -61,6 +63,7 @@ Result<PictureParts> picture_parts(const Image& picture, Stage stage, std::span<
     luminance_only.specular = false;
     Result<Rendering> diffuse = render(stage, lights, camera, luminance_only);
     if (!diffuse) return pass_on(diffuse);
+    luminance_only.bounces = 0; // a black stage reflects nothing
     for (Surface& surface : stage.surfaces)
         surface.material = LambertMaterial{glm::dvec3(0.0)};
     Result<Rendering> emission = render(stage, lights, camera, luminance_only);

@@ -4,11 +4,14 @@
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/transport/interreflection.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -51,6 +54,11 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     picture.luminance_nt = Image(options.width, options.height, 3);
     picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
+    if (options.bounces > 0) {
+        Result<Interreflection> indirect = Interreflection::of(stage, lights, options, {}, options.known.get());
+        if (!indirect) return pass_on(indirect);
+        picture.indirect = std::make_shared<const Interreflection>(std::move(*indirect));
+    }
     const detail::LitScene scene(stage, lights, options);
     const CameraRays rays(camera, options.width, options.height);
     const detail::RayScene ray_scene{stage, lights, rays, scene.bodies, options.width, options.height};

@@ -16,6 +16,7 @@
 #include <gonio/transport/lighting_options.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,15 @@ namespace gonio {
 // Greatest width and height of a picture.
 inline constexpr int max_picture_size = static_cast<int>(limit("picture-side").value);
 
+class Interreflection;
+
 struct RenderOptions : LightingOptions {
     int width = 512;
     int height = 512;
     bool skip = true; // false: evaluates every light at every point, even if it cannot reach the point
+    // Rendering::indirect of a picture of the same surfaces in any materials: what depends on these alone is not
+    // computed again.
+    std::shared_ptr<const Interreflection> known;
 };
 
 struct Rendering {
@@ -40,12 +46,14 @@ struct Rendering {
     std::vector<std::uint8_t> shows_light;
     // Pixels that show a light in a part of them, in cd/m²; in the order of the pixels. Not of a reference_picture().
     std::vector<PartialLight> partial_lights;
+    // The light that bounces; null without bounces, and of a reference_picture().
+    std::shared_ptr<const Interreflection> indirect;
     RenderStats stats;
 };
 
 // A light with a size behind a mask uses the mask from its centre (scene/MEASURED.md has the error), except by
 // `reference`, which integrates it. Fails (usage) as check_picture_size() does and on a light with a luminance or
-// intensity that is not finite.
+// intensity that is not finite, and on a closed stage that absorbs nothing if all bounces are asked for.
 Result<Rendering> render(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                          const RenderOptions& options = {});
 

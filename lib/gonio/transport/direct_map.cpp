@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/scene/sky.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/sample_shader.hpp>
 #include <gonio/transport/soft_shadow.hpp>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 
 namespace gonio::detail {
 
@@ -53,6 +55,7 @@ public:
 
     void add_to(std::vector<glm::dvec3>& map) {
         if (samples_.size() == 0) return;
+        if (scene_.options.sky.value > 0.0) add_sky(map);
         SampleShader shader(scene_);
         SoftShadow shadow(scene_);
         const SampleBounds bounds = samples_.chunks.front().bounds;
@@ -79,6 +82,17 @@ public:
     }
 
 private:
+    void add_sky(std::vector<glm::dvec3>& map) const {
+        const double lx = std::numbers::pi * scene_.options.sky.value;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const double free =
+                scene_.options.shadows == Shadows::off
+                    ? 1.0
+                    : sky_share(scene_.stage, samples_.surface, samples_.position_of(i), samples_.normal_of(i));
+            map[samples_.pixel[i]] += glm::dvec3(static_cast<double>(samples_.share[i]) * free * lx);
+        }
+    }
+
     const LitScene& scene_;
     SurfaceSamples samples_;
 };

@@ -30,7 +30,7 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
     constexpr double least = 1e-4;
     if (std::min({lost.x, lost.y, lost.z}) >= least * area_m2) return {};
     return fail("USE0106", "the stage is closed and its surfaces reflect all light, so light cannot leave it",
-                "give a surface an albedo below 1, or use --indirect off");
+                "give a surface an albedo below 1, or ask for a number of bounces");
 }
 
 } // namespace
@@ -67,7 +67,7 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     LightingOptions exact = options;
     exact.method = IrradianceMethod::exact;
     exact.specular = false;
-    exact.sky = Nits();
+    exact.bounces = 0;
     {
         const detail::LitScene scene(stage, lights, exact);
         exchange.direct_lx_ = direct_map(patches, scene);

@@ -46,9 +46,9 @@ struct ExchangeBalance {
 class Interreflection {
 public:
     // Stage and lights are not needed afterwards. Uses these options: bounces, of which there must be at least one;
-    // shadows, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no solution.
-    // `known`: for the same surfaces in any materials, and lights at the same positions, what depends on these alone is
-    // taken from it.
+    // shadows, sky, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no
+    // solution. `known`: for the same surfaces in any materials, and lights at the same positions, what depends on
+    // these alone is taken from it.
     static Result<Interreflection> of(const Stage& stage, std::span<const Light> lights, const LightingOptions& options,
                                       const ExchangeQuality& quality = {}, const Interreflection* known = nullptr);
 

@@ -96,7 +96,10 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
         core_materials.push_back(options.specular ? whole : matte);
         materials.push_back(constants(core_materials.back()));
         diffuse_materials.push_back(constants(matte));
-        if (options.sky.value > 0.0) sky_albedos.emplace_back(core_materials.back());
+        if (options.sky.value > 0.0)
+            albedos.emplace_back(core_materials.back());
+        else if (options.bounces > 0)
+            albedos.emplace_back(core_materials.back(), SkyAlbedo::Fineness::coarse);
     }
 }
 

@@ -54,9 +54,9 @@ struct LitScene {
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
-    std::vector<SkyAlbedo> sky_albedos;                        // sky reflection of each; empty without a sky
-    LightTree reaches;                                         // spheres by range, of the lights that are not dark
-    LightTree bodies;                                          // bounding spheres, of the lights with a surface
+    std::vector<SkyAlbedo> albedos; // of light from all around; empty without a sky and without bounces
+    LightTree reaches;              // spheres by range, of the lights that are not dark
+    LightTree bodies;               // bounding spheres, of the lights with a surface
 };
 
 } // namespace gonio::detail

@@ -31,6 +31,7 @@ private:
     void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
     void count_samples();
     void add_sky();
+    void add_indirect();
     std::vector<std::uint32_t> candidates() const;
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);
