@@ -43,41 +43,29 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
       light_positions_(positions_of(lights)),
       quality_(quality),
       caster_(stage_),
-      patches_(stage_, interest_of(stage_, light_positions_), quality.patches),
-      cell_rays_(quality.cell_rays),
-      node_rays_(quality.node_rays) {
+      patches_(stage_, interest_of(stage_, light_positions_), quality.patches) {
     // Stages with many things in them get fewer nodes for each.
     for (double spacing = quality.node_spacing;; spacing *= 1.2) {
         nodes_.clear();
         grids_.clear();
         for (std::size_t chart = 0; chart < patches_.charts().all().size(); ++chart)
             grids_.emplace_back(stage_, patches_.charts(), chart, patches_.square_m(), spacing, nodes_);
-        if (static_cast<double>(nodes_.size()) <= quality.patches || spacing > 10.0 * quality.node_spacing) break;
+        std::size_t gathering = 0;
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (!nodes_[i].covered && nodes_[i].same_as == i) ++gathering;
+        if (static_cast<double>(gathering) <= 0.75 * quality.patches || spacing > 10.0 * quality.node_spacing) break;
     }
-    const std::vector<Cell>& cells = patches_.cells();
-    cell_ends_.assign(cells.size() * cell_rays_, no_patch);
-    node_ends_.assign(nodes_.size() * node_rays_, no_patch);
-    escaping_.assign(cells.size(), 1.0);
-    const std::vector<glm::dvec3> to_cells = cosine_directions(cell_rays_);
-    const std::vector<glm::dvec3> to_nodes = cosine_directions(node_rays_);
-    constexpr std::size_t together = 64;
-    parallel_for((cells.size() + together - 1) / together, threads, [&](std::size_t block) {
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, cells.size()); ++i) {
-            if (cells[i].covered) continue;
-            const std::span ends = std::span(cell_ends_).subspan(i * cell_rays_, cell_rays_);
-            cast_bundle(caster_, patches_, frame_about(cells[i].position, cells[i].normal),
-                        own(patches_.charts().all()[cells[i].chart].surface), to_cells, ends);
-            const auto lost = std::count(ends.begin(), ends.end(), no_patch);
-            escaping_[i] = static_cast<double>(lost) / static_cast<double>(cell_rays_);
-        }
-    });
-    parallel_for((nodes_.size() + together - 1) / together, threads, [&](std::size_t block) {
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes_.size()); ++i) {
-            if (nodes_[i].covered || nodes_[i].same_as != i) continue;
-            cast_bundle(caster_, patches_, frame_about(nodes_[i].position, nodes_[i].normal), own(nodes_[i].surface),
-                        to_nodes, std::span(node_ends_).subspan(i * node_rays_, node_rays_));
-        }
-    });
+    std::vector<Receivers::Place> places;
+    for (const Cell& cell : patches_.cells())
+        places.push_back({cell.position, cell.normal, own(patches_.charts().all()[cell.chart].surface), cell.covered});
+    from_cells_ = Bundles(caster_, patches_, places, quality.cell_rays, threads);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        escaping_.push_back(from_cells_.escaping(i));
+    places.clear();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        places.push_back({nodes_[i].position, nodes_[i].normal, own(nodes_[i].surface),
+                          nodes_[i].covered || nodes_[i].same_as != i});
+    from_nodes_ = Bundles(caster_, patches_, places, quality.node_rays, threads);
     balance();
 }
 
@@ -99,14 +87,17 @@ void ExchangeGeometry::balance() {
         for (std::size_t i = 0; i < mean.count; ++i)
             node_area[nodes_[mean.node[i]].same_as] += mean.weight[i] * area_m2;
     }
-    const auto add = [&](std::span<const std::uint32_t> ends, double area_m2, std::vector<double>& arrived) {
-        for (const std::uint32_t patch : ends)
-            if (patch != no_patch) arrived[patches_.chart_of(patch)] += area_m2 / static_cast<double>(ends.size());
+    const auto chart_of = [&](std::uint32_t sender) {
+        return sender < patches_.count() ? patches_.chart_of(sender)
+                                         : patches_.cells()[sender - patches_.count()].chart;
     };
     for (std::uint32_t i = 0; i < patches_.cells().size(); ++i)
-        add(cell_ends(i), patches_.cell_area_m2(i), by_cells);
+        from_cells_.for_each(i, [&](std::uint32_t sender, double share) {
+            by_cells[chart_of(sender)] += patches_.cell_area_m2(i) * share;
+        });
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (node_area[i] > 0.0) add(node_ends(i), node_area[i], by_nodes);
+        from_nodes_.for_each(
+            i, [&](std::uint32_t sender, double share) { by_nodes[chart_of(sender)] += node_area[i] * share; });
     cell_factor_.assign(charts, 1.0);
     node_factor_.assign(charts, 1.0);
     if (patches_.charts().endless()) return; // parts of planes are farther away than patches reach
@@ -135,7 +126,7 @@ std::size_t ExchangeGeometry::own(std::size_t surface) const {
 }
 
 std::size_t ExchangeGeometry::memory() const {
-    return (cell_ends_.size() + node_ends_.size()) * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node) +
+    return from_cells_.memory() + from_nodes_.memory() + nodes_.size() * sizeof(Node) +
            patches_.cells().size() * (sizeof(Cell) + 2 * sizeof(double)) +
            patches_.count() * (2 * sizeof(std::uint32_t) + 5 * sizeof(double));
 }

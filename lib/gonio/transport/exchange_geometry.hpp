@@ -23,13 +23,8 @@ public:
     const Patches& patches() const { return patches_; }
     const std::vector<Node>& nodes() const { return nodes_; }
 
-    // The patches that the rays of a cell or node end on.
-    std::span<const std::uint32_t> cell_ends(std::size_t cell) const {
-        return std::span(cell_ends_).subspan(cell * cell_rays_, cell_rays_);
-    }
-    std::span<const std::uint32_t> node_ends(std::size_t node) const {
-        return std::span(node_ends_).subspan(node * node_rays_, node_rays_);
-    }
+    const Bundles& from_cells() const { return from_cells_; }
+    const Bundles& from_nodes() const { return from_nodes_; }
     // The share of a cell's rays that meet no patch.
     double escaping(std::size_t cell) const { return escaping_[cell]; }
 
@@ -57,10 +52,8 @@ private:
     Patches patches_;
     std::vector<Node> nodes_;
     std::vector<NodeGrid> grids_; // by chart
-    std::size_t cell_rays_ = 0;
-    std::size_t node_rays_ = 0;
-    std::vector<std::uint32_t> cell_ends_;
-    std::vector<std::uint32_t> node_ends_;
+    Bundles from_cells_;
+    Bundles from_nodes_;
     std::vector<double> escaping_;
     std::vector<double> cell_factor_; // by chart
     std::vector<double> node_factor_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gonio::detail {
 
@@ -62,19 +63,18 @@ public:
     }
 
 private:
+    // `sent` of each patch.
     template<class Sent>
     std::vector<glm::dvec3> gathered(const Sent& sent) const {
+        std::vector<glm::dvec3> of_patches(patches_.count());
+        for (std::uint32_t patch = 0; patch < of_patches.size(); ++patch)
+            of_patches[patch] = sent(patch);
+        const std::vector<glm::dvec3> all = with_cells(patches_, std::move(of_patches));
         std::vector<glm::dvec3> lx(patches_.cells().size(), glm::dvec3(0.0));
         constexpr std::size_t together = 64;
         parallel_for((lx.size() + together - 1) / together, threads_, [&](std::size_t block) {
-            for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i) {
-                if (patches_.cells()[i].covered) continue;
-                const std::span<const std::uint32_t> ends = geometry_.cell_ends(i);
-                glm::dvec3 sum(0.0);
-                for (const std::uint32_t patch : ends)
-                    if (patch != no_patch) sum += sent(patch);
-                lx[i] = sum / static_cast<double>(ends.size());
-            }
+            for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i)
+                if (!patches_.cells()[i].covered) lx[i] = geometry_.from_cells().gathered(i, all);
         });
         return lx;
     }

@@ -9,14 +9,15 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace gonio {
 
 namespace {
 
 using detail::ExchangeGeometry;
-using detail::no_patch;
 using detail::Patches;
+using detail::with_cells;
 
 Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo) {
     const Patches& patches = geometry.patches();
@@ -80,17 +81,14 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     for (std::uint32_t i = 0; i < sent.size(); ++i)
         sent[i] = geometry.node_factor(patches.chart_of(i)) * exchange.albedo_[patches.surface_of(i)] *
                   (exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)]);
+    sent = with_cells(patches, std::move(sent));
     const std::vector<detail::Node>& nodes = geometry.nodes();
     exchange.nodes_lx_.assign(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
             if (nodes[i].covered || nodes[i].same_as != i) continue;
-            glm::dvec3 sum(0.0);
-            const std::span<const std::uint32_t> ends = geometry.node_ends(i);
-            for (const std::uint32_t patch : ends)
-                if (patch != no_patch) sum += sent[patch];
-            exchange.nodes_lx_[i] = sum / static_cast<double>(ends.size());
+            exchange.nodes_lx_[i] = geometry.from_nodes().gathered(i, sent);
         }
     });
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -119,6 +117,10 @@ void Interreflection::sum_up(unsigned threads) {
     balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
     balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });
+    sent_lx_.resize(patches.count());
+    for (std::uint32_t i = 0; i < sent_lx_.size(); ++i)
+        sent_lx_[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
+    sent_lx_ = with_cells(patches, std::move(sent_lx_));
     balance_.escaped_lm =
         sum([&](std::uint32_t i) { return albedo(i) * (direct_lx_[i] + on_patch[i]) * (1.0 - stays(i)); });
 }
@@ -142,14 +144,9 @@ glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const gl
 }
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
-    const Frame frame = detail::frame_about(position + Patches::lift(geometry_->patches().square_m()) * normal, normal);
-    glm::dvec3 sum(0.0);
-    for (const glm::dvec3& direction : detail::cosine_directions(receiver_rays_)) {
-        const detail::RayEnd end =
-            geometry_->caster().cast({frame.origin, frame.to_world(direction)}, detail::RayEnd::nothing);
-        if (end.surface != detail::RayEnd::nothing) sum += luminance_of(end.surface, end.face, end.position);
-    }
-    return std::numbers::pi / static_cast<double>(receiver_rays_) * sum;
+    const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
+    return detail::Bundles(geometry_->caster(), geometry_->patches(), {&place, 1}, receiver_rays_, 1)
+        .gathered(0, sent_lx_);
 }
 
 std::size_t Interreflection::node_count() const {
@@ -159,7 +156,7 @@ std::size_t Interreflection::patch_count() const {
     return geometry_->patches().count();
 }
 std::size_t Interreflection::memory() const {
-    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3);
+    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size() + sent_lx_.size()) * sizeof(glm::dvec3);
 }
 
 } // namespace gonio

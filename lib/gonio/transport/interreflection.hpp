@@ -77,6 +77,7 @@ private:
     std::vector<glm::dvec3> albedo_;    // by surface
     std::vector<glm::dvec3> direct_lx_; // by patch
     std::vector<glm::dvec3> nodes_lx_;  // by node
+    std::vector<glm::dvec3> sent_lx_;   // by patch and then by cell: what it sends, over that of a white surface
     glm::dvec3 level_{1.0};             // factors that the balance gave the nodes
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;

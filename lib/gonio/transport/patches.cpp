@@ -41,6 +41,15 @@ Patches::Patches(const Stage& stage, const Interest& interest, double count)
         add_patches(stage, chart, grid);
         add_cells(stage, chart, grid, static_cast<std::uint32_t>(c));
     }
+    first_of_.assign(cells_.size() + 1, 0);
+    for (const std::uint32_t cell : cell_of_)
+        ++first_of_[cell + 1];
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+        first_of_[cell + 1] += first_of_[cell];
+    patches_of_.resize(cell_of_.size());
+    std::vector<std::uint32_t> next(first_of_.begin(), first_of_.end() - 1);
+    for (std::uint32_t patch = 0; patch < cell_of_.size(); ++patch)
+        patches_of_[next[cell_of_[patch]]++] = patch;
 }
 
 std::uint32_t Patches::at(std::size_t chart, const glm::dvec3& position) const {
@@ -55,12 +64,9 @@ std::uint32_t Patches::at(std::size_t chart, const glm::dvec3& position) const {
     return grid.first_patch + index(row, grid.rows) * grid.columns + index(column, grid.columns);
 }
 
-glm::dvec3 Patches::middle(std::uint32_t patch) const {
-    const std::size_t chart = chart_of(patch);
-    const PatchGrid& grid = grids_[chart];
-    const std::uint32_t index = patch - grid.first_patch;
-    const Chart& on = charts_.all()[chart];
-    return on.position(grid.corner(on, index % grid.columns + 0.5, index / grid.columns + 0.5));
+glm::dvec3 Patches::normal(std::uint32_t patch) const {
+    const Chart& chart = charts_.all()[chart_of(patch)];
+    return chart.normal(chart.coordinates(middle(patch)));
 }
 
 void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid) {
@@ -81,6 +87,12 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
                     area_m2 += quarter_m2_.back();
                 }
             area_m2_.push_back(area_m2);
+            middle_.push_back(chart.position(grid.corner(chart, column + 0.5, row + 0.5)));
+            const auto to_corner = [&](double u, double v) {
+                return glm::distance(middle_.back(), chart.position(grid.corner(chart, column + u, row + v)));
+            };
+            half_diagonal_m_.push_back(
+                std::max({to_corner(0.0, 0.0), to_corner(1.0, 0.0), to_corner(0.0, 1.0), to_corner(1.0, 1.0)}));
             surface_of_.push_back(static_cast<std::uint32_t>(chart.surface));
             cell_of_.push_back(grid.first_cell + row / cell_side * grid.cell_columns + column / cell_side);
         }
@@ -106,13 +118,19 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
                         in_largest = {c + 0.5, r + 0.5};
                     }
                 }
-            glm::dvec2 at = grid.corner(chart, 0.5 * (column + end_column), 0.5 * (row + end_row));
+            const glm::dvec2 at = grid.corner(chart, 0.5 * (column + end_column), 0.5 * (row + end_row));
             const auto place = [&](const glm::dvec2& where) {
                 cell.normal = chart.normal(where);
                 cell.position = chart.position(where) + lift_m * cell.normal;
                 return !is_covered(stage, chart.surface, cell.position, cell.normal, lift_m);
             };
             cell.covered = !place(at) && !place(grid.corner(chart, in_largest.x, in_largest.y));
+            for (const double v : {static_cast<double>(row), static_cast<double>(end_row)})
+                for (const double u : {static_cast<double>(column), static_cast<double>(end_column)})
+                    cell.half_diagonal_m = std::max(
+                        cell.half_diagonal_m, glm::distance(cell.position, chart.position(grid.corner(chart, u, v))));
+            if (!is_sheet(stage.surfaces[chart.surface].geometry))
+                cells_of_solids_.push_back(static_cast<std::uint32_t>(cells_.size()));
             cells_.push_back(cell);
             cell_area_m2_.push_back(cell.covered ? 0.0 : area_m2);
         }

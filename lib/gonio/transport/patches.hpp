@@ -33,6 +33,7 @@ struct Cell {
     glm::dvec3 position{0.0}; // just above the surface, so that rays that start here do not meet it
     glm::dvec3 normal{0.0};
     std::uint32_t chart = 0;
+    double half_diagonal_m = 0.0;
     bool covered = false; // lies in a solid or against another surface: it neither gets nor sends light
 };
 
@@ -54,7 +55,14 @@ public:
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }
     std::size_t chart_of(std::uint32_t patch) const { return cells_[cell_of_[patch]].chart; }
-    glm::dvec3 middle(std::uint32_t patch) const;
+    glm::dvec3 middle(std::uint32_t patch) const { return middle_[patch]; }
+    glm::dvec3 normal(std::uint32_t patch) const;
+    double half_diagonal(std::uint32_t patch) const { return half_diagonal_m_[patch]; }
+    // The cells of boxes, spheres and capsules, and the patches of a cell.
+    const std::vector<std::uint32_t>& cells_of_solids() const { return cells_of_solids_; }
+    std::span<const std::uint32_t> patches_of(std::uint32_t cell) const {
+        return std::span(patches_of_).subspan(first_of_[cell], first_of_[cell + 1] - first_of_[cell]);
+    }
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
     // Of a quarter of the patch, numbered along u first; 0 if its middle is covered.
     double quarter_m2(std::uint32_t patch, std::size_t quarter) const { return quarter_m2_[4 * patch + quarter]; }
@@ -74,6 +82,11 @@ private:
     std::vector<PatchGrid> grids_;
     std::vector<std::uint32_t> cell_of_; // by patch
     std::vector<std::uint32_t> surface_of_;
+    std::vector<glm::dvec3> middle_;
+    std::vector<double> half_diagonal_m_;
+    std::vector<std::uint32_t> cells_of_solids_;
+    std::vector<std::uint32_t> first_of_; // by cell, in patches_of_
+    std::vector<std::uint32_t> patches_of_;
     std::vector<double> area_m2_;
     std::vector<double> quarter_m2_;
     std::vector<Cell> cells_;

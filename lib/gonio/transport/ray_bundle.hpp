@@ -1,5 +1,5 @@
-// Fixed bundles of rays from points of a stage: which patch each ray ends on. They depend on the stage alone, so they
-// are traced once for all lights, colours and bounces.
+// What points of a stage see: fixed bundles of rays, and links to small parts of solids that rays would miss. They
+// depend on the stage alone, so they are made once for all lights, colours and bounces.
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -17,6 +17,8 @@ namespace gonio::detail {
 
 // The end of a ray that leaves the stage, or that the back of a one-sided surface blocks.
 inline constexpr std::uint32_t no_patch = 0xffffffffU;
+// The end of a ray that meets a part of a solid which a link stands for.
+inline constexpr std::uint32_t linked = 0xfffffffeU;
 
 // Directions about +Z with the density cosθ/π: a spiral of the golden angle over the unit disk (H. Vogel, 1979), so
 // that the mean of a luminance over them, times π, is its illuminance.
@@ -25,8 +27,57 @@ std::vector<glm::dvec3> cosine_directions(std::size_t count);
 // Two directions at right angles to a unit normal, which is Z.
 Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal);
 
-// Where the rays end, one for each direction in the frame. `own`: as RayCaster::cast().
-void cast_bundle(const RayCaster& caster, const Patches& patches, const Frame& from, std::size_t own,
-                 std::span<const glm::dvec3> directions, std::span<std::uint32_t> ends);
+// A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
+struct Link {
+    std::uint32_t sender = 0;
+    float share = 0.0F; // cosθ cosθ' A/(π d²)
+};
+
+struct Receivers {
+    struct Place {
+        glm::dvec3 position{0.0};
+        glm::dvec3 normal{0.0};
+        std::size_t own = RayEnd::nothing; // as RayCaster::cast()
+        bool left_out = false;
+    };
+    std::vector<Place> places;
+};
+
+class Bundles {
+public:
+    Bundles() = default;
+    // One bundle of `rays` for each place; those left out get none.
+    Bundles(const RayCaster& caster, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
+            unsigned threads);
+
+    // Calls use(sender, share) for each patch or cell that a place sees.
+    template<class Use>
+    void for_each(std::size_t place, const Use& use) const {
+        const double share = 1.0 / static_cast<double>(rays_);
+        for (const std::uint32_t end : ends(place))
+            if (end < linked) use(end, share);
+        for (std::uint32_t i = first_link_[place]; i < first_link_[place + 1]; ++i)
+            use(links_[i].sender, static_cast<double>(links_[i].share));
+    }
+    // Of senders that are patches, and then cells, the sum of sent · share.
+    glm::dvec3 gathered(std::size_t place, std::span<const glm::dvec3> sent) const;
+
+    // The share of the rays that meet nothing which sends light.
+    double escaping(std::size_t place) const;
+    std::size_t memory() const { return ends_.size() * sizeof(std::uint32_t) + links_.size() * sizeof(Link); }
+
+private:
+    std::span<const std::uint32_t> ends(std::size_t place) const {
+        return std::span(ends_).subspan(place * rays_, rays_);
+    }
+
+    std::size_t rays_ = 1;
+    std::vector<std::uint32_t> ends_;
+    std::vector<Link> links_;
+    std::vector<std::uint32_t> first_link_; // by place, and the end of the last
+};
+
+// What each patch sends, followed by the mean of each cell, in the order that senders are numbered.
+std::vector<glm::dvec3> with_cells(const Patches& patches, std::vector<glm::dvec3> of_patches);
 
 } // namespace gonio::detail
