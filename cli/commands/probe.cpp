@@ -1,3 +1,5 @@
+#include <gonio/transport/receiver_light.hpp>
+
 #include "../command.hpp"
 #include "../console.hpp"
 #include "../options/common.hpp"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -23,10 +26,13 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
                             points_group,
                             OptionGroup{"evaluation", probe_options},
+                            OptionGroup{"interreflection", probe_stage_options},
                             OptionGroup{"report", probe_report_options},
                             light_common_group};
 constexpr std::array examples{
     Example{"gonio probe --rig room.json --at 0,0,0.8 --normal 0,0,1", "lux on a table, in total and from each light"},
+    Example{"gonio probe lamp.ies --stage room --indirect --at 0.8,0.6,0.75",
+            "lux on the box of a room, with what walls and ceiling reflect"},
     Example{"gonio probe lamp.ies --position 0,0,2.5 --grid -2,-2,0:4,0,0:0,4,0:21x21",
             "min, mean, max and uniformity on a floor"},
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
@@ -43,19 +49,47 @@ constexpr std::array examples{
 constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of lights held at a time
 constexpr std::size_t points_at_once = std::size_t{1} << 16;
 
+// The stage's shadows on the share of each light, and the light that it reflects.
+void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
+    ProbeResult& result = stretch.by_method.front();
+    const ReceiverLight::Shares shares = on_stage.at(stretch.receivers);
+    const std::size_t lights = stretch.receivers.empty() ? 0 : shares.visible.size() / stretch.receivers.size();
+    for (std::size_t i = 0; i < stretch.receivers.size(); ++i) {
+        double direct_lx = 0.0;
+        for (std::size_t part = i * lights; part < (i + 1) * lights; ++part) {
+            result.parts_lx[part] *= shares.visible[part];
+            direct_lx += result.parts_lx[part];
+        }
+        stretch.direct_lx.push_back(direct_lx);
+        result.illuminance_lx[i] = direct_lx + shares.indirect_lx[i];
+    }
+    stretch.indirect_lx = shares.indirect_lx;
+}
+
 Result<int> run_probe(const Arguments& arguments, Console& console) {
     Result<ProbeRequest> request = parse_probe(arguments);
     if (!request) return pass_on(request);
 
     ProbeReport report(*request, console);
     const Stopwatch evaluation;
-    request->options.parts = report.wants_parts();
+    std::optional<ReceiverLight> on_stage;
+    LightingOptions lighting;
+    lighting.threads = request->options.threads;
+    lighting.bounces = all_bounces;
+    if (request->stage) {
+        Result<ReceiverLight> solved = ReceiverLight::on(*request->stage, request->lights, lighting);
+        if (!solved) return pass_on(solved);
+        on_stage = std::move(*solved);
+    }
+    request->options.parts = report.wants_parts() || on_stage;
     const std::size_t numbers = request->options.parts ? request->lights.size() : 1;
     const std::size_t at_once =
         std::clamp<std::size_t>(numbers_at_once / std::max<std::size_t>(numbers, 1), 1, points_at_once);
     const std::span<const Receiver> receivers = request->points.receivers;
     for (std::size_t first = 0; first < receivers.size(); first += at_once) {
-        ProbeStretch stretch{first, receivers.subspan(first, std::min(at_once, receivers.size() - first)), {}};
+        ProbeStretch stretch;
+        stretch.first = first;
+        stretch.receivers = receivers.subspan(first, std::min(at_once, receivers.size() - first));
         for (std::size_t m = 0; m < request->methods.size(); ++m) {
             ProbeOptions options = request->options;
             options.method = request->methods[m];
@@ -64,6 +98,7 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
             if (!result) return pass_on(result);
             stretch.by_method.push_back(std::move(*result));
         }
+        if (on_stage) add_stage_light(*on_stage, stretch);
         if (first == 0) report.begin();
         report.add(stretch);
     }
@@ -82,15 +117,17 @@ int run(const Arguments& arguments, Console& console) {
 } // namespace
 
 extern const Command probe_command;
-const Command probe_command{"probe",
-                            "compute illuminance and luminance at points, from a rig or one light",
-                            "--rig RIG | FILE | --shape SHAPE … --at X,Y,Z",
-                            "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1.\n"
-                            "Prints lux in double precision. With --view and --material it also prints the luminance\n"
-                            "towards the eye in nits. Lights neither occlude nor reflect each other.",
-                            groups,
-                            examples,
-                            run,
-                            true};
+const Command probe_command{
+    "probe",
+    "compute illuminance and luminance at points, from a rig or one light",
+    "--rig RIG | FILE | --shape SHAPE … --at X,Y,Z",
+    "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1.\n"
+    "Prints lux in double precision. With --view and --material it also prints the luminance\n"
+    "towards the eye in nits. Lights neither occlude nor reflect each other. --indirect adds the light\n"
+    "that a stage reflects, and its shadows.",
+    groups,
+    examples,
+    run,
+    true};
 
 } // namespace gonio::cli

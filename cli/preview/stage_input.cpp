@@ -15,17 +15,6 @@ namespace gonio::cli {
 
 namespace {
 
-Result<void> give_material(Stage& stage, const SurfaceMaterial& named) {
-    bool found = false;
-    for (Surface& surface : stage.surfaces) {
-        if (surface.name != named.surface) continue;
-        surface.material = named.material;
-        found = true;
-    }
-    if (!found) return unknown_name("surface", named.surface, surface_names(stage), stage.name);
-    return {};
-}
-
 // "wall=lambert:albedo=0.7" or "lambert:albedo=0.7".
 Result<void> apply_material(std::string_view text, Stage& stage, Diagnostics& diagnostics) {
     const std::size_t equals = text.find('=');
@@ -57,6 +46,17 @@ Result<void> apply_camera(const Arguments& arguments, Camera& camera) {
 }
 
 } // namespace
+
+Result<void> give_material(Stage& stage, const SurfaceMaterial& named) {
+    bool found = false;
+    for (Surface& surface : stage.surfaces) {
+        if (surface.name != named.surface) continue;
+        surface.material = named.material;
+        found = true;
+    }
+    if (!found) return unknown_name("surface", named.surface, surface_names(stage), stage.name);
+    return {};
+}
 
 Result<void> read_field_of_view(const std::string& text, Camera& camera) {
     Result<double> angle = parse_amount(text, Dimension::angle, "--fov");

@@ -27,6 +27,9 @@ inline constexpr std::array preview_stage_options{
 // The full vertical angle. Fails (usage) unless it is an angle between 0 and 180 degrees.
 Result<void> read_field_of_view(const std::string& text, Camera& camera);
 
+// Gives the material to every surface of this name. Fails (usage) if the stage has none.
+Result<void> give_material(Stage& stage, const SurfaceMaterial& named);
+
 // The stage of --stage, by default floor. A light without a position is placed where this stage says.
 Result<Stage> named_stage(const Arguments& arguments);
 

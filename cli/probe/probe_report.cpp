@@ -64,6 +64,10 @@ Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::s
     Json json{{"position", vector_json(receiver.position)},
               {"normal", vector_json(unit_vector(receiver.normal).value_or(receiver.normal))},
               {"illuminance_lx", result.illuminance_lx[i]}};
+    if (!stretch.indirect_lx.empty()) {
+        json["direct_lx"] = stretch.direct_lx[i];
+        json["indirect_lx"] = stretch.indirect_lx[i];
+    }
     if (estimated) json["illuminance_error_lx"] = result.illuminance_error_lx[i];
     if (!result.luminance.empty()) json["luminance_nt"] = luminance_json(result.luminance[i], estimated);
     if (request.compare) {
@@ -155,6 +159,7 @@ void ProbeReport::add(const ProbeStretch& stretch) {
         for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
             values_[m].push_back(request_.compare ? compared(result, i) : result.illuminance_lx[i]);
     }
+    indirect_lx_.insert(indirect_lx_.end(), stretch.indirect_lx.begin(), stretch.indirect_lx.end());
     note_error(stretch.by_method.front());
     remarks_.add(stretch.by_method.front().remarks, stretch.first);
 }
@@ -207,6 +212,7 @@ void ProbeReport::print_csv_heading() {
         return;
     }
     console_.print(estimated() ? ",illuminance_lx,illuminance_error_lx" : ",illuminance_lx");
+    if (request_.stage) console_.print(",direct_lx,indirect_lx");
     if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
     console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
 }
@@ -223,6 +229,7 @@ void ProbeReport::csv_row(const ProbeStretch& stretch, std::size_t i) {
             if (!result.luminance.empty()) row += ',' + shortest(result.luminance[i].total().value);
     } else {
         if (estimated()) row += ',' + shortest(first.illuminance_error_lx[i]);
+        if (request_.stage) row += ',' + shortest(stretch.direct_lx[i]) + ',' + shortest(stretch.indirect_lx[i]);
         if (request_.options.view) {
             const ProbeLuminance& nt = first.luminance[i];
             row += fmt::format(",{},{},{}", shortest(nt.diffuse.value), shortest(nt.specular.value),
@@ -250,6 +257,9 @@ void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
     }
     console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
     if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.illuminance_error_lx[i], 2)));
+    if (request_.stage)
+        console_.print(
+            fmt::format(" (direct {}, indirect {})", rounded(stretch.direct_lx[i]), rounded(stretch.indirect_lx[i])));
     if (!result.luminance.empty()) {
         console_.print(luminance_text(result.luminance[i]));
         if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.luminance[i].error_estimate.value, 2)));
@@ -280,6 +290,7 @@ Json ProbeReport::spread_json(const Spread& s) const {
 Json ProbeReport::grid_json() const {
     Json json{{"columns", request_.points.grid->across}, {"rows", request_.points.grid->along}};
     json.update(spread_json(spread(values_.front())));
+    if (request_.stage) json["mean_indirect_lx"] = spread(indirect_lx_).mean;
     if (!request_.compare) return json;
     Json methods = Json::array();
     for (std::size_t m = 0; m < request_.methods.size(); ++m) {
@@ -331,6 +342,8 @@ void ProbeReport::summary_text() {
                                        request_.compare ? column_width(request_, m) : 14));
         console_.print(line < 3 && !request_.compare ? " lx\n" : "\n");
     }
+    if (request_.stage)
+        console_.print(fmt::format("indirect  {:>14} lx of the mean\n", rounded(spread(indirect_lx_).mean)));
     for (std::size_t m = 1; m < request_.methods.size(); ++m) {
         const Worst w = worst(m);
         console_.print(fmt::format("{} is off by up to {} {} ({}), at {}\n", to_text(request_.methods[m]),

@@ -20,6 +20,8 @@ struct ProbeStretch {
     std::size_t first = 0;
     std::span<const Receiver> receivers;
     std::vector<ProbeResult> by_method;
+    std::vector<double> direct_lx; // of --indirect, like the next; else empty
+    std::vector<double> indirect_lx;
 };
 
 class ProbeReport {
@@ -65,6 +67,7 @@ private:
     Console& console_;
     std::optional<JsonWriter> json_;
     std::vector<std::vector<double>> values_; // of each method, for the summary
+    std::vector<double> indirect_lx_;         // of --indirect
     double largest_error_ = 0.0;              // relative, of the method reference
     ProbeRemarks remarks_;
 };

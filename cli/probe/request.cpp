@@ -6,6 +6,7 @@
 #include "../options/method_list.hpp"
 #include "../options/rig_input.hpp"
 #include "../options/values.hpp"
+#include "../preview/stage_input.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,37 @@ namespace gonio::cli {
 
 namespace {
 
+Result<void> fits_stage(const Arguments& arguments) {
+    if (!arguments.has("--indirect")) {
+        if (!arguments.has("--stage")) return {};
+        return fail("USE0104", "--stage needs --indirect", "without it, a stage neither reflects nor blocks light");
+    }
+    for (const std::string_view option : {"--compare", "--view"})
+        if (arguments.has(option))
+            return fail("USE0107", fmt::format("--indirect and {} are both given", option),
+                        "--indirect adds illuminance to one method");
+    return {};
+}
+
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
-    Result<LightsInput> input = lights_input(arguments, LightPlacement{glm::dvec3(0.0)}, request.diagnostics);
+    LightPlacement placement{glm::dvec3(0.0)};
+    if (const auto name = arguments.value("--stage")) {
+        Result<Stage> stage = make_stage(*name);
+        if (!stage) return pass_on(stage);
+        placement = stage->light;
+        request.stage = std::move(*stage);
+    }
+    Result<LightsInput> input = lights_input(arguments, placement, request.diagnostics);
     if (!input) return pass_on(input);
     request.rig = input->rig_file;
+    if (arguments.has("--indirect")) {
+        if (!request.stage) request.stage = input->rig.stage;
+        if (!request.stage)
+            return fail("USE0104", "--indirect needs a stage that reflects the light",
+                        "add --stage room, or a stage to the rig");
+        for (const SurfaceMaterial& material : input->rig.materials)
+            if (Result<void> given = give_material(*request.stage, material); !given) return given;
+    }
     Result<std::vector<Light>> lights = resolve_input(std::move(*input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
@@ -100,6 +128,7 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     Result<void> read = read_form(arguments, request);
     if (read) read = read_methods(arguments, request);
     if (read) read = read_view(arguments, request);
+    if (read) read = fits_stage(arguments);
     if (!read) return pass_on(read);
     Result<Points> points = points_input(arguments);
     if (!points) return pass_on(points);

@@ -4,12 +4,14 @@
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../options/points_input.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,13 @@ inline constexpr std::array probe_options{
            "also print the luminance: direction from the points to the eye, or at:X,Y,Z for its position"},
     Option{"--material", "MATERIAL", "material of the surface, for the luminance", "materials"},
     Option{"-j,--jobs", "N", "number of threads (all processors)"},
+};
+inline constexpr std::array probe_stage_options{
+    Option{
+        "--indirect", "",
+        "add the light that the surfaces of a stage reflect, and the shadows of what stands on it: that of the rig or "
+        "of --stage"},
+    Option{"--stage", "STAGE", "with --indirect: a stage by name (that of the rig)", "stages"},
 };
 inline constexpr std::array probe_report_options{
     Option{"--json", "", "one JSON object, with the share of each light"},
@@ -40,6 +49,7 @@ struct ProbeRequest {
     std::vector<IrradianceMethod> methods; // one, or those compared, with the reference first
     bool compare = false;
     ProbeOptions options;
+    std::optional<Stage> stage; // of --indirect
     ProbeForm form = ProbeForm::text;
 };
 

@@ -1,0 +1,68 @@
+#include <gonio/base/parallel.hpp>
+#include <gonio/light/light_color.hpp>
+#include <gonio/transport/lit_scene.hpp>
+#include <gonio/transport/receiver_light.hpp>
+#include <gonio/transport/soft_shadow.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <numeric>
+#include <utility>
+
+namespace gonio {
+
+namespace {
+
+// Above a surface that the receiver may lie on [m].
+constexpr double lift_m = 1e-6;
+
+double visible_share_of(const detail::LitScene& scene, const detail::LitLight& light, detail::SoftShadow& shadow,
+                        const glm::dvec3& position, const glm::dvec3& normal) {
+    const std::size_t no_surface = scene.stage.surfaces.size();
+    if (!scene.has_soft_shadow(light)) return scene.visible_center(light, no_surface, position);
+    shadow.begin(light);
+    std::vector<std::uint32_t>& bodies = shadow.bodies(0);
+    bodies.resize(scene.stage.surfaces.size());
+    std::iota(bodies.begin(), bodies.end(), 0U);
+    return shadow.visible(0, position, normal);
+}
+
+} // namespace
+
+ReceiverLight::ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect)
+    : scene_(std::move(scene)), indirect_(std::move(indirect)) {}
+ReceiverLight::ReceiverLight(ReceiverLight&& other) noexcept = default;
+ReceiverLight& ReceiverLight::operator=(ReceiverLight&& other) noexcept = default;
+ReceiverLight::~ReceiverLight() = default;
+
+Result<ReceiverLight> ReceiverLight::on(const Stage& stage, std::span<const Light> lights,
+                                        const LightingOptions& options) {
+    std::unique_ptr<Interreflection> indirect;
+    if (options.bounces > 0) {
+        Result<Interreflection> solved = Interreflection::of(stage, lights, options);
+        if (!solved) return pass_on(solved);
+        indirect = std::make_unique<Interreflection>(std::move(*solved));
+    }
+    return ReceiverLight(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect));
+}
+
+ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) const {
+    const std::size_t lights = scene_->lights.size();
+    Shares shares;
+    shares.visible.assign(receivers.size() * lights, 1.0);
+    shares.indirect_lx.assign(receivers.size(), 0.0);
+    const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
+    parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
+        const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(glm::dvec3(0.0, 0.0, 1.0));
+        const glm::dvec3 position = receivers[i].position + lift_m * normal;
+        detail::SoftShadow shadow(*scene_);
+        for (std::size_t light = 0; shadows && light < lights; ++light)
+            shares.visible[i * lights + light] =
+                visible_share_of(*scene_, scene_->lights[light], shadow, position, normal);
+        if (indirect_ != nullptr)
+            shares.indirect_lx[i] = glm::dot(indirect_->at(receivers[i].position, normal), rec709_luminance);
+    });
+    return shares;
+}
+
+} // namespace gonio

@@ -1,0 +1,45 @@
+// What reaches receivers anywhere on a stage: the share of each light that its objects leave, and indirect light.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/probe.hpp>
+#include <gonio/scene/stage.hpp>
+#include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/lighting_options.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gonio {
+
+namespace detail {
+struct LitScene;
+}
+
+class ReceiverLight {
+public:
+    // Stage, lights and options must outlive it. Uses these options: shadows, bounces, sky, threads, instruction_set.
+    // Fails as Interreflection::of().
+    static Result<ReceiverLight> on(const Stage& stage, std::span<const Light> lights, const LightingOptions& options);
+
+    ReceiverLight(ReceiverLight&& other) noexcept;
+    ReceiverLight& operator=(ReceiverLight&& other) noexcept;
+    ~ReceiverLight();
+
+    struct Shares {
+        std::vector<double> visible;     // [receiver][light]: the share of its illuminance, in [0, 1]
+        std::vector<double> indirect_lx; // [receiver]; 0 without bounces
+    };
+    // The normals of the receivers may have any length > 0.
+    Shares at(std::span<const Receiver> receivers) const;
+
+private:
+    ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect);
+
+    std::unique_ptr<detail::LitScene> scene_;
+    std::unique_ptr<Interreflection> indirect_; // null without bounces
+};
+
+} // namespace gonio
