@@ -15,11 +15,11 @@ namespace {
 using std::numbers::pi;
 
 // A plane ends where less than this share of the downward light of a point source lies beyond: h/√(h² + R²).
-constexpr double far_in_interests = 60.0;
+constexpr double far_in_interests = 30.0;
 // A side longer than this many interests is divided more coarsely towards its ends.
 constexpr double long_in_interests = 8.0;
 // Beyond the core, patches are larger in proportion to the distance from its edge, doubled at this share of it.
-constexpr double tail_length = 0.5;
+constexpr double tail_length = 1.0;
 
 // Any two directions perpendicular to a normal.
 Frame frame_on(const glm::dvec3& origin, const glm::dvec3& normal) {
@@ -213,7 +213,7 @@ Charts::Charts(const Stage& stage, const Interest& interest) {
         first_.push_back(charts_.size());
         std::visit(Maker{stage, i, interest, charts_}, stage.surfaces[i].geometry);
     }
-    const double most = 5.0 * interest.radius; // of the length that counts of a plane
+    const double most = 6.0 * interest.radius; // of the length that counts of a plane
     for (const Chart& chart : charts_) {
         const auto length = [&](const Range& range) {
             return range.core > 0.0 ? std::min(range.high - range.low, most) : range.high - range.low;

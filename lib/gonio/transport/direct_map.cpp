@@ -5,8 +5,13 @@
 #include <gonio/transport/soft_shadow.hpp>
 #include <gonio/transport/surface_samples.hpp>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 
 namespace gonio::detail {
@@ -30,71 +35,187 @@ std::vector<Block> blocks_of(const Patches& patches) {
     return blocks;
 }
 
+constexpr int most_along = 8; // points along a side of a patch
+
+// Points along a side of a patch at some distance from a light, so that the mean of its patches is within some 1e-4.
+int points_along(double distance_m, double square_m) {
+    if (distance_m > 8.0 * square_m) return 2;
+    return distance_m > 3.0 * square_m ? 4 : most_along;
+}
+
+// One coordinate of a point of the grid in a patch, in steps: each row is shifted against the next, so that the edge of
+// a shadow along a row or a column passes the points one by one.
+double turned(int along_it, int across_it, int along) {
+    return along_it + 0.5 + (across_it + 0.5 - 0.5 * along) / along;
+}
+
 class LitBlock {
 public:
-    LitBlock(const Patches& patches, const LitScene& scene, const Block& block) : scene_(scene) {
-        const Chart& chart = patches.charts().all()[block.chart];
-        const PatchGrid& grid = patches.grid(block.chart);
-        samples_.surface = chart.surface;
-        samples_.reserve(std::size_t{4} * block_side * block_side);
-        for (std::uint32_t row = block.row; row < std::min(block.row + block_side, grid.rows); ++row)
-            for (std::uint32_t column = block.column; column < std::min(block.column + block_side, grid.columns);
-                 ++column) {
-                const std::uint32_t patch = grid.first_patch + row * grid.columns + column;
-                for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-                    const double area_m2 = patches.quarter_m2(patch, quarter);
-                    if (!(area_m2 > 0.0)) continue;
-                    const glm::dvec2 at = grid.corner(chart, column + 0.25 + 0.5 * static_cast<double>(quarter % 2),
-                                                      row + (quarter < 2 ? 0.25 : 0.75));
-                    samples_.add({chart.position(at), chart.normal(at), {}}, patch, area_m2 / patches.area_m2(patch),
-                                 -1);
-                }
-            }
-        samples_.finish_chunk();
-    }
+    LitBlock(const Patches& patches, const LitScene& scene, const Block& block)
+        : patches_(patches), scene_(scene), block_(block), shader_(scene), shadow_(scene) {}
 
     void add_to(std::vector<glm::dvec3>& map) {
-        if (samples_.size() == 0) return;
-        if (scene_.options.sky.value > 0.0) add_sky(map);
-        SampleShader shader(scene_);
-        SoftShadow shadow(scene_);
-        const SampleBounds bounds = samples_.chunks.front().bounds;
+        const SurfaceSamples& few = samples(2);
+        if (few.size() == 0) return;
+        if (scene_.options.sky.value > 0.0) add_sky(few, map);
+        const SampleBounds& bounds = few.chunks.front().bounds;
         std::vector<std::uint32_t> near;
         scene_.reaches.meeting_box(bounds.low, bounds.high, near);
         std::sort(near.begin(), near.end());
         for (const std::uint32_t index : near) {
             const LitLight& light = scene_.lights[index];
             if (light.reach.unlit(bounds) != Unlit::no) continue;
-            shader.illuminate(light, samples_);
-            shadow.begin(light);
-            std::vector<std::uint32_t>& bodies = shadow.bodies(samples_.surface);
-            if (scene_.options.shadows != Shadows::off) scene_.find_shadowing(samples_.surface, bounds, light, bodies);
-            for (std::size_t i = 0; i < samples_.size(); ++i) {
-                double lx = shader.lx()[i];
-                if (!(lx > 0.0)) continue;
-                if (!bodies.empty())
-                    lx *= scene_.has_soft_shadow(light)
-                              ? shadow.visible(samples_.surface, samples_.position_of(i), samples_.normal_of(i))
-                              : scene_.visible_center(light, samples_.surface, samples_.position_of(i));
-                map[samples_.pixel[i]] += static_cast<double>(samples_.share[i]) * lx * light.light.color;
-            }
+            const double distance_m = light.reach.at_infinity ? std::numeric_limits<double>::infinity()
+                                                              : glm::distance(light.reach.center, bounds.center) -
+                                                                    bounds.radius - light.reach.body_radius;
+            add(light, points_along(distance_m, patches_.square_m()), map);
         }
     }
 
 private:
-    void add_sky(std::vector<glm::dvec3>& map) const {
+    // `along` by `along` points of each patch that are not covered, in proportion to their area; made when first
+    // needed.
+    const SurfaceSamples& samples(int along) {
+        SurfaceSamples& made = samples_.at(static_cast<std::size_t>(along));
+        if (made.size() > 0 || is_made_.at(static_cast<std::size_t>(along))) return made;
+        is_made_.at(static_cast<std::size_t>(along)) = true;
+        const Chart& chart = patches_.charts().all()[block_.chart];
+        const PatchGrid& grid = patches_.grid(block_.chart);
+        made.surface = chart.surface;
+        made.reserve(static_cast<std::size_t>(along * along) * block_side * block_side);
+        for (std::uint32_t row = block_.row; row < std::min(block_.row + block_side, grid.rows); ++row)
+            for (std::uint32_t column = block_.column; column < std::min(block_.column + block_side, grid.columns);
+                 ++column)
+                add_points(made, chart, grid, {column, row}, along);
+        made.finish_chunk();
+        return made;
+    }
+
+    void add_points(SurfaceSamples& to, const Chart& chart, const PatchGrid& grid, const glm::uvec2& at,
+                    int along) const {
+        const std::uint32_t patch = grid.first_patch + at.y * grid.columns + at.x;
+        if (!(patches_.area_m2(patch) > 0.0)) return;
+        const double step = 1.0 / along;
+        const std::size_t first = to.size();
+        const double lift_m = Patches::lift(patches_.square_m());
+        for (int v = 0; v < along; ++v)
+            for (int u = 0; u < along; ++u) {
+                const glm::dvec2 within(turned(u, v, along), turned(v, along - 1 - u, along));
+                const glm::dvec2 middle = grid.corner(chart, at.x + step * within.x, at.y + step * within.y);
+                const SurfacePoint point{chart.position(middle), chart.normal(middle), {}};
+                if (patches_.is_partial(patch) &&
+                    Patches::is_covered(scene_.stage, chart.surface, point.position + lift_m * point.normal,
+                                        point.normal, lift_m))
+                    continue;
+                to.add(point, patch, 0.0, -1);
+            }
+        // All points of a patch stand for the same area: zones of a sphere, for which this is not exact, are narrow.
+        for (std::size_t i = first; i < to.size(); ++i)
+            to.share[i] = 1.0F / static_cast<float>(to.size() - first);
+    }
+
+    void add(const LitLight& light, int along, std::vector<glm::dvec3>& map) {
+        const SurfaceSamples& all = samples(along);
+        shadow_.begin(light);
+        std::vector<std::uint32_t>& bodies = shadow_.bodies(all.surface);
+        if (scene_.options.shadows != Shadows::off)
+            scene_.find_shadowing(all.surface, all.chunks.front().bounds, light, bodies);
+        const std::vector<double> visible = visible_shares(light, all, !bodies.empty());
+        std::vector<std::uint32_t> divided;
+        if (!bodies.empty() && along < most_along) divided = on_edges(all, visible);
+        const auto is_divided = [&](std::uint32_t patch) {
+            return std::binary_search(divided.begin(), divided.end(), patch);
+        };
+        shader_.illuminate(light, all);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!is_divided(all.pixel[i])) add_point(light, all, i, visible[i], map);
+        if (divided.empty()) return;
+        const SurfaceSamples finer = points_of(divided);
+        const std::vector<double> visible_of_finer = visible_shares(light, finer, true);
+        shader_.illuminate(light, finer);
+        for (std::size_t i = 0; i < finer.size(); ++i)
+            add_point(light, finer, i, visible_of_finer[i], map);
+    }
+
+    void add_point(const LitLight& light, const SurfaceSamples& of, std::size_t i, double visible,
+                   std::vector<glm::dvec3>& map) const {
+        const double lx = visible * shader_.lx()[i];
+        if (lx > 0.0) map[of.pixel[i]] += static_cast<double>(of.share[i]) * lx * light.light.color;
+    }
+
+    std::vector<double> visible_shares(const LitLight& light, const SurfaceSamples& of, bool occluded) {
+        std::vector<double> shares(of.size(), 1.0);
+        for (std::size_t i = 0; occluded && i < of.size(); ++i)
+            shares[i] = scene_.has_soft_shadow(light) ? shadow_.visible(of.surface, of.position_of(i), of.normal_of(i))
+                                                      : scene_.visible_center(light, of.surface, of.position_of(i));
+        return shares;
+    }
+
+    // The patches that the edge of a shadow may cross, in order: those with points of different shares, and those
+    // beside them. The points of a patch come one after the other.
+    std::vector<std::uint32_t> on_edges(const SurfaceSamples& of, const std::vector<double>& visible) const {
+        const PatchGrid& grid = patches_.grid(block_.chart);
+        std::array<std::array<float, block_side + 2>, block_side + 2> least{};
+        std::array<std::array<float, block_side + 2>, block_side + 2> most{};
+        for (auto& row : least)
+            row.fill(2.0F);
+        for (auto& row : most)
+            row.fill(-1.0F);
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            const std::uint32_t index = of.pixel[i] - grid.first_patch;
+            float& low = least.at(index / grid.columns - block_.row + 1).at(index % grid.columns - block_.column + 1);
+            float& high = most.at(index / grid.columns - block_.row + 1).at(index % grid.columns - block_.column + 1);
+            low = std::min(low, static_cast<float>(visible[i]));
+            high = std::max(high, static_cast<float>(visible[i]));
+        }
+        std::vector<std::uint32_t> found;
+        for (std::size_t row = 1; row <= block_side; ++row)
+            for (std::size_t column = 1; column <= block_side; ++column) {
+                if (most[row][column] < 0.0F) continue;
+                const float low = std::min({least[row][column], least[row - 1][column], least[row + 1][column],
+                                            least[row][column - 1], least[row][column + 1]});
+                const float high = std::max({most[row][column], most[row - 1][column], most[row + 1][column],
+                                             most[row][column - 1], most[row][column + 1]});
+                constexpr float jump = 0.3F; // a penumbra is smooth enough
+                if (high - low > jump)
+                    found.push_back(grid.first_patch +
+                                    (block_.row + static_cast<std::uint32_t>(row) - 1) * grid.columns + block_.column +
+                                    static_cast<std::uint32_t>(column) - 1);
+            }
+        return found;
+    }
+
+    SurfaceSamples points_of(const std::vector<std::uint32_t>& some) const {
+        const Chart& chart = patches_.charts().all()[block_.chart];
+        const PatchGrid& grid = patches_.grid(block_.chart);
+        SurfaceSamples made;
+        made.surface = chart.surface;
+        made.reserve(some.size() * static_cast<std::size_t>(most_along * most_along));
+        for (const std::uint32_t patch : some) {
+            const std::uint32_t index = patch - grid.first_patch;
+            add_points(made, chart, grid, {index % grid.columns, index / grid.columns}, most_along);
+        }
+        return made;
+    }
+
+    void add_sky(const SurfaceSamples& samples, std::vector<glm::dvec3>& map) const {
         const double lx = std::numbers::pi * scene_.options.sky.value;
-        for (std::size_t i = 0; i < samples_.size(); ++i) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
             const double free =
                 scene_.options.shadows == Shadows::off
                     ? 1.0
-                    : sky_share(scene_.stage, samples_.surface, samples_.position_of(i), samples_.normal_of(i));
-            map[samples_.pixel[i]] += glm::dvec3(static_cast<double>(samples_.share[i]) * free * lx);
+                    : sky_share(scene_.stage, samples.surface, samples.position_of(i), samples.normal_of(i));
+            map[samples.pixel[i]] += glm::dvec3(static_cast<double>(samples.share[i]) * free * lx);
         }
     }
 
+    const Patches& patches_;
     const LitScene& scene_;
-    SurfaceSamples samples_;
+    const Block& block_;
+    SampleShader shader_;
+    SoftShadow shadow_;
+    std::array<SurfaceSamples, most_along + 1> samples_; // by the points along a side
+    std::array<bool, most_along + 1> is_made_{};
 };
 
 } // namespace

@@ -10,8 +10,8 @@
 
 namespace gonio::detail {
 
-// For each patch, the mean over 2×2 points of it that are not covered [lx]: colours of luminance 1, so the illuminance
-// is the luminance of the three. Closed forms, whatever the method of the options is.
+// For each patch, the mean over points of it that are not covered, 2×2 or more near a light [lx]: colours of luminance
+// 1, so the illuminance is the luminance of the three. Closed forms, whatever the method of the options is.
 std::vector<glm::dvec3> direct_map(const Patches& patches, const LitScene& scene);
 
 } // namespace gonio::detail

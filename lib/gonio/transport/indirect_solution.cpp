@@ -103,7 +103,7 @@ private:
     const ExchangeGeometry& geometry_;
     const Patches& patches_;
     unsigned threads_;
-    std::vector<glm::dvec3> reflected_; // the albedo of each cell, times its chart's factor
+    std::vector<glm::dvec3> reflected_; // the albedo of each cell, times the factor of its chart
     std::vector<glm::dvec3> once_;      // the first bounce, by cell [lx]
 };
 

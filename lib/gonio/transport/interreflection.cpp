@@ -79,33 +79,53 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     // What each patch sends, for the last gathering.
     std::vector<glm::dvec3> sent(patches.count());
     for (std::uint32_t i = 0; i < sent.size(); ++i)
-        sent[i] = geometry.node_factor(patches.chart_of(i)) * exchange.albedo_[patches.surface_of(i)] *
-                  (exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)]);
-    sent = with_cells(patches, std::move(sent));
-    const std::vector<detail::Node>& nodes = geometry.nodes();
-    exchange.nodes_lx_.assign(nodes.size(), glm::dvec3(0.0));
-    constexpr std::size_t together = 64;
-    parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
-            if (nodes[i].covered || nodes[i].same_as != i) continue;
-            exchange.nodes_lx_[i] = geometry.from_nodes().gathered(i, sent);
-        }
-    });
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        exchange.nodes_lx_[i] = exchange.nodes_lx_[nodes[i].same_as];
-    exchange.sum_up(options.threads);
+        sent[i] = exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)];
+    exchange.reflect(sent);
+    exchange.nodes_lx_ = exchange.gathered(sent, options.threads);
+    exchange.sent_lx_ = std::move(sent);
+    exchange.sum_up(options.bounces == all_bounces, options.threads);
     return exchange;
 }
 
-void Interreflection::sum_up(unsigned threads) {
+// From what patches receive to what they and their cells send.
+void Interreflection::reflect(std::vector<glm::dvec3>& lx) const {
     const Patches& patches = geometry_->patches();
-    std::vector<glm::dvec3> on_patch(patches.count());
-    constexpr std::uint32_t together = 256;
-    parallel_for((on_patch.size() + together - 1) / together, threads, [&](std::size_t block) {
-        for (std::uint32_t i = static_cast<std::uint32_t>(block) * together;
-             i < std::min<std::size_t>((block + 1) * together, on_patch.size()); ++i)
-            if (patches.area_m2(i) > 0.0) on_patch[i] = interpolated(patches.chart_of(i), patches.middle(i));
+    for (std::uint32_t i = 0; i < lx.size(); ++i)
+        lx[i] *= geometry_->node_factor(patches.chart_of(i)) * albedo_[patches.surface_of(i)];
+    lx = with_cells(patches, std::move(lx));
+}
+
+std::vector<glm::dvec3> Interreflection::gathered(std::span<const glm::dvec3> sent, unsigned threads) const {
+    const std::vector<detail::Node>& nodes = geometry_->nodes();
+    std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
+    constexpr std::size_t together = 64;
+    parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
+            if (!nodes[i].covered && nodes[i].same_as == i) lx[i] = geometry_->from_nodes().gathered(i, sent);
     });
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        lx[i] = lx[nodes[i].same_as];
+    return lx;
+}
+
+std::vector<glm::dvec3> Interreflection::on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const {
+    const Patches& patches = geometry_->patches();
+    std::vector<glm::dvec3> lx(patches.count(), glm::dvec3(0.0));
+    constexpr std::size_t together = 256;
+    parallel_for((lx.size() + together - 1) / together, threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i) {
+            const auto patch = static_cast<std::uint32_t>(i);
+            if (patches.area_m2(patch) > 0.0)
+                lx[i] = interpolated(patches.chart_of(patch), patches.middle(patch), nodes_lx);
+        }
+    });
+    return lx;
+}
+
+// What receivers gather is finer by one step than what nodes gathered, where that is not another bounce.
+void Interreflection::sum_up(bool to_the_end, unsigned threads) {
+    const Patches& patches = geometry_->patches();
+    std::vector<glm::dvec3> on_patch = on_patches(nodes_lx_, threads);
     const auto sum = [&](const auto& of_patch) {
         glm::dvec3 total(0.0);
         for (std::uint32_t i = 0; i < on_patch.size(); ++i)
@@ -114,32 +134,58 @@ void Interreflection::sum_up(unsigned threads) {
     };
     const auto albedo = [&](std::uint32_t i) { return albedo_[patches.surface_of(i)]; };
     const auto stays = [&](std::uint32_t i) { return 1.0 - geometry_->escaping(patches.cell_of(i)); };
+    // Flux that the rays lost or gained arrives like what uniform light leaves after a bounce.
+    if (to_the_end && !patches.charts().endless()) {
+        const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
+        const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
+        if (returned_lm.x >= 0.5 * sent_lm.x && returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
+            std::vector<glm::dvec3> uniform(patches.count(), glm::dvec3(1.0));
+            reflect(uniform);
+            const std::vector<glm::dvec3> shape = gathered(uniform, threads);
+            const std::vector<glm::dvec3> shape_on_patch = on_patches(shape, threads);
+            const glm::dvec3 missing_lm =
+                returned_lm - sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });
+            const glm::dvec3 of_shape_lm =
+                sum([&](std::uint32_t i) { return shape_on_patch[i] * (1.0 - albedo(i) * stays(i)); });
+            glm::dvec3 level(0.0);
+            for (int channel = 0; channel < 3; ++channel)
+                if (of_shape_lm[channel] > 0.0) level[channel] = missing_lm[channel] / of_shape_lm[channel];
+            for (std::size_t i = 0; i < nodes_lx_.size(); ++i)
+                nodes_lx_[i] += level * shape[i];
+            for (std::size_t i = 0; i < on_patch.size(); ++i)
+                on_patch[i] += level * shape_on_patch[i];
+        }
+    }
     balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
     balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });
-    sent_lx_.resize(patches.count());
-    for (std::uint32_t i = 0; i < sent_lx_.size(); ++i)
-        sent_lx_[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
-    sent_lx_ = with_cells(patches, std::move(sent_lx_));
+    if (to_the_end) {
+        sent_lx_.resize(patches.count());
+        for (std::uint32_t i = 0; i < sent_lx_.size(); ++i)
+            sent_lx_[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
+        sent_lx_ = with_cells(patches, std::move(sent_lx_));
+    }
     balance_.escaped_lm =
         sum([&](std::uint32_t i) { return albedo(i) * (direct_lx_[i] + on_patch[i]) * (1.0 - stays(i)); });
 }
 
-glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position) const {
+glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position,
+                                         std::span<const glm::dvec3> nodes_lx) const {
     const detail::NodeMean mean = geometry_->around(chart, position);
     glm::dvec3 lx(0.0);
     for (std::size_t i = 0; i < mean.count; ++i)
-        lx += mean.weight[i] * nodes_lx_[mean.node[i]];
+        lx += mean.weight[i] * nodes_lx[mean.node[i]];
     return lx;
 }
 
 glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
-    return interpolated(geometry_->patches().charts().index_of(surface, face), position);
+    return interpolated(geometry_->patches().charts().index_of(surface, face), position, nodes_lx_);
 }
 
 glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const glm::dvec3& position) const {
     const std::size_t chart = geometry_->patches().charts().index_of(surface, face);
-    const glm::dvec3 lx = direct_lx_[geometry_->patches().at(chart, position)] + interpolated(chart, position);
+    const glm::dvec3 lx =
+        direct_lx_[geometry_->patches().at(chart, position)] + interpolated(chart, position, nodes_lx_);
     return std::numbers::inv_pi * albedo_[surface] * lx;
 }
 

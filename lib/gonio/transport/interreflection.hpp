@@ -70,8 +70,11 @@ public:
 
 private:
     Interreflection() = default;
-    void sum_up(unsigned threads);
-    glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position) const;
+    void sum_up(bool to_the_end, unsigned threads);
+    void reflect(std::vector<glm::dvec3>& lx) const;
+    std::vector<glm::dvec3> gathered(std::span<const glm::dvec3> sent, unsigned threads) const;
+    std::vector<glm::dvec3> on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const;
+    glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
     std::vector<glm::dvec3> albedo_;    // by surface

@@ -73,19 +73,28 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
     const double lift_m = lift(square_m_);
     for (std::uint32_t row = 0; row < grid.rows; ++row)
         for (std::uint32_t column = 0; column < grid.columns; ++column) {
-            // The part that is not covered, by quarters.
-            double area_m2 = 0.0;
-            for (const double v : {0.0, 0.5})
-                for (const double u : {0.0, 0.5}) {
-                    const glm::dvec2 low = grid.corner(chart, column + u, row + v);
-                    const glm::dvec2 high = grid.corner(chart, column + u + 0.5, row + v + 0.5);
-                    const glm::dvec2 middle = grid.corner(chart, column + u + 0.25, row + v + 0.25);
-                    const glm::dvec3 normal = chart.normal(middle);
-                    const bool covered =
-                        is_covered(stage, chart.surface, chart.position(middle) + lift_m * normal, normal, lift_m);
-                    quarter_m2_.push_back(covered ? 0.0 : chart.area(low, high));
-                    area_m2 += quarter_m2_.back();
-                }
+            // The part that is not covered.
+            const auto covered = [&](double u, double v) {
+                const glm::dvec2 at = grid.corner(chart, column + u, row + v);
+                const glm::dvec3 normal = chart.normal(at);
+                return is_covered(stage, chart.surface, chart.position(at) + lift_m * normal, normal, lift_m);
+            };
+            const auto share_free = [&](int along, double inset) {
+                int free = 0;
+                for (int v = 0; v < along; ++v)
+                    for (int u = 0; u < along; ++u)
+                        if (!covered(inset + (1.0 - 2.0 * inset) * (u + 0.5) / along,
+                                     inset + (1.0 - 2.0 * inset) * (v + 0.5) / along))
+                            ++free;
+                return static_cast<double>(free) / (along * along);
+            };
+            // The grid of 3×3 reaches to the corners.
+            double free = share_free(3, -0.24);
+            const bool whole = free == 0.0 || free == 1.0;
+            if (!whole) free = share_free(8, 0.0);
+            is_partial_.push_back(whole ? 0 : 1);
+            const double area_m2 =
+                free * chart.area(grid.corner(chart, column, row), grid.corner(chart, column + 1.0, row + 1.0));
             area_m2_.push_back(area_m2);
             middle_.push_back(chart.position(grid.corner(chart, column + 0.5, row + 0.5)));
             const auto to_corner = [&](double u, double v) {

@@ -64,8 +64,8 @@ public:
         return std::span(patches_of_).subspan(first_of_[cell], first_of_[cell + 1] - first_of_[cell]);
     }
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
-    // Of a quarter of the patch, numbered along u first; 0 if its middle is covered.
-    double quarter_m2(std::uint32_t patch, std::size_t quarter) const { return quarter_m2_[4 * patch + quarter]; }
+    // Whether the edge of what covers it crosses the patch.
+    bool is_partial(std::uint32_t patch) const { return is_partial_[patch] != 0; }
     const std::vector<Cell>& cells() const { return cells_; }
     double cell_area_m2(std::uint32_t cell) const { return cell_area_m2_[cell]; }
 
@@ -88,7 +88,7 @@ private:
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_
     std::vector<std::uint32_t> patches_of_;
     std::vector<double> area_m2_;
-    std::vector<double> quarter_m2_;
+    std::vector<std::uint8_t> is_partial_;
     std::vector<Cell> cells_;
     std::vector<double> cell_area_m2_;
 };

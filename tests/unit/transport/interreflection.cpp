@@ -1,0 +1,315 @@
+#include <gonio/light/light_color.hpp>
+#include <gonio/transport/interreflection.hpp>
+
+#include "collocation.hpp"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace gonio {
+namespace {
+
+using Vec = glm::dvec3;
+using std::numbers::pi;
+using test::BoxRoom;
+
+Light bulb(const Vec& at, double cd) {
+    Light light;
+    light.name = "bulb";
+    light.shape = PointShape{};
+    light.frame.origin = at;
+    light.intensity = Candelas(cd);
+    light.color = Vec(1.0);
+    return light;
+}
+
+LightingOptions with_bounces(int bounces = all_bounces) {
+    LightingOptions options;
+    options.bounces = bounces;
+    return options;
+}
+
+Interreflection solved(const Stage& stage, std::span<const Light> lights,
+                       const LightingOptions& options = with_bounces()) {
+    return Interreflection::of(stage, lights, options).value();
+}
+
+Stage stage_of(const BoxRoom& room) {
+    Stage stage;
+    stage.camera = {0.25 * room.size, 0.75 * room.size};
+    stage.light.position = room.light;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        Vec normal(0.0);
+        normal[axis] = face % 2 == 0 ? 1.0 : -1.0;
+        Vec middle = 0.5 * room.size;
+        middle[axis] = face % 2 == 0 ? 0.0 : room.size[axis];
+        const Vec up = axis == 2 ? Vec(0.0, 1.0, 0.0) : Vec(0.0, 0.0, 1.0);
+        const Panel unsized = panel_facing(middle, normal, up, 1.0, 1.0);
+        const auto extent = [&](const Vec& along) { return std::abs(glm::dot(along, room.size)); };
+        stage.surfaces.push_back({"face",
+                                  panel_facing(middle, normal, up, extent(unsized.frame.x), extent(unsized.frame.y)),
+                                  LambertMaterial{Vec(room.albedo[static_cast<std::size_t>(face)])}});
+    }
+    return stage;
+}
+
+const BoxRoom six_reflectances{{5.0, 4.0, 3.0}, {0.6, 0.6, 0.5, 0.4, 0.2, 0.8}, {1.5, 1.0, 2.2}, 100.0};
+
+struct WallPoint {
+    std::size_t face;
+    Vec at;
+    double indirect_lx;
+};
+
+// Collocation on 9600 graded cells, extrapolated, ±1 in the last digit.
+const std::array wall_points{WallPoint{4, {2.5, 2.0, 0.0}, 20.097}, WallPoint{4, {0.5, 0.5, 0.0}, 22.908},
+                             WallPoint{4, {4.5, 3.5, 0.0}, 10.431}, WallPoint{5, {1.5, 1.0, 3.0}, 18.884},
+                             WallPoint{5, {4.0, 3.0, 3.0}, 8.1610}, WallPoint{0, {0.0, 2.0, 1.5}, 17.894},
+                             WallPoint{0, {0.0, 0.3, 0.3}, 13.039}, WallPoint{1, {5.0, 2.0, 1.5}, 13.015},
+                             WallPoint{2, {2.5, 0.0, 1.0}, 14.034}, WallPoint{3, {2.5, 4.0, 2.0}, 15.640}};
+
+Vec inwards(std::size_t face) {
+    Vec normal(0.0);
+    normal[static_cast<int>(face / 2)] = face % 2 == 0 ? 1.0 : -1.0;
+    return normal;
+}
+
+TEST(Collocation, AgreesWithNineThousandCells) {
+    const test::ExtrapolatedCollocation truth(six_reflectances);
+    for (const WallPoint& point : wall_points)
+        EXPECT_NEAR(truth.indirect_lx(point.at, inwards(point.face)) / point.indirect_lx, 1.0, 2e-3);
+}
+
+// A point's own 8192 rays leave 0.1 %; between nodes, 0.5 % in a corner.
+TEST(Interreflection, BoxOfSixReflectances) {
+    const Light light = bulb(six_reflectances.light, six_reflectances.intensity_cd);
+    const Interreflection indirect = solved(stage_of(six_reflectances), {&light, 1});
+    for (const WallPoint& point : wall_points) {
+        EXPECT_NEAR(indirect.at(point.at, inwards(point.face)).x / point.indirect_lx, 1.0, 1.5e-3);
+        EXPECT_NEAR(indirect.on_surface(point.face, 0, point.at).x / point.indirect_lx, 1.0, 6e-3);
+    }
+}
+
+TEST(Interreflection, OtherBoxesAgreeWithCollocation) {
+    const std::array rooms{BoxRoom{{2.0, 7.0, 2.4}, {0.7, 0.3, 0.5, 0.5, 0.1, 0.9}, {1.2, 5.0, 1.1}, 250.0},
+                           BoxRoom{{8.0, 8.0, 3.5}, {0.5, 0.5, 0.05, 0.8, 0.3, 0.7}, {4.0, 4.0, 2.8}, 1000.0},
+                           BoxRoom{{0.3, 0.4, 0.5}, {0.9, 0.8, 0.7, 0.9, 0.85, 0.9}, {0.1, 0.2, 0.3}, 1.0}};
+    for (const BoxRoom& room : rooms) {
+        const test::ExtrapolatedCollocation truth(room);
+        const Light light = bulb(room.light, room.intensity_cd);
+        const Interreflection indirect = solved(stage_of(room), {&light, 1});
+        for (std::size_t face = 0; face < 6; ++face)
+            for (const Vec share : {Vec(0.5), Vec(0.3, 0.6, 0.25), Vec(0.7, 0.2, 0.8)}) {
+                Vec at = share * room.size;
+                const int axis = static_cast<int>(face / 2);
+                at[axis] = face % 2 == 0 ? 0.0 : room.size[axis];
+                const double lx = truth.indirect_lx(at, inwards(face));
+                EXPECT_NEAR(indirect.at(at, inwards(face)).x / lx, 1.0, 5e-3) << face << ": " << at.x << ' ' << at.y;
+                EXPECT_NEAR(indirect.on_surface(face, 0, at).x / lx, 1.0, 1e-2) << face << ": " << at.x << ' ' << at.y;
+            }
+    }
+}
+
+TEST(Interreflection, ClosedBoxOfOneReflectance) {
+    BoxRoom room{{4.0, 3.0, 2.7}, {}, {2.0, 1.5, 1.3}, 1000.0 / (4.0 * pi)};
+    room.albedo.fill(0.5);
+    const Light light = bulb(room.light, room.intensity_cd);
+    const ExchangeBalance balance = solved(stage_of(room), {&light, 1}).balance();
+    const double area_m2 = 2.0 * (12.0 + 8.1 + 10.8);
+    EXPECT_NEAR((balance.direct_lm.x + balance.indirect_lm.x) / area_m2 / 32.36245955, 1.0, 5e-4);
+    EXPECT_NEAR(balance.absorbed_lm.x / 1000.0, 1.0, 5e-4);
+}
+
+// What is absorbed is what the light emits, wherever it is.
+TEST(Interreflection, FluxBalancesInTheRoom) {
+    const Stage stage = make_stage("room").value();
+    for (const Vec at : {Vec(0.0, 0.3, 2.3), Vec(-1.5, -2.0, 1.0), Vec(1.7, 2.2, 0.4), Vec(0.8, 0.6, 1.0)}) {
+        const Light light = bulb(at, 1000.0 / (4.0 * pi));
+        const ExchangeBalance balance = solved(stage, {&light, 1}).balance();
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR((balance.absorbed_lm[channel] + balance.escaped_lm[channel]) / 1000.0, 1.0, 1e-3) << at.x;
+    }
+}
+
+TEST(Interreflection, TwoInfinitePlanes) {
+    Stage stage;
+    stage.camera = {{0.0, -3.0, 1.5}, {0.0, 0.0, 1.5}};
+    stage.light.position = {0.0, 0.0, 2.0};
+    stage.surfaces = {{"below", Plane{Vec(0.0), Vec(0.0, 0.0, 1.0)}, LambertMaterial{Vec(0.3)}},
+                      {"above", Plane{Vec(0.0, 0.0, 3.0), Vec(0.0, 0.0, -1.0)}, LambertMaterial{Vec(0.7)}}};
+    const Light light = bulb({0.0, 0.0, 2.0}, 100.0);
+    const Interreflection indirect = solved(stage, {&light, 1});
+    // Hankel transforms of Lambert's kernel, with the second modified Bessel function.
+    struct Row {
+        double r, below_lx, above_lx;
+    };
+    for (const Row& row : {Row{0.0, 9.2524989370, 3.3405791630}, Row{1.0, 8.3238903362, 3.1394205247},
+                           Row{3.0, 4.3359125723, 2.0545648872}, Row{6.0, 1.3583531796, 0.8102998235}}) {
+        // Of the greatest value: far away, patches are as large as a tenth of the distance.
+        EXPECT_NEAR(indirect.at({row.r, 0.0, 0.0}, {0.0, 0.0, 1.0}).x, row.below_lx, 2e-3 * 9.25);
+        EXPECT_NEAR(indirect.at({0.0, row.r, 3.0}, {0.0, 0.0, -1.0}).x, row.above_lx, 3e-3 * 3.34);
+        EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 8e-3 * 9.25);
+        EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, row.r, 3.0}).x, row.above_lx, 8e-3 * 3.34);
+    }
+    const Interreflection once = solved(stage, {&light, 1}, with_bounces(1));
+    EXPECT_NEAR(once.at(Vec(0.0), {0.0, 0.0, 1.0}).x / 7.9289583588, 1.0, 2e-3);
+}
+
+// The sun above a black sphere: the lowest point sees the lit plane but for the round shadow below it.
+TEST(Interreflection, SphereAboveASunlitPlane) {
+    constexpr double radius = 0.5;
+    constexpr double gap = 0.7;
+    Stage stage;
+    stage.camera = {{0.0, -3.0, 1.5}, {0.0, 0.0, 1.0}};
+    stage.surfaces = {{"plane", Plane{Vec(0.0), Vec(0.0, 0.0, 1.0)}, LambertMaterial{Vec(0.4)}},
+                      {"sphere", Ball{{0.0, 0.0, gap + radius}, radius}, LambertMaterial{Vec(0.0)}}};
+    Light sun;
+    sun.name = "sun";
+    sun.shape = SunShape{Radians(1e-4)};
+    sun.illuminance = Lux(1000.0);
+    sun.luminance = Nits(1000.0 / (pi * 0.25e-8));
+    sun.color = Vec(1.0);
+    const Interreflection indirect = solved(stage, {&sun, 1});
+    const double lowest_lx = 0.4 * 1000.0 * gap * gap / (radius * radius + gap * gap);
+    EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, 0.0, gap}).x / lowest_lx, 1.0, 1e-2);
+    // Its equator sees half of the plane, less what the edge of the shadow takes; the top sees none of it.
+    EXPECT_LT(indirect.on_surface(1, 0, {radius, 0.0, gap + radius}).x, 0.5 * 400.0);
+    EXPECT_GT(indirect.on_surface(1, 0, {radius, 0.0, gap + radius}).x, 0.42 * 400.0);
+    EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, 0.0, gap + 2.0 * radius}).x, 0.0, 1e-6);
+}
+
+TEST(Interreflection, AddsUpOverLights) {
+    const Stage stage = make_stage("room").value();
+    std::vector<Light> lights{bulb({0.0, 0.3, 2.3}, 100.0), bulb({1.0, -1.0, 1.0}, 30.0), bulb({-1.0, 2.0, 2.0}, 60.0)};
+    lights[0].color = {1.6, 0.9, 0.2};
+    lights[1].color = {0.5, 1.1, 1.9};
+    const std::array points{Vec(0.5, -1.0, 0.0), Vec(-1.7, 2.0, 0.0), Vec(0.0, 0.0, 0.0)};
+    const Interreflection all = solved(stage, lights);
+    for (const Vec& at : points) {
+        Vec sum(0.0);
+        for (const Light& light : lights)
+            sum += solved(stage, {&light, 1}).on_surface(0, 0, at);
+        const Vec together = all.on_surface(0, 0, at);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(sum[channel] / together[channel], 1.0, 1e-5); // where the iteration stops
+    }
+}
+
+TEST(Interreflection, TakesTheColourOfASurface) {
+    BoxRoom room = six_reflectances;
+    room.albedo.fill(0.5);
+    Stage stage = stage_of(room);
+    stage.surfaces[0].material = LambertMaterial{{0.8, 0.1, 0.1}};
+    const Light light = bulb(room.light, 100.0);
+    const Interreflection indirect = solved(stage, {&light, 1});
+    const Vec beside = indirect.at({0.2, 2.0, 0.0}, {0.0, 0.0, 1.0});
+    const Vec across = indirect.at({4.8, 2.0, 0.0}, {0.0, 0.0, 1.0});
+    EXPECT_GT(beside.x / beside.y, 1.5);
+    EXPECT_GT(beside.x / beside.y, across.x / across.y);
+    EXPECT_DOUBLE_EQ(beside.y, beside.z);
+}
+
+// A room twice as large with four times the light is as bright.
+TEST(Interreflection, ScalesWithTheRoom) {
+    BoxRoom large = six_reflectances;
+    large.size *= 2.0;
+    large.light *= 2.0;
+    large.intensity_cd *= 4.0;
+    const Light light = bulb(six_reflectances.light, six_reflectances.intensity_cd);
+    const Light brighter = bulb(large.light, large.intensity_cd);
+    const Interreflection small_room = solved(stage_of(six_reflectances), {&light, 1});
+    const Interreflection large_room = solved(stage_of(large), {&brighter, 1});
+    for (const WallPoint& point : wall_points)
+        EXPECT_NEAR(large_room.on_surface(point.face, 0, 2.0 * point.at).x /
+                        small_room.on_surface(point.face, 0, point.at).x,
+                    1.0, 1e-6); // floats of direct light
+}
+
+TEST(Interreflection, BouncesAddUp) {
+    const Light light = bulb(six_reflectances.light, six_reflectances.intensity_cd);
+    const Stage stage = stage_of(six_reflectances);
+    double last = 0.0;
+    double last_step = 1e300;
+    for (const int bounces : {1, 2, 3, 4, 8, 32}) {
+        const double lx = solved(stage, {&light, 1}, with_bounces(bounces)).on_surface(4, 0, {2.5, 2.0, 0.0}).x;
+        EXPECT_GT(lx, last);
+        if (bounces <= 4) {
+            EXPECT_LT(lx - last, last_step);
+            last_step = lx - last;
+        }
+        last = lx;
+    }
+    EXPECT_NEAR(solved(stage, {&light, 1}).on_surface(4, 0, {2.5, 2.0, 0.0}).x / last, 1.0, 1e-5);
+}
+
+TEST(Interreflection, SameAtAnyNumberOfThreads) {
+    const Stage stage = make_stage("corridor").value();
+    const Light light = bulb({0.0, 4.0, 2.55}, 100.0);
+    LightingOptions options = with_bounces();
+    options.threads = 1;
+    const Interreflection alone = solved(stage, {&light, 1}, options);
+    options.threads = 3;
+    const Interreflection shared = solved(stage, {&light, 1}, options);
+    for (double y = -1.5; y < 16.0; y += 0.7)
+        EXPECT_EQ(alone.on_surface(0, 0, {0.3, y, 0.0}), shared.on_surface(0, 0, {0.3, y, 0.0}));
+}
+
+TEST(Interreflection, UsesWhatIsKnownOfTheStage) {
+    Stage stage = make_stage("room").value();
+    const Light light = bulb({0.0, 0.3, 2.3}, 100.0);
+    const Interreflection first = solved(stage, {&light, 1});
+    stage.surfaces[1].material = LambertMaterial{Vec(0.3)};
+    const Interreflection fresh = solved(stage, {&light, 1});
+    const Interreflection again = Interreflection::of(stage, {&light, 1}, with_bounces(), {}, &first).value();
+    EXPECT_EQ(again.on_surface(0, 0, {1.0, -1.0, 0.0}), fresh.on_surface(0, 0, {1.0, -1.0, 0.0}));
+    // Of another stage nothing is used.
+    const Stage other = make_stage("corridor").value();
+    EXPECT_EQ(Interreflection::of(other, {&light, 1}, with_bounces(), {}, &first).value().node_count(),
+              solved(other, {&light, 1}).node_count());
+}
+
+TEST(Interreflection, RefusesALightThatCannotLeave) {
+    BoxRoom room = six_reflectances;
+    room.albedo.fill(1.0);
+    const Light light = bulb(room.light, 100.0);
+    const auto refused = Interreflection::of(stage_of(room), {&light, 1}, with_bounces());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().diagnostics.back().message.find("reflect all light"), std::string::npos);
+    EXPECT_TRUE(Interreflection::of(stage_of(room), {&light, 1}, with_bounces(3)));
+    room.albedo[4] = 0.9; // one surface that absorbs is enough
+    const Interreflection bright = solved(stage_of(room), {&light, 1});
+    EXPECT_NEAR(bright.balance().absorbed_lm.x / (400.0 * pi), 1.0, 5e-3);
+}
+
+// Stages without anything, without light, with coincident surfaces, or with a light inside a solid.
+TEST(Interreflection, StaysFiniteOnHostileStages) {
+    const Light light = bulb({1.5, 1.0, 2.2}, 100.0);
+    const auto finite = [](const Interreflection& indirect, const Vec& at) {
+        const Vec lx = indirect.at(at, {0.0, 0.0, 1.0});
+        EXPECT_TRUE(std::isfinite(lx.x) && lx.x >= 0.0) << lx.x;
+    };
+    finite(solved(Stage(), {&light, 1}), Vec(0.0));
+    finite(solved(make_stage("room").value(), {}), Vec(0.0));
+    Stage twice = stage_of(six_reflectances);
+    const std::vector<Surface> once = twice.surfaces;
+    twice.surfaces.insert(twice.surfaces.end(), once.begin(), once.end());
+    finite(solved(twice, {&light, 1}), {2.0, 2.0, 1.0});
+    Stage boxed = stage_of(six_reflectances);
+    boxed.surfaces.push_back({"box", Box{{{1.5, 1.0, 2.2}}, Vec(0.3)}, LambertMaterial{Vec(0.5)}});
+    finite(solved(boxed, {&light, 1}), {2.0, 2.0, 1.0});
+    Stage thin;
+    thin.surfaces = {{"sheet", panel_facing(Vec(0.0), {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, 1e-9, 3.0), LambertMaterial{}},
+                     {"sphere", Ball{Vec(0.0, 0.0, 1e-9), 1e-9}, LambertMaterial{}}};
+    finite(solved(thin, {&light, 1}), {0.0, 0.0, 1.0});
+}
+
+} // namespace
+} // namespace gonio
