@@ -38,11 +38,10 @@ struct Same {
 } // namespace
 
 ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality,
-                                   unsigned threads)
+                                   unsigned threads, simd::InstructionSet set)
     : stage_(stage),
       light_positions_(positions_of(lights)),
       quality_(quality),
-      caster_(stage_),
       patches_(stage_, interest_of(stage_, light_positions_), quality.patches) {
     // Stages with many things in them get fewer nodes for each.
     for (double spacing = quality.node_spacing;; spacing *= 1.2) {
@@ -58,14 +57,14 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
     std::vector<Receivers::Place> places;
     for (const Cell& cell : patches_.cells())
         places.push_back({cell.position, cell.normal, own(patches_.charts().all()[cell.chart].surface), cell.covered});
-    from_cells_ = Bundles(caster_, patches_, places, quality.cell_rays, threads);
+    from_cells_ = Bundles(stage_, patches_, places, quality.cell_rays, threads, set);
     for (std::size_t i = 0; i < places.size(); ++i)
         escaping_.push_back(from_cells_.escaping(i));
     places.clear();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         places.push_back({nodes_[i].position, nodes_[i].normal, own(nodes_[i].surface),
                           nodes_[i].covered || nodes_[i].same_as != i});
-    from_nodes_ = Bundles(caster_, patches_, places, quality.node_rays, threads);
+    from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     balance();
 }
 

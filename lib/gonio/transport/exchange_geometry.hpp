@@ -16,10 +16,9 @@ namespace gonio::detail {
 class ExchangeGeometry {
 public:
     ExchangeGeometry(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality,
-                     unsigned threads);
+                     unsigned threads, simd::InstructionSet set);
 
     const Stage& stage() const { return stage_; }
-    const RayCaster& caster() const { return caster_; }
     const Patches& patches() const { return patches_; }
     const std::vector<Node>& nodes() const { return nodes_; }
 
@@ -48,7 +47,6 @@ private:
     Stage stage_;
     std::vector<glm::dvec3> light_positions_;
     ExchangeQuality quality_;
-    RayCaster caster_;
     Patches patches_;
     std::vector<Node> nodes_;
     std::vector<NodeGrid> grids_; // by chart

@@ -55,9 +55,11 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
                                             const Interreflection* known) {
     Interreflection exchange;
     exchange.receiver_rays_ = quality.receiver_rays;
-    exchange.geometry_ = known != nullptr && known->geometry_->fits(stage, lights, quality)
-                             ? known->geometry_
-                             : std::make_shared<ExchangeGeometry>(stage, lights, quality, options.threads);
+    exchange.instruction_set_ = options.instruction_set;
+    exchange.geometry_ =
+        known != nullptr && known->geometry_->fits(stage, lights, quality)
+            ? known->geometry_
+            : std::make_shared<ExchangeGeometry>(stage, lights, quality, options.threads, options.instruction_set);
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
     exchange.albedo_.resize(stage.surfaces.size());
@@ -191,7 +193,7 @@ glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const gl
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
     const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
-    return detail::Bundles(geometry_->caster(), geometry_->patches(), {&place, 1}, receiver_rays_, 1)
+    return detail::Bundles(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1, instruction_set_)
         .gathered(0, sent_lx_);
 }
 

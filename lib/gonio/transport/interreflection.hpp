@@ -84,6 +84,7 @@ private:
     glm::dvec3 level_{1.0};             // factors that the balance gave the nodes
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
+    simd::InstructionSet instruction_set_ = simd::best_available();
 };
 
 // The albedo over both hemispheres, per channel, in [0, 1]: the share of uniform light that the material reflects.

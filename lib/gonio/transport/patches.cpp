@@ -52,10 +52,9 @@ Patches::Patches(const Stage& stage, const Interest& interest, double count)
         patches_of_[next[cell_of_[patch]]++] = patch;
 }
 
-std::uint32_t Patches::at(std::size_t chart, const glm::dvec3& position) const {
+std::uint32_t Patches::at(std::size_t chart, const glm::dvec2& coordinates) const {
     const Chart& on = charts_.all()[chart];
     const PatchGrid& grid = grids_[chart];
-    const glm::dvec2 coordinates = on.coordinates(position);
     const double column = (on.u.warped(coordinates.x) - grid.low_u) * grid.per_u;
     const double row = (on.v.warped(coordinates.y) - grid.low_v) * grid.per_v;
     const auto index = [](double at, std::uint32_t count) {

@@ -50,7 +50,10 @@ public:
     double square_m() const { return square_m_; }
 
     // The patch that contains the point of the surface; the outermost ones continue without an end.
-    std::uint32_t at(std::size_t chart, const glm::dvec3& position) const;
+    std::uint32_t at(std::size_t chart, const glm::dvec3& position) const {
+        return at(chart, charts_.all()[chart].coordinates(position));
+    }
+    std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const;
 
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }

@@ -17,19 +17,18 @@ constexpr double least_distance = 5.0;
 // The rays and links of one place.
 class Bundle {
 public:
-    Bundle(const RayCaster& caster, const Patches& patches)
-        : caster_(caster), patches_(patches), by_link_(patches.cells().size(), By::rays) {}
+    Bundle(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set)
+        : caster_(caster),
+          bundle_caster_(stage, caster, patches, set),
+          patches_(patches),
+          by_link_(patches.cells().size(), By::rays) {}
 
-    void make(const Receivers::Place& place, std::span<const glm::dvec3> directions, std::span<std::uint32_t> ends,
+    void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<std::uint32_t> ends,
               std::vector<Link>& links) {
         link(place, links);
-        const Frame frame = frame_about(place.position, place.normal);
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            const RayEnd end = caster_.cast({place.position, frame.to_world(directions[i])}, place.own);
-            if (end.surface == RayEnd::nothing) continue;
-            const std::uint32_t patch = patches_.at(patches_.charts().index_of(end.surface, end.face), end.position);
-            ends[i] = is_linked(place, patch) ? linked : patch;
-        }
+        bundle_caster_.cast(frame_about(place.position, place.normal), place.own, directions, ends);
+        for (std::uint32_t& end : ends)
+            if (end != no_patch && is_linked(place, end)) end = linked;
     }
 
 private:
@@ -82,6 +81,7 @@ private:
     }
 
     const RayCaster& caster_;
+    BundleCaster bundle_caster_;
     const Patches& patches_;
     std::vector<By> by_link_; // by cell, for the current place
 };
@@ -112,16 +112,17 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
             normal};
 }
 
-Bundles::Bundles(const RayCaster& caster, const Patches& patches, std::span<const Receivers::Place> places,
-                 std::size_t rays, unsigned threads)
+Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
+                 unsigned threads, simd::InstructionSet set)
     : rays_(rays), ends_(places.size() * rays, no_patch) {
-    const std::vector<glm::dvec3> directions = cosine_directions(rays);
+    const DirectionArrays directions(cosine_directions(rays));
+    const RayCaster caster(stage);
     constexpr std::size_t together = 64;
     const std::size_t blocks = (places.size() + together - 1) / together;
     std::vector<std::vector<Link>> links(blocks);
     std::vector<std::uint32_t> count(places.size(), 0);
     parallel_for(blocks, threads, [&](std::size_t block) {
-        Bundle bundle(caster, patches);
+        Bundle bundle(stage, caster, patches, set);
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
             if (places[i].left_out) continue;
             const std::size_t before = links[block].size();

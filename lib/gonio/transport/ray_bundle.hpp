@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gonio/base/frame.hpp>
+#include <gonio/transport/bundle_caster.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/ray_caster.hpp>
 
@@ -15,8 +16,6 @@
 
 namespace gonio::detail {
 
-// The end of a ray that leaves the stage, or that the back of a one-sided surface blocks.
-inline constexpr std::uint32_t no_patch = 0xffffffffU;
 // The end of a ray that meets a part of a solid which a link stands for.
 inline constexpr std::uint32_t linked = 0xfffffffeU;
 
@@ -47,8 +46,8 @@ class Bundles {
 public:
     Bundles() = default;
     // One bundle of `rays` for each place; those left out get none.
-    Bundles(const RayCaster& caster, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
-            unsigned threads);
+    Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
+            unsigned threads, simd::InstructionSet set);
 
     // Calls use(sender, share) for each patch or cell that a place sees.
     template<class Use>

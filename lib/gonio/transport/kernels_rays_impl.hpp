@@ -1,0 +1,86 @@
+// The bodies of kernels_rays.hpp, for one scalar. Included only by kernels_rays_<set>.cpp; the rule of
+// shading/kernels_impl.hpp applies here too.
+#pragma once
+
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/packet.hpp>
+#include <gonio/transport/kernels_rays.hpp>
+
+#include <cstddef>
+
+namespace gonio::transport::detail {
+
+using shading::vec3;
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> spread(const float (&v)[3]) {
+    return {S(v[0]), S(v[1]), S(v[2])};
+}
+
+// Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Negative
+// where it does not.
+template<class S>
+GONIO_FORCE_INLINE S entry(const RaySphere& sphere, const vec3<S>& direction, S& exit) {
+    const vec3<S> center = spread<S>(sphere.center);
+    const S along = dot(center, direction);
+    const vec3<S> miss = center - direction * along;
+    const S half_chord2 = S(sphere.radius) * S(sphere.radius) - dot(miss, miss);
+    const S half_chord = simd::sqrt(simd::max(half_chord2, S(0.0F)));
+    exit = simd::select(half_chord2 >= S(0.0F), along + half_chord, S(-1.0F));
+    return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
+}
+
+template<class S>
+void first_hits(const RayTargets& targets, const RayFrame& frame, const float* const directions[3], std::size_t count,
+                const RayHits& hits) {
+    const vec3<S> frame_x = spread<S>(frame.x);
+    const vec3<S> frame_y = spread<S>(frame.y);
+    const vec3<S> frame_z = spread<S>(frame.z);
+    simd::for_each_packet<simd::Packet<S>>(count, [&](const simd::Packet<S>& packet) {
+        const vec3<S> direction =
+            mul_add(frame_x, packet.load(directions[0]),
+                    mul_add(frame_y, packet.load(directions[1]), frame_z * packet.load(directions[2])));
+        S nearest(3e38F);
+        S target(RayHits::nothing);
+        S u(0.0F);
+        S v(0.0F);
+        for (std::size_t i = 0; i < targets.rectangle_count; ++i) {
+            const RayRectangle& rectangle = targets.rectangles[i];
+            const S distance = S(rectangle.height) / dot(spread<S>(rectangle.normal), direction);
+            const S along_x = simd::mul_add(distance, dot(spread<S>(rectangle.x), direction), -S(rectangle.middle[0]));
+            const S along_y = simd::mul_add(distance, dot(spread<S>(rectangle.y), direction), -S(rectangle.middle[1]));
+            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]),
+                                           simd::abs(along_y) <= S(rectangle.half_size[1]));
+            const auto first = simd::both(simd::both(distance > S(0.0F), distance < nearest), within);
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, S(static_cast<float>(i)), target);
+            u = simd::select(first, along_x, u);
+            v = simd::select(first, along_y, v);
+        }
+        for (std::size_t i = 0; i < targets.sphere_count; ++i) {
+            S exit;
+            const S distance = entry(targets.spheres[i], direction, exit);
+            const auto first = simd::both(distance > S(0.0F), distance < nearest);
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
+        }
+        for (std::size_t i = 0; i < targets.bound_count; ++i) {
+            S exit;
+            const S distance = entry(targets.bounds[i], direction, exit);
+            const auto maybe = simd::both(exit > S(0.0F), distance < nearest);
+            target = simd::select(maybe, S(RayHits::unknown), target);
+        }
+        packet.store(target, hits.target);
+        packet.store(nearest, hits.distance);
+        packet.store(u, hits.u);
+        packet.store(v, hits.v);
+    });
+}
+
+extern const RayKernels kernels_rays_scalar;
+extern const RayKernels kernels_rays_sse2;
+extern const RayKernels kernels_rays_avx2;
+extern const RayKernels kernels_rays_avx512;
+extern const RayKernels kernels_rays_neon;
+
+} // namespace gonio::transport::detail
