@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <variant>
 
 namespace gonio::detail {
@@ -20,19 +20,29 @@ constexpr double overlap = 4e-6;
 
 } // namespace
 
-DirectionArrays::DirectionArrays(std::span<const glm::dvec3> directions) : exact(directions.begin(), directions.end()) {
+DirectionArrays::DirectionArrays(std::span<const glm::dvec3> directions) {
     for (const glm::dvec3& direction : directions)
-        for (int axis = 0; axis < 3; ++axis)
-            rounded[static_cast<std::size_t>(axis)].push_back(static_cast<float>(direction[axis]));
+        add(direction);
+}
+
+void DirectionArrays::add(const glm::dvec3& direction) {
+    exact.push_back(direction);
+    for (int axis = 0; axis < 3; ++axis)
+        rounded[static_cast<std::size_t>(axis)].push_back(static_cast<float>(direction[axis]));
+}
+
+void DirectionArrays::clear() {
+    exact.clear();
+    for (std::vector<float>& axis : rounded)
+        axis.clear();
 }
 
 BundleCaster::BundleCaster(const Stage& stage, const RayCaster& caster, const Patches& patches,
                            simd::InstructionSet set)
     : stage_(stage), caster_(caster), patches_(patches), kernels_(transport::ray_kernels(set)) {}
 
-void BundleCaster::add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart,
-                                 const Frame& from) {
-    const glm::dvec3 to = frame.origin - from.origin;
+void BundleCaster::add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart) {
+    const glm::dvec3 to = frame.origin - from_.origin;
     transport::RayRectangle rectangle;
     store(frame.z, rectangle.normal);
     store(frame.x, rectangle.x);
@@ -44,90 +54,121 @@ void BundleCaster::add_rectangle(const Frame& frame, double half_width, double h
     rectangle.half_size[0] = static_cast<float>(half_width * (1.0 + overlap));
     rectangle.half_size[1] = static_cast<float>(half_height * (1.0 + overlap));
     rectangles_.push_back(rectangle);
-    of_rectangles_.push_back({chart, height > 0.0});
+    const PatchGrid& grid = patches_.grid(chart);
+    const Chart& on = patches_.charts().all()[chart];
+    of_rectangles_.push_back(
+        {static_cast<std::uint32_t>(chart), height > 0.0, on.u.core == 0.0 && on.v.core == 0.0, grid.first_patch,
+         grid.columns, static_cast<float>(grid.low_u), static_cast<float>(grid.per_u), static_cast<float>(grid.low_v),
+         static_cast<float>(grid.per_v), static_cast<float>(grid.columns - 1), static_cast<float>(grid.rows - 1)});
 }
 
-void BundleCaster::add(const Panel& panel, std::size_t chart, bool is_solid, const Frame& from) {
-    if (is_solid && glm::dot(panel.frame.origin - from.origin, panel.frame.z) > 0.0) return; // faces away
+void BundleCaster::add(const Panel& panel, std::size_t chart, bool is_solid) {
+    if (is_solid && glm::dot(panel.frame.origin - from_.origin, panel.frame.z) > 0.0) return; // faces away
     const std::array<glm::dvec3, 4> at = corners(panel);
-    const bool is_below = std::all_of(
-        at.begin(), at.end(), [&](const glm::dvec3& corner) { return glm::dot(corner - from.origin, from.z) <= 0.0; });
-    if (!is_below) add_rectangle(panel.frame, 0.5 * panel.width, 0.5 * panel.height, chart, from);
+    const bool is_below = std::all_of(at.begin(), at.end(), [&](const glm::dvec3& corner) {
+        return glm::dot(corner - from_.origin, from_.z) <= 0.0;
+    });
+    if (!is_below) add_rectangle(panel.frame, 0.5 * panel.width, 0.5 * panel.height, chart);
 }
 
-void BundleCaster::add(const Plane& plane, std::size_t chart, const Frame& from) {
-    (void)plane;
-    constexpr double endless = 1e37;
-    add_rectangle(patches_.charts().all()[chart].frame, endless, endless, chart, from);
-}
-
-void BundleCaster::cast(const Frame& from, std::size_t own, const DirectionArrays& directions,
-                        std::span<std::uint32_t> ends) {
+void BundleCaster::begin(const Frame& from, std::size_t own) {
+    from_ = from;
+    own_ = own;
     rectangles_.clear();
     of_rectangles_.clear();
     spheres_.clear();
     of_spheres_.clear();
     bounds_.clear();
+    const auto sphere_around = [&](const Ball& ball) {
+        transport::RaySphere sphere;
+        store(ball.center - from.origin, sphere.center);
+        sphere.radius = static_cast<float>(ball.radius);
+        return sphere;
+    };
+    const auto is_below = [&](const Ball& ball) { return glm::dot(ball.center - from.origin, from.z) <= -ball.radius; };
     for (std::size_t i = 0; i < stage_.surfaces.size(); ++i) {
         if (i == own) continue;
         const Primitive& geometry = stage_.surfaces[i].geometry;
         const std::size_t chart = patches_.charts().index_of(i, 0);
-        const auto sphere_around = [&](const Ball& ball) {
-            transport::RaySphere sphere;
-            store(ball.center - from.origin, sphere.center);
-            sphere.radius = static_cast<float>(ball.radius);
-            return sphere;
-        };
-        const auto is_below = [&](const Ball& ball) {
-            return glm::dot(ball.center - from.origin, from.z) <= -ball.radius;
-        };
-        if (const auto* plane = std::get_if<Plane>(&geometry)) {
-            add(*plane, chart, from);
+        if (std::holds_alternative<Plane>(geometry)) {
+            constexpr double endless = 1e37;
+            add_rectangle(patches_.charts().all()[chart].frame, endless, endless, chart);
         } else if (const auto* panel = std::get_if<Panel>(&geometry)) {
-            add(*panel, chart, false, from);
+            add(*panel, chart, false);
         } else if (const auto* box = std::get_if<Box>(&geometry)) {
             if (hides(geometry, from.origin)) continue; // rays pass out of it
             for (int side = 0; side < 6; ++side)
-                add(face(*box, side), chart + static_cast<std::size_t>(side), true, from);
+                add(face(*box, side), chart + static_cast<std::size_t>(side), true);
         } else if (const auto* ball = std::get_if<Ball>(&geometry)) {
             if (hides(geometry, from.origin) || is_below(*ball)) continue;
             spheres_.push_back(sphere_around(*ball));
-            of_spheres_.push_back(chart);
+            of_spheres_.push_back(static_cast<std::uint32_t>(chart));
         } else if (const std::optional<Ball> around = bounds(geometry); around && !is_below(*around)) {
             Ball wider = *around;
             wider.radius *= 1.0 + overlap;
             bounds_.push_back(sphere_around(wider));
         }
     }
-    const std::size_t count = directions.exact.size();
+}
+
+void BundleCaster::run(const DirectionArrays& directions) {
     for (std::vector<float>* const array : {&target_, &distance_, &u_, &v_})
-        array->resize(count);
+        array->resize(directions.size());
     transport::RayFrame frame;
-    store(from.x, frame.x);
-    store(from.y, frame.y);
-    store(from.z, frame.z);
+    store(from_.x, frame.x);
+    store(from_.y, frame.y);
+    store(from_.z, frame.z);
     const float* const arrays[3] = {directions.rounded[0].data(), directions.rounded[1].data(),
                                     directions.rounded[2].data()};
     kernels_.first_hits(
         {rectangles_.data(), rectangles_.size(), spheres_.data(), spheres_.size(), bounds_.data(), bounds_.size()},
-        frame, arrays, count, {target_.data(), distance_.data(), u_.data(), v_.data()});
-    for (std::size_t i = 0; i < count; ++i) {
+        frame, arrays, directions.size(), {target_.data(), distance_.data(), u_.data(), v_.data()});
+}
+
+std::uint32_t BundleCaster::patch_on(const Target& target, float u, float v) const {
+    if (!target.is_uniform)
+        return patches_.at(target.chart, glm::dvec2(static_cast<double>(u), static_cast<double>(v)));
+    const float column = std::clamp((u - target.low_u) * target.per_u, 0.0F, target.last_column);
+    const float row = std::clamp((v - target.low_v) * target.per_v, 0.0F, target.last_row);
+    return target.first_patch + static_cast<std::uint32_t>(row) * target.columns + static_cast<std::uint32_t>(column);
+}
+
+void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32_t> ends,
+                        std::span<std::uint32_t> charts) {
+    run(directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        ends[i] = charts[i] = no_patch;
+        if (target_[i] == transport::RayHits::nothing) continue;
         if (target_[i] == transport::RayHits::unknown) {
-            const RayEnd end = caster_.cast({from.origin, from.to_world(directions.exact[i])}, own);
-            ends[i] = end.surface == RayEnd::nothing
-                          ? no_patch
-                          : patches_.at(patches_.charts().index_of(end.surface, end.face), end.position);
-        } else if (target_[i] == transport::RayHits::nothing) {
-            ends[i] = no_patch;
+            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.exact[i])}, own_);
+            if (end.surface == RayEnd::nothing) continue;
+            charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
+            ends[i] = patches_.at(charts[i], end.position);
         } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
-            ends[i] = of_rectangles_[target].blocks
-                          ? no_patch
-                          : patches_.at(of_rectangles_[target].chart,
-                                        glm::dvec2(static_cast<double>(u_[i]), static_cast<double>(v_[i])));
+            if (of_rectangles_[target].blocks) continue;
+            charts[i] = of_rectangles_[target].chart;
+            ends[i] = patch_on(of_rectangles_[target], u_[i], v_[i]);
         } else {
-            const glm::dvec3 position =
-                from.origin + static_cast<double>(distance_[i]) * from.to_world(directions.exact[i]);
-            ends[i] = patches_.at(of_spheres_[target - rectangles_.size()], position);
+            charts[i] = of_spheres_[target - rectangles_.size()];
+            ends[i] = patches_.at(charts[i], from_.origin + static_cast<double>(distance_[i]) *
+                                                                from_.to_world(directions.exact[i]));
+        }
+    }
+}
+
+void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32_t> charts) {
+    run(directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        charts[i] = no_patch;
+        if (target_[i] == transport::RayHits::nothing) continue;
+        if (target_[i] == transport::RayHits::unknown) {
+            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.exact[i])}, own_);
+            if (end.surface != RayEnd::nothing)
+                charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
+        } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
+            if (!of_rectangles_[target].blocks) charts[i] = of_rectangles_[target].chart;
+        } else {
+            charts[i] = of_spheres_[target - rectangles_.size()];
         }
     }
 }

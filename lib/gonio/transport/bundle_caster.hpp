@@ -22,7 +22,12 @@ inline constexpr std::uint32_t no_patch = 0xffffffffU;
 
 // Directions about +Z as arrays of floats.
 struct DirectionArrays {
+    DirectionArrays() = default;
     explicit DirectionArrays(std::span<const glm::dvec3> directions);
+
+    void add(const glm::dvec3& direction);
+    void clear();
+    std::size_t size() const { return exact.size(); }
 
     std::vector<glm::dvec3> exact;
     std::array<std::vector<float>, 3> rounded;
@@ -33,28 +38,40 @@ class BundleCaster {
 public:
     BundleCaster(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set);
 
-    // The patch that each ray ends on. `own`: as RayCaster::cast().
-    void cast(const Frame& from, std::size_t own, const DirectionArrays& directions, std::span<std::uint32_t> ends);
+    // All rays that follow start here. `own`: as RayCaster::cast().
+    void begin(const Frame& from, std::size_t own);
+
+    // The patch that each ray ends on, and its chart, which is `no_patch` where that is.
+    void cast(const DirectionArrays& directions, std::span<std::uint32_t> ends, std::span<std::uint32_t> charts);
+
+    // The chart that each ray meets first, or `no_patch`.
+    void cast(const DirectionArrays& directions, std::span<std::uint32_t> charts);
 
 private:
     struct Target {
-        std::size_t chart;
+        std::uint32_t chart;
         bool blocks; // met from behind
+        bool is_uniform;
+        std::uint32_t first_patch, columns;
+        float low_u, per_u, low_v, per_v, last_column, last_row;
     };
 
-    void add(const Panel& panel, std::size_t chart, bool is_solid, const Frame& from);
-    void add(const Plane& plane, std::size_t chart, const Frame& from);
-    void add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart, const Frame& from);
+    void add(const Panel& panel, std::size_t chart, bool is_solid);
+    void add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart);
+    void run(const DirectionArrays& directions);
+    std::uint32_t patch_on(const Target& target, float u, float v) const;
 
     const Stage& stage_;
     const RayCaster& caster_;
     const Patches& patches_;
     const transport::RayKernels& kernels_;
+    Frame from_;
+    std::size_t own_ = RayEnd::nothing;
     std::vector<transport::RayRectangle> rectangles_;
     std::vector<transport::RaySphere> spheres_;
     std::vector<transport::RaySphere> bounds_;
     std::vector<Target> of_rectangles_;
-    std::vector<std::size_t> of_spheres_; // their charts
+    std::vector<std::uint32_t> of_spheres_; // their charts
     std::vector<float> target_, distance_, u_, v_;
 };
 

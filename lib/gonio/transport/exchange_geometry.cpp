@@ -86,17 +86,12 @@ void ExchangeGeometry::balance() {
         for (std::size_t i = 0; i < mean.count; ++i)
             node_area[nodes_[mean.node[i]].same_as] += mean.weight[i] * area_m2;
     }
-    const auto chart_of = [&](std::uint32_t sender) {
-        return sender < patches_.count() ? patches_.chart_of(sender)
-                                         : patches_.cells()[sender - patches_.count()].chart;
-    };
-    for (std::uint32_t i = 0; i < patches_.cells().size(); ++i)
-        from_cells_.for_each(i, [&](std::uint32_t sender, double share) {
-            by_cells[chart_of(sender)] += patches_.cell_area_m2(i) * share;
-        });
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        from_nodes_.for_each(
-            i, [&](std::uint32_t sender, double share) { by_nodes[chart_of(sender)] += node_area[i] * share; });
+    for (std::size_t chart = 0; chart < charts; ++chart) {
+        for (std::uint32_t i = 0; i < patches_.cells().size(); ++i)
+            by_cells[chart] += patches_.cell_area_m2(i) * from_cells_.of_chart(i, chart);
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            by_nodes[chart] += node_area[i] * from_nodes_.of_chart(i, chart);
+    }
     cell_factor_.assign(charts, 1.0);
     node_factor_.assign(charts, 1.0);
     if (patches_.charts().endless()) return; // parts of planes are farther away than patches reach

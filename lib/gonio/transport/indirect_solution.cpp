@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace gonio::detail {
 
@@ -64,12 +63,12 @@ public:
 
 private:
     // `sent` of each patch.
-    template<class Sent>
-    std::vector<glm::dvec3> gathered(const Sent& sent) const {
+    template<class SentBy>
+    std::vector<glm::dvec3> gathered(const SentBy& sent) const {
         std::vector<glm::dvec3> of_patches(patches_.count());
         for (std::uint32_t patch = 0; patch < of_patches.size(); ++patch)
             of_patches[patch] = sent(patch);
-        const std::vector<glm::dvec3> all = with_cells(patches_, std::move(of_patches));
+        const std::vector<Sent> all = with_cells(patches_, of_patches);
         std::vector<glm::dvec3> lx(patches_.cells().size(), glm::dvec3(0.0));
         constexpr std::size_t together = 64;
         parallel_for((lx.size() + together - 1) / together, threads_, [&](std::size_t block) {

@@ -50,6 +50,13 @@ glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
     return glm::clamp(sum / static_cast<double>(steps), 0.0, 1.0);
 }
 
+Interreflection::Interreflection() = default;
+Interreflection::Interreflection(const Interreflection& other) = default;
+Interreflection::Interreflection(Interreflection&& other) noexcept = default;
+Interreflection& Interreflection::operator=(const Interreflection& other) = default;
+Interreflection& Interreflection::operator=(Interreflection&& other) noexcept = default;
+Interreflection::~Interreflection() = default;
+
 Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const Light> lights,
                                             const LightingOptions& options, const ExchangeQuality& quality,
                                             const Interreflection* known) {
@@ -82,22 +89,21 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     std::vector<glm::dvec3> sent(patches.count());
     for (std::uint32_t i = 0; i < sent.size(); ++i)
         sent[i] = exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)];
-    exchange.reflect(sent);
-    exchange.nodes_lx_ = exchange.gathered(sent, options.threads);
-    exchange.sent_lx_ = std::move(sent);
+    exchange.sent_ = exchange.reflected(std::move(sent));
+    exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
     exchange.sum_up(options.bounces == all_bounces, options.threads);
     return exchange;
 }
 
 // From what patches receive to what they and their cells send.
-void Interreflection::reflect(std::vector<glm::dvec3>& lx) const {
+std::vector<detail::Sent> Interreflection::reflected(std::vector<glm::dvec3> lx) const {
     const Patches& patches = geometry_->patches();
     for (std::uint32_t i = 0; i < lx.size(); ++i)
         lx[i] *= geometry_->node_factor(patches.chart_of(i)) * albedo_[patches.surface_of(i)];
-    lx = with_cells(patches, std::move(lx));
+    return with_cells(patches, lx);
 }
 
-std::vector<glm::dvec3> Interreflection::gathered(std::span<const glm::dvec3> sent, unsigned threads) const {
+std::vector<glm::dvec3> Interreflection::gathered(std::span<const detail::Sent> sent, unsigned threads) const {
     const std::vector<detail::Node>& nodes = geometry_->nodes();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
@@ -141,9 +147,8 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
         const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
         const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
         if (returned_lm.x >= 0.5 * sent_lm.x && returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
-            std::vector<glm::dvec3> uniform(patches.count(), glm::dvec3(1.0));
-            reflect(uniform);
-            const std::vector<glm::dvec3> shape = gathered(uniform, threads);
+            const std::vector<glm::dvec3> shape =
+                gathered(reflected(std::vector<glm::dvec3>(patches.count(), glm::dvec3(1.0))), threads);
             const std::vector<glm::dvec3> shape_on_patch = on_patches(shape, threads);
             const glm::dvec3 missing_lm =
                 returned_lm - sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });
@@ -162,10 +167,10 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
     balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });
     if (to_the_end) {
-        sent_lx_.resize(patches.count());
-        for (std::uint32_t i = 0; i < sent_lx_.size(); ++i)
-            sent_lx_[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
-        sent_lx_ = with_cells(patches, std::move(sent_lx_));
+        std::vector<glm::dvec3> sent(patches.count());
+        for (std::uint32_t i = 0; i < sent.size(); ++i)
+            sent[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
+        sent_ = with_cells(patches, sent);
     }
     balance_.escaped_lm =
         sum([&](std::uint32_t i) { return albedo(i) * (direct_lx_[i] + on_patch[i]) * (1.0 - stays(i)); });
@@ -194,7 +199,7 @@ glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const gl
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
     const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
     return detail::Bundles(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1, instruction_set_)
-        .gathered(0, sent_lx_);
+        .gathered(0, sent_);
 }
 
 std::size_t Interreflection::node_count() const {
@@ -204,7 +209,8 @@ std::size_t Interreflection::patch_count() const {
     return geometry_->patches().count();
 }
 std::size_t Interreflection::memory() const {
-    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size() + sent_lx_.size()) * sizeof(glm::dvec3);
+    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3) +
+           sent_.size() * sizeof(detail::Sent);
 }
 
 } // namespace gonio

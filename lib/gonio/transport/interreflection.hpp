@@ -22,11 +22,12 @@ namespace gonio {
 
 namespace detail {
 class ExchangeGeometry;
-}
+struct Sent;
+} // namespace detail
 
 // How finely a stage is divided. The defaults are those of the benchmark's front.
 struct ExchangeQuality {
-    double patches = 12000.0;         // about as many carry direct light
+    double patches = 8000.0;          // about as many carry direct light
     std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution
     std::size_t node_rays = 1024;     // of each node, in the last gathering
     double node_spacing = 1.0;        // multiplies the distances between nodes
@@ -68,11 +69,17 @@ public:
     // Of what is kept, in bytes.
     std::size_t memory() const;
 
+    Interreflection(const Interreflection& other);
+    Interreflection(Interreflection&& other) noexcept;
+    Interreflection& operator=(const Interreflection& other);
+    Interreflection& operator=(Interreflection&& other) noexcept;
+    ~Interreflection();
+
 private:
-    Interreflection() = default;
+    Interreflection();
     void sum_up(bool to_the_end, unsigned threads);
-    void reflect(std::vector<glm::dvec3>& lx) const;
-    std::vector<glm::dvec3> gathered(std::span<const glm::dvec3> sent, unsigned threads) const;
+    std::vector<detail::Sent> reflected(std::vector<glm::dvec3> lx) const;
+    std::vector<glm::dvec3> gathered(std::span<const detail::Sent> sent, unsigned threads) const;
     std::vector<glm::dvec3> on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const;
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 
@@ -80,7 +87,7 @@ private:
     std::vector<glm::dvec3> albedo_;    // by surface
     std::vector<glm::dvec3> direct_lx_; // by patch
     std::vector<glm::dvec3> nodes_lx_;  // by node
-    std::vector<glm::dvec3> sent_lx_;   // by patch and then by cell: what it sends, over that of a white surface
+    std::vector<detail::Sent> sent_;    // by patch and then by cell: what it sends, over that of a white surface
     glm::dvec3 level_{1.0};             // factors that the balance gave the nodes
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;

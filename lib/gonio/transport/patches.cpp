@@ -38,7 +38,7 @@ Patches::Patches(const Stage& stage, const Interest& interest, double count)
         grid.per_u = grid.columns / (chart.u.warped(chart.u.high) - grid.low_u);
         grid.per_v = grid.rows / (chart.v.warped(chart.v.high) - grid.low_v);
         grids_.push_back(grid);
-        add_patches(stage, chart, grid);
+        add_patches(stage, chart, grid, static_cast<std::uint32_t>(c));
         add_cells(stage, chart, grid, static_cast<std::uint32_t>(c));
     }
     first_of_.assign(cells_.size() + 1, 0);
@@ -68,7 +68,7 @@ glm::dvec3 Patches::normal(std::uint32_t patch) const {
     return chart.normal(chart.coordinates(middle(patch)));
 }
 
-void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid) {
+void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index) {
     const double lift_m = lift(square_m_);
     for (std::uint32_t row = 0; row < grid.rows; ++row)
         for (std::uint32_t column = 0; column < grid.columns; ++column) {
@@ -101,6 +101,7 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
             };
             half_diagonal_m_.push_back(
                 std::max({to_corner(0.0, 0.0), to_corner(1.0, 0.0), to_corner(0.0, 1.0), to_corner(1.0, 1.0)}));
+            chart_of_.push_back(index);
             surface_of_.push_back(static_cast<std::uint32_t>(chart.surface));
             cell_of_.push_back(grid.first_cell + row / cell_side * grid.cell_columns + column / cell_side);
         }

@@ -57,7 +57,7 @@ public:
 
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }
-    std::size_t chart_of(std::uint32_t patch) const { return cells_[cell_of_[patch]].chart; }
+    std::size_t chart_of(std::uint32_t patch) const { return chart_of_[patch]; }
     glm::dvec3 middle(std::uint32_t patch) const { return middle_[patch]; }
     glm::dvec3 normal(std::uint32_t patch) const;
     double half_diagonal(std::uint32_t patch) const { return half_diagonal_m_[patch]; }
@@ -77,7 +77,7 @@ public:
                            double lift_m);
 
 private:
-    void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid);
+    void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
     void add_cells(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
 
     Charts charts_;
@@ -85,6 +85,7 @@ private:
     std::vector<PatchGrid> grids_;
     std::vector<std::uint32_t> cell_of_; // by patch
     std::vector<std::uint32_t> surface_of_;
+    std::vector<std::uint32_t> chart_of_;
     std::vector<glm::dvec3> middle_;
     std::vector<double> half_diagonal_m_;
     std::vector<std::uint32_t> cells_of_solids_;

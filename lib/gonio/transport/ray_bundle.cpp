@@ -18,17 +18,28 @@ constexpr double least_distance = 5.0;
 class Bundle {
 public:
     Bundle(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set)
-        : caster_(caster),
-          bundle_caster_(stage, caster, patches, set),
-          patches_(patches),
-          by_link_(patches.cells().size(), By::rays) {}
+        : caster_(stage, caster, patches, set), patches_(patches), by_link_(patches.cells().size(), By::rays) {
+        for (const Chart& chart : patches.charts().all())
+            is_solid_.push_back(is_sheet(stage.surfaces[chart.surface].geometry) ? 0 : 1);
+    }
 
+    // `of_charts`: the sum of the shares of each.
     void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<std::uint32_t> ends,
-              std::vector<Link>& links) {
-        link(place, links);
-        bundle_caster_.cast(frame_about(place.position, place.normal), place.own, directions, ends);
-        for (std::uint32_t& end : ends)
-            if (end != no_patch && is_linked(place, end)) end = linked;
+              std::vector<Link>& links, std::span<float> of_charts) {
+        caster_.begin(frame_about(place.position, place.normal), place.own);
+        link(place, links, of_charts);
+        charts_.resize(directions.size());
+        caster_.cast(directions, ends, charts_);
+        count_.assign(of_charts.size(), 0);
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            if (ends[i] == no_patch) continue;
+            if (is_solid_[charts_[i]] != 0 && is_linked(place, ends[i]))
+                ends[i] = linked;
+            else
+                ++count_[charts_[i]];
+        }
+        for (std::size_t chart = 0; chart < of_charts.size(); ++chart)
+            of_charts[chart] += static_cast<float>(count_[chart]) / static_cast<float>(directions.size());
     }
 
 private:
@@ -46,44 +57,67 @@ private:
                (by == By::patches && is_far(place, patches_.middle(patch), patches_.half_diagonal(patch)));
     }
 
-    void link(const Receivers::Place& place, std::vector<Link>& links) {
+    void link(const Receivers::Place& place, std::vector<Link>& links, std::span<float> of_charts) {
+        possible_.clear();
+        possible_charts_.clear();
+        towards_.clear();
+        const Frame frame = frame_about(place.position, place.normal);
         for (const std::uint32_t of_solid : patches_.cells_of_solids()) {
             const Cell& sender = patches_.cells()[of_solid];
-            const std::size_t surface = patches_.charts().all()[sender.chart].surface;
             by_link_[of_solid] = By::rays;
-            if (sender.covered || surface == place.own) continue;
+            if (sender.covered || patches_.charts().all()[sender.chart].surface == place.own) continue;
             if (is_far(place, sender.position, sender.half_diagonal_m)) {
                 by_link_[of_solid] = By::cell;
-                add(place, sender.position, sender.normal, surface, patches_.cell_area_m2(of_solid),
-                    static_cast<std::uint32_t>(patches_.count()) + of_solid, links);
+                consider(place, frame, {sender.position, sender.normal, patches_.cell_area_m2(of_solid)},
+                         static_cast<std::uint32_t>(patches_.count()) + of_solid, sender.chart);
                 continue;
             }
             by_link_[of_solid] = By::patches;
             for (const std::uint32_t patch : patches_.patches_of(of_solid)) {
                 const glm::dvec3 middle = patches_.middle(patch);
                 if (is_far(place, middle, patches_.half_diagonal(patch)))
-                    add(place, middle, patches_.normal(patch), surface, patches_.area_m2(patch), patch, links);
+                    consider(place, frame, {middle, patches_.normal(patch), patches_.area_m2(patch)}, patch,
+                             sender.chart);
             }
+        }
+        charts_.resize(possible_.size());
+        caster_.cast(towards_, charts_);
+        for (std::size_t i = 0; i < possible_.size(); ++i) {
+            if (charts_[i] != possible_charts_[i]) continue;
+            links.push_back(possible_[i]);
+            of_charts[charts_[i]] += possible_[i].share;
         }
     }
 
-    void add(const Receivers::Place& place, const glm::dvec3& position, const glm::dvec3& normal, std::size_t surface,
-             double area_m2, std::uint32_t sender, std::vector<Link>& links) const {
-        const glm::dvec3 to = position - place.position;
+    struct Sender {
+        glm::dvec3 position;
+        glm::dvec3 normal;
+        double area_m2;
+    };
+
+    void consider(const Receivers::Place& place, const Frame& frame, const Sender& sender, std::uint32_t number,
+                  std::uint32_t chart) {
+        const glm::dvec3 to = sender.position - place.position;
         const double here = glm::dot(place.normal, to);
-        const double there = -glm::dot(normal, to);
-        if (!(here > 0.0) || !(there > 0.0) || !(area_m2 > 0.0)) return;
+        const double there = -glm::dot(sender.normal, to);
+        if (!(here > 0.0) || !(there > 0.0) || !(sender.area_m2 > 0.0)) return;
         const double distance2 = glm::dot(to, to);
-        const RayEnd end = caster_.cast({place.position, to / std::sqrt(distance2)}, place.own);
-        if (end.surface != surface) return;
-        const double share = here * there * area_m2 / (std::numbers::pi * distance2 * distance2);
-        links.push_back({sender, static_cast<float>(share)});
+        possible_.push_back(
+            {number, static_cast<float>(here * there * sender.area_m2 / (std::numbers::pi * distance2 * distance2))});
+        possible_charts_.push_back(chart);
+        towards_.add(frame.to_local(to / std::sqrt(distance2)));
     }
 
-    const RayCaster& caster_;
-    BundleCaster bundle_caster_;
+    BundleCaster caster_;
     const Patches& patches_;
-    std::vector<By> by_link_; // by cell, for the current place
+    std::vector<std::uint8_t> is_solid_; // by chart
+    // For the current place:
+    std::vector<By> by_link_; // by cell
+    std::vector<Link> possible_;
+    std::vector<std::uint32_t> possible_charts_;
+    DirectionArrays towards_;
+    std::vector<std::uint32_t> charts_;
+    std::vector<std::uint32_t> count_; // of rays, by chart
 };
 
 } // namespace
@@ -114,7 +148,10 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
 
 Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
                  unsigned threads, simd::InstructionSet set)
-    : rays_(rays), ends_(places.size() * rays, no_patch) {
+    : rays_(rays),
+      ends_(places.size() * rays, no_patch),
+      charts_(patches.charts().all().size()),
+      of_charts_(places.size() * charts_, 0.0F) {
     const DirectionArrays directions(cosine_directions(rays));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
@@ -126,7 +163,8 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
             if (places[i].left_out) continue;
             const std::size_t before = links[block].size();
-            bundle.make(places[i], directions, std::span(ends_).subspan(i * rays, rays), links[block]);
+            bundle.make(places[i], directions, std::span(ends_).subspan(i * rays, rays), links[block],
+                        std::span(of_charts_).subspan(i * charts_, charts_));
             count[i] = static_cast<std::uint32_t>(links[block].size() - before);
         }
     });
@@ -138,13 +176,20 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
         links_.insert(links_.end(), of_block.begin(), of_block.end());
 }
 
-glm::dvec3 Bundles::gathered(std::size_t place, std::span<const glm::dvec3> sent) const {
+glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent) const {
+    // Floats in runs that keep their digits, then doubles.
+    constexpr std::size_t run = 64;
+    const std::span<const std::uint32_t> of_place = ends(place);
     glm::dvec3 by_rays(0.0);
-    for (const std::uint32_t end : ends(place))
-        if (end < linked) by_rays += sent[end];
+    for (std::size_t first = 0; first < of_place.size(); first += run) {
+        Sent sum;
+        for (std::size_t i = first; i < std::min(first + run, of_place.size()); ++i)
+            if (of_place[i] < linked) sum.add(sent[of_place[i]]);
+        by_rays += sum.rgb();
+    }
     glm::dvec3 by_links(0.0);
     for (std::uint32_t i = first_link_[place]; i < first_link_[place + 1]; ++i)
-        by_links += static_cast<double>(links_[i].share) * sent[links_[i].sender];
+        by_links += static_cast<double>(links_[i].share) * sent[links_[i].sender].rgb();
     return by_rays / static_cast<double>(rays_) + by_links;
 }
 
@@ -153,15 +198,19 @@ double Bundles::escaping(std::size_t place) const {
     return static_cast<double>(std::count(of_place.begin(), of_place.end(), no_patch)) / static_cast<double>(rays_);
 }
 
-std::vector<glm::dvec3> with_cells(const Patches& patches, std::vector<glm::dvec3> of_patches) {
+std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches) {
     const std::size_t count = patches.count();
-    of_patches.resize(count + patches.cells().size(), glm::dvec3(0.0));
+    std::vector<Sent> sent(count + patches.cells().size());
+    std::vector<glm::dvec3> of_cells(patches.cells().size(), glm::dvec3(0.0));
     for (std::uint32_t patch = 0; patch < count; ++patch) {
+        sent[patch] = Sent(of_patches[patch]);
         const std::uint32_t cell = patches.cell_of(patch);
         const double area_m2 = patches.cell_area_m2(cell);
-        if (area_m2 > 0.0) of_patches[count + cell] += patches.area_m2(patch) / area_m2 * of_patches[patch];
+        if (area_m2 > 0.0) of_cells[cell] += patches.area_m2(patch) / area_m2 * of_patches[patch];
     }
-    return of_patches;
+    for (std::size_t cell = 0; cell < of_cells.size(); ++cell)
+        sent[count + cell] = Sent(of_cells[cell]);
+    return sent;
 }
 
 } // namespace gonio::detail

@@ -26,6 +26,20 @@ std::vector<glm::dvec3> cosine_directions(std::size_t count);
 // Two directions at right angles to a unit normal, which is Z.
 Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal);
 
+// What a patch sends, per channel: four floats, which processors add at once.
+struct alignas(16) Sent {
+    float value[4] = {};
+
+    Sent() = default;
+    explicit Sent(const glm::dvec3& rgb)
+        : value{static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z), 0.0F} {}
+    void add(const Sent& other) {
+        for (int i = 0; i < 4; ++i)
+            value[i] += other.value[i];
+    }
+    glm::dvec3 rgb() const { return {value[0], value[1], value[2]}; }
+};
+
 // A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
 struct Link {
     std::uint32_t sender = 0;
@@ -49,21 +63,18 @@ public:
     Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
             unsigned threads, simd::InstructionSet set);
 
-    // Calls use(sender, share) for each patch or cell that a place sees.
-    template<class Use>
-    void for_each(std::size_t place, const Use& use) const {
-        const double share = 1.0 / static_cast<double>(rays_);
-        for (const std::uint32_t end : ends(place))
-            if (end < linked) use(end, share);
-        for (std::uint32_t i = first_link_[place]; i < first_link_[place + 1]; ++i)
-            use(links_[i].sender, static_cast<double>(links_[i].share));
-    }
     // Of senders that are patches, and then cells, the sum of sent · share.
-    glm::dvec3 gathered(std::size_t place, std::span<const glm::dvec3> sent) const;
+    glm::dvec3 gathered(std::size_t place, std::span<const Sent> sent) const;
 
+    // The sum of the shares of all patches and cells of a chart.
+    double of_chart(std::size_t place, std::size_t chart) const {
+        return static_cast<double>(of_charts_[place * charts_ + chart]);
+    }
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
-    std::size_t memory() const { return ends_.size() * sizeof(std::uint32_t) + links_.size() * sizeof(Link); }
+    std::size_t memory() const {
+        return ends_.size() * sizeof(std::uint32_t) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
+    }
 
 private:
     std::span<const std::uint32_t> ends(std::size_t place) const {
@@ -73,10 +84,12 @@ private:
     std::size_t rays_ = 1;
     std::vector<std::uint32_t> ends_;
     std::vector<Link> links_;
+    std::size_t charts_ = 0;
+    std::vector<float> of_charts_;
     std::vector<std::uint32_t> first_link_; // by place, and the end of the last
 };
 
 // What each patch sends, followed by the mean of each cell, in the order that senders are numbered.
-std::vector<glm::dvec3> with_cells(const Patches& patches, std::vector<glm::dvec3> of_patches);
+std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches);
 
 } // namespace gonio::detail
