@@ -3,7 +3,9 @@
 #include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/reflected_view.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -99,19 +101,30 @@ void LitTile::add_sky() {
 }
 
 void LitTile::add_indirect() {
+    ReflectedView view(*picture_.indirect, options_.instruction_set);
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const glm::dvec3 position = samples.position_of(i);
-            const glm::dvec3 lx = static_cast<double>(samples.share[i]) *
-                                  picture_.indirect->on_surface(samples.surface, face_at(geometry, position), position);
-            const double cosine = glm::dot(glm::normalize(samples.normal_of(i)), samples.view_of(i));
-            const glm::dvec3 rgb = std::numbers::inv_pi * lx * scene_.albedos[samples.surface](cosine);
-            for (int channel = 0; channel < 3; ++channel)
-                picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
-                    static_cast<float>(rgb[channel]);
-            if (options_.illuminance)
-                picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(glm::dot(lx, rec709_luminance));
+        const LobeRays& lobe = scene_.lobes[samples.surface];
+        for (const SurfaceSamples::Chunk& chunk : samples.chunks) {
+            const std::vector<glm::vec3>* const glossy =
+                lobe.empty() ? nullptr : &view.luminance(samples, chunk.first, chunk.count, lobe);
+            for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
+                const glm::dvec3 position = samples.position_of(i);
+                const glm::dvec3 lx =
+                    picture_.indirect->on_surface(samples.surface, face_at(geometry, position), position);
+                const double cosine = glm::dot(glm::normalize(samples.normal_of(i)), samples.view_of(i));
+                const glm::dvec3 diffuse =
+                    glm::max(scene_.albedos[samples.surface](cosine) - lobe.albedo(cosine), glm::dvec3(0.0));
+                glm::dvec3 rgb = std::numbers::inv_pi * lx * diffuse;
+                if (glossy != nullptr) rgb += glm::dvec3((*glossy)[i - chunk.first]);
+                for (int channel = 0; channel < 3; ++channel)
+                    picture_.luminance_nt
+                        .pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
+                        samples.share[i] * static_cast<float>(rgb[channel]);
+                if (options_.illuminance)
+                    picture_.illuminance_lx.pixels[samples.pixel[i]] +=
+                        samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
+            }
         }
     }
 }

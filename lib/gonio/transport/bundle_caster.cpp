@@ -18,6 +18,35 @@ void store(const glm::dvec3& from, float (&to)[3]) {
 // Rectangles overlap by this much of their size, so that no ray passes between those that meet at an edge.
 constexpr double overlap = 4e-6;
 
+transport::RayRectangle rectangle_from(const glm::dvec3& origin, const Frame& frame, double half_width,
+                                       double half_height) {
+    const glm::dvec3 to = frame.origin - origin;
+    transport::RayRectangle rectangle;
+    store(frame.z, rectangle.normal);
+    store(frame.x, rectangle.x);
+    store(frame.y, rectangle.y);
+    rectangle.height = static_cast<float>(glm::dot(to, frame.z));
+    rectangle.middle[0] = static_cast<float>(glm::dot(to, frame.x));
+    rectangle.middle[1] = static_cast<float>(glm::dot(to, frame.y));
+    rectangle.half_size[0] = static_cast<float>(half_width * (1.0 + overlap));
+    rectangle.half_size[1] = static_cast<float>(half_height * (1.0 + overlap));
+    return rectangle;
+}
+
+transport::RaySphere sphere_from(const glm::dvec3& origin, const Ball& ball) {
+    transport::RaySphere sphere;
+    store(ball.center - origin, sphere.center);
+    sphere.radius = static_cast<float>(ball.radius);
+    return sphere;
+}
+
+// Around a solid that is tested in double.
+transport::RaySphere bounds_from(const glm::dvec3& origin, const Ball& around) {
+    return sphere_from(origin, {around.center, around.radius * (1.0 + overlap)});
+}
+
+constexpr double endless = 1e37; // half the side of a plane
+
 } // namespace
 
 DirectionArrays::DirectionArrays(std::span<const glm::dvec3> directions) {
@@ -42,18 +71,8 @@ BundleCaster::BundleCaster(const Stage& stage, const RayCaster& caster, const Pa
     : stage_(stage), caster_(caster), patches_(patches), kernels_(transport::ray_kernels(set)) {}
 
 void BundleCaster::add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart) {
-    const glm::dvec3 to = frame.origin - from_.origin;
-    transport::RayRectangle rectangle;
-    store(frame.z, rectangle.normal);
-    store(frame.x, rectangle.x);
-    store(frame.y, rectangle.y);
-    const double height = glm::dot(to, frame.z);
-    rectangle.height = static_cast<float>(height);
-    rectangle.middle[0] = static_cast<float>(glm::dot(to, frame.x));
-    rectangle.middle[1] = static_cast<float>(glm::dot(to, frame.y));
-    rectangle.half_size[0] = static_cast<float>(half_width * (1.0 + overlap));
-    rectangle.half_size[1] = static_cast<float>(half_height * (1.0 + overlap));
-    rectangles_.push_back(rectangle);
+    rectangles_.push_back(rectangle_from(from_.origin, frame, half_width, half_height));
+    const double height = glm::dot(frame.origin - from_.origin, frame.z);
     const PatchGrid& grid = patches_.grid(chart);
     const Chart& on = patches_.charts().all()[chart];
     of_rectangles_.push_back(
@@ -79,19 +98,12 @@ void BundleCaster::begin(const Frame& from, std::size_t own) {
     spheres_.clear();
     of_spheres_.clear();
     bounds_.clear();
-    const auto sphere_around = [&](const Ball& ball) {
-        transport::RaySphere sphere;
-        store(ball.center - from.origin, sphere.center);
-        sphere.radius = static_cast<float>(ball.radius);
-        return sphere;
-    };
     const auto is_below = [&](const Ball& ball) { return glm::dot(ball.center - from.origin, from.z) <= -ball.radius; };
     for (std::size_t i = 0; i < stage_.surfaces.size(); ++i) {
         if (i == own) continue;
         const Primitive& geometry = stage_.surfaces[i].geometry;
         const std::size_t chart = patches_.charts().index_of(i, 0);
         if (std::holds_alternative<Plane>(geometry)) {
-            constexpr double endless = 1e37;
             add_rectangle(patches_.charts().all()[chart].frame, endless, endless, chart);
         } else if (const auto* panel = std::get_if<Panel>(&geometry)) {
             add(*panel, chart, false);
@@ -101,12 +113,10 @@ void BundleCaster::begin(const Frame& from, std::size_t own) {
                 add(face(*box, side), chart + static_cast<std::size_t>(side), true);
         } else if (const auto* ball = std::get_if<Ball>(&geometry)) {
             if (hides(geometry, from.origin) || is_below(*ball)) continue;
-            spheres_.push_back(sphere_around(*ball));
+            spheres_.push_back(sphere_from(from.origin, *ball));
             of_spheres_.push_back(static_cast<std::uint32_t>(chart));
         } else if (const std::optional<Ball> around = bounds(geometry); around && !is_below(*around)) {
-            Ball wider = *around;
-            wider.radius *= 1.0 + overlap;
-            bounds_.push_back(sphere_around(wider));
+            bounds_.push_back(bounds_from(from.origin, *around));
         }
     }
 }
@@ -170,6 +180,77 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
         } else {
             charts[i] = of_spheres_[target - rectangles_.size()];
         }
+    }
+}
+
+ScatteredCaster::ScatteredCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set)
+    : stage_(stage), patches_(patches), kernels_(transport::ray_kernels(set)), caster_(stage) {}
+
+void ScatteredCaster::begin(const glm::dvec3& anchor, std::size_t own) {
+    rectangles_.clear();
+    spheres_.clear();
+    bounds_.clear();
+    charts_.clear();
+    std::vector<std::uint32_t> of_spheres;
+    const auto add = [&](const Frame& frame, double width, double height, std::size_t chart, bool is_solid) {
+        rectangles_.push_back(rectangle_from(anchor, frame, 0.5 * width, 0.5 * height));
+        rectangles_.back().is_solid = is_solid;
+        charts_.push_back(static_cast<std::uint32_t>(chart));
+    };
+    for (std::size_t i = 0; i < stage_.surfaces.size(); ++i) {
+        if (i == own) continue;
+        const Primitive& geometry = stage_.surfaces[i].geometry;
+        const std::size_t chart = patches_.charts().index_of(i, 0);
+        if (std::holds_alternative<Plane>(geometry)) {
+            add(patches_.charts().all()[chart].frame, 2.0 * endless, 2.0 * endless, chart, false);
+        } else if (const auto* panel = std::get_if<Panel>(&geometry)) {
+            add(panel->frame, panel->width, panel->height, chart, false);
+        } else if (const auto* box = std::get_if<Box>(&geometry)) {
+            for (int side = 0; side < 6; ++side) {
+                const Panel of_box = face(*box, side);
+                add(of_box.frame, of_box.width, of_box.height, chart + static_cast<std::size_t>(side), true);
+            }
+        } else if (const auto* ball = std::get_if<Ball>(&geometry)) {
+            spheres_.push_back(sphere_from(anchor, *ball));
+            of_spheres.push_back(static_cast<std::uint32_t>(chart));
+        } else if (const std::optional<Ball> around = bounds(geometry)) {
+            bounds_.push_back(bounds_from(anchor, *around));
+        }
+    }
+    charts_.insert(charts_.end(), of_spheres.begin(), of_spheres.end());
+}
+
+void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std::array<std::vector<float>, 3>& origins,
+                           const std::array<std::vector<float>, 3>& directions, std::vector<PatchPlace>& ends) {
+    begin(anchor, own);
+    const std::size_t count = origins[0].size();
+    for (std::vector<float>* const array : {&target_, &distance_, &u_, &v_})
+        array->resize(count);
+    ends.assign(count, {});
+    const float* const from[3] = {origins[0].data(), origins[1].data(), origins[2].data()};
+    const float* const along[3] = {directions[0].data(), directions[1].data(), directions[2].data()};
+    kernels_.first_hits_of_scattered(
+        {rectangles_.data(), rectangles_.size(), spheres_.data(), spheres_.size(), bounds_.data(), bounds_.size()},
+        from, along, count, {target_.data(), distance_.data(), u_.data(), v_.data()});
+    for (std::size_t i = 0; i < count; ++i) {
+        if (target_[i] == transport::RayHits::nothing || target_[i] == transport::RayHits::back) continue;
+        const glm::dvec3 origin = anchor + glm::dvec3(origins[0][i], origins[1][i], origins[2][i]);
+        const glm::dvec3 direction(directions[0][i], directions[1][i], directions[2][i]);
+        const auto on = [&](std::uint32_t chart, const glm::dvec3& position) {
+            const glm::dvec2 at = patches_.charts().all()[chart].coordinates(position);
+            return PatchPlace{chart, static_cast<float>(at.x), static_cast<float>(at.y)};
+        };
+        if (target_[i] == transport::RayHits::unknown) {
+            const RayEnd end = caster_.cast({origin, glm::normalize(direction)}, own);
+            if (end.surface == RayEnd::nothing) continue;
+            ends[i] = on(static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face)), end.position);
+            continue;
+        }
+        const auto target = static_cast<std::size_t>(target_[i]);
+        if (target < rectangles_.size())
+            ends[i] = {charts_[target], u_[i], v_[i]};
+        else
+            ends[i] = on(charts_[target], origin + static_cast<double>(distance_[i]) * direction);
     }
 }
 

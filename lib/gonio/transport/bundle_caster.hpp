@@ -75,4 +75,34 @@ private:
     std::vector<float> target_, distance_, u_, v_;
 };
 
+// A point of a chart, by its coordinates.
+struct PatchPlace {
+    std::uint32_t chart = no_patch; // where a ray ends on nothing
+    float u = 0.0F;
+    float v = 0.0F;
+};
+
+// Rays with origins of their own. One for each thread.
+class ScatteredCaster {
+public:
+    ScatteredCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set);
+
+    // Origins are relative to `anchor`, which is near them.
+    void cast(const glm::dvec3& anchor, std::size_t own, const std::array<std::vector<float>, 3>& origins,
+              const std::array<std::vector<float>, 3>& directions, std::vector<PatchPlace>& ends);
+
+private:
+    void begin(const glm::dvec3& anchor, std::size_t own);
+
+    const Stage& stage_;
+    const Patches& patches_;
+    const transport::RayKernels& kernels_;
+    RayCaster caster_;
+    std::vector<transport::RayRectangle> rectangles_;
+    std::vector<transport::RaySphere> spheres_;
+    std::vector<transport::RaySphere> bounds_;
+    std::vector<std::uint32_t> charts_; // of rectangles and then of spheres
+    std::vector<float> target_, distance_, u_, v_;
+};
+
 } // namespace gonio::detail

@@ -189,11 +189,19 @@ glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm:
     return interpolated(geometry_->patches().charts().index_of(surface, face), position, nodes_lx_);
 }
 
-glm::dvec3 Interreflection::luminance_of(std::size_t surface, int face, const glm::dvec3& position) const {
-    const std::size_t chart = geometry_->patches().charts().index_of(surface, face);
-    const glm::dvec3 lx =
-        direct_lx_[geometry_->patches().at(chart, position)] + interpolated(chart, position, nodes_lx_);
-    return std::numbers::inv_pi * albedo_[surface] * lx;
+glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place) const {
+    const Patches& patches = geometry_->patches();
+    const detail::PatchMean mean = patches.around(place.chart, {place.u, place.v});
+    glm::vec3 sum(0.0F);
+    float weights = 0.0F;
+    for (std::size_t i = 0; i < 4; ++i) {
+        // A covered patch is dark, and no ray meets its covered part.
+        const float weight = patches.area_m2(mean.patch[i]) > 0.0 ? mean.weight[i] : 0.0F;
+        const float* const value = sent_[mean.patch[i]].value;
+        sum += weight * glm::vec3(value[0], value[1], value[2]);
+        weights += weight;
+    }
+    return weights > 0.0F ? std::numbers::inv_pi_v<float> / weights * sum : glm::vec3(0.0F);
 }
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {

@@ -22,6 +22,7 @@ namespace gonio {
 
 namespace detail {
 class ExchangeGeometry;
+struct PatchPlace;
 struct Sent;
 } // namespace detail
 
@@ -60,8 +61,10 @@ public:
     // The same at any point, which a bundle of its own rays gathers. `normal` is unit.
     glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal) const;
 
-    // The luminance that a surface sends in every direction, per channel [nt], direct light included.
-    glm::dvec3 luminance_of(std::size_t surface, int face, const glm::dvec3& position) const;
+    // The luminance that a point of a chart sends, per channel [nt], direct light included: between the middles of
+    // patches. For the transport room itself.
+    glm::vec3 luminance_at(const detail::PatchPlace& place) const;
+    const detail::ExchangeGeometry& geometry() const { return *geometry_; }
 
     const ExchangeBalance& balance() const { return balance_; }
     std::size_t node_count() const;

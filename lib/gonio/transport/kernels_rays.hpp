@@ -1,7 +1,7 @@
-// The first target that each ray of a bundle meets, for many rays from one point at once, on the widest vector unit.
+// The first target that each ray meets, for many rays at once, on the widest vector unit.
 //
-// Floats, metres; all positions are relative to the point, so that they keep their digits near it. Nothing fails or
-// allocates. The tests compare them with RayCaster.
+// Floats, metres; all positions are relative to one point near the rays' origins, so that they keep their digits.
+// Nothing fails or allocates. The tests compare them with RayCaster.
 #pragma once
 
 #include <gonio/simd/dispatch.hpp>
@@ -18,6 +18,7 @@ struct RayRectangle {
     float y[3] = {};
     float middle[2] = {}; // along x and y
     float half_size[2] = {};
+    bool is_solid = false; // a side of a solid, which rays from behind pass
 };
 
 struct RaySphere {
@@ -45,6 +46,7 @@ struct RayFrame {
 struct RayHits {
     static constexpr float nothing = -1.0F;
     static constexpr float unknown = -2.0F; // one of the bounds may be met first
+    static constexpr float back = -3.0F;    // the back of a rectangle; only of scattered rays
 
     float* target = nullptr;   // the number of a rectangle, or from rectangle_count on of a sphere
     float* distance = nullptr; // [m]
@@ -54,9 +56,12 @@ struct RayHits {
 
 struct RayKernels {
     simd::InstructionSet set;
-    // `directions`: unit, in the frame.
+    // All rays start at the point. `directions`: unit, in the frame.
     void (*first_hits)(const RayTargets&, const RayFrame&, const float* const directions[3], std::size_t count,
                        const RayHits&);
+    // Each ray has its own origin.
+    void (*first_hits_of_scattered)(const RayTargets&, const float* const origins[3], const float* const directions[3],
+                                    std::size_t count, const RayHits&);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

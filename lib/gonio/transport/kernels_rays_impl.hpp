@@ -17,14 +17,13 @@ GONIO_FORCE_INLINE vec3<S> spread(const float (&v)[3]) {
     return {S(v[0]), S(v[1]), S(v[2])};
 }
 
-// Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Negative
-// where it does not.
+// Where a ray enters a sphere, from the miss distance and not from b² − 4ac: far spheres keep their outline. Both are
+// negative where it does not.
 template<class S>
-GONIO_FORCE_INLINE S entry(const RaySphere& sphere, const vec3<S>& direction, S& exit) {
-    const vec3<S> center = spread<S>(sphere.center);
-    const S along = dot(center, direction);
-    const vec3<S> miss = center - direction * along;
-    const S half_chord2 = S(sphere.radius) * S(sphere.radius) - dot(miss, miss);
+GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& direction, S& exit) {
+    const S along = dot(to_center, direction);
+    const vec3<S> miss = to_center - direction * along;
+    const S half_chord2 = radius * radius - dot(miss, miss);
     const S half_chord = simd::sqrt(simd::max(half_chord2, S(0.0F)));
     exit = simd::select(half_chord2 >= S(0.0F), along + half_chord, S(-1.0F));
     return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
@@ -59,14 +58,66 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
         }
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
             S exit;
-            const S distance = entry(targets.spheres[i], direction, exit);
+            const S distance =
+                entry(S(targets.spheres[i].radius), spread<S>(targets.spheres[i].center), direction, exit);
             const auto first = simd::both(distance > S(0.0F), distance < nearest);
             nearest = simd::select(first, distance, nearest);
             target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
         }
         for (std::size_t i = 0; i < targets.bound_count; ++i) {
             S exit;
-            const S distance = entry(targets.bounds[i], direction, exit);
+            const S distance = entry(S(targets.bounds[i].radius), spread<S>(targets.bounds[i].center), direction, exit);
+            const auto maybe = simd::both(exit > S(0.0F), distance < nearest);
+            target = simd::select(maybe, S(RayHits::unknown), target);
+        }
+        packet.store(target, hits.target);
+        packet.store(nearest, hits.distance);
+        packet.store(u, hits.u);
+        packet.store(v, hits.v);
+    });
+}
+
+template<class S>
+void first_hits_of_scattered(const RayTargets& targets, const float* const origins[3], const float* const directions[3],
+                             std::size_t count, const RayHits& hits) {
+    simd::for_each_packet<simd::Packet<S>>(count, [&](const simd::Packet<S>& packet) {
+        const vec3<S> origin{packet.load(origins[0]), packet.load(origins[1]), packet.load(origins[2])};
+        const vec3<S> direction{packet.load(directions[0]), packet.load(directions[1]), packet.load(directions[2])};
+        S nearest(3e38F);
+        S target(RayHits::nothing);
+        S u(0.0F);
+        S v(0.0F);
+        for (std::size_t i = 0; i < targets.rectangle_count; ++i) {
+            const RayRectangle& rectangle = targets.rectangles[i];
+            const vec3<S> normal = spread<S>(rectangle.normal);
+            const S facing = dot(normal, direction);
+            const S distance = (S(rectangle.height) - dot(normal, origin)) / facing;
+            const vec3<S> at = mul_add(direction, distance, origin);
+            const S along_x = dot(spread<S>(rectangle.x), at) - S(rectangle.middle[0]);
+            const S along_y = dot(spread<S>(rectangle.y), at) - S(rectangle.middle[1]);
+            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]),
+                                           simd::abs(along_y) <= S(rectangle.half_size[1]));
+            auto first = simd::both(simd::both(distance > S(0.0F), distance < nearest), within);
+            const auto is_front = facing < S(0.0F);
+            if (rectangle.is_solid) first = simd::both(first, is_front);
+            const S number = simd::select(is_front, S(static_cast<float>(i)), S(RayHits::back));
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, number, target);
+            u = simd::select(first, along_x, u);
+            v = simd::select(first, along_y, v);
+        }
+        for (std::size_t i = 0; i < targets.sphere_count; ++i) {
+            S exit;
+            const S distance =
+                entry(S(targets.spheres[i].radius), spread<S>(targets.spheres[i].center) - origin, direction, exit);
+            const auto first = simd::both(distance > S(0.0F), distance < nearest);
+            nearest = simd::select(first, distance, nearest);
+            target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
+        }
+        for (std::size_t i = 0; i < targets.bound_count; ++i) {
+            S exit;
+            const S distance =
+                entry(S(targets.bounds[i].radius), spread<S>(targets.bounds[i].center) - origin, direction, exit);
             const auto maybe = simd::both(exit > S(0.0F), distance < nearest);
             target = simd::select(maybe, S(RayHits::unknown), target);
         }

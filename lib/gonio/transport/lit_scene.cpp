@@ -100,6 +100,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
             albedos.emplace_back(core_materials.back());
         else if (options.bounces > 0)
             albedos.emplace_back(core_materials.back(), SkyAlbedo::Fineness::coarse);
+        if (options.bounces > 0) lobes.emplace_back(core_materials.back());
     }
 }
 

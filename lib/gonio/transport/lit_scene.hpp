@@ -9,6 +9,7 @@
 #include <gonio/transport/light_reach.hpp>
 #include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/lighting_options.hpp>
+#include <gonio/transport/lobe_rays.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -55,6 +56,7 @@ struct LitScene {
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
     std::vector<SkyAlbedo> albedos; // of light from all around; empty without a sky and without bounces
+    std::vector<LobeRays> lobes;    // the glossy lobe of each, with bounces; else empty
     LightTree reaches;              // spheres by range, of the lights that are not dark
     LightTree bodies;               // bounding spheres, of the lights with a surface
 };

@@ -63,6 +63,32 @@ std::uint32_t Patches::at(std::size_t chart, const glm::dvec2& coordinates) cons
     return grid.first_patch + index(row, grid.rows) * grid.columns + index(column, grid.columns);
 }
 
+PatchMean Patches::around(std::size_t chart, const glm::dvec2& coordinates) const {
+    const Chart& on = charts_.all()[chart];
+    const PatchGrid& grid = grids_[chart];
+    const bool is_round = on.kind == Chart::Kind::round;
+    struct Place {
+        std::uint32_t low, high;
+        float share;
+    };
+    const auto place = [](double at, std::uint32_t count, bool goes_round) {
+        const double from_middle = at - 0.5;
+        const double floor = std::floor(from_middle);
+        const auto share = static_cast<float>(from_middle - floor);
+        if (floor < 0.0) return goes_round ? Place{count - 1, 0, share} : Place{0, 0, share};
+        const auto low = static_cast<std::uint32_t>(std::min(floor, static_cast<double>(count - 1)));
+        if (low + 1 >= count) return Place{low, goes_round ? 0 : low, share};
+        return Place{low, low + 1, share};
+    };
+    const Place column = place((on.u.warped(coordinates.x) - grid.low_u) * grid.per_u, grid.columns, is_round);
+    const Place row = place((on.v.warped(coordinates.y) - grid.low_v) * grid.per_v, grid.rows, false);
+    const auto patch = [&](std::uint32_t c, std::uint32_t r) { return grid.first_patch + r * grid.columns + c; };
+    return {{patch(column.low, row.low), patch(column.high, row.low), patch(column.low, row.high),
+             patch(column.high, row.high)},
+            {(1.0F - column.share) * (1.0F - row.share), column.share * (1.0F - row.share),
+             (1.0F - column.share) * row.share, column.share * row.share}};
+}
+
 glm::dvec3 Patches::normal(std::uint32_t patch) const {
     const Chart& chart = charts_.all()[chart_of(patch)];
     return chart.normal(chart.coordinates(middle(patch)));

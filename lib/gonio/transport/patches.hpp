@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,6 +38,12 @@ struct Cell {
     bool covered = false; // lies in a solid or against another surface: it neither gets nor sends light
 };
 
+// The patches whose middles are around a point, with weights that add up to 1.
+struct PatchMean {
+    std::array<std::uint32_t, 4> patch{};
+    std::array<float, 4> weight{};
+};
+
 class Patches {
 public:
     // Nothing smaller than this is `covered` by chance, and rays start this far above a surface [m].
@@ -54,6 +61,7 @@ public:
         return at(chart, charts_.all()[chart].coordinates(position));
     }
     std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const;
+    PatchMean around(std::size_t chart, const glm::dvec2& coordinates) const;
 
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }

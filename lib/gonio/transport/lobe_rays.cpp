@@ -1,0 +1,120 @@
+#include <gonio/scene/core_vector.hpp>
+#include <gonio/transport/lobe_rays.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace gonio::detail {
+
+namespace {
+
+using Vec = shading::vec3<double>;
+
+constexpr std::size_t nodes = 32; // over the cosine of the view
+constexpr std::size_t many = 256; // samples of the albedo
+
+// The lattice of the two-dimensional golden ratio (M. Roberts, 2018).
+double fraction_of(std::size_t i, double step) {
+    const double x = 0.5 + static_cast<double>(i) * step;
+    return x - std::floor(x);
+}
+
+// More for wide lobes, which see more of the stage, and for metals, which show little else.
+std::size_t rays_for(double alpha, double reflectance) {
+    std::size_t rays = alpha <= 0.003 ? 1 : alpha <= 0.02 ? 4 : alpha <= 0.08 ? 8 : 16;
+    if (reflectance > 0.15) rays *= alpha > 0.02 ? 4 : 2;
+    return rays;
+}
+
+struct Sampled {
+    std::vector<LobeRay> rays;
+    glm::dvec3 sum{0.0};
+};
+
+template<class Core>
+Sampled sampled(const Core& core, double alpha, double cosine, std::size_t count) {
+    constexpr double g = 1.3247179572447460;
+    const Vec n{0.0, 0.0, 1.0};
+    const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
+    Sampled result;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec l =
+            shading::reflected_direction_ggx(v, alpha, fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g)));
+        LobeRay ray;
+        ray.direction = glm::vec3(vec(l));
+        const double pdf = shading::pdf_reflected_ggx(n, v, l, alpha);
+        if (l.z > 0.0 && pdf > 0.0) {
+            const glm::dvec3 weight =
+                l.z / (pdf * static_cast<double>(count)) * vec(shading::specular_part(core, n, l, v, 0.0));
+            ray.weight = glm::vec3(weight);
+            result.sum += weight;
+        }
+        result.rays.push_back(ray);
+    }
+    return result;
+}
+
+double cosine_of(std::size_t node) {
+    const double root = std::max(static_cast<double>(node) / (nodes - 1.0), 1e-3);
+    return root * root;
+}
+
+struct Place {
+    std::size_t node;
+    double share; // of the next
+};
+
+Place place_of(double cosine) {
+    const double at = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * (nodes - 1.0);
+    const auto node = std::min(static_cast<std::size_t>(at), nodes - 2);
+    return {node, at - static_cast<double>(node)};
+}
+
+} // namespace
+
+LobeRays::LobeRays(const CoreMaterial& material) {
+    std::visit(
+        [&](const auto& core) {
+            using Core = std::decay_t<decltype(core)>;
+            if constexpr (Core::lobe != shading::LobeKind::none) {
+                const double alpha = shading::lobe_alpha(core);
+                const glm::dvec3 reflectance = sampled(core, alpha, 1.0, many).sum;
+                const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
+                if (!(sampled(core, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
+                rays_ = rays_for(alpha, most);
+                for (std::size_t node = 0; node < nodes; ++node) {
+                    const glm::dvec3 albedo = sampled(core, alpha, cosine_of(node), many).sum;
+                    Sampled few = sampled(core, alpha, cosine_of(node), rays_);
+                    for (LobeRay& ray : few.rays)
+                        for (int channel = 0; channel < 3; ++channel)
+                            if (few.sum[channel] > 0.0)
+                                ray.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
+                    table_.insert(table_.end(), few.rays.begin(), few.rays.end());
+                    albedo_.push_back(albedo);
+                }
+            }
+        },
+        material);
+}
+
+void LobeRays::at(double cosine, std::vector<LobeRay>& rays) const {
+    const Place place = place_of(cosine);
+    const auto share = static_cast<float>(place.share);
+    rays.resize(rays_);
+    for (std::size_t i = 0; i < rays_; ++i) {
+        const LobeRay& a = table_[place.node * rays_ + i];
+        const LobeRay& b = table_[(place.node + 1) * rays_ + i];
+        rays[i].direction = (1.0F - share) * a.direction + share * b.direction;
+        rays[i].weight = (1.0F - share) * a.weight + share * b.weight;
+        if (!(rays[i].direction.z > 0.0F)) rays[i].weight = glm::vec3(0.0F);
+    }
+}
+
+glm::dvec3 LobeRays::albedo(double cosine) const {
+    if (empty()) return glm::dvec3(0.0);
+    const Place place = place_of(cosine);
+    return (1.0 - place.share) * albedo_[place.node] + place.share * albedo_[place.node + 1];
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,40 @@
+// The glossy lobe of a material as a few rays for each view, and as its share of uniform light.
+#pragma once
+
+#include <gonio/scene/core_material.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace gonio::detail {
+
+// In the surface's own frame: the normal is Z, the view lies in the plane of X and Z with x ≥ 0.
+struct LobeRay {
+    glm::vec3 direction{0.0F}; // not quite unit
+    glm::vec3 weight{0.0F};    // of the luminance in its direction, per channel
+};
+
+// Visible normals of the GGX lobe of the material's α (E. Heitz, "Sampling the GGX Distribution of Visible Normals",
+// 2018) at the points of a lattice, in a table over the cosine of the view. Weights are f ⟨n·l⟩/pdf, scaled so that
+// they add up to the lobe's directional albedo of many more samples. A material without a lobe has no rays.
+class LobeRays {
+public:
+    explicit LobeRays(const CoreMaterial& material);
+
+    bool empty() const { return rays_ == 0; }
+    std::size_t count() const { return rays_; } // for each view
+
+    // `rays` gets count() of them; those below the surface have the weight 0.
+    void at(double cosine, std::vector<LobeRay>& rays) const;
+    // The directional albedo of the lobe alone, per channel.
+    glm::dvec3 albedo(double cosine) const;
+
+private:
+    std::size_t rays_ = 0;
+    std::vector<LobeRay> table_; // [node][ray], at the cosines (i/(n−1))²
+    std::vector<glm::dvec3> albedo_;
+};
+
+} // namespace gonio::detail

@@ -1,0 +1,53 @@
+#include <gonio/transport/exchange_geometry.hpp>
+#include <gonio/transport/reflected_view.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace gonio::detail {
+
+ReflectedView::ReflectedView(const Interreflection& indirect, simd::InstructionSet set)
+    : indirect_(indirect), caster_(indirect.geometry().stage(), indirect.geometry().patches(), set) {}
+
+const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, std::size_t first,
+                                                       std::size_t count, const LobeRays& lobe) {
+    luminance_.assign(count, glm::vec3(0.0F));
+    for (std::vector<float>& axis : origin_)
+        axis.clear();
+    for (std::vector<float>& axis : direction_)
+        axis.clear();
+    weight_.clear();
+    of_sample_.clear();
+    const ExchangeGeometry& geometry = indirect_.geometry();
+    const double lift_m = Patches::lift(geometry.patches().square_m());
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 normal = glm::normalize(samples.normal_of(first + i));
+        const glm::dvec3 view = samples.view_of(first + i);
+        const double cosine = glm::dot(normal, view);
+        if (!(cosine > 0.0)) continue;
+        lobe.at(cosine, rays_);
+        const glm::dvec3 aside = view - cosine * normal;
+        const double length = glm::length(aside);
+        const glm::vec3 x(length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x);
+        const glm::vec3 z(normal);
+        const glm::vec3 y = glm::cross(z, x);
+        const glm::dvec3 from = samples.position_of(first + i) - samples.anchor + lift_m * normal;
+        for (const LobeRay& ray : rays_) {
+            if (ray.weight == glm::vec3(0.0F)) continue;
+            const glm::vec3 direction = glm::normalize(ray.direction.x * x + ray.direction.y * y + ray.direction.z * z);
+            for (int axis = 0; axis < 3; ++axis) {
+                origin_[static_cast<std::size_t>(axis)].push_back(static_cast<float>(from[axis]));
+                direction_[static_cast<std::size_t>(axis)].push_back(direction[axis]);
+            }
+            weight_.push_back(ray.weight);
+            of_sample_.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    caster_.cast(samples.anchor, geometry.own(samples.surface), origin_, direction_, ends_);
+    for (std::size_t i = 0; i < weight_.size(); ++i)
+        if (ends_[i].chart != no_patch) luminance_[of_sample_[i]] += weight_[i] * indirect_.luminance_at(ends_[i]);
+    return luminance_;
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,39 @@
+// What a glossy surface shows of the lit stage around it.
+#pragma once
+
+#include <gonio/transport/bundle_caster.hpp>
+#include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/lobe_rays.hpp>
+#include <gonio/transport/surface_samples.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace gonio::detail {
+
+class ExchangeGeometry;
+
+// One for each thread. Lights themselves are not seen: their highlights are direct light.
+class ReflectedView {
+public:
+    ReflectedView(const Interreflection& indirect, simd::InstructionSet set);
+
+    // The luminance that the lobe of the samples' surface reflects [nt], for samples [first, first + count).
+    const std::vector<glm::vec3>& luminance(const SurfaceSamples& samples, std::size_t first, std::size_t count,
+                                            const LobeRays& lobe);
+
+private:
+    const Interreflection& indirect_;
+    ScatteredCaster caster_;
+    std::vector<LobeRay> rays_;
+    std::array<std::vector<float>, 3> origin_, direction_;
+    std::vector<glm::vec3> weight_;
+    std::vector<std::uint32_t> of_sample_;
+    std::vector<PatchPlace> ends_;
+    std::vector<glm::vec3> luminance_;
+};
+
+} // namespace gonio::detail
