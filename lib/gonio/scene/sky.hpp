@@ -36,6 +36,7 @@ public:
         coarse, // a twelfth of the time, within 1 %
         fine
     };
+    SkyAlbedo() = default; // to be assigned
     explicit SkyAlbedo(const CoreMaterial& material, Fineness fineness = Fineness::fine);
 
     glm::dvec3 operator()(double cosine) const;

@@ -1,3 +1,4 @@
+#include <gonio/base/parallel.hpp>
 #include <gonio/scene/emitter.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/probe_light.hpp>
@@ -96,12 +97,16 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
         core_materials.push_back(options.specular ? whole : matte);
         materials.push_back(constants(core_materials.back()));
         diffuse_materials.push_back(constants(matte));
-        if (options.sky.value > 0.0)
-            albedos.emplace_back(core_materials.back());
-        else if (options.bounces > 0)
-            albedos.emplace_back(core_materials.back(), SkyAlbedo::Fineness::coarse);
-        if (options.bounces > 0) lobes.emplace_back(core_materials.back());
     }
+    if (!(options.sky.value > 0.0) && options.bounces == 0) return;
+    const std::size_t count = core_materials.size();
+    albedos.resize(count);
+    if (options.bounces > 0) lobes.resize(count);
+    parallel_for(count, options.threads, [&](std::size_t i) {
+        albedos[i] = SkyAlbedo(core_materials[i],
+                               options.sky.value > 0.0 ? SkyAlbedo::Fineness::fine : SkyAlbedo::Fineness::coarse);
+        if (options.bounces > 0) lobes[i] = LobeRays(core_materials[i]);
+    });
 }
 
 void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,

@@ -11,8 +11,8 @@ namespace {
 
 using Vec = shading::vec3<double>;
 
-constexpr std::size_t nodes = 32; // over the cosine of the view
-constexpr std::size_t many = 256; // samples of the albedo
+constexpr std::size_t nodes = 24; // over the cosine of the view
+constexpr std::size_t many = 128; // samples of the albedo
 
 // The lattice of the two-dimensional golden ratio (M. Roberts, 2018).
 double fraction_of(std::size_t i, double step) {
@@ -22,7 +22,7 @@ double fraction_of(std::size_t i, double step) {
 
 // More for wide lobes, which see more of the stage, and for metals, which show little else.
 std::size_t rays_for(double alpha, double reflectance) {
-    std::size_t rays = alpha <= 0.003 ? 1 : alpha <= 0.02 ? 4 : alpha <= 0.08 ? 8 : 16;
+    std::size_t rays = alpha <= 0.003 ? 1 : alpha <= 0.02 ? 4 : 8;
     if (reflectance > 0.15) rays *= alpha > 0.02 ? 4 : 2;
     return rays;
 }

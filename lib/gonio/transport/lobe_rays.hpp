@@ -21,6 +21,7 @@ struct LobeRay {
 // they add up to the lobe's directional albedo of many more samples. A material without a lobe has no rays.
 class LobeRays {
 public:
+    LobeRays() = default;
     explicit LobeRays(const CoreMaterial& material);
 
     bool empty() const { return rays_ == 0; }
