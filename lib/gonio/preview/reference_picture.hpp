@@ -5,28 +5,31 @@
 // the material, weighted by the balance heuristic (E. Veach and L. Guibas, SIGGRAPH 1995); a ray decides whether the
 // light is visible. So each pass is an unbiased picture, anti-aliased and with shadows, that shares neither the closed
 // forms nor the shadows of render(). Lights without size and their shadows are exact at each point, and so are masks on
-// lights with a size. Points and directions are additive recurrences in seven dimensions (M. Roberts, "The Unreasonable
-// Effectiveness of Quasirandom Sequences", 2018), shifted by a number that depends on the pixel and the light: the
-// bytes after a pass do not depend on the number of threads.
+// lights with a size. With bounces each pass also follows a path over the stage (path_tracer.hpp). The bytes after a
+// pass do not depend on the number of threads.
 #pragma once
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/preview/render.hpp>
-#include <gonio/scene/core_material.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace gonio {
 
+namespace detail {
+class PathTracer;
+}
+
 class ReferencePicture {
 public:
     // Stage and lights must outlive the picture. Uses these options: the size, `shadows` (hard or soft: exact ones),
-    // `illuminance` and `threads`. Fails as render() does.
+    // `bounces`, `sky`, `specular`, `illuminance` and `threads`. Fails as render() does.
     static Result<ReferencePicture> begin(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                           const RenderOptions& options);
 
@@ -61,10 +64,9 @@ private:
     std::span<const Light> lights_;
     RenderOptions options_;
     CameraRays rays_;
-    std::vector<CoreMaterial> materials_; // one for each surface
-    std::vector<std::uint8_t> is_dark_;   // for each light
     std::vector<Pixel> pixels_;
     std::vector<std::size_t> row_passes_;
+    std::shared_ptr<const detail::PathTracer> tracer_;
 };
 
 } // namespace gonio
