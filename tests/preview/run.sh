@@ -21,7 +21,7 @@ check() {
     local name=$1 light_nt=$2
     shift 2
     [[ $wanted == "  " || $wanted == *" $name "* ]] || return 0
-    "$gonio" preview "$@" -s "${size:-256x256}" -o "$name.exr" --export "$name.py" -q
+    "$gonio" preview --indirect "${indirect:-off}" "$@" -s "${size:-256x256}" -o "$name.exr" --export "$name.py" -q
     nice -n "${niceness:-5}" blender --background --factory-startup -t 1 --python "$name.py" \
         --python-expr "import bpy; bpy.context.scene.cycles.samples = ${samples:-256}" \
         -o "$PWD/$name.cycles." -f 1 > "$name.log" 2>&1 || { tail -n 40 "$name.log"; exit 1; }
@@ -35,7 +35,7 @@ matte() { # all surfaces with these names
     local surface
     for surface in "$@"; do echo "--material $surface=lambert:albedo=0.5"; done
 }
-# A tube is a mesh of many triangles, and therefore noisy.
+# A tube is a mesh of many triangles, and therefore noisy; so are paths with many bounces.
 # shellcheck disable=SC2046 # options are words
 {
     check sphere 300 --shape sphere:r=10cm --intensity 800lm --stage floor $(matte floor wall sphere)
@@ -48,6 +48,8 @@ matte() { # all surfaces with these names
     check street 1e9 "$profiles/street.ies" --stage street $(matte road kerb pavement verge pole)
     check figure 1e9 "$profiles/batwing.ies" --stage room --figure $(matte floor ceiling wall box sphere)
     check sun 1e9 --shape sun:angle=0.53deg --intensity 1000lx --direction 0.3,0.5,-1 --stage floor $(matte floor wall sphere)
+    indirect=all samples=4096 check bounced-room 900 --shape rect:w=60cm,h=30cm --intensity 2000lm --stage room --position 0,0,2.3 $(matte floor ceiling wall box sphere)
+    indirect=all samples=4096 check bounced-corridor 1e9 --shape disk:r=15cm --intensity 2000lm --stage corridor $(matte floor ceiling wall)
     check outside 1e9 --shape point --intensity 100cd --stage room --camera 0,-6,1.5 --target 0,0,1.2 $(matte floor ceiling wall box sphere)
 }
 exit "$failed"
