@@ -73,12 +73,7 @@ BundleCaster::BundleCaster(const Stage& stage, const RayCaster& caster, const Pa
 void BundleCaster::add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart) {
     rectangles_.push_back(rectangle_from(from_.origin, frame, half_width, half_height));
     const double height = glm::dot(frame.origin - from_.origin, frame.z);
-    const PatchGrid& grid = patches_.grid(chart);
-    const Chart& on = patches_.charts().all()[chart];
-    of_rectangles_.push_back(
-        {static_cast<std::uint32_t>(chart), height > 0.0, on.u.core == 0.0 && on.v.core == 0.0, grid.first_patch,
-         grid.columns, static_cast<float>(grid.low_u), static_cast<float>(grid.per_u), static_cast<float>(grid.low_v),
-         static_cast<float>(grid.per_v), static_cast<float>(grid.columns - 1), static_cast<float>(grid.rows - 1)});
+    of_rectangles_.push_back({static_cast<std::uint32_t>(chart), height > 0.0, &patches_.grid(chart)});
 }
 
 void BundleCaster::add(const Panel& panel, std::size_t chart, bool is_solid) {
@@ -135,14 +130,6 @@ void BundleCaster::run(const DirectionArrays& directions) {
         frame, arrays, directions.size(), {target_.data(), distance_.data(), u_.data(), v_.data()});
 }
 
-std::uint32_t BundleCaster::patch_on(const Target& target, float u, float v) const {
-    if (!target.is_uniform)
-        return patches_.at(target.chart, glm::dvec2(static_cast<double>(u), static_cast<double>(v)));
-    const float column = std::clamp((u - target.low_u) * target.per_u, 0.0F, target.last_column);
-    const float row = std::clamp((v - target.low_v) * target.per_v, 0.0F, target.last_row);
-    return target.first_patch + static_cast<std::uint32_t>(row) * target.columns + static_cast<std::uint32_t>(column);
-}
-
 void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32_t> ends,
                         std::span<std::uint32_t> charts) {
     run(directions);
@@ -157,7 +144,7 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
         } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
             if (of_rectangles_[target].blocks) continue;
             charts[i] = of_rectangles_[target].chart;
-            ends[i] = patch_on(of_rectangles_[target], u_[i], v_[i]);
+            ends[i] = of_rectangles_[target].grid->patch(static_cast<double>(u_[i]), static_cast<double>(v_[i]));
         } else {
             charts[i] = of_spheres_[target - rectangles_.size()];
             ends[i] = patches_.at(charts[i], from_.origin + static_cast<double>(distance_[i]) *

@@ -51,15 +51,12 @@ private:
     struct Target {
         std::uint32_t chart;
         bool blocks; // met from behind
-        bool is_uniform;
-        std::uint32_t first_patch, columns;
-        float low_u, per_u, low_v, per_v, last_column, last_row;
+        const PatchGrid* grid;
     };
 
     void add(const Panel& panel, std::size_t chart, bool is_solid);
     void add_rectangle(const Frame& frame, double half_width, double half_height, std::size_t chart);
     void run(const DirectionArrays& directions);
-    std::uint32_t patch_on(const Target& target, float u, float v) const;
 
     const Stage& stage_;
     const RayCaster& caster_;

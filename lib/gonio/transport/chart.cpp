@@ -18,8 +18,6 @@ using std::numbers::pi;
 constexpr double far_in_interests = 30.0;
 // A side longer than this many interests is divided more coarsely towards its ends.
 constexpr double long_in_interests = 8.0;
-// Beyond the core, patches are larger in proportion to the distance from its edge, doubled at this share of it.
-constexpr double tail_length = 1.0;
 
 // Any two directions perpendicular to a normal.
 Frame frame_on(const glm::dvec3& origin, const glm::dvec3& normal) {
@@ -159,22 +157,6 @@ Interest interest_of(const Stage& stage, const std::vector<glm::dvec3>& lights) 
         if (const auto* ball = std::get_if<Ball>(&surface.geometry)) add(ball->center);
     const double radius = 0.5 * glm::length(high - low);
     return {0.5 * (low + high), radius > 0.0 ? radius : 1.0};
-}
-
-double Range::warped(double x) const {
-    const double from_middle = x - middle;
-    const double beyond = std::abs(from_middle) - core;
-    if (core == 0.0 || !(beyond > 0.0)) return x;
-    const double tail = core * tail_length;
-    return middle + std::copysign(core + tail * std::log1p(beyond / tail), from_middle);
-}
-
-double Range::unwarped(double w) const {
-    const double from_middle = w - middle;
-    const double beyond = std::abs(from_middle) - core;
-    if (core == 0.0 || !(beyond > 0.0)) return w;
-    const double tail = core * tail_length;
-    return middle + std::copysign(core + tail * std::expm1(beyond / tail), from_middle);
 }
 
 glm::dvec2 Chart::coordinates(const glm::dvec3& position) const {

@@ -25,16 +25,12 @@ struct Interest {
 // The sphere about the camera and what it looks at, the stage's place for a light, its small solids and `lights`.
 Interest interest_of(const Stage& stage, const std::vector<glm::dvec3>& lights);
 
-// A range of one coordinate. It is divided uniformly in w, which is the coordinate itself within `core` of the middle;
-// beyond, w grows with the logarithm of the distance, so that distant cells are larger by a constant ratio.
+// A range of one coordinate, which is divided more coarsely farther than `core` from the middle.
 struct Range {
     double low = 0.0;
     double high = 0.0;
     double middle = 0.0;
-    double core = 0.0; // 0: uniform everywhere
-
-    double warped(double x) const;
-    double unwarped(double w) const;
+    double core = 0.0; // 0: alike everywhere
 };
 
 struct Chart {

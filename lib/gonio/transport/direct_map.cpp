@@ -59,6 +59,9 @@ public:
         if (few.size() == 0) return;
         if (scene_.options.sky.value > 0.0) add_sky(few, map);
         const SampleBounds& bounds = few.chunks.front().bounds;
+        double square_m = 0.0; // of the largest patch
+        for (const std::uint32_t patch : few.pixel)
+            square_m = std::max(square_m, std::numbers::sqrt2 * patches_.half_diagonal(patch));
         std::vector<std::uint32_t> near;
         scene_.reaches.meeting_box(bounds.low, bounds.high, near);
         std::sort(near.begin(), near.end());
@@ -68,7 +71,7 @@ public:
             const double distance_m = light.reach.at_infinity ? std::numeric_limits<double>::infinity()
                                                               : glm::distance(light.reach.center, bounds.center) -
                                                                     bounds.radius - light.reach.body_radius;
-            add(light, points_along(distance_m, patches_.square_m()), map);
+            add(light, points_along(distance_m, square_m), map);
         }
     }
 
@@ -101,7 +104,7 @@ private:
         for (int v = 0; v < along; ++v)
             for (int u = 0; u < along; ++u) {
                 const glm::dvec2 within(turned(u, v, along), turned(v, along - 1 - u, along));
-                const glm::dvec2 middle = grid.corner(chart, at.x + step * within.x, at.y + step * within.y);
+                const glm::dvec2 middle = grid.corner(at.x + step * within.x, at.y + step * within.y);
                 const SurfacePoint point{chart.position(middle), chart.normal(middle), {}};
                 if (patches_.is_partial(patch) &&
                     Patches::is_covered(scene_.stage, chart.surface, point.position + lift_m * point.normal,

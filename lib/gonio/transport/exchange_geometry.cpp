@@ -3,6 +3,7 @@
 #include <gonio/transport/exchange_geometry.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gonio::detail {
 
@@ -42,18 +43,20 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
     : stage_(stage),
       light_positions_(positions_of(lights)),
       quality_(quality),
-      patches_(stage_, interest_of(stage_, light_positions_), quality.patches) {
+      patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches) {
     // Stages with many things in them get fewer nodes for each.
-    for (double spacing = quality.node_spacing;; spacing *= 1.2) {
+    const double most = 1.5 * quality.patches;
+    for (double spacing = quality.node_spacing;;) {
         nodes_.clear();
-        grids_.clear();
-        for (std::size_t chart = 0; chart < patches_.charts().all().size(); ++chart)
-            grids_.emplace_back(stage_, patches_.charts(), chart, patches_.square_m(), spacing, nodes_);
-        std::size_t gathering = 0;
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-            if (!nodes_[i].covered && nodes_[i].same_as == i) ++gathering;
-        if (static_cast<double>(gathering) <= 0.75 * quality.patches || spacing > 10.0 * quality.node_spacing) break;
+        trees_.clear();
+        for (const Chart& chart : patches_.charts().all())
+            trees_.emplace_back(stage_, light_positions_, chart, patches_.square_m(), spacing, nodes_);
+        const auto gathering = static_cast<double>(
+            std::count_if(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.gathers(); }));
+        if (gathering <= most || spacing > 10.0 * quality.node_spacing) break;
+        spacing *= std::clamp(std::sqrt(gathering / most), 1.1, 2.0);
     }
+    order_between();
     std::vector<Receivers::Place> places;
     for (const Cell& cell : patches_.cells())
         places.push_back({cell.position, cell.normal, own(patches_.charts().all()[cell.chart].surface), cell.covered});
@@ -62,10 +65,35 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
         escaping_.push_back(from_cells_.escaping(i));
     places.clear();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        places.push_back({nodes_[i].position, nodes_[i].normal, own(nodes_[i].surface),
-                          nodes_[i].covered || nodes_[i].same_as != i});
+        places.push_back({nodes_[i].position, nodes_[i].normal, own(nodes_[i].surface), !nodes_[i].gathers()});
     from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     balance();
+}
+
+void ExchangeGeometry::order_between() {
+    // By the number of others that stand between a node and those that gather.
+    enum class State : unsigned char { unseen, open, done };
+    std::vector<State> state(nodes_.size(), State::unseen);
+    const auto visit = [&](const auto& self, std::uint32_t index) -> void {
+        state[index] = State::open;
+        Node& node = nodes_[index];
+        for (const std::uint32_t end : node.ends)
+            if (node.is_between() && nodes_[end].is_between()) {
+                if (state[end] == State::unseen) self(self, end);
+                if (state[end] == State::open) node.ends = {Node::none, Node::none}; // between itself: it gathers
+            }
+        if (node.is_between()) between_.push_back(index);
+        state[index] = State::done;
+    };
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].is_between() && state[i] == State::unseen) visit(visit, i);
+}
+
+void ExchangeGeometry::fill_between(std::span<glm::dvec3> of_nodes) const {
+    for (const std::uint32_t index : between_) {
+        const Node& node = nodes_[index];
+        of_nodes[index] = (1.0 - node.share) * of_nodes[node.ends[0]] + node.share * of_nodes[node.ends[1]];
+    }
 }
 
 void ExchangeGeometry::balance() {
@@ -84,7 +112,13 @@ void ExchangeGeometry::balance() {
         sent[chart] += area_m2 * (1.0 - escaping_[cell]);
         const NodeMean mean = around(chart, patches_.middle(patch));
         for (std::size_t i = 0; i < mean.count; ++i)
-            node_area[nodes_[mean.node[i]].same_as] += mean.weight[i] * area_m2;
+            node_area[mean.node[i]] += mean.weight[i] * area_m2;
+    }
+    for (std::size_t i = between_.size(); i-- > 0;) {
+        const Node& node = nodes_[between_[i]];
+        node_area[node.ends[0]] += (1.0 - node.share) * node_area[between_[i]];
+        node_area[node.ends[1]] += node.share * node_area[between_[i]];
+        node_area[between_[i]] = 0.0;
     }
     for (std::size_t chart = 0; chart < charts; ++chart) {
         for (std::uint32_t i = 0; i < patches_.cells().size(); ++i)
@@ -97,8 +131,8 @@ void ExchangeGeometry::balance() {
     if (patches_.charts().endless()) return; // parts of planes are farther away than patches reach
     for (std::size_t chart = 0; chart < charts; ++chart) {
         if (!(sent[chart] > 0.5 * area[chart])) continue;
-        cell_factor_[chart] = sent[chart] / by_cells[chart];
-        node_factor_[chart] = sent[chart] / by_nodes[chart];
+        if (by_cells[chart] > 0.0) cell_factor_[chart] = sent[chart] / by_cells[chart];
+        if (by_nodes[chart] > 0.0) node_factor_[chart] = sent[chart] / by_nodes[chart];
     }
 }
 
@@ -106,13 +140,15 @@ bool ExchangeGeometry::fits(const Stage& stage, std::span<const Light> lights, c
     if (!(quality == quality_) || stage.surfaces.size() != stage_.surfaces.size()) return false;
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (!std::visit(Same(), stage.surfaces[i].geometry, stage_.surfaces[i].geometry)) return false;
-    return !patches_.charts().uses_interest() ||
-           (stage.light.position == stage_.light.position && stage.camera.position == stage_.camera.position &&
-            stage.camera.target == stage_.camera.target && positions_of(lights) == light_positions_);
+    const std::vector<glm::dvec3> positions = positions_of(lights);
+    if (patches_.charts().uses_interest())
+        return stage.light.position == stage_.light.position && stage.camera.position == stage_.camera.position &&
+               stage.camera.target == stage_.camera.target && positions == light_positions_;
+    return positions == light_positions_;
 }
 
 NodeMean ExchangeGeometry::around(std::size_t chart, const glm::dvec3& position) const {
-    return grids_[chart].around(patches_.charts().all()[chart], position, nodes_);
+    return trees_[chart].around(patches_.charts().all()[chart], position, nodes_);
 }
 
 std::size_t ExchangeGeometry::own(std::size_t surface) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/transport/interreflection.hpp>
-#include <gonio/transport/node_grid.hpp>
+#include <gonio/transport/node_tree.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/ray_bundle.hpp>
 #include <gonio/transport/ray_caster.hpp>
@@ -21,6 +21,8 @@ public:
     const Stage& stage() const { return stage_; }
     const Patches& patches() const { return patches_; }
     const std::vector<Node>& nodes() const { return nodes_; }
+    // From what nodes gathered to all of them.
+    void fill_between(std::span<glm::dvec3> of_nodes) const;
 
     const Bundles& from_cells() const { return from_cells_; }
     const Bundles& from_nodes() const { return from_nodes_; }
@@ -42,6 +44,7 @@ public:
     std::size_t memory() const;
 
 private:
+    void order_between();
     void balance();
 
     Stage stage_;
@@ -49,7 +52,8 @@ private:
     ExchangeQuality quality_;
     Patches patches_;
     std::vector<Node> nodes_;
-    std::vector<NodeGrid> grids_; // by chart
+    std::vector<NodeTree> trees_;        // by chart
+    std::vector<std::uint32_t> between_; // nodes between others, after those
     Bundles from_cells_;
     Bundles from_nodes_;
     std::vector<double> escaping_;

@@ -51,7 +51,8 @@ public:
             glm::dvec3 missing(0.0);
             for (std::uint32_t i = 0; i < next.size(); ++i)
                 missing += patches_.cell_area_m2(i) * (next[i] - lx[i]);
-            const glm::dvec3 level = missing / lost;
+            // Of a stage without an end most of the area is far from where the light goes back and forth.
+            const glm::dvec3 level = patches_.charts().endless() ? glm::dvec3(0.0) : missing / lost;
             for (std::size_t i = 0; i < next.size(); ++i)
                 if (!patches_.cells()[i].covered) next[i] = glm::max(next[i] + level * of_one[i], glm::dvec3(0.0));
             const double change = greatest_change(lx, next);
@@ -110,7 +111,7 @@ private:
 
 std::vector<glm::dvec3> solve_indirect(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
                                        std::span<const glm::dvec3> direct_lx, int bounces, unsigned threads) {
-    if (bounces <= 0) return std::vector<glm::dvec3>(geometry.patches().cells().size(), glm::dvec3(0.0));
+    if (bounces <= 0) return {geometry.patches().cells().size(), glm::dvec3(0.0)};
     const Solver solver(geometry, albedo, direct_lx, threads);
     return bounces == all_bounces ? solver.all() : solver.first(bounces);
 }

@@ -82,16 +82,26 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
         const detail::LitScene scene(stage, lights, exact);
         exchange.direct_lx_ = direct_map(patches, scene);
     }
-    const int before_last = options.bounces == all_bounces ? all_bounces : options.bounces - 1;
+    // Cells are coarse, so what they solve is gathered twice: at nodes, and from what patches then receive at nodes
+    // again.
+    const bool to_the_end = options.bounces == all_bounces;
+    const bool twice = options.bounces > 1;
+    const int on_cells = to_the_end ? all_bounces : options.bounces - (twice ? 2 : 1);
     const std::vector<glm::dvec3> cells_lx =
-        solve_indirect(geometry, exchange.albedo_, exchange.direct_lx_, before_last, options.threads);
-    // What each patch sends, for the last gathering.
-    std::vector<glm::dvec3> sent(patches.count());
-    for (std::uint32_t i = 0; i < sent.size(); ++i)
-        sent[i] = exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)];
-    exchange.sent_ = exchange.reflected(std::move(sent));
+        solve_indirect(geometry, exchange.albedo_, exchange.direct_lx_, on_cells, options.threads);
+    std::vector<glm::dvec3> received(patches.count());
+    for (std::uint32_t i = 0; i < received.size(); ++i)
+        received[i] = exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)];
+    exchange.sent_ = exchange.reflected(std::move(received));
     exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
-    exchange.sum_up(options.bounces == all_bounces, options.threads);
+    if (twice) {
+        received = exchange.on_patches(exchange.nodes_lx_, options.threads);
+        for (std::uint32_t i = 0; i < received.size(); ++i)
+            received[i] += exchange.direct_lx_[i];
+        exchange.sent_ = exchange.reflected(std::move(received));
+        exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
+    }
+    exchange.sum_up(to_the_end, options.threads);
     return exchange;
 }
 
@@ -109,10 +119,22 @@ std::vector<glm::dvec3> Interreflection::gathered(std::span<const detail::Sent> 
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
-            if (!nodes[i].covered && nodes[i].same_as == i) lx[i] = geometry_->from_nodes().gathered(i, sent);
+            if (nodes[i].gathers()) lx[i] = geometry_->from_nodes().gathered(i, sent);
     });
+    geometry_->fill_between(lx);
+    return lx;
+}
+
+// What nodes gather of 1 lx on all patches.
+std::vector<glm::dvec3> Interreflection::gathered_of_uniform() const {
+    const std::vector<detail::Node>& nodes = geometry_->nodes();
+    const std::vector<detail::Chart>& charts = geometry_->patches().charts().all();
+    std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        lx[i] = lx[nodes[i].same_as];
+        for (std::size_t chart = 0; nodes[i].gathers() && chart < charts.size(); ++chart)
+            lx[i] += geometry_->from_nodes().of_chart(i, chart) * geometry_->node_factor(chart) *
+                     albedo_[charts[chart].surface];
+    geometry_->fill_between(lx);
     return lx;
 }
 
@@ -147,8 +169,7 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
         const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
         const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
         if (returned_lm.x >= 0.5 * sent_lm.x && returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
-            const std::vector<glm::dvec3> shape =
-                gathered(reflected(std::vector<glm::dvec3>(patches.count(), glm::dvec3(1.0))), threads);
+            const std::vector<glm::dvec3> shape = gathered_of_uniform();
             const std::vector<glm::dvec3> shape_on_patch = on_patches(shape, threads);
             const glm::dvec3 missing_lm =
                 returned_lm - sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });

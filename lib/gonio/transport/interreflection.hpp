@@ -83,6 +83,7 @@ private:
     void sum_up(bool to_the_end, unsigned threads);
     std::vector<detail::Sent> reflected(std::vector<glm::dvec3> lx) const;
     std::vector<glm::dvec3> gathered(std::span<const detail::Sent> sent, unsigned threads) const;
+    std::vector<glm::dvec3> gathered_of_uniform() const;
     std::vector<glm::dvec3> on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const;
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/scene/stage.hpp>
+#include <gonio/transport/axis.hpp>
 #include <gonio/transport/chart.hpp>
 
 #include <glm/vec2.hpp>
@@ -22,11 +23,11 @@ struct PatchGrid {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
     std::uint32_t cell_columns = 0;
-    double low_u = 0.0, per_u = 0.0; // in the warped coordinate
-    double low_v = 0.0, per_v = 0.0;
+    Axis u, v;
 
-    glm::dvec2 corner(const Chart& chart, double column, double row) const {
-        return {chart.u.unwarped(low_u + column / per_u), chart.v.unwarped(low_v + row / per_v)};
+    glm::dvec2 corner(double column, double row) const { return {u.at(column), v.at(row)}; }
+    std::uint32_t patch(double at_u, double at_v) const {
+        return first_patch + v.index(at_v) * columns + u.index(at_u);
     }
 };
 
@@ -49,18 +50,23 @@ public:
     // Nothing smaller than this is `covered` by chance, and rays start this far above a surface [m].
     static double lift(double square_m) { return 1e-4 * square_m; }
 
-    Patches(const Stage& stage, const Interest& interest, double count);
+    // About `count` of them, smaller where `lights` are close and solids stand.
+    Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count);
 
     const Charts& charts() const { return charts_; }
     const PatchGrid& grid(std::size_t chart) const { return grids_[chart]; }
     std::size_t count() const { return cell_of_.size(); } // of patches
-    double square_m() const { return square_m_; }
+    double square_m() const { return square_m_; }         // the side of an ordinary one
+    // Whether lights at other places divide the stage in the same way.
+    bool same_under(const Stage& stage, std::span<const glm::dvec3> lights) const;
 
     // The patch that contains the point of the surface; the outermost ones continue without an end.
     std::uint32_t at(std::size_t chart, const glm::dvec3& position) const {
         return at(chart, charts_.all()[chart].coordinates(position));
     }
-    std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const;
+    std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const {
+        return grids_[chart].patch(coordinates.x, coordinates.y);
+    }
     PatchMean around(std::size_t chart, const glm::dvec2& coordinates) const;
 
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
@@ -69,7 +75,7 @@ public:
     glm::dvec3 middle(std::uint32_t patch) const { return middle_[patch]; }
     glm::dvec3 normal(std::uint32_t patch) const;
     double half_diagonal(std::uint32_t patch) const { return half_diagonal_m_[patch]; }
-    // The cells of boxes, spheres and capsules, and the patches of a cell.
+    // The cells of boxes, spheres and capsules that are not large, and the patches of a cell.
     const std::vector<std::uint32_t>& cells_of_solids() const { return cells_of_solids_; }
     std::span<const std::uint32_t> patches_of(std::uint32_t cell) const {
         return std::span(patches_of_).subspan(first_of_[cell], first_of_[cell + 1] - first_of_[cell]);
@@ -90,6 +96,7 @@ private:
 
     Charts charts_;
     double square_m_ = 0.0;
+    double coarseness_ = 1.0;
     std::vector<PatchGrid> grids_;
     std::vector<std::uint32_t> cell_of_; // by patch
     std::vector<std::uint32_t> surface_of_;

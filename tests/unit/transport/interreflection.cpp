@@ -102,10 +102,10 @@ TEST(Interreflection, TwoInfinitePlanes) {
     const Interreflection indirect = solved(stage, {&light, 1});
     for (const test::PlanesRow& row : test::planes_rows) {
         // Of the greatest value: far away, patches are as large as a tenth of the distance.
-        EXPECT_NEAR(indirect.at({row.r, 0.0, 0.0}, {0.0, 0.0, 1.0}).x, row.below_lx, 2e-3 * 9.25);
+        EXPECT_NEAR(indirect.at({row.r, 0.0, 0.0}, {0.0, 0.0, 1.0}).x, row.below_lx, 2.5e-3 * 9.25);
         EXPECT_NEAR(indirect.at({0.0, row.r, 3.0}, {0.0, 0.0, -1.0}).x, row.above_lx, 3e-3 * 3.34);
-        EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 1.5e-2 * 9.25);
-        EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, row.r, 3.0}).x, row.above_lx, 1.5e-2 * 3.34);
+        EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 5e-3 * 9.25);
+        EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, row.r, 3.0}).x, row.above_lx, 5e-3 * 3.34);
     }
     const Interreflection once = solved(stage, {&light, 1}, with_bounces(1));
     EXPECT_NEAR(once.at(Vec(0.0), {0.0, 0.0, 1.0}).x / test::one_bounce_lx, 1.0, 2e-3);
@@ -129,7 +129,7 @@ TEST(Interreflection, SphereAboveASunlitPlane) {
     const double lowest_lx = 0.4 * 1000.0 * gap * gap / (radius * radius + gap * gap);
     EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, 0.0, gap}).x / lowest_lx, 1.0, 1e-2);
     // Its equator sees half of the plane, less what the edge of the shadow takes; the top sees none of it.
-    EXPECT_LT(indirect.on_surface(1, 0, {radius, 0.0, gap + radius}).x, 0.5 * 400.0);
+    EXPECT_LT(indirect.on_surface(1, 0, {radius, 0.0, gap + radius}).x, 0.505 * 400.0);
     EXPECT_GT(indirect.on_surface(1, 0, {radius, 0.0, gap + radius}).x, 0.42 * 400.0);
     EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, 0.0, gap + 2.0 * radius}).x, 0.0, 1e-6);
 }
@@ -142,12 +142,20 @@ TEST(Interreflection, AddsUpOverLights) {
     const std::array points{Vec(0.5, -1.0, 0.0), Vec(-1.7, 2.0, 0.0), Vec(0.0, 0.0, 0.0)};
     const Interreflection all = solved(stage, lights);
     for (const Vec& at : points) {
-        Vec sum(0.0);
-        for (const Light& light : lights)
-            sum += solved(stage, {&light, 1}).on_surface(0, 0, at);
+        Vec sum(0.0);          // of each while the others are dark
+        Vec sum_of_alone(0.0); // which divides the stage elsewhere
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            std::vector<Light> one = lights;
+            for (std::size_t other = 0; other < lights.size(); ++other)
+                if (other != i) one[other].intensity = Candelas(0.0);
+            sum += solved(stage, one).on_surface(0, 0, at);
+            sum_of_alone += solved(stage, {&lights[i], 1}).on_surface(0, 0, at);
+        }
         const Vec together = all.on_surface(0, 0, at);
-        for (int channel = 0; channel < 3; ++channel)
+        for (int channel = 0; channel < 3; ++channel) {
             EXPECT_NEAR(sum[channel] / together[channel], 1.0, 1e-5); // where the iteration stops
+            EXPECT_NEAR(sum_of_alone[channel] / together[channel], 1.0, 2e-3);
+        }
     }
 }
 
@@ -196,7 +204,7 @@ TEST(Interreflection, BouncesAddUp) {
         last = lx;
     }
     // Only the sum of all is balanced.
-    EXPECT_NEAR(solved(stage, {&light, 1}).on_surface(4, 0, {2.5, 2.0, 0.0}).x / last, 1.0, 5e-4);
+    EXPECT_NEAR(solved(stage, {&light, 1}).on_surface(4, 0, {2.5, 2.0, 0.0}).x / last, 1.0, 1e-3);
 }
 
 TEST(Interreflection, SameAtAnyNumberOfThreads) {

@@ -1,0 +1,34 @@
+#include <gonio/transport/axis.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace gonio::detail {
+
+Axis::Axis(std::vector<double> lines)
+    : lines_(std::move(lines)), low_(lines_.front()), last_(static_cast<std::uint32_t>(lines_.size()) - 2) {
+    const double length = lines_.back() - low_;
+    double narrowest = length;
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
+        narrowest = std::min(narrowest, lines_[i + 1] - lines_[i]);
+    constexpr double most = 4096.0;
+    const double buckets = std::clamp(std::ceil(length / narrowest), 1.0, most);
+    per_ = buckets / length;
+    last_bucket_ = buckets - 1.0;
+    first_.resize(static_cast<std::size_t>(buckets));
+    ends_.assign(lines_.begin() + 1, lines_.end());
+    ends_.back() = std::numeric_limits<double>::infinity();
+    std::uint32_t interval = 0;
+    for (std::size_t bucket = 0; bucket < first_.size(); ++bucket) {
+        // A little earlier, in case the division rounds a value into the next bucket.
+        const double begin = low_ + (static_cast<double>(bucket) - 1e-6) / per_;
+        const std::uint32_t before = interval;
+        while (ends_[interval] <= begin)
+            ++interval;
+        is_crowded_ = is_crowded_ || interval > before + 1;
+        first_[bucket] = static_cast<std::uint16_t>(interval);
+    }
+    is_crowded_ = is_crowded_ || last_ > first_.back() + 1U;
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,356 @@
+#include <gonio/transport/node_tree.hpp>
+#include <gonio/transport/patches.hpp>
+#include <gonio/transport/spacing.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace gonio::detail {
+
+namespace {
+
+// Distances in squares, the size of a patch.
+constexpr double widest = 2.2;
+constexpr double narrowest = 0.25;
+constexpr double inset = 1e-3; // of the nodes at edges
+
+constexpr double per_radius = 4.0;       // distances between the nodes of a sphere
+constexpr double near_solid = 0.25;      // of its radius, between nodes that it touches
+constexpr double near_sheet = 0.25;      // of the radius of the sphere that touches it
+constexpr double least_near_thin = 0.1;  // squares
+constexpr double growth = 0.4;           // with the distance from a solid
+constexpr double near_light = 1.0 / 3.0; // of the distance from a light
+
+// What brings nodes closer together, besides edges.
+struct Attraction {
+    const Primitive* geometry;
+    double spacing_m; // where it touches the chart
+};
+
+// The radius of the thinnest part.
+std::optional<double> size_of(const Primitive& geometry) {
+    if (const auto* ball = std::get_if<Ball>(&geometry)) return ball->radius;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
+    if (const auto* box = std::get_if<Box>(&geometry))
+        return std::min({box->half_size.x, box->half_size.y, box->half_size.z});
+    return std::nullopt;
+}
+
+} // namespace
+
+class NodeTreeMaker {
+public:
+    NodeTreeMaker(NodeTree& tree, const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
+                  double square_m, double coarseness, std::vector<Node>& nodes)
+        : tree_(tree),
+          stage_(stage),
+          lights_(lights),
+          chart_(chart),
+          is_round_(chart.kind == Chart::Kind::round),
+          widest_m_(widest * square_m * coarseness),
+          least_m_(narrowest * square_m * coarseness),
+          lift_m_(Patches::lift(square_m)),
+          square_m_(square_m),
+          coarseness_(coarseness),
+          nodes_(nodes) {}
+
+    void make() {
+        const std::size_t first = nodes_.size();
+        add_roots();
+        find_attractions();
+        for (std::uint32_t part = 0; part < tree_.parts_.size(); ++part)
+            divide(part);
+        if (tree_.parts_.size() > roots_)
+            for (std::size_t i = first; i < nodes_.size(); ++i)
+                find_ends(static_cast<std::uint32_t>(i));
+    }
+
+private:
+    struct Extent {
+        glm::dvec2 low{0.0}, high{0.0};
+    };
+
+    void add_roots() {
+        if (is_round_) {
+            const double spacing_m = std::min(widest_m_, chart_.radius / per_radius * coarseness_);
+            const auto add = [](std::vector<double>& lines, double low, double high, double count) {
+                for (double i = lines.empty() ? 0.0 : 1.0; i <= count; i += 1.0)
+                    lines.push_back(i == count ? high : low + (high - low) * i / count);
+            };
+            std::vector<double> around;
+            add(around, chart_.u.low, chart_.u.high,
+                std::clamp(std::ceil(2.0 * std::numbers::pi * chart_.radius / spacing_m), 8.0, 64.0));
+            const double quarter_m = 0.5 * std::numbers::pi * chart_.radius;
+            const double of_quarter = std::clamp(std::ceil(quarter_m / spacing_m), 2.0, 32.0);
+            std::vector<double> along;
+            add(along, chart_.v.low, quarter_m, of_quarter);
+            if (chart_.half_length > 0.0)
+                add(along, quarter_m, chart_.v.high - quarter_m,
+                    std::clamp(std::ceil(2.0 * chart_.half_length / widest_m_), 1.0, 400.0));
+            add(along, chart_.v.high - quarter_m, chart_.v.high, of_quarter);
+            tree_.columns_ = Axis(std::move(around));
+            tree_.rows_ = Axis(std::move(along));
+        } else {
+            const SpacingPair spacing = spacing_of_nodes(stage_, chart_, widest_m_, least_m_);
+            tree_.columns_ = Axis(lines_of(spacing.u, inset * square_m_));
+            tree_.rows_ = Axis(lines_of(spacing.v, inset * square_m_));
+            tree_.gap_m_ = 2.5 * inset * square_m_;
+        }
+        for (std::uint32_t row = 0; row < tree_.rows_.intervals(); ++row)
+            for (std::uint32_t column = 0; column < tree_.columns_.intervals(); ++column)
+                add_part({{tree_.columns_.line(column), tree_.rows_.line(row)},
+                          {tree_.columns_.line(column + 1), tree_.rows_.line(row + 1)}});
+        roots_ = tree_.parts_.size();
+    }
+
+    void add_part(const Extent& extent) {
+        NodeTree::Part part;
+        part.corner = {node_at({extent.low.x, extent.low.y}), node_at({extent.high.x, extent.low.y}),
+                       node_at({extent.low.x, extent.high.y}), node_at({extent.high.x, extent.high.y})};
+        tree_.parts_.push_back(part);
+        extents_.push_back(extent);
+    }
+
+    // On a sphere both ends of a row are one node, and each pole.
+    std::uint32_t node_at(glm::dvec2 at) {
+        if (is_round_ && (at.x == chart_.u.high || at.y == chart_.v.low || at.y == chart_.v.high)) at.x = chart_.u.low;
+        const auto [found, is_new] =
+            node_by_place_.try_emplace({at.x, at.y}, static_cast<std::uint32_t>(nodes_.size()));
+        if (is_new) {
+            Node node;
+            node.surface = chart_.surface;
+            node.normal = chart_.normal(at);
+            node.position = chart_.position(at) + lift_m_ * node.normal;
+            node.covered = Patches::is_covered(stage_, chart_.surface, node.position, node.normal, lift_m_);
+            nodes_.push_back(node);
+            places_.push_back(at);
+        }
+        return found->second;
+    }
+
+    void find_attractions() {
+        for (std::size_t i = 0; i < stage_.surfaces.size(); ++i) {
+            if (i == chart_.surface) continue;
+            const Primitive& geometry = stage_.surfaces[i].geometry;
+            const std::optional<double> size = size_of(geometry);
+            if (size && std::holds_alternative<Box>(geometry) && !is_round_ && touches(geometry)) continue; // an edge
+            if (!size && !is_round_) continue; // edges, and sheets far away
+            const double spacing_m = size && is_round_ ? near_solid * std::min(*size, chart_.radius)
+                                     : size            ? near_solid * *size
+                                                       : near_sheet * chart_.radius;
+            attractions_.push_back({&geometry, coarseness_ * std::max(spacing_m, least_near_thin * square_m_)});
+        }
+    }
+
+    bool touches(const Primitive& geometry) const {
+        const Box& box = std::get<Box>(geometry);
+        const double reach = box.half_size.x * std::abs(glm::dot(box.frame.x, chart_.frame.z)) +
+                             box.half_size.y * std::abs(glm::dot(box.frame.y, chart_.frame.z)) +
+                             box.half_size.z * std::abs(glm::dot(box.frame.z, chart_.frame.z));
+        return std::abs(glm::dot(box.frame.origin - chart_.frame.origin, chart_.frame.z)) < reach + least_m_;
+    }
+
+    double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m) const {
+        double spacing_m = std::numeric_limits<double>::infinity();
+        for (const Attraction& attraction : attractions_) {
+            const double away_m = std::max(distance_to_surface(*attraction.geometry, middle) - half_diagonal_m, 0.0);
+            spacing_m = std::min(spacing_m, attraction.spacing_m + growth * away_m);
+        }
+        for (const glm::dvec3& light : lights_) {
+            const glm::dvec3 to = light - middle;
+            if (glm::dot(to, normal) + half_diagonal_m < 0.0) continue; // behind
+            const double away_m = std::max(glm::length(to) - half_diagonal_m, 0.5 * least_m_);
+            spacing_m = std::min(spacing_m, coarseness_ * near_light * away_m);
+        }
+        return spacing_m;
+    }
+
+    void divide(std::uint32_t part) {
+        constexpr std::size_t most_parts = 40000;
+        if (tree_.parts_.size() > most_parts) return;
+        const Extent extent = extents_[part];
+        const glm::dvec2 size = extent.high - extent.low;
+        if (tree_.gap_m_ > 0.0 && std::min(size.x, size.y) < tree_.gap_m_) return;
+        const glm::dvec2 at = 0.5 * (extent.low + extent.high);
+        const glm::dvec3 middle = chart_.position(at);
+        // Of the rectangle's sides [m].
+        const double width_m =
+            is_round_ ? glm::distance(chart_.position({extent.low.x, at.y}), chart_.position({extent.high.x, at.y}))
+                      : size.x;
+        const double height_m = size.y;
+        const double spacing_m = spacing_in(middle, chart_.normal(at), 0.5 * std::hypot(width_m, height_m));
+        const bool along_u = width_m > spacing_m;
+        const bool along_v = height_m > spacing_m;
+        if (!along_u && !along_v) return;
+        const NodeTree::Part& whole = tree_.parts_[part];
+        if (nodes_[whole.corner[0]].covered && nodes_[whole.corner[1]].covered && nodes_[whole.corner[2]].covered &&
+            nodes_[whole.corner[3]].covered)
+            return;
+        tree_.parts_[part].along_u = along_u;
+        tree_.parts_[part].along_v = along_v;
+        tree_.parts_[part].first_part = static_cast<std::uint32_t>(tree_.parts_.size());
+        for (int v = 0; v < (along_v ? 2 : 1); ++v)
+            for (int u = 0; u < (along_u ? 2 : 1); ++u)
+                add_part({{u == 0 ? extent.low.x : at.x, v == 0 ? extent.low.y : at.y},
+                          {along_u && u == 0 ? at.x : extent.high.x, along_v && v == 0 ? at.y : extent.high.y}});
+    }
+
+    // The rectangle beside a place on its boundary, in one of four directions.
+    std::optional<std::uint32_t> leaf_beside(const glm::dvec2& at, bool above_u, bool above_v) const {
+        const auto root = [](const Axis& axis, double x, bool above) -> std::optional<std::uint32_t> {
+            const std::uint32_t in = axis.index(x);
+            if (above) return x < axis.line(axis.intervals()) ? std::optional(in) : std::nullopt;
+            if (x > axis.line(in)) return in;
+            return in > 0 ? std::optional(in - 1) : std::nullopt;
+        };
+        const std::optional<std::uint32_t> column = root(tree_.columns_, at.x, above_u);
+        const std::optional<std::uint32_t> row = root(tree_.rows_, at.y, above_v);
+        if (!column || !row) return std::nullopt;
+        std::uint32_t part = *row * tree_.columns_.intervals() + *column;
+        while (tree_.parts_[part].first_part != 0) {
+            const NodeTree::Part& whole = tree_.parts_[part];
+            const glm::dvec2 middle = 0.5 * (extents_[part].low + extents_[part].high);
+            const bool high_u = whole.along_u && (above_u ? at.x >= middle.x : at.x > middle.x);
+            const bool high_v = whole.along_v && (above_v ? at.y >= middle.y : at.y > middle.y);
+            part = whole.first_part + (high_v ? (whole.along_u ? 2U : 1U) : 0U) + (high_u ? 1U : 0U);
+        }
+        return part;
+    }
+
+    void find_ends(std::uint32_t index) {
+        const glm::dvec2 at = places_[index - first_];
+        if (is_round_ && (at.y == chart_.v.low || at.y == chart_.v.high)) return;
+        for (const bool seam : {false, true}) {
+            if (seam && !(is_round_ && at.x == chart_.u.low)) continue;
+            const glm::dvec2 here(seam ? chart_.u.high : at.x, at.y);
+            for (const bool above_v : {false, true})
+                for (const bool above_u : {false, true})
+                    if (const std::optional<std::uint32_t> leaf = leaf_beside(here, above_u, above_v);
+                        leaf && take_ends(index, here, *leaf))
+                        return;
+        }
+    }
+
+    bool take_ends(std::uint32_t index, const glm::dvec2& at, std::uint32_t leaf) {
+        const std::array<std::uint32_t, 4>& corner = tree_.parts_[leaf].corner;
+        if (std::find(corner.begin(), corner.end(), index) != corner.end()) return false;
+        const Extent& extent = extents_[leaf];
+        std::array<std::uint32_t, 2> ends{};
+        double share = 0.0;
+        if (at.y == extent.low.y || at.y == extent.high.y) {
+            const std::size_t row = at.y == extent.low.y ? 0 : 2;
+            ends = {corner.at(row), corner.at(row + 1)};
+            share = (at.x - extent.low.x) / (extent.high.x - extent.low.x);
+        } else {
+            const std::size_t column = at.x == extent.low.x ? 0 : 1;
+            ends = {corner.at(column), corner.at(column + 2)};
+            share = (at.y - extent.low.y) / (extent.high.y - extent.low.y);
+        }
+        if (nodes_[index].covered || nodes_[ends[0]].covered || nodes_[ends[1]].covered) return true; // gathers itself
+        nodes_[index].ends = ends;
+        nodes_[index].share = share;
+        return true;
+    }
+
+    NodeTree& tree_;
+    const Stage& stage_;
+    std::span<const glm::dvec3> lights_;
+    const Chart& chart_;
+    bool is_round_;
+    double widest_m_, least_m_, lift_m_, square_m_, coarseness_;
+    std::vector<Node>& nodes_;
+    std::size_t first_ = nodes_.size();
+    std::size_t roots_ = 0;
+    std::vector<Extent> extents_;    // of the parts
+    std::vector<glm::dvec2> places_; // of the nodes
+    std::map<std::pair<double, double>, std::uint32_t> node_by_place_;
+    std::vector<Attraction> attractions_;
+};
+
+NodeTree::NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
+                   double coarseness, std::vector<Node>& nodes) {
+    NodeTreeMaker(*this, stage, lights, chart, square_m, coarseness, nodes).make();
+}
+
+NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
+    struct Place {
+        std::uint32_t index;
+        double share;
+    };
+    const auto place = [&](const Axis& axis, double x) {
+        const std::uint32_t in = axis.index(x);
+        const double width = axis.line(in + 1) - axis.line(in);
+        const double share = width > 0.0 ? std::clamp((x - axis.line(in)) / width, 0.0, 1.0) : 0.0;
+        if (width >= gap_m_ || axis.intervals() < 3) return Place{in, share};
+        // Between the two lines of a cut: the nearer one.
+        return share < 0.5 ? Place{in - 1, 1.0} : Place{in + 1, 0.0};
+    };
+    const Place column = place(columns_, at.x);
+    const Place row = place(rows_, at.y);
+    Spot spot{row.index * columns_.intervals() + column.index, column.share, row.share};
+    while (parts_[spot.part].first_part != 0) {
+        const Part& whole = parts_[spot.part];
+        std::uint32_t next = whole.first_part;
+        if (whole.along_v) {
+            const bool high = spot.v >= 0.5;
+            spot.v = 2.0 * spot.v - (high ? 1.0 : 0.0);
+            if (high) next += whole.along_u ? 2 : 1;
+        }
+        if (whole.along_u) {
+            const bool high = spot.u >= 0.5;
+            spot.u = 2.0 * spot.u - (high ? 1.0 : 0.0);
+            if (high) ++next;
+        }
+        spot.part = next;
+    }
+    return spot;
+}
+
+NodeMean NodeTree::around(const Chart& chart, const glm::dvec3& position, const std::vector<Node>& nodes) const {
+    const Spot in = spot(chart.coordinates(position));
+    const std::array<double, 4> weight{(1.0 - in.u) * (1.0 - in.v), in.u * (1.0 - in.v), (1.0 - in.u) * in.v,
+                                       in.u * in.v};
+    NodeMean mean;
+    double sum = 0.0;
+    const auto add = [&](std::uint32_t node, double of) {
+        if (nodes[node].covered || !(of > 0.0)) return;
+        mean.node[mean.count] = node;
+        mean.weight[mean.count++] = of;
+        sum += of;
+    };
+    for (std::size_t i = 0; i < 4; ++i)
+        add(parts_[in.part].corner[i], weight[i]);
+    // All covered: a free corner of the same rectangle, or of one around it.
+    for (std::size_t i = 0; mean.count == 0 && i < 4; ++i)
+        add(parts_[in.part].corner[i], 1.0);
+    if (mean.count == 0) {
+        const glm::dvec2 at = chart.coordinates(position);
+        const std::int64_t columns = columns_.intervals();
+        const std::int64_t rows = rows_.intervals();
+        const std::int64_t column = columns_.index(at.x);
+        const std::int64_t row = rows_.index(at.y);
+        for (std::int64_t ring = 1; mean.count == 0 && ring < 4; ++ring)
+            for (std::int64_t r = std::max<std::int64_t>(row - ring, 0); r <= std::min(row + ring, rows - 1); ++r)
+                for (std::int64_t c = std::max<std::int64_t>(column - ring, 0);
+                     c <= std::min(column + ring, columns - 1); ++c)
+                    for (std::size_t i = 0; mean.count == 0 && i < 4; ++i)
+                        add(parts_[static_cast<std::size_t>(r * columns + c)].corner[i], 1.0);
+    }
+    for (std::size_t i = 0; i < mean.count; ++i)
+        mean.weight[i] /= sum;
+    return mean;
+}
+
+bool brings_nodes_closer(double distance_m, double square_m, double coarseness) {
+    return near_light * distance_m < widest * square_m * coarseness;
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,79 @@
+// The points of a chart at which the light from all around is gathered, and interpolation between them.
+//
+// Lines lie closer at the edges of a surface, where others stand on it. The rectangles between them are divided further
+// near solids and lights, one by one. A node on the side of a larger rectangle takes the value between that one's
+// corners, so that there are no seams. Nodes that something covers are left out of every mean, so that no darkness
+// leaks from under a box.
+#pragma once
+
+#include <gonio/scene/stage.hpp>
+#include <gonio/transport/axis.hpp>
+#include <gonio/transport/chart.hpp>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+struct Node {
+    static constexpr std::uint32_t none = 0xffffffffU;
+
+    glm::dvec3 position{0.0}; // just above the surface
+    glm::dvec3 normal{0.0};
+    std::size_t surface = 0;
+    bool covered = false;
+    // On the side of a larger rectangle: the nodes at its ends, and the weight of the second.
+    std::array<std::uint32_t, 2> ends{none, none};
+    double share = 0.0;
+
+    bool is_between() const { return ends[0] != none; }
+    bool gathers() const { return !covered && !is_between(); }
+};
+
+// The nodes around a point, with weights ≥ 0 that add up to 1; fewer than four where some are covered.
+struct NodeMean {
+    std::array<std::uint32_t, 4> node{};
+    std::array<double, 4> weight{};
+    std::size_t count = 0; // 0 where every node nearby is covered
+};
+
+class NodeTree {
+public:
+    // Appends its nodes to `nodes`. `square_m`: the size of a patch; `coarseness` multiplies the distances between
+    // nodes.
+    NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
+             double coarseness, std::vector<Node>& nodes);
+
+    NodeMean around(const Chart& chart, const glm::dvec3& position, const std::vector<Node>& nodes) const;
+
+private:
+    friend class NodeTreeMaker;
+
+    // A rectangle, which is divided in 2 along u, along v, or in 4.
+    struct Part {
+        std::uint32_t first_part = 0; // 0: it is not divided
+        bool along_u = false;
+        bool along_v = false;
+        std::array<std::uint32_t, 4> corner{}; // low v first
+    };
+    struct Spot {
+        std::uint32_t part;
+        double u, v; // of its sides, in [0, 1]
+    };
+    Spot spot(const glm::dvec2& at) const;
+
+    Axis columns_, rows_; // of the parts that are not part of another
+    std::vector<Part> parts_;
+    double gap_m_ = 0.0; // narrower rectangles lie between the two lines of a cut
+};
+
+// Whether a light at this distance from a surface brings its nodes closer together.
+bool brings_nodes_closer(double distance_m, double square_m, double coarseness);
+
+} // namespace gonio::detail

@@ -1,0 +1,52 @@
+// How close the lines that divide a flat chart lie: closer where light changes faster.
+#pragma once
+
+#include <gonio/scene/stage.hpp>
+#include <gonio/transport/chart.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace gonio::detail {
+
+// An interval of the coordinate, and the distance between lines there.
+struct Grading {
+    double low;
+    double high;
+    double spacing_m;
+};
+
+// Along one coordinate.
+struct Spacing {
+    Range range;
+    double widest_m;
+    double growth;        // with the distance from what lines lie closer for
+    double growth_beyond; // with the distance from the core of the range
+    std::vector<Grading> gradings;
+    std::vector<double> cuts; // a line on each side
+
+    double operator()(double x) const;
+};
+
+struct SpacingPair {
+    Spacing u, v;
+};
+
+// Of the nodes of indirect light: closer at the chart's edges, where others stand on it, and at the sides of boxes.
+SpacingPair spacing_of_nodes(const Stage& stage, const Chart& chart, double widest_m, double least_m);
+
+// Of the patches of direct light: closer near lights and at the feet of solids, there in proportion to `coarseness`.
+// Edges of other surfaces lie between patches.
+SpacingPair spacing_of_patches(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
+                               double widest_m, double coarseness);
+
+// From one end of the range to the other, no farther apart than `spacing` says. Those at ends and cuts are moved
+// inwards by `inset_m`.
+std::vector<double> lines_of(const Spacing& spacing, double inset_m);
+
+// The distance of a point from a surface, as a solid or a sheet; 0 inside.
+double distance_to_surface(const Primitive& geometry, const glm::dvec3& point);
+
+} // namespace gonio::detail
