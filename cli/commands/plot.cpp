@@ -124,7 +124,7 @@ PlottedWeb plotted(const std::string& file, const LoadedProfile& loaded, const R
 Result<void> write_page(const Result<Drawing>& page, const Request& request, const std::string& output) {
     if (!page) return Unexpected(page.error());
     if (request.format == nullptr) return write_output(output, to_svg(*page));
-    Result<std::string> bytes = encode_for_display(to_image(*page), *request.format);
+    Result<std::string> bytes = encode_for_display(to_image(*page), *request.format, false);
     if (!bytes) return pass_on(bytes);
     return write_output(output, *bytes);
 }

@@ -94,10 +94,11 @@ Result<const media::ImageFormat*> picture_format(const std::optional<std::string
                 "end it in .png or .exr, or add --to");
 }
 
-Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format) {
+Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format, bool dither) {
     media::ImageWriteOptions write;
     write.pixel = media::Pixel::uint8;
     write.color_space = "sRGB";
+    write.dither = dither;
     return media::encode_image(image, format, write);
 }
 

@@ -47,8 +47,9 @@ bool has_pixel(const media::ImageFormat& format, media::Pixel pixel);
 // The format named by --to, else the one that the output's name implies. Fails (usage) if neither gives a format.
 Result<const media::ImageFormat*> picture_format(const std::optional<std::string>& named, const std::string& output);
 
-// A picture of three display-encoded channels as bytes of a format with 8 bits per channel.
-Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format);
+// A picture of three display-encoded channels as bytes of a format with 8 bits per channel. `dither`: for pictures of
+// light, not for drawings and scales.
+Result<std::string> encode_for_display(const Image& image, const media::ImageFormat& format, bool dither);
 
 // --durable: whether files written from now on are flushed to the disk before they get their names.
 void set_durable_outputs(bool durable);

@@ -191,13 +191,13 @@ Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& o
         tiles.push_back(std::move(off));
     }
     const Image together = sheet(tiles, options);
-    if (!request.look.legend) return encode_for_display(together, *request.format);
+    if (!request.look.legend) return encode_for_display(together, *request.format, false);
     RampLegend legend;
     legend.scale = comparison.scale;
     legend.unit.symbol = "cd/m²";
     legend.ramp = ramp();
     legend.use = comparison.use;
-    return encode_for_display(with_legend(together, legend), *request.format);
+    return encode_for_display(with_legend(together, legend), *request.format, false);
 }
 
 std::string error_text(const Compared& compared, const Compared& first) {

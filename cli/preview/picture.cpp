@@ -136,6 +136,7 @@ private:
         picture_.width = image->width;
         media::ImageWriteOptions write;
         write.color_space = "sRGB";
+        write.dither = request_.look.look != Look::false_color; // its colours are read against the legend
         return media::encode_image(*image, *request_.format, write);
     }
 

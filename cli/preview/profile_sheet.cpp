@@ -192,7 +192,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     // Profiles are points, which no pixel shows.
     fine = develop_tiles(tiles, std::vector<std::vector<PartialLight>>(tiles.size()), *request, console);
     if (!fine) return Unexpected(fine.error());
-    Result<std::string> bytes = encode_for_display(sheet(tiles, *options), *request->format);
+    Result<std::string> bytes = encode_for_display(sheet(tiles, *options), *request->format, true);
     if (!bytes) return pass_on(bytes);
     const Result<void> written = write_output(request->output, *bytes);
     if (!written) return Unexpected(written.error());

@@ -42,7 +42,7 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
         });
     if (made) made = develop_tiles(tiles, std::move(lights), sweeper.request(), console);
     if (!made) return made;
-    Result<std::string> bytes = encode_for_display(sheet(tiles, options), *sweeper.request().format);
+    Result<std::string> bytes = encode_for_display(sheet(tiles, options), *sweeper.request().format, true);
     if (!bytes) return pass_on(bytes);
     return write_output(sweeper.request().output, *bytes);
 }

@@ -20,6 +20,8 @@ constexpr std::array all_suites{
           detail::profile_contests},
     Suite{"bake", "textures of a luminaire", detail::bake_methods, detail::bake_contests},
     Suite{"preview", "pictures under one light and under many", detail::preview_methods, detail::preview_contests},
+    Suite{"indirect", "light that bounces between the surfaces of a stage", detail::indirect_methods,
+          detail::indirect_contests},
 };
 
 } // namespace

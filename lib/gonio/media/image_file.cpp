@@ -3,6 +3,7 @@
 #include <gonio/base/version.hpp>
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/detail/png_container.hpp>
+#include <gonio/media/dither.hpp>
 #include <gonio/media/image_file.hpp>
 
 #include <fmt/format.h>
@@ -256,6 +257,9 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
         Result<const float*> fitted = fit_half(image, options.saturate, kept);
         if (!fitted) return pass_on(fitted);
         pixels = *fitted;
+    } else if (options.dither && (pixel == Pixel::uint8 || pixel == Pixel::uint16)) {
+        kept = dithered(image, pixel == Pixel::uint8 ? 255 : 65535);
+        pixels = kept.data();
     }
     Result<const abi::ImageModule*> module = detail::image_module();
     if (!module) return pass_on(module);

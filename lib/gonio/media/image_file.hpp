@@ -64,6 +64,8 @@ struct ImageWriteOptions {
     // OpenEXR stores all of them. Other formats store those that image_file.cpp lists
     // as common, ImageDescription among them.
     std::vector<ImageAttribute> attributes;
+    // uint8 and uint16 only: dithers (dither.hpp) before it rounds.
+    bool dither = false;
     // half only: stores ±65504 for larger values instead of failing.
     bool saturate = false;
 };

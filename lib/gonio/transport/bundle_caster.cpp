@@ -225,17 +225,18 @@ void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std:
         const glm::dvec3 direction(directions[0][i], directions[1][i], directions[2][i]);
         const auto on = [&](std::uint32_t chart, const glm::dvec3& position) {
             const glm::dvec2 at = patches_.charts().all()[chart].coordinates(position);
-            return PatchPlace{chart, static_cast<float>(at.x), static_cast<float>(at.y)};
+            return PatchPlace{chart, static_cast<float>(at.x), static_cast<float>(at.y), distance_[i]};
         };
         if (target_[i] == transport::RayHits::unknown) {
             const RayEnd end = caster_.cast({origin, glm::normalize(direction)}, own);
             if (end.surface == RayEnd::nothing) continue;
+            distance_[i] = static_cast<float>(glm::distance(origin, end.position));
             ends[i] = on(static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face)), end.position);
             continue;
         }
         const auto target = static_cast<std::size_t>(target_[i]);
         if (target < rectangles_.size())
-            ends[i] = {charts_[target], u_[i], v_[i]};
+            ends[i] = {charts_[target], u_[i], v_[i], distance_[i]};
         else
             ends[i] = on(charts_[target], origin + static_cast<double>(distance_[i]) * direction);
     }

@@ -77,6 +77,7 @@ struct PatchPlace {
     std::uint32_t chart = no_patch; // where a ray ends on nothing
     float u = 0.0F;
     float v = 0.0F;
+    float distance_m = 0.0F; // along the ray
 };
 
 // Rays with origins of their own. One for each thread.

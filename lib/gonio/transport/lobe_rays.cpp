@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace gonio::detail {
@@ -83,6 +84,10 @@ LobeRays::LobeRays(const CoreMaterial& material) {
                 const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
                 if (!(sampled(core, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
                 rays_ = rays_for(alpha, most);
+                // The peak of the density of reflected directions is 1/(4πα²).
+                spacing_ = static_cast<float>(
+                    std::sqrt(std::min(4.0 * std::numbers::pi * alpha * alpha, 2.0 * std::numbers::pi) /
+                              static_cast<double>(rays_)));
                 for (std::size_t node = 0; node < nodes; ++node) {
                     const glm::dvec3 albedo = sampled(core, alpha, cosine_of(node), many).sum;
                     Sampled few = sampled(core, alpha, cosine_of(node), rays_);

@@ -29,11 +29,14 @@ public:
 
     // `rays` gets count() of them; those below the surface have the weight 0.
     void at(double cosine, std::vector<LobeRay>& rays) const;
+    // The angle between rays beside each other, roughly [rad].
+    float spacing() const { return spacing_; }
     // The directional albedo of the lobe alone, per channel.
     glm::dvec3 albedo(double cosine) const;
 
 private:
     std::size_t rays_ = 0;
+    float spacing_ = 0.0F;
     std::vector<LobeRay> table_; // [node][ray], at the cosines (i/(n−1))²
     std::vector<glm::dvec3> albedo_;
 };

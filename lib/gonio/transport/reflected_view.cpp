@@ -3,12 +3,18 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gonio::detail {
 
 ReflectedView::ReflectedView(const Interreflection& indirect, simd::InstructionSet set)
-    : indirect_(indirect), caster_(indirect.geometry().stage(), indirect.geometry().patches(), set) {}
+    : indirect_(indirect), caster_(indirect.geometry().stage(), indirect.geometry().patches(), set) {
+    for (const Chart& chart : indirect.geometry().patches().charts().all())
+        width_m_.push_back(static_cast<float>(chart.kind == Chart::Kind::round
+                                                  ? 2.0 * chart.radius
+                                                  : std::min(chart.u.high - chart.u.low, chart.v.high - chart.v.low)));
+}
 
 const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, std::size_t first,
                                                        std::size_t count, const LobeRays& lobe) {
@@ -45,8 +51,26 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         }
     }
     caster_.cast(samples.anchor, geometry.own(samples.surface), origin_, direction_, ends_);
-    for (std::size_t i = 0; i < weight_.size(); ++i)
-        if (ends_[i].chart != no_patch) luminance_[of_sample_[i]] += weight_[i] * indirect_.luminance_at(ends_[i]);
+    // A single ray that meets a thing much narrower than the distance between rays would draw a line: it counts less,
+    // and the others more.
+    all_.assign(count, glm::vec3(0.0F));
+    kept_.assign(count, glm::vec3(0.0F));
+    for (std::size_t i = 0; i < weight_.size(); ++i) {
+        const std::uint32_t sample = of_sample_[i];
+        all_[sample] += weight_[i];
+        if (ends_[i].chart == no_patch) {
+            kept_[sample] += weight_[i];
+            continue;
+        }
+        const float between_m = lobe.spacing() * ends_[i].distance_m;
+        const float width_m = width_m_[ends_[i].chart];
+        const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
+        kept_[sample] += weight;
+        luminance_[sample] += weight * indirect_.luminance_at(ends_[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        for (int channel = 0; channel < 3; ++channel)
+            if (kept_[i][channel] > 0.0F) luminance_[i][channel] *= all_[i][channel] / kept_[i][channel];
     return luminance_;
 }
 

@@ -33,6 +33,8 @@ private:
     std::vector<glm::vec3> weight_;
     std::vector<std::uint32_t> of_sample_;
     std::vector<PatchPlace> ends_;
+    std::vector<float> width_m_;        // of the surface of each chart, where it is thinnest
+    std::vector<glm::vec3> all_, kept_; // weights, by sample
     std::vector<glm::vec3> luminance_;
 };
 
