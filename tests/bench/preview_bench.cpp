@@ -2,7 +2,8 @@
 //
 // How to read it: times vary with the machine; ratios within one run are stable. Baselines: `…/whole` is the picture of
 // the same name without skipping (--no-skip); `pixels` is the smallest picture, `lights` the smallest rig;
-// `shadows/…/off` is the picture of the same name without shadows.
+// `shadows/…/off` is the picture of the same name without shadows; `indirect/…/off` the one of direct light alone,
+// `indirect/…/known` with another amount of light and what is known of the stage.
 //   gonio-bench-preview                     everything
 //   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, with a side of 100 m
 #include <gonio/base/file.hpp>
@@ -82,6 +83,20 @@ RenderOptions sized(int width, int height, bool skip = true) {
     return options;
 }
 
+void add_indirect(const std::string& name, const Picture& direct) {
+    add(name + "/off", direct);
+    Picture bounced = direct;
+    bounced.options.bounces = all_bounces;
+    add(name + "/all", bounced);
+    bounced.options.known =
+        render(bounced.stage, bounced.lights, bounced.stage.camera, bounced.options).value().indirect;
+    for (Light& light : bounced.lights) {
+        light.intensity = Candelas(2.0 * light.intensity.value);
+        light.luminance = Nits(2.0 * light.luminance.value);
+    }
+    add(name + "/known", bounced);
+}
+
 void add_all() {
     const Stage floor = floor_with("frostbite");
     for (const char* shape : {"rect:w=60cm,h=60cm", "disk:r=30cm", "sphere:r=10cm", "tube:r=2cm,l=1.2m", "point"})
@@ -115,6 +130,13 @@ void add_all() {
         add("lights/dense/" + std::to_string(count), {square(100.0), rig(count, 100.0), sized(640, 360)});
     add("1000 lights", {square(100.0), rig(1000, 100.0), sized(1280, 720)});
     add("1000 lights/whole", {square(100.0), rig(1000, 100.0), sized(1280, 720, false)});
+    for (const char* stage : {"room", "corridor", "floor", "spheres"}) {
+        const Stage shown = make_stage(stage).value();
+        std::vector<Light> light = one_light("rect:w=60cm,h=30cm");
+        light.front().frame.origin = shown.light.position;
+        add_indirect(std::string("indirect/") + stage, {shown, light, sized(512, 512)});
+    }
+    add_indirect("indirect/1000 lights", {square(100.0), rig(1000, 100.0), sized(1280, 720)});
 }
 
 int write_rig(const char* count, const char* file) {

@@ -43,14 +43,19 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
     : stage_(stage),
       light_positions_(positions_of(lights)),
       quality_(quality),
-      patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches) {
+      patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches, threads) {
     // Stages with many things in them get fewer nodes for each.
     const double most = 1.5 * quality.patches;
     for (double spacing = quality.node_spacing;;) {
+        const std::vector<Chart>& charts = patches_.charts().all();
+        trees_.assign(charts.size(), NodeTree());
+        std::vector<std::vector<Node>> made(charts.size());
+        parallel_for(charts.size(), threads, [&](std::size_t i) {
+            trees_[i] = NodeTree(stage_, light_positions_, charts[i], patches_.square_m(), spacing, made[i]);
+        });
         nodes_.clear();
-        trees_.clear();
-        for (const Chart& chart : patches_.charts().all())
-            trees_.emplace_back(stage_, light_positions_, chart, patches_.square_m(), spacing, nodes_);
+        for (std::size_t i = 0; i < charts.size(); ++i)
+            trees_[i].append(made[i], nodes_);
         const auto gathering = static_cast<double>(
             std::count_if(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.gathers(); }));
         if (gathering <= most || spacing > 10.0 * quality.node_spacing) break;

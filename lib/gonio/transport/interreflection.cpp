@@ -210,8 +210,13 @@ glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm:
     return interpolated(geometry_->patches().charts().index_of(surface, face), position, nodes_lx_);
 }
 
-glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place) const {
+glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m) const {
     const Patches& patches = geometry_->patches();
+    const std::uint32_t within = patches.at(place.chart, glm::dvec2(place.u, place.v));
+    if (patches.area_m2(within) > 0.0 && patches.half_diagonal(within) < 0.5 * static_cast<double>(fine_m)) {
+        const float* const value = sent_[within].value;
+        return std::numbers::inv_pi_v<float> * glm::vec3(value[0], value[1], value[2]);
+    }
     const detail::PatchMean mean = patches.around(place.chart, {place.u, place.v});
     glm::vec3 sum(0.0F);
     float weights = 0.0F;

@@ -63,13 +63,12 @@ public:
           nodes_(nodes) {}
 
     void make() {
-        const std::size_t first = nodes_.size();
         add_roots();
         find_attractions();
         for (std::uint32_t part = 0; part < tree_.parts_.size(); ++part)
             divide(part);
         if (tree_.parts_.size() > roots_)
-            for (std::size_t i = first; i < nodes_.size(); ++i)
+            for (std::size_t i = 0; i < nodes_.size(); ++i)
                 find_ends(static_cast<std::uint32_t>(i));
     }
 
@@ -226,7 +225,7 @@ private:
     }
 
     void find_ends(std::uint32_t index) {
-        const glm::dvec2 at = places_[index - first_];
+        const glm::dvec2 at = places_[index];
         if (is_round_ && (at.y == chart_.v.low || at.y == chart_.v.high)) return;
         for (const bool seam : {false, true}) {
             if (seam && !(is_round_ && at.x == chart_.u.low)) continue;
@@ -267,7 +266,6 @@ private:
     bool is_round_;
     double widest_m_, least_m_, lift_m_, square_m_, coarseness_;
     std::vector<Node>& nodes_;
-    std::size_t first_ = nodes_.size();
     std::size_t roots_ = 0;
     std::vector<Extent> extents_;    // of the parts
     std::vector<glm::dvec2> places_; // of the nodes
@@ -278,6 +276,19 @@ private:
 NodeTree::NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
                    double coarseness, std::vector<Node>& nodes) {
     NodeTreeMaker(*this, stage, lights, chart, square_m, coarseness, nodes).make();
+}
+
+void NodeTree::append(std::span<const Node> made, std::vector<Node>& nodes) {
+    const auto first = static_cast<std::uint32_t>(nodes.size());
+    for (Part& part : parts_)
+        for (std::uint32_t& corner : part.corner)
+            corner += first;
+    for (Node node : made) {
+        if (node.is_between())
+            for (std::uint32_t& end : node.ends)
+                end += first;
+        nodes.push_back(node);
+    }
 }
 
 NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {

@@ -45,10 +45,13 @@ struct NodeMean {
 
 class NodeTree {
 public:
-    // Appends its nodes to `nodes`. `square_m`: the size of a patch; `coarseness` multiplies the distances between
-    // nodes.
+    NodeTree() = default;
+    // Makes its nodes. `square_m`: the size of a patch; `coarseness` multiplies the distances between nodes.
     NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
              double coarseness, std::vector<Node>& nodes);
+
+    // Appends the nodes it made to those of others, and numbers them anew.
+    void append(std::span<const Node> made, std::vector<Node>& nodes);
 
     NodeMean around(const Chart& chart, const glm::dvec3& position, const std::vector<Node>& nodes) const;
 

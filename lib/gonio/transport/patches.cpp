@@ -1,3 +1,4 @@
+#include <gonio/base/parallel.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double least_columns = 6.0;      // around the smallest solid
 constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of its dark side is in the right place
 constexpr std::uint32_t cell_side = 2;     // patches
-constexpr double small = 30.0;             // squares; no rays miss parts of larger solids
+constexpr double small = 6.0;              // squares; no rays miss parts of larger solids
 
 std::vector<double> uniform(const Range& range, double size_m, double least) {
     constexpr double most_intervals = 400.0;
@@ -60,7 +61,8 @@ Lines lines_on(const Stage& stage, std::span<const glm::dvec3> lights, const Cha
 
 } // namespace
 
-Patches::Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count)
+Patches::Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count,
+                 unsigned threads)
     : charts_(stage, interest), square_m_(charts_.square_of(count)), coarseness_(std::sqrt(8000.0 / count)) {
     std::vector<Lines> lines;
     for (int attempt = 0; attempt < 8; ++attempt) {
@@ -86,7 +88,7 @@ Patches::Patches(const Stage& stage, const Interest& interest, std::span<const g
         grid.first_cell = static_cast<std::uint32_t>(cells_.size());
         grid.cell_columns = (grid.columns + cell_side - 1) / cell_side;
         grids_.push_back(grid);
-        add_patches(stage, chart, grid, static_cast<std::uint32_t>(c));
+        add_patches(stage, chart, grid, static_cast<std::uint32_t>(c), threads);
         add_cells(stage, chart, grid, static_cast<std::uint32_t>(c));
     }
     first_of_.assign(cells_.size() + 1, 0);
@@ -145,32 +147,53 @@ glm::dvec3 Patches::normal(std::uint32_t patch) const {
     return chart.normal(chart.coordinates(middle(patch)));
 }
 
-void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index) {
+namespace {
+
+// What is left of a patch beside what covers it.
+struct Uncovered {
+    float share = 1.0F;
+    bool is_partial = false;
+};
+
+Uncovered uncovered(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t column,
+                    std::uint32_t row, double lift_m) {
+    const auto covered = [&](double u, double v) {
+        const glm::dvec2 at = grid.corner(column + u, row + v);
+        const glm::dvec3 normal = chart.normal(at);
+        return Patches::is_covered(stage, chart.surface, chart.position(at) + lift_m * normal, normal, lift_m);
+    };
+    const auto share_free = [&](int along, double inset) {
+        int free = 0;
+        for (int v = 0; v < along; ++v)
+            for (int u = 0; u < along; ++u)
+                if (!covered(inset + (1.0 - 2.0 * inset) * (u + 0.5) / along,
+                             inset + (1.0 - 2.0 * inset) * (v + 0.5) / along))
+                    ++free;
+        return static_cast<double>(free) / (along * along);
+    };
+    // The grid of 3×3 reaches to the corners.
+    const double rough = share_free(3, -0.24);
+    if (rough == 0.0 || rough == 1.0) return {static_cast<float>(rough), false};
+    return {static_cast<float>(share_free(8, 0.0)), true};
+}
+
+} // namespace
+
+void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index,
+                          unsigned threads) {
     const double lift_m = lift(square_m_);
+    std::vector<Uncovered> free(static_cast<std::size_t>(grid.rows) * grid.columns);
+    parallel_for(grid.rows, threads, [&](std::size_t row) {
+        for (std::uint32_t column = 0; column < grid.columns; ++column)
+            free[row * grid.columns + column] =
+                uncovered(stage, chart, grid, column, static_cast<std::uint32_t>(row), lift_m);
+    });
     for (std::uint32_t row = 0; row < grid.rows; ++row)
         for (std::uint32_t column = 0; column < grid.columns; ++column) {
-            // The part that is not covered.
-            const auto covered = [&](double u, double v) {
-                const glm::dvec2 at = grid.corner(column + u, row + v);
-                const glm::dvec3 normal = chart.normal(at);
-                return is_covered(stage, chart.surface, chart.position(at) + lift_m * normal, normal, lift_m);
-            };
-            const auto share_free = [&](int along, double inset) {
-                int free = 0;
-                for (int v = 0; v < along; ++v)
-                    for (int u = 0; u < along; ++u)
-                        if (!covered(inset + (1.0 - 2.0 * inset) * (u + 0.5) / along,
-                                     inset + (1.0 - 2.0 * inset) * (v + 0.5) / along))
-                            ++free;
-                return static_cast<double>(free) / (along * along);
-            };
-            // The grid of 3×3 reaches to the corners.
-            double free = share_free(3, -0.24);
-            const bool whole = free == 0.0 || free == 1.0;
-            if (!whole) free = share_free(8, 0.0);
-            is_partial_.push_back(whole ? 0 : 1);
-            const double area_m2 = free * chart.area(grid.corner(column, row), grid.corner(column + 1.0, row + 1.0));
-            area_m2_.push_back(area_m2);
+            const Uncovered& left = free[static_cast<std::size_t>(row) * grid.columns + column];
+            is_partial_.push_back(left.is_partial ? 1 : 0);
+            area_m2_.push_back(static_cast<double>(left.share) *
+                               chart.area(grid.corner(column, row), grid.corner(column + 1.0, row + 1.0)));
             middle_.push_back(chart.position(grid.corner(column + 0.5, row + 0.5)));
             const auto to_corner = [&](double u, double v) {
                 return glm::distance(middle_.back(), chart.position(grid.corner(column + u, row + v)));

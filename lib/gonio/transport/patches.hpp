@@ -51,7 +51,8 @@ public:
     static double lift(double square_m) { return 1e-4 * square_m; }
 
     // About `count` of them, smaller where `lights` are close and solids stand.
-    Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count);
+    Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count,
+            unsigned threads);
 
     const Charts& charts() const { return charts_; }
     const PatchGrid& grid(std::size_t chart) const { return grids_[chart]; }
@@ -91,7 +92,8 @@ public:
                            double lift_m);
 
 private:
-    void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
+    void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index,
+                     unsigned threads);
     void add_cells(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
 
     Charts charts_;

@@ -66,7 +66,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         kept_[sample] += weight;
-        luminance_[sample] += weight * indirect_.luminance_at(ends_[i]);
+        luminance_[sample] += weight * indirect_.luminance_at(ends_[i], between_m);
     }
     for (std::size_t i = 0; i < count; ++i)
         for (int channel = 0; channel < 3; ++channel)

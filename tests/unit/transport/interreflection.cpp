@@ -101,11 +101,12 @@ TEST(Interreflection, TwoInfinitePlanes) {
     const Light light = bulb({0.0, 0.0, 2.0}, 100.0);
     const Interreflection indirect = solved(stage, {&light, 1});
     for (const test::PlanesRow& row : test::planes_rows) {
-        // Of the greatest value: far away, patches are as large as a tenth of the distance.
+        // Of the greatest value: far away, patches are as large as a tenth of the distance. On the surface it is
+        // interpolated between nodes of 768 rays each, good for about 0.5 %.
         EXPECT_NEAR(indirect.at({row.r, 0.0, 0.0}, {0.0, 0.0, 1.0}).x, row.below_lx, 2.5e-3 * 9.25);
         EXPECT_NEAR(indirect.at({0.0, row.r, 3.0}, {0.0, 0.0, -1.0}).x, row.above_lx, 3e-3 * 3.34);
-        EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 5e-3 * 9.25);
-        EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, row.r, 3.0}).x, row.above_lx, 5e-3 * 3.34);
+        EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 1e-2 * 9.25);
+        EXPECT_NEAR(indirect.on_surface(1, 0, {0.0, row.r, 3.0}).x, row.above_lx, 1e-2 * 3.34);
     }
     const Interreflection once = solved(stage, {&light, 1}, with_bounces(1));
     EXPECT_NEAR(once.at(Vec(0.0), {0.0, 0.0, 1.0}).x / test::one_bounce_lx, 1.0, 2e-3);
