@@ -98,15 +98,18 @@ private:
 class SeenLight {
 public:
     SeenLight(const glm::dvec3& point, const glm::dvec3& direction, double distance, double angle)
-        : frame_(aimed_frame(point, -direction, {0.0, 0.0, 1.0})),
+        : point_(point),
+          direction_(direction),
           distance_(distance),
           angle_(angle),
           sine_(std::sin(angle)),
           area_(cap_area(angle)),
-          tangent_(std::tan(angle)) {}
+          tangent_(std::tan(angle)) {
+        if (has_extent()) frame_ = aimed_frame(point, -direction, {0.0, 0.0, 1.0});
+    }
 
-    const glm::dvec3& point() const { return frame_.origin; }
-    const glm::dvec3& direction() const { return frame_.z; }
+    const glm::dvec3& point() const { return point_; }
+    const glm::dvec3& direction() const { return direction_; }
     double distance() const { return distance_; }
     bool has_extent() const { return area_ > 0.0; }
     // The light's own radius, for distances to planes and faces.
@@ -167,7 +170,9 @@ private:
         return kept;
     }
 
-    Frame frame_; // Z towards the light
+    glm::dvec3 point_;
+    glm::dvec3 direction_;
+    Frame frame_; // Z towards the light, if it has an extent
     double distance_;
     double angle_;
     double sine_;

@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/sample_shader.hpp>
@@ -38,7 +39,9 @@ std::vector<Block> blocks_of(const Patches& patches) {
 constexpr int most_along = 8; // points along a side of a patch
 
 // Points along a side of a patch at some distance from a light, so that the mean of its patches is within some 1e-4.
-int points_along(double distance_m, double square_m) {
+// Shadows need two.
+int points_along(double distance_m, double square_m, bool in_shadow) {
+    if (distance_m > 60.0 * square_m && !in_shadow) return 1;
     if (distance_m > 8.0 * square_m) return 2;
     return distance_m > 3.0 * square_m ? 4 : most_along;
 }
@@ -58,21 +61,17 @@ public:
         const SurfaceSamples& few = samples(2);
         if (few.size() == 0) return;
         if (scene_.options.sky.value > 0.0) add_sky(few, map);
-        const SampleBounds& bounds = few.chunks.front().bounds;
-        double square_m = 0.0; // of the largest patch
-        for (const std::uint32_t patch : few.pixel)
-            square_m = std::max(square_m, std::numbers::sqrt2 * patches_.half_diagonal(patch));
+        bounds_ = few.chunks.front().bounds;
         std::vector<std::uint32_t> near;
-        scene_.reaches.meeting_box(bounds.low, bounds.high, near);
+        scene_.reaches.meeting_box(bounds_.low, bounds_.high, near);
         std::sort(near.begin(), near.end());
-        for (const std::uint32_t index : near) {
-            const LitLight& light = scene_.lights[index];
-            if (light.reach.unlit(bounds) != Unlit::no) continue;
-            const double distance_m = light.reach.at_infinity ? std::numeric_limits<double>::infinity()
-                                                              : glm::distance(light.reach.center, bounds.center) -
-                                                                    bounds.radius - light.reach.body_radius;
-            add(light, points_along(distance_m, square_m), map);
-        }
+        // The points of finer grids lie closer to the edges of their patches.
+        for (const std::uint32_t patch : few.pixel)
+            bounds_.radius = std::max(bounds_.radius, glm::distance(patches_.middle(patch), bounds_.center) +
+                                                          patches_.half_diagonal(patch));
+        for (const std::uint32_t index : near)
+            if (scene_.lights[index].reach.unlit(few.chunks.front().bounds) == Unlit::no)
+                add(scene_.lights[index], map);
     }
 
 private:
@@ -117,27 +116,71 @@ private:
             to.share[i] = 1.0F / static_cast<float>(to.size() - first);
     }
 
-    void add(const LitLight& light, int along, std::vector<glm::dvec3>& map) {
-        const SurfaceSamples& all = samples(along);
+    // Points of patches, and the share of a light that reaches each.
+    struct Seen {
+        int along = 0; // a side of each patch
+        SurfaceSamples own;
+        const SurfaceSamples* points = nullptr; // `own`, or those of all patches of the block
+        std::vector<double> visible;
+    };
+
+    void add(const LitLight& light, std::vector<glm::dvec3>& map) {
         shadow_.begin(light);
-        std::vector<std::uint32_t>& bodies = shadow_.bodies(all.surface);
+        std::vector<std::uint32_t>& bodies = shadow_.bodies(patches_.charts().all()[block_.chart].surface);
         if (scene_.options.shadows != Shadows::off)
-            scene_.find_shadowing(all.surface, all.chunks.front().bounds, light, bodies);
-        const std::vector<double> visible = visible_shares(light, all, !bodies.empty());
+            scene_.find_shadowing(patches_.charts().all()[block_.chart].surface, bounds_, light, bodies);
+        const bool is_shadowed = !bodies.empty();
+        std::vector<Seen> parts = parts_for(light, is_shadowed);
+        for (Seen& part : parts)
+            part.visible = visible_shares(light, *part.points, is_shadowed);
         std::vector<std::uint32_t> divided;
-        if (!bodies.empty() && along < most_along) divided = on_edges(all, visible);
-        const auto is_divided = [&](std::uint32_t patch) {
-            return std::binary_search(divided.begin(), divided.end(), patch);
-        };
-        shader_.illuminate(light, all);
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (!is_divided(all.pixel[i])) add_point(light, all, i, visible[i], map);
+        if (is_shadowed) divided = on_edges(parts);
+        for (const Seen& part : parts) {
+            shader_.illuminate(light, *part.points);
+            for (std::size_t i = 0; i < part.points->size(); ++i)
+                if (!std::binary_search(divided.begin(), divided.end(), part.points->pixel[i]))
+                    add_point(light, *part.points, i, part.visible[i], map);
+        }
         if (divided.empty()) return;
-        const SurfaceSamples finer = points_of(divided);
+        const SurfaceSamples finer = points_of(divided, most_along);
         const std::vector<double> visible_of_finer = visible_shares(light, finer, true);
         shader_.illuminate(light, finer);
         for (std::size_t i = 0; i < finer.size(); ++i)
             add_point(light, finer, i, visible_of_finer[i], map);
+    }
+
+    // The points of all patches, as many of each as its distance from the light needs.
+    std::vector<Seen> parts_for(const LitLight& light, bool is_shadowed) {
+        const PatchGrid& grid = patches_.grid(block_.chart);
+        std::array<std::vector<std::uint32_t>, most_along + 1> by_points;
+        std::size_t all = 0;
+        for (std::uint32_t row = block_.row; row < std::min(block_.row + block_side, grid.rows); ++row)
+            for (std::uint32_t column = block_.column; column < std::min(block_.column + block_side, grid.columns);
+                 ++column) {
+                const std::uint32_t patch = grid.first_patch + row * grid.columns + column;
+                if (!(patches_.area_m2(patch) > 0.0)) continue;
+                const double half_m = patches_.half_diagonal(patch);
+                const double distance_m =
+                    light.reach.at_infinity
+                        ? std::numeric_limits<double>::infinity()
+                        : glm::distance(light.reach.center, patches_.middle(patch)) - half_m - light.reach.body_radius;
+                const int along = points_along(distance_m, std::numbers::sqrt2 * half_m, is_shadowed);
+                by_points.at(static_cast<std::size_t>(along)).push_back(patch);
+                ++all;
+            }
+        std::vector<Seen> parts;
+        for (std::size_t along = 1; along < by_points.size(); ++along) {
+            if (by_points[along].empty()) continue;
+            Seen& part = parts.emplace_back();
+            part.along = static_cast<int>(along);
+            if (by_points[along].size() < all)
+                part.own = points_of(by_points[along], static_cast<int>(along));
+            else
+                part.points = &samples(static_cast<int>(along));
+        }
+        for (Seen& part : parts)
+            if (part.points == nullptr) part.points = &part.own;
+        return parts;
     }
 
     void add_point(const LitLight& light, const SurfaceSamples& of, std::size_t i, double visible,
@@ -146,35 +189,54 @@ private:
         if (lx > 0.0) map[of.pixel[i]] += static_cast<double>(of.share[i]) * lx * light.light.color;
     }
 
-    std::vector<double> visible_shares(const LitLight& light, const SurfaceSamples& of, bool occluded) {
+    // The points of a patch come one after the other.
+    std::vector<double> visible_shares(const LitLight& light, const SurfaceSamples& of, bool is_shadowed) {
         std::vector<double> shares(of.size(), 1.0);
-        for (std::size_t i = 0; occluded && i < of.size(); ++i)
+        bool may_be_hidden = false;
+        for (std::size_t i = 0; is_shadowed && i < of.size(); ++i) {
+            if (i == 0 || of.pixel[i] != of.pixel[i - 1]) may_be_hidden = has_shadow(light, of.surface, of.pixel[i]);
+            if (!may_be_hidden) continue;
             shares[i] = scene_.has_soft_shadow(light) ? shadow_.visible(of.surface, of.position_of(i), of.normal_of(i))
                                                       : scene_.visible_center(light, of.surface, of.position_of(i));
+        }
         return shares;
     }
 
+    // Whether any of the bodies before the block may be before the patch.
+    bool has_shadow(const LitLight& light, std::size_t surface, std::uint32_t patch) {
+        if (light.reach.at_infinity) return true;
+        const Ball points{patches_.middle(patch), patches_.half_diagonal(patch)};
+        const Ball body{light.reach.center, light.reach.body_radius};
+        const std::vector<std::uint32_t>& bodies = shadow_.bodies(surface);
+        return std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t i) {
+            return may_stand_between(scene_.stage.surfaces[i].geometry, points, body);
+        });
+    }
+
     // The patches that the edge of a shadow may cross, in order: those with points of different shares, and those
-    // beside them. The points of a patch come one after the other.
-    std::vector<std::uint32_t> on_edges(const SurfaceSamples& of, const std::vector<double>& visible) const {
+    // beside them.
+    std::vector<std::uint32_t> on_edges(const std::vector<Seen>& parts) const {
         const PatchGrid& grid = patches_.grid(block_.chart);
         std::array<std::array<float, block_side + 2>, block_side + 2> least{};
         std::array<std::array<float, block_side + 2>, block_side + 2> most{};
+        std::array<std::array<bool, block_side + 2>, block_side + 2> is_finest{};
         for (auto& row : least)
             row.fill(2.0F);
         for (auto& row : most)
             row.fill(-1.0F);
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            const std::uint32_t index = of.pixel[i] - grid.first_patch;
-            float& low = least.at(index / grid.columns - block_.row + 1).at(index % grid.columns - block_.column + 1);
-            float& high = most.at(index / grid.columns - block_.row + 1).at(index % grid.columns - block_.column + 1);
-            low = std::min(low, static_cast<float>(visible[i]));
-            high = std::max(high, static_cast<float>(visible[i]));
-        }
+        for (const Seen& part : parts)
+            for (std::size_t i = 0; i < part.points->size(); ++i) {
+                const std::uint32_t index = part.points->pixel[i] - grid.first_patch;
+                const std::size_t row = index / grid.columns - block_.row + 1;
+                const std::size_t column = index % grid.columns - block_.column + 1;
+                is_finest.at(row).at(column) = part.along == most_along;
+                least.at(row).at(column) = std::min(least.at(row).at(column), static_cast<float>(part.visible[i]));
+                most.at(row).at(column) = std::max(most.at(row).at(column), static_cast<float>(part.visible[i]));
+            }
         std::vector<std::uint32_t> found;
         for (std::size_t row = 1; row <= block_side; ++row)
             for (std::size_t column = 1; column <= block_side; ++column) {
-                if (most[row][column] < 0.0F) continue;
+                if (most[row][column] < 0.0F || is_finest[row][column]) continue;
                 const float low = std::min({least[row][column], least[row - 1][column], least[row + 1][column],
                                             least[row][column - 1], least[row][column + 1]});
                 const float high = std::max({most[row][column], most[row - 1][column], most[row + 1][column],
@@ -188,15 +250,15 @@ private:
         return found;
     }
 
-    SurfaceSamples points_of(const std::vector<std::uint32_t>& some) const {
+    SurfaceSamples points_of(const std::vector<std::uint32_t>& some, int along) const {
         const Chart& chart = patches_.charts().all()[block_.chart];
         const PatchGrid& grid = patches_.grid(block_.chart);
         SurfaceSamples made;
         made.surface = chart.surface;
-        made.reserve(some.size() * static_cast<std::size_t>(most_along * most_along));
+        made.reserve(some.size() * static_cast<std::size_t>(along * along));
         for (const std::uint32_t patch : some) {
             const std::uint32_t index = patch - grid.first_patch;
-            add_points(made, chart, grid, {index % grid.columns, index / grid.columns}, most_along);
+            add_points(made, chart, grid, {index % grid.columns, index / grid.columns}, along);
         }
         return made;
     }
@@ -215,6 +277,7 @@ private:
     const Patches& patches_;
     const LitScene& scene_;
     const Block& block_;
+    SampleBounds bounds_;
     SampleShader shader_;
     SoftShadow shadow_;
     std::array<SurfaceSamples, most_along + 1> samples_; // by the points along a side

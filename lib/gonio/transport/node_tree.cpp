@@ -1,3 +1,4 @@
+#include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/node_tree.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
@@ -35,6 +36,13 @@ struct Attraction {
     double spacing_m; // where it touches the chart
 };
 
+std::vector<LightSphere> points_of(std::span<const glm::dvec3> lights) {
+    std::vector<LightSphere> points;
+    for (const glm::dvec3& light : lights)
+        points.push_back({light, 0.0, static_cast<std::uint32_t>(points.size())});
+    return points;
+}
+
 // The radius of the thinnest part.
 std::optional<double> size_of(const Primitive& geometry) {
     if (const auto* ball = std::get_if<Ball>(&geometry)) return ball->radius;
@@ -53,6 +61,7 @@ public:
         : tree_(tree),
           stage_(stage),
           lights_(lights),
+          light_tree_(points_of(lights)),
           chart_(chart),
           is_round_(chart.kind == Chart::Kind::round),
           widest_m_(widest * square_m * coarseness),
@@ -157,14 +166,19 @@ private:
         return std::abs(glm::dot(box.frame.origin - chart_.frame.origin, chart_.frame.z)) < reach + least_m_;
     }
 
-    double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m) const {
+    // How far apart nodes may lie in a part, if that is less than the part's longest side.
+    double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m, double longest_m) {
         double spacing_m = std::numeric_limits<double>::infinity();
         for (const Attraction& attraction : attractions_) {
             const double away_m = std::max(distance_to_surface(*attraction.geometry, middle) - half_diagonal_m, 0.0);
             spacing_m = std::min(spacing_m, attraction.spacing_m + growth * away_m);
         }
-        for (const glm::dvec3& light : lights_) {
-            const glm::dvec3 to = light - middle;
+        // Any farther away lets parts be as long as this one is.
+        const double reach_m = half_diagonal_m + longest_m / (coarseness_ * near_light);
+        near_.clear();
+        light_tree_.meeting_box(middle - reach_m, middle + reach_m, near_);
+        for (const std::uint32_t light : near_) {
+            const glm::dvec3 to = lights_[light] - middle;
             if (glm::dot(to, normal) + half_diagonal_m < 0.0) continue; // behind
             const double away_m = std::max(glm::length(to) - half_diagonal_m, 0.5 * least_m_);
             spacing_m = std::min(spacing_m, coarseness_ * near_light * away_m);
@@ -185,7 +199,8 @@ private:
             is_round_ ? glm::distance(chart_.position({extent.low.x, at.y}), chart_.position({extent.high.x, at.y}))
                       : size.x;
         const double height_m = size.y;
-        const double spacing_m = spacing_in(middle, chart_.normal(at), 0.5 * std::hypot(width_m, height_m));
+        const double spacing_m =
+            spacing_in(middle, chart_.normal(at), 0.5 * std::hypot(width_m, height_m), std::max(width_m, height_m));
         const bool along_u = width_m > spacing_m;
         const bool along_v = height_m > spacing_m;
         if (!along_u && !along_v) return;
@@ -262,6 +277,7 @@ private:
     NodeTree& tree_;
     const Stage& stage_;
     std::span<const glm::dvec3> lights_;
+    LightTree light_tree_;
     const Chart& chart_;
     bool is_round_;
     double widest_m_, least_m_, lift_m_, square_m_, coarseness_;
@@ -271,6 +287,7 @@ private:
     std::vector<glm::dvec2> places_; // of the nodes
     std::map<std::pair<double, double>, std::uint32_t> node_by_place_;
     std::vector<Attraction> attractions_;
+    std::vector<std::uint32_t> near_; // lights
 };
 
 NodeTree::NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
