@@ -11,6 +11,14 @@
 
 namespace gonio {
 
+namespace {
+
+// One in so many pixels of an automatic exposure is white, at most and at least.
+constexpr std::size_t most_white = 40;
+constexpr std::size_t least_white = 200;
+
+} // namespace
+
 Nits white_luminance(Ev100 ev) {
     return Nits(1.2 * std::exp2(ev.value));
 }
@@ -25,9 +33,17 @@ Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_ou
         if (y > 0.0) luminances.push_back(y);
     }
     if (luminances.empty()) return left_out.empty() ? Ev100(0.0) : auto_exposure(rgb_nits);
-    const std::size_t rank = (luminances.size() - 1) * 995 / 1000;
-    std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
-    return Ev100(std::log2(luminances[rank] / 1.2));
+    double logarithms = 0.0;
+    for (const double y : luminances)
+        logarithms += std::log(y);
+    const double mean = std::exp(logarithms / static_cast<double>(luminances.size()));
+    const auto above = [&](std::size_t share) { // which one in `share` pixels is above
+        const std::size_t rank = (luminances.size() - 1) * (share - 1) / share;
+        std::nth_element(luminances.begin(), luminances.begin() + static_cast<std::ptrdiff_t>(rank), luminances.end());
+        return luminances[rank];
+    };
+    constexpr double middle_grey = 0.18;
+    return Ev100(std::log2(std::clamp(mean / middle_grey, above(most_white), above(least_white)) / 1.2));
 }
 
 Ev100 exposure_of_card(Lux on_card) {

@@ -13,9 +13,11 @@ namespace gonio {
 // (Lagarde and de Rousiers 2014, §5.1).
 Nits white_luminance(Ev100 ev);
 
-// The exposure at which 99.5 % of the lit pixels are below the display's white, so that a highlight does not darken the
-// rest. Pixels for which `left_out` is not 0 do not count, unless no other pixel is lit; they are lights that are
-// visible themselves. `left_out` is empty or has one value for each pixel. 0 for a picture without light.
+// The exposure at which the lit pixels are middle grey in the geometric mean, 0.18 of the display's white (E. Reinhard
+// et al., "Photographic Tone Reproduction for Digital Images", 2002), as far as no more than one in 40 of them becomes
+// white and at least one in 200 does: neither a pool of light below a spot nor dark surroundings decide alone. Pixels
+// for which `left_out` is not 0 do not count, unless no other pixel is lit; they are lights that are visible
+// themselves. `left_out` is empty or has one value for each pixel. 0 for a picture without light.
 Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {});
 
 // The exposure at which a matte 18 % card with this illuminance is middle grey, 0.18 of the display's white; a white

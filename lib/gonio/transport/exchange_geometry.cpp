@@ -38,9 +38,9 @@ struct Same {
 
 } // namespace
 
-ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality,
+ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, const ExchangeQuality& quality,
                                    unsigned threads, simd::InstructionSet set)
-    : stage_(stage),
+    : stage_(std::move(stage)),
       light_positions_(positions_of(lights)),
       quality_(quality),
       patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches, threads) {
@@ -69,8 +69,8 @@ ExchangeGeometry::ExchangeGeometry(const Stage& stage, std::span<const Light> li
     for (std::size_t i = 0; i < places.size(); ++i)
         escaping_.push_back(from_cells_.escaping(i));
     places.clear();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        places.push_back({nodes_[i].position, nodes_[i].normal, own(nodes_[i].surface), !nodes_[i].gathers()});
+    for (const Node& node : nodes_)
+        places.push_back({node.position, node.normal, own(node.surface), !node.gathers()});
     from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     balance();
 }

@@ -15,8 +15,8 @@ namespace gonio::detail {
 
 class ExchangeGeometry {
 public:
-    ExchangeGeometry(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality,
-                     unsigned threads, simd::InstructionSet set);
+    ExchangeGeometry(Stage stage, std::span<const Light> lights, const ExchangeQuality& quality, unsigned threads,
+                     simd::InstructionSet set);
 
     const Stage& stage() const { return stage_; }
     const Patches& patches() const { return patches_; }

@@ -176,6 +176,23 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
 }
 
+// Middle grey in the geometric mean, unless too many or too few pixels are white then.
+TEST(Exposure, WeighsTheWholePicture) {
+    const auto white = [](std::initializer_list<std::pair<std::size_t, float>> parts) {
+        Image image(1000, 1, 3);
+        std::size_t at = 0;
+        for (const auto& [count, value] : parts)
+            for (std::size_t i = 0; i < 3 * count; ++i)
+                image.pixels[at++] = value;
+        return white_luminance(auto_exposure(image)).value;
+    };
+    const double mean = std::pow(50.0, 0.008) * std::pow(1000.0, 0.002);
+    EXPECT_NEAR(white({{990, 1.0F}, {8, 50.0F}, {2, 1000.0F}}), mean / 0.18, 1e-6);
+    EXPECT_NEAR(white({{900, 1.0F}, {100, 10.0F}}), 10.0, 1e-6); // no more than 25 may be white
+    EXPECT_NEAR(white({{500, 1.0F}, {500, 0.9F}}), 1.0, 1e-6);   // 5 should be
+    EXPECT_NEAR(white({{500, 1e-3F}, {500, 1.0F}}), 1.0, 1e-6);  // dark surroundings
+}
+
 // Light adds up: a picture of two lights is the sum of their single pictures, in luminance and in lux.
 TEST(ThreadsPreview, LightsAddUp) {
     const Stage stage = make_stage("floor").value();

@@ -83,7 +83,7 @@ Result<Contest> of_stage(std::string_view name, const SuiteOptions& options) {
                      "a solution on 48000 patches, with rays of its own for each point", "patches-8000"},
                     1,
                     {}};
-    const auto add = [&](std::string method, std::function<std::vector<double>()> values) {
+    const auto add = [&](std::string method, const std::function<std::vector<double>()>& values) {
         const auto errors = [values, truth, mean] {
             std::vector<double> of_points = values();
             for (std::size_t i = 0; i < of_points.size(); ++i)
