@@ -45,7 +45,7 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
       quality_(quality),
       patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches, threads) {
     // Stages with many things in them get fewer nodes for each.
-    const double most = 1.5 * quality.patches;
+    const double most = 3.0 * quality.patches;
     for (double spacing = quality.node_spacing;;) {
         const std::vector<Chart>& charts = patches_.charts().all();
         trees_.assign(charts.size(), NodeTree());

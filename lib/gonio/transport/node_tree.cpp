@@ -19,21 +19,24 @@ namespace gonio::detail {
 namespace {
 
 // Distances in squares, the size of a patch.
-constexpr double widest = 2.2;
+constexpr double widest = 2.8;
 constexpr double narrowest = 0.25;
 constexpr double inset = 1e-3; // of the nodes at edges
 
-constexpr double per_radius = 4.0;       // distances between the nodes of a sphere
-constexpr double near_solid = 0.25;      // of its radius, between nodes that it touches
-constexpr double near_sheet = 0.25;      // of the radius of the sphere that touches it
-constexpr double least_near_thin = 0.1;  // squares
-constexpr double growth = 0.4;           // with the distance from a solid
-constexpr double near_light = 1.0 / 3.0; // of the distance from a light
+constexpr double per_radius = 4.0;        // distances between the nodes of a sphere
+constexpr double near_solid = 0.25;       // of its radius, between nodes that it touches
+constexpr double near_sheet = 0.25;       // of the radius of the sphere that touches it
+constexpr double least_near_thin = 0.1;   // squares
+constexpr double growth = 0.4;            // with the distance from a solid
+constexpr double near_light = 1.0 / 3.0;  // of the distance from a light
+constexpr double near_contact = 0.5;      // of the distance along the surface from where something round touches,
+constexpr double least_at_contact = 0.08; // and at least this share of its radius
 
 // What brings nodes closer together, besides edges.
 struct Attraction {
     const Primitive* geometry;
     double spacing_m; // where it touches the chart
+    double radius_m;  // of what is round where they touch; 0: neither is
 };
 
 std::vector<LightSphere> points_of(std::span<const glm::dvec3> lights) {
@@ -154,8 +157,18 @@ private:
             const double spacing_m = size && is_round_ ? near_solid * std::min(*size, chart_.radius)
                                      : size            ? near_solid * *size
                                                        : near_sheet * chart_.radius;
-            attractions_.push_back({&geometry, coarseness_ * std::max(spacing_m, least_near_thin * square_m_)});
+            attractions_.push_back(
+                {&geometry, coarseness_ * std::max(spacing_m, least_near_thin * square_m_), contact_radius(geometry)});
         }
+    }
+
+    // Of a sphere with the gap at every distance that these two have where they touch.
+    double contact_radius(const Primitive& other) const {
+        const auto* const ball = std::get_if<Ball>(&other);
+        const bool is_ball = is_round_ && chart_.half_length == 0.0;
+        if (is_ball && is_sheet(other)) return chart_.radius;
+        if (ball == nullptr) return 0.0;
+        return is_ball ? ball->radius * chart_.radius / (ball->radius + chart_.radius) : is_round_ ? 0.0 : ball->radius;
     }
 
     bool touches(const Primitive& geometry) const {
@@ -170,8 +183,13 @@ private:
     double spacing_in(const glm::dvec3& middle, const glm::dvec3& normal, double half_diagonal_m, double longest_m) {
         double spacing_m = std::numeric_limits<double>::infinity();
         for (const Attraction& attraction : attractions_) {
-            const double away_m = std::max(distance_to_surface(*attraction.geometry, middle) - half_diagonal_m, 0.0);
-            spacing_m = std::min(spacing_m, attraction.spacing_m + growth * away_m);
+            const double gap_m = distance_to_surface(*attraction.geometry, middle);
+            spacing_m = std::min(spacing_m, attraction.spacing_m + growth * std::max(gap_m - half_diagonal_m, 0.0));
+            if (!(gap_m < attraction.radius_m)) continue;
+            // Near a contact the gap at s is s²/(2r).
+            const double from_contact_m = std::sqrt(2.0 * attraction.radius_m * gap_m) - half_diagonal_m;
+            spacing_m = std::min(spacing_m, coarseness_ * std::max(least_at_contact * attraction.radius_m,
+                                                                   near_contact * from_contact_m));
         }
         // Any farther away lets parts be as long as this one is.
         const double reach_m = half_diagonal_m + longest_m / (coarseness_ * near_light);

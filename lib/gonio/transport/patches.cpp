@@ -72,8 +72,8 @@ Patches::Patches(const Stage& stage, const Interest& interest, std::span<const g
             lines.push_back(lines_on(stage, lights, chart, square_m_, coarseness_));
             patches += lines.back().patches();
         }
-        if (patches <= 3.0 * count) break;
-        const double factor = std::max(std::sqrt(patches / (3.0 * count)), 1.1);
+        if (patches <= 6.0 * count) break;
+        const double factor = std::max(std::sqrt(patches / (6.0 * count)), 1.1);
         square_m_ *= factor;
         coarseness_ *= factor;
     }

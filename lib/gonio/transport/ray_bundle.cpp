@@ -30,16 +30,23 @@ public:
         link(place, links, of_charts);
         charts_.resize(directions.size());
         caster_.cast(directions, ends, charts_);
-        count_.assign(of_charts.size(), 0);
+        // Counts in turn: rays of one bundle often meet the same chart, and one count would wait for itself.
+        constexpr std::size_t turns = 4;
+        const std::size_t charts = of_charts.size();
+        count_.assign(turns * charts, 0);
         for (std::size_t i = 0; i < ends.size(); ++i) {
             if (ends[i] == no_patch) continue;
             if (is_solid_[charts_[i]] != 0 && is_linked(place, ends[i]))
                 ends[i] = linked;
             else
-                ++count_[charts_[i]];
+                ++count_[i % turns * charts + charts_[i]];
         }
-        for (std::size_t chart = 0; chart < of_charts.size(); ++chart)
-            of_charts[chart] += static_cast<float>(count_[chart]) / static_cast<float>(directions.size());
+        for (std::size_t chart = 0; chart < charts; ++chart) {
+            std::uint32_t rays = 0;
+            for (std::size_t turn = 0; turn < turns; ++turn)
+                rays += count_[turn * charts + chart];
+            of_charts[chart] += static_cast<float>(rays) / static_cast<float>(directions.size());
+        }
     }
 
 private:
@@ -65,6 +72,9 @@ private:
         for (const std::uint32_t of_solid : patches_.cells_of_solids()) {
             const Cell& sender = patches_.cells()[of_solid];
             by_link_[of_solid] = By::rays;
+            // What faces away is seen at most at its edge, by rays.
+            const glm::dvec3 to = sender.position - place.position;
+            if (!(glm::dot(place.normal, to) > 0.0) || !(glm::dot(sender.normal, to) < 0.0)) continue;
             if (sender.covered || patches_.charts().all()[sender.chart].surface == place.own) continue;
             if (is_far(place, sender.position, sender.half_diagonal_m)) {
                 by_link_[of_solid] = By::cell;

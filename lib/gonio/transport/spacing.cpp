@@ -19,7 +19,10 @@ constexpr double growth_of_patches = 0.2;
 
 // Patches below a light at distance d are d times this: its light changes by a few per cent from one to the next.
 constexpr double patches_by_distance = 0.2;
-constexpr double patches_by_radius = 0.25; // at the foot of a solid of this radius
+constexpr double patches_by_radius = 0.25;  // at the foot of a solid of this radius
+constexpr double patches_at_contact = 0.08; // of the radius, where something round touches
+constexpr double touching = 0.1;            // of the radius: a gap that counts as a contact
+constexpr double patches_at_edges = 0.3;    // of other surfaces, in squares
 
 constexpr double by_height = 0.25;         // of a box, between nodes beside it
 constexpr double patches_by_height = 0.05; // between patches
@@ -114,6 +117,10 @@ struct Feet {
         if (spacing_m >= widest_m || size < 0.25 * widest_m) return;
         pair.u.gradings.push_back({to.x - reach.x, to.x + reach.x, spacing_m});
         pair.v.gradings.push_back({to.y - reach.y, to.y + reach.y, spacing_m});
+        if (std::abs(to.z - reach.z) > touching * size) return;
+        const glm::dvec3 half = reach - size;
+        pair.u.gradings.push_back({to.x - half.x, to.x + half.x, coarseness * patches_at_contact * size});
+        pair.v.gradings.push_back({to.y - half.y, to.y + half.y, coarseness * patches_at_contact * size});
     }
     void operator()(const Ball& ball) const { add(ball.center, glm::dvec3(ball.radius), ball.radius); }
     void operator()(const Capsule& capsule) const {
@@ -180,7 +187,7 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const glm::dvec3> l
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (i != chart.surface) {
             std::visit(Feet{chart, widest_m, coarseness, pair}, stage.surfaces[i].geometry);
-            std::visit(Edges{chart, 1e-3 * widest_m, 0.0, pair}, stage.surfaces[i].geometry);
+            std::visit(Edges{chart, 1e-3 * widest_m, patches_at_edges * widest_m, pair}, stage.surfaces[i].geometry);
         }
     return pair;
 }

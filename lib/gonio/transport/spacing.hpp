@@ -37,8 +37,8 @@ struct SpacingPair {
 // Of the nodes of indirect light: closer at the chart's edges, where others stand on it, and at the sides of boxes.
 SpacingPair spacing_of_nodes(const Stage& stage, const Chart& chart, double widest_m, double least_m);
 
-// Of the patches of direct light: closer near lights and at the feet of solids, there in proportion to `coarseness`.
-// Edges of other surfaces lie between patches.
+// Of the patches of direct light: closer near lights, at edges of other surfaces, which lie between patches, and at the
+// feet of solids, there in proportion to `coarseness`.
 SpacingPair spacing_of_patches(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
                                double widest_m, double coarseness);
 

