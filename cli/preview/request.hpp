@@ -29,7 +29,7 @@ inline constexpr std::array preview_picture_options{
     Option{"--sky", "AMOUNT", "uniform sky: 500lx on an open plane, or 150nt; objects on the stage occlude it"},
     Option{"--no-shadows", "", "let light pass through objects on the stage: the same as --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
-    Option{"--view", "NAME", "view of that display; built in: Standard, ACES, Raw"},
+    Option{"--view", "NAME", "view of that display; built in: Standard, Filmic, ACES, Raw"},
     Option{"--ocio", "FILE", "OpenColorIO configuration ($OCIO, else built in)"},
     Option{"--simd", "SET", "instruction set (the widest available)", "simd"},
     Option{"-j,--jobs", "N", "number of threads (all processors)"},

@@ -3,6 +3,7 @@
 // gonio's pictures are linear with Rec.709 primaries and D65 white; 1 is the white of the display. Without a
 // configuration file the built-in one is used: the display "sRGB" with the views
 //   Standard   only the IEC 61966-2-1 curve (the default)
+//   Filmic     the same up to middle grey; above it bright light becomes white without a change of hue
 //   ACES       the ACES 1.0 SDR video output transform: tone-mapped, for pictures beyond 1
 //   Raw        the numbers unchanged
 // With a file, gonio's pixels enter through its role aces_interchange. A configuration without that role is entered

