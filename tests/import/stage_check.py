@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """stage_check.py GONIO: exports a stage of every shape for programs that are not run here, and renders what was written.
 
-Cameras, transformations, shapes, Lambertian materials and a point light of Mitsuba, pbrt and UsdGeom are read and traced
+Cameras, transformations, shapes, Lambertian materials and a point light of Mitsuba, pbrt, Radiance and UsdGeom are read and traced
 here again: the luminance through the middle of each pixel, shadow included, against the picture that gonio preview
 renders of the same request. Nothing else is shared with the tool.
 """
@@ -333,6 +333,88 @@ def usd(folder):
     return camera, bodies, light
 
 
+def times(matrix, v):
+    return tuple(dot(row, v) for row in matrix)
+
+
+def inverse(m):
+    columns = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])]
+    determinant = dot(m[0], columns[0])
+    return [[column[row] / determinant for column in columns] for row in range(3)]
+
+
+def product(a, b):
+    return [[dot(row, [line[k] for line in b]) for k in range(3)] for row in a]
+
+
+def scaled_columns(m, factors):
+    return [[x * f for x, f in zip(row, factors)] for row in m]
+
+
+def rgb_to_xyz(primaries, white):
+    of = [[p[0] for p in primaries], [p[1] for p in primaries], [1 - p[0] - p[1] for p in primaries]]
+    return scaled_columns(of, times(inverse(of), white))
+
+
+def radiance_to_rec709():
+    """Between the primaries, the white points adapted by Bradford's cone responses."""
+    d65, equal = (0.3127 / 0.329, 1.0, (1 - 0.3127 - 0.329) / 0.329), (1.0, 1.0, 1.0)
+    rec709 = rgb_to_xyz(((0.64, 0.33), (0.3, 0.6), (0.15, 0.06)), d65)
+    own = rgb_to_xyz(((0.64, 0.33), (0.29, 0.6), (0.15, 0.06)), equal)
+    cones = [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
+    factors = [b / a for a, b in zip(times(cones, equal), times(cones, d65))]
+    adapted = product(scaled_columns(inverse(cones), factors), cones)
+    return product(inverse(rec709), product(adapted, own))
+
+
+def radiance(folder):
+    with open(os.path.join(folder, "scene.rad"), encoding="ascii") as file:
+        words = "\n".join(line.split("#")[0] for line in file).split()
+    with open(os.path.join(folder, "scene.vf"), encoding="ascii") as file:
+        view = file.read().split()
+    to_rec709 = radiance_to_rec709()
+
+    def option(name, count):
+        at = view.index(name) + 1
+        return [float(word) for word in view[at : at + count]]
+
+    forward, up = unit(option("-vd", 3)), unit(option("-vu", 3))
+    tangent = math.tan(math.radians(option("-vv", 1)[0]) / 2)
+    assert "-vtv" in view and abs(math.tan(math.radians(option("-vh", 1)[0]) / 2) / tangent - WIDTH / HEIGHT) < 1e-9
+    colors, bodies, light, at = {}, [], {}, 0
+    while at < len(words):
+        modifier, kind, name = words[at : at + 3]
+        assert words[at + 3 : at + 5] == ["0", "0"]
+        count = int(words[at + 5])
+        v = [float(word) for word in words[at + 6 : at + 6 + count]]
+        at += 6 + count
+        if kind == "plastic":
+            assert v[3:] == [0.0, 0.0]
+            colors[name] = times(to_rec709, v[:3])
+        elif kind == "light":
+            # Its luminance is what Radiance's own weights give, which the adaptation of white would change a little.
+            rgb = times(to_rec709, v)
+            nits = 179.0 * dot(v, (0.265074126, 0.670114631, 0.064811243))
+            light[name] = [nits / dot(rgb, (0.2126390, 0.7151687, 0.0721923)) * x for x in rgb]
+        elif modifier in light:
+            assert kind == "sphere"
+            found = v[:3], [math.pi * v[3] ** 2 * x for x in light[modifier]]
+        elif kind == "sphere":
+            bodies.append(Placed(IDENTITY, colors[modifier], ball(v[:3], v[3])))
+        elif kind == "cylinder":
+            z = unit(plus(v[3:6], v[:3], -1.0))
+            x = unit(cross(z, (0.3, 0.5, -0.7)))
+            bodies.append(Placed((x, cross(z, x), z, v[:3]), colors[modifier], cylinder(v[6], 0.0, math.dist(v[:3], v[3:6]))))
+        else:
+            assert kind == "polygon" and count == 12
+            a, b, c, d = (v[3 * k : 3 * k + 3] for k in range(4))
+            x, y = ([0.5 * (q - p) for p, q in zip(a, end)] for end in (b, d))
+            assert math.dist(plus(b, plus(d, a, -1.0)), c) < 1e-9 * math.dist(a, c)
+            middle = [0.5 * (p + q) for p, q in zip(a, c)]
+            bodies.append(Placed((x, y, unit(cross(x, y)), middle), colors[modifier], square()))
+    return (option("-vp", 3), unit(cross(forward, up)), up, forward, tangent), bodies, found
+
+
 def first(bodies, origin, direction):
     hits = [(found[0], found[1], body) for body in bodies if (found := body.meet(origin, direction))]
     return min(hits, key=lambda hit: hit[0]) if hits else None
@@ -366,13 +448,13 @@ with tempfile.TemporaryDirectory() as folder:
         json.dump(RIG, rig)
     # Twenty-five pixels for each of ours: where they differ there is an edge.
     fine = 5
-    for name in ("scene.xml", "scene.pbrt", "scene.usda"):
+    for name in ("scene.xml", "scene.pbrt", "scene.rad", "scene.usda"):
         subprocess.run([gonio, "preview", "--rig", "rig.json", "-s", f"{WIDTH}x{HEIGHT}", "--export", name],
                        cwd=folder, check=True)
     subprocess.run([gonio, "preview", "--rig", "rig.json", "-s", f"{fine * WIDTH}x{fine * HEIGHT}", "--indirect", "off", "-o", "a.exr"],
                    cwd=folder, check=True)
     picture = oiio.ImageBuf(os.path.join(folder, "a.exr"))
-    for read in (mitsuba, pbrt, usd):
+    for read in (mitsuba, pbrt, radiance, usd):
         scene = read(folder)
         compared, worst = 0, 0.0
         for j in range(HEIGHT):

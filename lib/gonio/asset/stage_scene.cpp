@@ -1,3 +1,4 @@
+#include <gonio/asset/detail/radiance_text.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/base/kind_text.hpp>
@@ -22,6 +23,7 @@ constexpr std::array formats{
     StageFormat{".usda", "OpenUSD with UsdLux, UsdPreviewSurface", "usd", false, usd_files},
     StageFormat{".pbrt", "pbrt-v4", "pbrt", true, pbrt_files},
     StageFormat{".xml", "Mitsuba 3", "mitsuba", true, mitsuba_files},
+    StageFormat{".rad", "Radiance", "radiance", true, radiance_files},
     StageFormat{".py", "a Blender script that creates a scene for Cycles", "blender", true, blender_files},
 };
 
@@ -131,6 +133,13 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
                                                  "can mix: an albedo above 1 is written",
                                                  material.name, format.target));
     }
+    if (format.target == "radiance")
+        for (const SceneMaterial& material : made.materials)
+            if (asset_detail::radiance_clips(material))
+                built->instead.push_back(
+                    fmt::format("{}: Radiance cannot have so bright or saturated a colour, which is "
+                                "clipped",
+                                material.name));
     made.white = options.white;
     made.bounces = options.bounces;
     if (options.bounces > 0 && options.bounces_matter && !format.has_bounces)

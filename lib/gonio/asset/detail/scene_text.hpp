@@ -110,6 +110,7 @@ std::vector<AssetFile> gltf_text_files(const SceneContent& scene); // .gltf and 
 std::vector<AssetFile> gltf_binary_files(const SceneContent& scene);
 std::vector<AssetFile> mitsuba_files(const SceneContent& scene);
 std::vector<AssetFile> pbrt_files(const SceneContent& scene);
+std::vector<AssetFile> radiance_files(const SceneContent& scene);
 std::vector<AssetFile> usd_files(const SceneContent& scene);
 
 } // namespace gonio::asset_detail

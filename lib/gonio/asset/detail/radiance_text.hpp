@@ -1,0 +1,26 @@
+// What the writers of lights and stages for Radiance share.
+#pragma once
+
+#include <gonio/asset/detail/scene_text.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gonio::asset_detail {
+
+// Linear Rec.709 in Radiance's channels; white is (1, 1, 1) in both.
+glm::dvec3 radiance_rgb(const glm::dvec3& rec709);
+
+// The arguments of a polygon, counterclockwise as seen from its front.
+std::string radiance_polygon(std::span<const glm::dvec3> outline);
+
+// The surfaces of a stage, after the lines that render it; the mixed materials are functions in `name`.cal.
+std::string radiance_stage(const SceneStage& stage, std::string_view name);
+// Whether a colour of the material lies outside what Radiance's channels can hold.
+bool radiance_clips(const SceneMaterial& of);
+std::string radiance_view(const SceneCamera& camera);
+
+} // namespace gonio::asset_detail
