@@ -11,6 +11,7 @@
 // a row of rectangles of its area, and a tube is small faces.
 #include <gonio/asset/detail/radiance_text.hpp>
 #include <gonio/color/rgb_space.hpp>
+#include <gonio/web/symmetry.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -43,10 +44,12 @@ std::string ball(const SceneLight& light, std::string_view part, const glm::dvec
     return fmt::format("{0} sphere {0}{1}\n0\n0\n4 {2} {3}\n", light.name, part, triple(center, " "), radius);
 }
 
-std::string polygon(const SceneLight& light, std::string_view part, std::vector<glm::dvec3> outline) {
-    for (glm::dvec3& corner : outline)
-        corner = light.frame.origin + light.frame.to_world(corner);
-    return fmt::format("{0} polygon {0}{1}\n", light.name, part) + radiance_polygon(outline);
+// In the light's own frame: its middle and half of its sides; it shines along u × v.
+std::string rectangle(const SceneLight& light, std::string_view part, const glm::dvec3& middle, const glm::dvec3& u,
+                      const glm::dvec3& v) {
+    const Frame& frame = light.frame;
+    return fmt::format("{0} polygon {0}{1}\n", light.name, part) +
+           radiance_rectangle(frame.origin + frame.to_world(middle), frame.to_world(u), frame.to_world(v));
 }
 
 // Rectangles side by side along the longer axis, each as high as the ellipse is in the mean over its width.
@@ -62,12 +65,12 @@ std::string ellipse(const SceneLight& light) {
         const double low = -1.0 + 2.0 * i / count;
         const double high = -1.0 + 2.0 * (i + 1) / count;
         const double half = half_width * (area(high) - area(low)) / (high - low);
-        const double a = low * half_length;
-        const double b = high * half_length;
-        text += along_x ? polygon(light, fmt::format(".{}", i + 1),
-                                  {{a, -half, 0.0}, {a, half, 0.0}, {b, half, 0.0}, {b, -half, 0.0}})
-                        : polygon(light, fmt::format(".{}", i + 1),
-                                  {{-half, a, 0.0}, {-half, b, 0.0}, {half, b, 0.0}, {half, a, 0.0}});
+        const double along = 0.5 * (low + high) * half_length;
+        const double half_step = 0.5 * (high - low) * half_length;
+        text += along_x ? rectangle(light, fmt::format(".{}", i + 1), {along, 0.0, 0.0}, {0.0, half, 0.0},
+                                    {half_step, 0.0, 0.0})
+                        : rectangle(light, fmt::format(".{}", i + 1), {0.0, along, 0.0}, {0.0, half_step, 0.0},
+                                    {half, 0.0, 0.0});
     }
     return text;
 }
@@ -82,7 +85,7 @@ std::string cylinder(const SceneLight& light) {
         const glm::dvec3 out(0.0, light.radius * std::cos(turn), light.radius * std::sin(turn));
         const glm::dvec3 u(half_length, 0.0, 0.0);
         const glm::dvec3 v = pi * light.radius / around * glm::dvec3(0.0, -std::sin(turn), std::cos(turn));
-        text += polygon(light, fmt::format(".{}", i + 1), {out - u - v, out - u + v, out + u + v, out + u - v});
+        text += rectangle(light, fmt::format(".{}", i + 1), out, v, u);
     }
     return text;
 }
@@ -108,9 +111,8 @@ std::string cap(const SceneLight& light, double side) {
             const glm::dvec3 u = half_width * across;
             const glm::dvec3 v = half_length * glm::cross(out, across);
             const glm::dvec3 middle = out + glm::dvec3(0.5 * light.width / light.radius * side, 0.0, 0.0);
-            text += polygon(light, fmt::format(".{}{}", side < 0.0 ? "a" : "b", ring * around + i + 1),
-                            {light.radius * (middle - u - v), light.radius * (middle + u - v),
-                             light.radius * (middle + u + v), light.radius * (middle - u + v)});
+            text += rectangle(light, fmt::format(".{}{}", side < 0.0 ? "a" : "b", ring * around + i + 1),
+                              light.radius * middle, light.radius * u, light.radius * v);
         }
     }
     return text;
@@ -141,11 +143,9 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
                                                  triple(frame.origin, " "), triple(-frame.z, " "), light.radius);
     case LightKind::ellipse:
         return glowing(light.nits) + ellipse(light);
-    case LightKind::rect: {
-        const double x = 0.5 * light.width;
-        const double y = 0.5 * light.height;
-        return glowing(light.nits) + polygon(light, ".face", {{-x, -y, 0.0}, {-x, y, 0.0}, {x, y, 0.0}, {x, -y, 0.0}});
-    }
+    case LightKind::rect:
+        return glowing(light.nits) + rectangle(light, ".face", glm::dvec3(0.0), {0.0, 0.5 * light.height, 0.0},
+                                               {0.5 * light.width, 0.0, 0.0});
     case LightKind::tube: {
         return glowing(light.nits) + cylinder(light) + cap(light, -1.0) + cap(light, 1.0);
     }
@@ -163,19 +163,11 @@ void remove_equal_floats(std::vector<double>& ascending) {
     ascending.erase(std::unique(ascending.begin(), ascending.end(), is_equal), ascending.end());
 }
 
-// Ascending, from 0 to 360°: the stored planes and their images.
+// Ascending, from 0 to 360°.
 std::vector<double> all_planes(const Web& web) {
-    std::vector<double> planes{0.0, 360.0};
-    const auto add = [&](double c) { planes.push_back(std::fmod(c + 720.0, 360.0)); };
-    const std::span<const double> stored = web.planes_deg();
-    for (const double c : stored) {
-        add(c);
-        if (web.stored_symmetry() == Symmetry::quadrant || web.stored_symmetry() == Symmetry::bilateral_0_180) add(-c);
-        if (web.stored_symmetry() == Symmetry::quadrant || web.stored_symmetry() == Symmetry::bilateral_90_270)
-            add(180.0 - c);
-        if (web.stored_symmetry() == Symmetry::quadrant) add(180.0 + c);
-    }
-    std::sort(planes.begin(), planes.end());
+    std::vector<double> planes = plane_bends_deg(web);
+    if (planes.empty() || planes.front() > 0.0) planes.insert(planes.begin(), 0.0);
+    planes.push_back(360.0);
     remove_equal_floats(planes);
     return planes;
 }
@@ -240,9 +232,9 @@ glm::dvec3 radiance_rgb(const glm::dvec3& rec709) {
     return matrix * rec709;
 }
 
-std::string radiance_polygon(std::span<const glm::dvec3> outline) {
-    std::string text = fmt::format("0\n0\n{}\n", 3 * outline.size());
-    for (const glm::dvec3& corner : outline)
+std::string radiance_rectangle(const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v) {
+    std::string text = "0\n0\n12\n";
+    for (const glm::dvec3& corner : {middle - u - v, middle + u - v, middle + u + v, middle - u + v})
         text += fmt::format("    {}\n", triple(corner, " "));
     return text;
 }

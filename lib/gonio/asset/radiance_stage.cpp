@@ -12,7 +12,6 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -52,11 +51,8 @@ struct ShapeText {
     std::string_view name;
 
     std::string face(const Frame& frame, double half_width, double half_height, std::string_view part) const {
-        const glm::dvec3 x = half_width * frame.x;
-        const glm::dvec3 y = half_height * frame.y;
-        const std::array<glm::dvec3, 4> outline{frame.origin - x - y, frame.origin + x - y, frame.origin + x + y,
-                                                frame.origin - x + y};
-        return fmt::format("{} polygon {}{}\n", material, name, part) + radiance_polygon(outline);
+        return fmt::format("{} polygon {}{}\n", material, name, part) +
+               radiance_rectangle(frame.origin, half_width * frame.x, half_height * frame.y);
     }
     std::string ball(const glm::dvec3& center, double radius, std::string_view part) const {
         return fmt::format("{} sphere {}{}\n0\n0\n4 {} {}\n", material, name, part, triple(center, " "), radius);

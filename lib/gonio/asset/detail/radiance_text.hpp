@@ -5,7 +5,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,8 +13,8 @@ namespace gonio::asset_detail {
 // Linear Rec.709 in Radiance's channels; white is (1, 1, 1) in both.
 glm::dvec3 radiance_rgb(const glm::dvec3& rec709);
 
-// The arguments of a polygon, counterclockwise as seen from its front.
-std::string radiance_polygon(std::span<const glm::dvec3> outline);
+// The arguments of a polygon: a rectangle by its middle and half of its sides; its front is u × v.
+std::string radiance_rectangle(const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v);
 
 // The surfaces of a stage, after the lines that render it; the mixed materials are functions in `name`.cal.
 std::string radiance_stage(const SceneStage& stage, std::string_view name);
