@@ -4,6 +4,7 @@
 #include <gonio/base/limits.hpp>
 #include <gonio/plot/look.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/relit.hpp>
 #include <gonio/scene/parameter.hpp>
 
 #include "../progress.hpp"
@@ -223,15 +224,43 @@ Result<Cell> Sweeper::render_cell(std::size_t index, int width, int height) {
     of_cell->render.height = height;
     Result<std::vector<Light>> lights = resolve_input(std::move(of_cell->lights), noticed, of_cell->render.threads);
     if (!lights) return pass_on(lights);
-    of_cell->render.known = known_;
-    Result<Rendering> rendering = render(of_cell->stage, *lights, of_cell->stage.camera, of_cell->render);
-    if (!rendering) return pass_on(rendering);
-    known_ = rendering->indirect;
+    Result<Rendering> rendering = Rendering{};
+    std::optional<Rendering> again;
+    if (kept_ && follows(index, kept_->cell)) again = relit(kept_->rendering, kept_->lights, *lights);
+    if (again) {
+        rendering = *std::move(again);
+    } else {
+        of_cell->render.known = known_;
+        rendering = render(of_cell->stage, *lights, of_cell->stage.camera, of_cell->render);
+        if (!rendering) return pass_on(rendering);
+        known_ = rendering->indirect;
+        kept_.reset();
+        if (is_followed(index)) kept_ = Kept{index, *lights, *rendering};
+    }
     Diagnostics fresh = diagnostics_;
     add_new(noticed, fresh);
     console_.say(Diagnostics(fresh.begin() + static_cast<std::ptrdiff_t>(diagnostics_.size()), fresh.end()));
     diagnostics_ = std::move(fresh);
     return Cell{std::move(*of_cell), std::move(*lights), std::move(*rendering)};
+}
+
+// Whether two cells differ in what relit() can change, or in nothing that is rendered.
+bool Sweeper::follows(std::size_t cell, std::size_t from) const {
+    if (request_.render.sky.value > 0.0) return false;
+    for (std::size_t a = 0; a < sweep_.axes.size(); ++a) {
+        if (sweep_.value_of(cell, a) == sweep_.value_of(from, a)) continue;
+        const std::string& key = sweep_.axes[a].key;
+        const bool is_factor =
+            std::any_of(light_parameters().begin(), light_parameters().end(),
+                        [&](const ParameterName& parameter) { return parameter.is_factor && parameter.name == key; });
+        if (!is_factor && key != "exposure") return false;
+    }
+    return true;
+}
+
+// Only such pictures are worth their memory.
+bool Sweeper::is_followed(std::size_t cell) const {
+    return cell + 1 < sweep_.cells() && follows(cell + 1, cell);
 }
 
 void Sweeper::note(const Cell& cell, std::size_t index, Ev100 exposure) {

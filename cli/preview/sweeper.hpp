@@ -58,7 +58,16 @@ public:
     const Diagnostics& diagnostics() const { return diagnostics_; }
 
 private:
+    // A picture from which others follow that differ from it in amounts and colours of lights alone.
+    struct Kept {
+        std::size_t cell = 0;
+        std::vector<Light> lights;
+        Rendering rendering;
+    };
+
     Result<Cell> render_cell(std::size_t index, int width, int height);
+    bool follows(std::size_t cell, std::size_t from) const;
+    bool is_followed(std::size_t cell) const;
     void note(const Cell& cell, std::size_t index, Ev100 exposure);
 
     PreviewRequest request_;
@@ -66,7 +75,8 @@ private:
     Console& console_;
     bool exposure_changes_ = false;
     std::optional<Ev100> shared_exposure_;
-    std::shared_ptr<const Interreflection> known_; // of the last cell
+    std::shared_ptr<const Interreflection> known_; // of the last cell that was rendered
+    std::optional<Kept> kept_;
     Json cells_ = Json::array();
     Diagnostics diagnostics_;
 };

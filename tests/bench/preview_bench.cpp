@@ -3,11 +3,13 @@
 // How to read it: times vary with the machine; ratios within one run are stable. Baselines: `…/whole` is the picture of
 // the same name without skipping (--no-skip); `pixels` is the smallest picture, `lights` the smallest rig;
 // `shadows/…/off` is the picture of the same name without shadows; `indirect/…/off` the one of direct light alone,
-// `indirect/…/known` with another amount of light and what is known of the stage.
+// `indirect/…/known` with another amount of light and what is known of the stage, `indirect/…/relit` from the picture
+// that was.
 //   gonio-bench-preview                     everything
 //   gonio-bench-preview --write-rig N FILE  writes the rig of N lights, with a side of 100 m
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_set.hpp>
+#include <gonio/preview/relit.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
@@ -95,6 +97,17 @@ void add_indirect(const std::string& name, const Picture& direct) {
         light.luminance = Nits(2.0 * light.luminance.value);
     }
     add(name + "/known", bounced);
+    benchmark::RegisterBenchmark((name + "/relit").c_str(),
+                                 [direct, bounced](benchmark::State& state) {
+                                     RenderOptions options = bounced.options;
+                                     const Rendering before =
+                                         render(direct.stage, direct.lights, direct.stage.camera, options).value();
+                                     for (auto _ : state)
+                                         benchmark::DoNotOptimize(relit(before, direct.lights, bounced.lights));
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
 }
 
 void add_all() {

@@ -24,9 +24,9 @@ std::vector<ParameterName> parameters_of_lights() {
     static const std::string length = of_shapes("length", " (l)");
     static const std::string size = of_shapes("size", ": a factor for all lengths");
     return {
-        {"cct", "2700K", "colour temperature: 2700K or 2700K/0.003"},
-        {"color", "d65", "colour, as --color takes it"},
-        {"intensity", "800lm", "amount: lm, cd, nt, lx, W"},
+        {"cct", "2700K", "colour temperature: 2700K or 2700K/0.003", true},
+        {"color", "d65", "colour, as --color takes it", true},
+        {"intensity", "800lm", "amount: lm, cd, nt, lx, W", true},
         {"radius", "10cm", radius},
         {"width", "60cm", width},
         {"length", "1.2m", length},

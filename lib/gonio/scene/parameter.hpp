@@ -18,6 +18,7 @@ struct ParameterName {
     std::string_view name;
     std::string_view example; // of a value
     std::string_view summary; // what has it and what it means
+    bool is_factor = false;   // an amount or a colour, which is a factor on all that the light does
 };
 
 std::span<const ParameterName> light_parameters();
