@@ -1,10 +1,16 @@
 // Indirect light of every stage against the path tracer, which shares nothing with it but the surfaces: root mean
 // square and mean of the differences where the camera looks, relative to the mean indirect illuminance. Two independent
-// halves of the paths keep their noise out of the square: the mean of (x − a)(x − b). Arguments: paths for each half
-// (8000).
+// halves of the paths keep their noise out of the square: the mean of (x − a)(x − b). Then the luminance of what
+// bounced, as a picture shows it where pixels show one surface: with the stage's own materials; and on the solids that
+// the stage is there to show, in other materials, while all else is Lambertian, which is what reflections alone cost.
+//
+//   gonio-indirect-truth-table [PATHS [diffuse|luminance]]    paths for each half (8000)
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/light_color.hpp>
 #include <gonio/preview/path_tracer.hpp>
+#include <gonio/preview/render.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/material.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/interreflection.hpp>
 
@@ -15,6 +21,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,16 +31,48 @@ using namespace gonio;
 
 constexpr int side = 24; // points
 
-void print_row(const StageKind& kind, std::size_t paths) {
-    Stage stage = make_stage(kind.name).value();
-    for (Surface& surface : stage.surfaces)
-        surface.material = LambertMaterial{hemispherical_albedo(surface.material)};
+std::vector<Light> lamp_over(const Stage& stage) {
     LightDescription description;
     description.shape = parse_shape("disk:r=15cm").value();
     description.intensity = {1000.0, parse_photometric_unit("lm").value()};
     hang(description, stage.light);
     Diagnostics ignored;
-    const std::vector<Light> lights{resolve_light(std::move(description), ignored).value()};
+    return {resolve_light(std::move(description), ignored).value()};
+}
+
+// A value and two estimates of it whose errors are independent.
+struct Point {
+    double found, first, second;
+};
+
+struct Errors {
+    double mean = 0.0;
+    double rms = 0.0, bias = 0.0, noise = 0.0; // relative to the mean
+};
+
+Errors errors_of(const std::vector<Point>& points) {
+    Errors errors;
+    double square = 0.0;
+    for (const Point& point : points) {
+        const double truth = 0.5 * (point.first + point.second);
+        errors.mean += truth;
+        errors.bias += point.found - truth;
+        square += (point.found - point.first) * (point.found - point.second);
+        errors.noise += 0.25 * (point.first - point.second) * (point.first - point.second);
+    }
+    const auto count = static_cast<double>(points.size());
+    errors.mean /= count;
+    errors.rms = std::sqrt(std::max(square / count, 0.0)) / errors.mean;
+    errors.bias /= count * errors.mean;
+    errors.noise = std::sqrt(errors.noise / count) / errors.mean;
+    return errors;
+}
+
+void print_diffuse(const StageKind& kind, std::size_t paths) {
+    Stage stage = make_stage(kind.name).value();
+    for (Surface& surface : stage.surfaces)
+        surface.material = LambertMaterial{hemispherical_albedo(surface.material)};
+    const std::vector<Light> lights = lamp_over(stage);
 
     std::vector<Hit> points;
     const CameraRays rays(stage.camera, side, side);
@@ -47,9 +86,6 @@ void print_row(const StageKind& kind, std::size_t paths) {
     detail::PathTracer::Options path_options;
     path_options.bounces = all_bounces;
     const detail::PathTracer tracer(stage, lights, path_options);
-    struct Point {
-        double lx, first, second;
-    };
     std::vector<Point> found(points.size());
     parallel_for(points.size(), 0, [&](std::size_t i) {
         const auto seed = static_cast<std::uint32_t>(2 * i);
@@ -57,31 +93,105 @@ void print_row(const StageKind& kind, std::size_t paths) {
                     detail::indirect_by_paths(tracer, points[i], paths, seed).lx.y,
                     detail::indirect_by_paths(tracer, points[i], paths, seed + 1).lx.y};
     });
-    double mean = 0.0;
-    double bias = 0.0;
-    double square = 0.0;
-    double noise = 0.0;
-    for (const Point& point : found) {
-        const double truth = 0.5 * (point.first + point.second);
-        mean += truth;
-        bias += point.lx - truth;
-        square += (point.lx - point.first) * (point.lx - point.second);
-        noise += 0.25 * (point.first - point.second) * (point.first - point.second);
-    }
-    const auto count = static_cast<double>(found.size());
-    mean /= count;
+    const Errors errors = errors_of(found);
     std::printf("| %s | %.3g lx | %.2f %% | %+.2f %% | %.2f %% | %zu | %zu | %.0f MB |\n",
-                std::string(kind.name).c_str(), mean, 100.0 * std::sqrt(std::max(square / count, 0.0)) / mean,
-                100.0 * bias / count / mean, 100.0 * std::sqrt(noise / count) / mean, indirect.patch_count(),
-                indirect.node_count(), static_cast<double>(indirect.memory()) / 1e6);
+                std::string(kind.name).c_str(), errors.mean, 100.0 * errors.rms, 100.0 * errors.bias,
+                100.0 * errors.noise, indirect.patch_count(), indirect.node_count(),
+                static_cast<double>(indirect.memory()) / 1e6);
+}
+
+constexpr int pixels = 32; // along a side
+
+// The pixels whose corners lie on the surface of their middle: others are means over several.
+bool shows_one_surface(const Stage& stage, const CameraRays& rays, int i, int j, const Hit& middle) {
+    for (const double v : {0.0, 1.0})
+        for (const double u : {0.0, 1.0}) {
+            const std::optional<Hit> corner = first_hit(stage, rays.ray(i + u, j + v));
+            if (!corner || corner->surface != middle.surface || corner->face != middle.face) return false;
+        }
+    return true;
+}
+
+// `material`: of the solids that are subjects; null for the stage as it is.
+void print_luminance(const StageKind& kind, const char* material, std::size_t paths) {
+    Stage stage = make_stage(kind.name).value();
+    std::vector<std::uint8_t> counts(stage.surfaces.size(), material == nullptr ? 1 : 0);
+    for (std::size_t i = 0; material != nullptr && i < counts.size(); ++i) {
+        Surface& surface = stage.surfaces[i];
+        counts[i] = surface.subject && !is_sheet(surface.geometry) ? 1 : 0;
+        surface.material = counts[i] != 0 ? parse_material(material).value()
+                                          : LambertMaterial{hemispherical_albedo(surface.material)};
+    }
+    if (std::find(counts.begin(), counts.end(), 1) == counts.end()) return;
+    const std::vector<Light> lights = lamp_over(stage);
+    RenderOptions options;
+    options.width = options.height = pixels;
+    const Image direct = render(stage, lights, stage.camera, options).value().luminance_nt;
+    options.bounces = all_bounces;
+    const Image all = render(stage, lights, stage.camera, options).value().luminance_nt;
+
+    struct Pixel {
+        Hit hit;
+        glm::dvec3 view;
+        double found;
+    };
+    std::vector<Pixel> points;
+    const CameraRays rays(stage.camera, pixels, pixels);
+    const auto luminance = [](const Image& image, std::size_t pixel) {
+        return glm::dot(rec709_luminance, glm::dvec3(image.pixels[3 * pixel], image.pixels[3 * pixel + 1],
+                                                     image.pixels[3 * pixel + 2]));
+    };
+    for (int j = 0; j < pixels; ++j)
+        for (int i = 0; i < pixels; ++i) {
+            const Ray ray = rays.ray(i + 0.5, j + 0.5);
+            const std::optional<Hit> hit = first_hit(stage, ray);
+            if (!hit || counts[hit->surface] == 0 || !shows_one_surface(stage, rays, i, j, *hit)) continue;
+            const auto pixel = static_cast<std::size_t>(j) * pixels + static_cast<std::size_t>(i);
+            points.push_back({*hit, -ray.direction, luminance(all, pixel) - luminance(direct, pixel)});
+        }
+    detail::PathTracer::Options path_options;
+    const detail::PathTracer of_direct(stage, lights, path_options);
+    path_options.bounces = all_bounces;
+    const detail::PathTracer of_all(stage, lights, path_options);
+    std::vector<Point> found(points.size());
+    parallel_for(points.size(), 0, [&](std::size_t i) {
+        // The same numbers give the same direct light, so the difference is what bounced.
+        const auto by_paths = [&](std::uint32_t seed) {
+            double sum = 0.0;
+            for (std::size_t pass = 0; pass < paths; ++pass) {
+                const detail::PixelSequence numbers(pass, seed);
+                sum += glm::dot(rec709_luminance, of_all.at(points[i].hit, points[i].view, numbers).rgb -
+                                                      of_direct.at(points[i].hit, points[i].view, numbers).rgb);
+            }
+            return sum / static_cast<double>(paths);
+        };
+        const auto seed = static_cast<std::uint32_t>(2 * i);
+        found[i] = {points[i].found, by_paths(seed), by_paths(seed + 1)};
+    });
+    const Errors errors = errors_of(found);
+    std::printf("| %s | %s | %.3g nt | %.2f %% | %+.2f %% | %.2f %% | %zu |\n", std::string(kind.name).c_str(),
+                material != nullptr ? material : "all its own", errors.mean, 100.0 * errors.rms, 100.0 * errors.bias,
+                100.0 * errors.noise, points.size());
+    std::fflush(stdout);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
     const std::size_t paths = argc > 1 ? static_cast<std::size_t>(std::atoll(argv[1])) : 8000;
-    std::puts("| stage | mean indirect | root mean square | bias | noise of the paths | patches | nodes | memory |\n"
-              "|---|---|---|---|---|---|---|---|");
+    const std::string_view part = argc > 2 ? argv[2] : "";
+    if (part != "luminance") {
+        std::puts("| stage | mean indirect | root mean square | bias | noise of the paths | patches | nodes | memory |\n"
+                  "|---|---|---|---|---|---|---|---|");
+        for (const StageKind& kind : stage_kinds())
+            print_diffuse(kind, paths);
+    }
+    if (part == "diffuse") return 0;
+    std::puts("| stage | materials | mean indirect | root mean square | bias | noise of the paths | pixels |\n"
+              "|---|---|---|---|---|---|---|");
     for (const StageKind& kind : stage_kinds())
-        print_row(kind, paths);
+        for (const char* material :
+             {static_cast<const char*>(nullptr), "frostbite:base=0.5,smoothness=0.5",
+              "ue4:base=0.9,metallic=1,roughness=0.6", "ue4:base=0.9,metallic=1,roughness=0.3"})
+            print_luminance(kind, material, paths);
 }

@@ -55,15 +55,17 @@ DirectionArrays::DirectionArrays(std::span<const glm::dvec3> directions) {
 }
 
 void DirectionArrays::add(const glm::dvec3& direction) {
-    exact.push_back(direction);
-    for (int axis = 0; axis < 3; ++axis)
-        rounded[static_cast<std::size_t>(axis)].push_back(static_cast<float>(direction[axis]));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        axes[axis].push_back(static_cast<float>(direction[static_cast<int>(axis)]));
 }
 
 void DirectionArrays::clear() {
-    exact.clear();
-    for (std::vector<float>& axis : rounded)
+    for (std::vector<float>& axis : axes)
         axis.clear();
+}
+
+glm::dvec3 DirectionArrays::of(std::size_t index) const {
+    return glm::normalize(glm::dvec3(axes[0][index], axes[1][index], axes[2][index]));
 }
 
 BundleCaster::BundleCaster(const Stage& stage, const RayCaster& caster, const Patches& patches,
@@ -123,8 +125,7 @@ void BundleCaster::run(const DirectionArrays& directions) {
     store(from_.x, frame.x);
     store(from_.y, frame.y);
     store(from_.z, frame.z);
-    const float* const arrays[3] = {directions.rounded[0].data(), directions.rounded[1].data(),
-                                    directions.rounded[2].data()};
+    const float* const arrays[3] = {directions.axes[0].data(), directions.axes[1].data(), directions.axes[2].data()};
     kernels_.first_hits(
         {rectangles_.data(), rectangles_.size(), spheres_.data(), spheres_.size(), bounds_.data(), bounds_.size()},
         frame, arrays, directions.size(), {target_.data(), distance_.data(), u_.data(), v_.data()});
@@ -137,7 +138,7 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
         ends[i] = charts[i] = no_patch;
         if (target_[i] == transport::RayHits::nothing) continue;
         if (target_[i] == transport::RayHits::unknown) {
-            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.exact[i])}, own_);
+            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.of(i))}, own_);
             if (end.surface == RayEnd::nothing) continue;
             charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
             ends[i] = patches_.at(charts[i], end.position);
@@ -147,8 +148,8 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
             ends[i] = of_rectangles_[target].grid->patch(static_cast<double>(u_[i]), static_cast<double>(v_[i]));
         } else {
             charts[i] = of_spheres_[target - rectangles_.size()];
-            ends[i] = patches_.at(charts[i], from_.origin + static_cast<double>(distance_[i]) *
-                                                                from_.to_world(directions.exact[i]));
+            ends[i] = patches_.at(charts[i], patches_.charts().all()[charts[i]].on_sphere(static_cast<double>(u_[i]),
+                                                                                          static_cast<double>(v_[i])));
         }
     }
 }
@@ -159,7 +160,7 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
         charts[i] = no_patch;
         if (target_[i] == transport::RayHits::nothing) continue;
         if (target_[i] == transport::RayHits::unknown) {
-            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.exact[i])}, own_);
+            const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.of(i))}, own_);
             if (end.surface != RayEnd::nothing)
                 charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
         } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
@@ -208,9 +209,9 @@ void ScatteredCaster::begin(const glm::dvec3& anchor, std::size_t own) {
 }
 
 void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std::array<std::vector<float>, 3>& origins,
-                           const std::array<std::vector<float>, 3>& directions, std::vector<PatchPlace>& ends) {
+                           const std::array<std::vector<float>, 3>& directions, std::size_t count,
+                           std::vector<PatchPlace>& ends) {
     begin(anchor, own);
-    const std::size_t count = origins[0].size();
     for (std::vector<float>* const array : {&target_, &distance_, &u_, &v_})
         array->resize(count);
     ends.assign(count, {});
@@ -221,24 +222,26 @@ void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std:
         from, along, count, {target_.data(), distance_.data(), u_.data(), v_.data()});
     for (std::size_t i = 0; i < count; ++i) {
         if (target_[i] == transport::RayHits::nothing || target_[i] == transport::RayHits::back) continue;
-        const glm::dvec3 origin = anchor + glm::dvec3(origins[0][i], origins[1][i], origins[2][i]);
-        const glm::dvec3 direction(directions[0][i], directions[1][i], directions[2][i]);
-        const auto on = [&](std::uint32_t chart, const glm::dvec3& position) {
-            const glm::dvec2 at = patches_.charts().all()[chart].coordinates(position);
+        const auto on = [&](std::uint32_t chart, const glm::dvec2& at) {
             return PatchPlace{chart, static_cast<float>(at.x), static_cast<float>(at.y), distance_[i]};
         };
         if (target_[i] == transport::RayHits::unknown) {
+            const glm::dvec3 origin = anchor + glm::dvec3(origins[0][i], origins[1][i], origins[2][i]);
+            const glm::dvec3 direction(directions[0][i], directions[1][i], directions[2][i]);
             const RayEnd end = caster_.cast({origin, glm::normalize(direction)}, own);
             if (end.surface == RayEnd::nothing) continue;
             distance_[i] = static_cast<float>(glm::distance(origin, end.position));
-            ends[i] = on(static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face)), end.position);
+            const std::size_t chart = patches_.charts().index_of(end.surface, end.face);
+            ends[i] =
+                on(static_cast<std::uint32_t>(chart), patches_.charts().all()[chart].coordinates(end.position));
             continue;
         }
         const auto target = static_cast<std::size_t>(target_[i]);
         if (target < rectangles_.size())
             ends[i] = {charts_[target], u_[i], v_[i], distance_[i]};
         else
-            ends[i] = on(charts_[target], origin + static_cast<double>(distance_[i]) * direction);
+            ends[i] = on(charts_[target], patches_.charts().all()[charts_[target]].on_sphere(
+                                              static_cast<double>(u_[i]), static_cast<double>(v_[i])));
     }
 }
 

@@ -20,17 +20,17 @@ namespace gonio::detail {
 // The end of a ray that leaves the stage, or that the back of a one-sided surface blocks.
 inline constexpr std::uint32_t no_patch = 0xffffffffU;
 
-// Directions about +Z as arrays of floats.
+// Unit directions about +Z as arrays of floats.
 struct DirectionArrays {
     DirectionArrays() = default;
     explicit DirectionArrays(std::span<const glm::dvec3> directions);
 
     void add(const glm::dvec3& direction);
     void clear();
-    std::size_t size() const { return exact.size(); }
+    std::size_t size() const { return axes[0].size(); }
+    glm::dvec3 of(std::size_t index) const;
 
-    std::vector<glm::dvec3> exact;
-    std::array<std::vector<float>, 3> rounded;
+    std::array<std::vector<float>, 3> axes;
 };
 
 // One for each thread.
@@ -85,9 +85,9 @@ class ScatteredCaster {
 public:
     ScatteredCaster(const Stage& stage, const Patches& patches, simd::InstructionSet set);
 
-    // Origins are relative to `anchor`, which is near them.
+    // The first `count` rays. Origins are relative to `anchor`, which is near them.
     void cast(const glm::dvec3& anchor, std::size_t own, const std::array<std::vector<float>, 3>& origins,
-              const std::array<std::vector<float>, 3>& directions, std::vector<PatchPlace>& ends);
+              const std::array<std::vector<float>, 3>& directions, std::size_t count, std::vector<PatchPlace>& ends);
 
 private:
     void begin(const glm::dvec3& anchor, std::size_t own);

@@ -171,6 +171,10 @@ glm::dvec2 Chart::coordinates(const glm::dvec3& position) const {
     return {azimuth, quarter + straight + half_length + radius * angle};
 }
 
+glm::dvec2 Chart::on_sphere(double azimuth, double elevation) const {
+    return {azimuth < 0.0 ? azimuth + 2.0 * pi : azimuth, radius * (0.5 * pi + elevation)};
+}
+
 glm::dvec3 Chart::position(const glm::dvec2& at) const {
     if (kind == Kind::flat) return frame.origin + at.x * frame.x + at.y * frame.y;
     const Outline outline = outline_at(*this, at.y);

@@ -47,6 +47,8 @@ struct Chart {
 
     // The coordinates of a point on the surface; unwrapped azimuths lie in [0, 2π).
     glm::dvec2 coordinates(const glm::dvec3& position) const;
+    // The same on a sphere, from the azimuth about Z from X, in [−π, π], and the elevation [rad].
+    glm::dvec2 on_sphere(double azimuth, double elevation) const;
     glm::dvec3 position(const glm::dvec2& at) const;
     glm::dvec3 normal(const glm::dvec2& at) const;
     // Of the rectangle of coordinates [m²].

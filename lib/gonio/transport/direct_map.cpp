@@ -6,6 +6,7 @@
 #include <gonio/transport/soft_shadow.hpp>
 #include <gonio/transport/surface_samples.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -37,11 +38,12 @@ std::vector<Block> blocks_of(const Patches& patches) {
 }
 
 constexpr int most_along = 8; // points along a side of a patch
+constexpr int edge_along = 4; // where the edge of a shadow crosses it
 
-// Points along a side of a patch at some distance from a light, so that the mean of its patches is within some 1e-4.
-// Shadows need two.
+// Points along a side of a patch at some distance from a light, so that its mean is within some 5e-4, which patches
+// that bend the other way make up for. Shadows need two.
 int points_along(double distance_m, double square_m, bool in_shadow) {
-    if (distance_m > 60.0 * square_m && !in_shadow) return 1;
+    if (distance_m > 25.0 * square_m && !in_shadow) return 1;
     if (distance_m > 8.0 * square_m) return 2;
     return distance_m > 3.0 * square_m ? 4 : most_along;
 }
@@ -52,12 +54,18 @@ double turned(int along_it, int across_it, int along) {
     return along_it + 0.5 + (across_it + 0.5 - 0.5 * along) / along;
 }
 
+// Of the surface of a block.
+struct Albedo {
+    const SkyAlbedo& by_cosine;
+    const glm::dvec3& hemispherical;
+};
+
 class LitBlock {
 public:
-    LitBlock(const Patches& patches, const LitScene& scene, const Block& block)
-        : patches_(patches), scene_(scene), block_(block), shader_(scene), shadow_(scene) {}
+    LitBlock(const Patches& patches, const LitScene& scene, const Block& block, const Albedo& albedo)
+        : patches_(patches), scene_(scene), block_(block), albedo_(albedo), shader_(scene), shadow_(scene) {}
 
-    void add_to(std::vector<glm::dvec3>& map) {
+    void add_to(DirectMap& map) {
         const SurfaceSamples& few = samples(2);
         if (few.size() == 0) return;
         if (scene_.options.sky.value > 0.0) add_sky(few, map);
@@ -124,7 +132,7 @@ private:
         std::vector<double> visible;
     };
 
-    void add(const LitLight& light, std::vector<glm::dvec3>& map) {
+    void add(const LitLight& light, DirectMap& map) {
         shadow_.begin(light);
         std::vector<std::uint32_t>& bodies = shadow_.bodies(patches_.charts().all()[block_.chart].surface);
         if (scene_.options.shadows != Shadows::off)
@@ -142,7 +150,7 @@ private:
                     add_point(light, *part.points, i, part.visible[i], map);
         }
         if (divided.empty()) return;
-        const SurfaceSamples finer = points_of(divided, most_along);
+        const SurfaceSamples finer = points_of(divided, edge_along);
         const std::vector<double> visible_of_finer = visible_shares(light, finer, true);
         shader_.illuminate(light, finer);
         for (std::size_t i = 0; i < finer.size(); ++i)
@@ -164,7 +172,8 @@ private:
                     light.reach.at_infinity
                         ? std::numeric_limits<double>::infinity()
                         : glm::distance(light.reach.center, patches_.middle(patch)) - half_m - light.reach.body_radius;
-                const int along = points_along(distance_m, std::numbers::sqrt2 * half_m, is_shadowed);
+                const bool in_shadow = is_shadowed && has_shadow(light, patch);
+                const int along = points_along(distance_m, std::numbers::sqrt2 * half_m, in_shadow);
                 by_points.at(static_cast<std::size_t>(along)).push_back(patch);
                 ++all;
             }
@@ -184,9 +193,16 @@ private:
     }
 
     void add_point(const LitLight& light, const SurfaceSamples& of, std::size_t i, double visible,
-                   std::vector<glm::dvec3>& map) const {
+                   DirectMap& map) const {
         const double lx = visible * shader_.lx()[i];
-        if (lx > 0.0) map[of.pixel[i]] += static_cast<double>(of.share[i]) * lx * light.light.color;
+        if (!(lx > 0.0)) return;
+        const glm::dvec3 of_patch = static_cast<double>(of.share[i]) * lx * light.light.color;
+        const glm::dvec3 towards = light.reach.at_infinity
+                                       ? light.light.frame.z
+                                       : glm::normalize(light.reach.center - of.position_of(i));
+        map.lx[of.pixel[i]] += of_patch;
+        map.reflected_lx[of.pixel[i]] +=
+            of_patch * glm::min(albedo_.by_cosine(glm::dot(of.normal_of(i), towards)), glm::dvec3(1.0));
     }
 
     // The points of a patch come one after the other.
@@ -194,7 +210,7 @@ private:
         std::vector<double> shares(of.size(), 1.0);
         bool may_be_hidden = false;
         for (std::size_t i = 0; is_shadowed && i < of.size(); ++i) {
-            if (i == 0 || of.pixel[i] != of.pixel[i - 1]) may_be_hidden = has_shadow(light, of.surface, of.pixel[i]);
+            if (i == 0 || of.pixel[i] != of.pixel[i - 1]) may_be_hidden = has_shadow(light, of.pixel[i]);
             if (!may_be_hidden) continue;
             shares[i] = scene_.has_soft_shadow(light) ? shadow_.visible(of.surface, of.position_of(i), of.normal_of(i))
                                                       : scene_.visible_center(light, of.surface, of.position_of(i));
@@ -203,11 +219,11 @@ private:
     }
 
     // Whether any of the bodies before the block may be before the patch.
-    bool has_shadow(const LitLight& light, std::size_t surface, std::uint32_t patch) {
+    bool has_shadow(const LitLight& light, std::uint32_t patch) {
         if (light.reach.at_infinity) return true;
         const Ball points{patches_.middle(patch), patches_.half_diagonal(patch)};
         const Ball body{light.reach.center, light.reach.body_radius};
-        const std::vector<std::uint32_t>& bodies = shadow_.bodies(surface);
+        const std::vector<std::uint32_t>& bodies = shadow_.bodies(patches_.surface_of(patch));
         return std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t i) {
             return may_stand_between(scene_.stage.surfaces[i].geometry, points, body);
         });
@@ -229,7 +245,7 @@ private:
                 const std::uint32_t index = part.points->pixel[i] - grid.first_patch;
                 const std::size_t row = index / grid.columns - block_.row + 1;
                 const std::size_t column = index % grid.columns - block_.column + 1;
-                is_finest.at(row).at(column) = part.along == most_along;
+                is_finest.at(row).at(column) = part.along >= edge_along;
                 least.at(row).at(column) = std::min(least.at(row).at(column), static_cast<float>(part.visible[i]));
                 most.at(row).at(column) = std::max(most.at(row).at(column), static_cast<float>(part.visible[i]));
             }
@@ -263,20 +279,23 @@ private:
         return made;
     }
 
-    void add_sky(const SurfaceSamples& samples, std::vector<glm::dvec3>& map) const {
+    void add_sky(const SurfaceSamples& samples, DirectMap& map) const {
         const double lx = std::numbers::pi * scene_.options.sky.value;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double free =
                 scene_.options.shadows == Shadows::off
                     ? 1.0
                     : sky_share(scene_.stage, samples.surface, samples.position_of(i), samples.normal_of(i));
-            map[samples.pixel[i]] += glm::dvec3(static_cast<double>(samples.share[i]) * free * lx);
+            const glm::dvec3 of_patch(static_cast<double>(samples.share[i]) * free * lx);
+            map.lx[samples.pixel[i]] += of_patch;
+            map.reflected_lx[samples.pixel[i]] += of_patch * albedo_.hemispherical;
         }
     }
 
     const Patches& patches_;
     const LitScene& scene_;
     const Block& block_;
+    Albedo albedo_;
     SampleBounds bounds_;
     SampleShader shader_;
     SoftShadow shadow_;
@@ -286,11 +305,15 @@ private:
 
 } // namespace
 
-std::vector<glm::dvec3> direct_map(const Patches& patches, const LitScene& scene) {
-    std::vector<glm::dvec3> map(patches.count(), glm::dvec3(0.0));
+DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const SkyAlbedo> albedo,
+                     std::span<const glm::dvec3> hemispherical_albedo) {
+    DirectMap map{std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0)),
+                  std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0))};
     const std::vector<Block> blocks = blocks_of(patches);
-    parallel_for(blocks.size(), scene.options.threads,
-                 [&](std::size_t i) { LitBlock(patches, scene, blocks[i]).add_to(map); });
+    parallel_for(blocks.size(), scene.options.threads, [&](std::size_t i) {
+        const std::size_t surface = patches.charts().all()[blocks[i].chart].surface;
+        LitBlock(patches, scene, blocks[i], {albedo[surface], hemispherical_albedo[surface]}).add_to(map);
+    });
     return map;
 }
 

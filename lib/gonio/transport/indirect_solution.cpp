@@ -15,8 +15,8 @@ constexpr double least_change = 1e-6; // of the greatest illuminance
 
 class Solver {
 public:
-    Solver(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo, std::span<const glm::dvec3> direct_lx,
-           unsigned threads)
+    Solver(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
+           std::span<const glm::dvec3> reflected_lx, unsigned threads)
         : geometry_(geometry), patches_(geometry.patches()), threads_(threads) {
         const std::size_t cells = patches_.cells().size();
         reflected_.resize(cells);
@@ -24,7 +24,9 @@ public:
             const std::size_t chart = patches_.cells()[i].chart;
             reflected_[i] = geometry.cell_factor(chart) * albedo[patches_.charts().all()[chart].surface];
         }
-        once_ = gathered([&](std::uint32_t patch) { return reflected_[patches_.cell_of(patch)] * direct_lx[patch]; });
+        once_ = gathered([&](std::uint32_t patch) {
+            return geometry.cell_factor(patches_.chart_of(patch)) * reflected_lx[patch];
+        });
     }
 
     // The first bounces one by one.
@@ -110,9 +112,9 @@ private:
 } // namespace
 
 std::vector<glm::dvec3> solve_indirect(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
-                                       std::span<const glm::dvec3> direct_lx, int bounces, unsigned threads) {
+                                       std::span<const glm::dvec3> reflected_lx, int bounces, unsigned threads) {
     if (bounces <= 0) return {geometry.patches().cells().size(), glm::dvec3(0.0)};
-    const Solver solver(geometry, albedo, direct_lx, threads);
+    const Solver solver(geometry, albedo, reflected_lx, threads);
     return bounces == all_bounces ? solver.all() : solver.first(bounces);
 }
 

@@ -13,9 +13,9 @@
 
 namespace gonio::detail {
 
-// The illuminance of each cell by indirect light [lx] after `bounces` of them; `albedo` by surface, `direct_lx` by
-// patch.
+// The illuminance of each cell by indirect light [lx] after `bounces` of them; `albedo` by surface, `reflected_lx` of
+// direct light by patch.
 std::vector<glm::dvec3> solve_indirect(const ExchangeGeometry& geometry, std::span<const glm::dvec3> albedo,
-                                       std::span<const glm::dvec3> direct_lx, int bounces, unsigned threads);
+                                       std::span<const glm::dvec3> reflected_lx, int bounces, unsigned threads);
 
 } // namespace gonio::detail

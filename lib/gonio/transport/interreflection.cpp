@@ -34,20 +34,29 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
                 "give a surface an albedo below 1, or ask for a number of bounces");
 }
 
-} // namespace
-
-glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
-    CoreMaterial core = core_material(material);
-    if (!specular) core = std::visit([](const auto& of) { return CoreMaterial(shading::diffuse_alone(of)); }, core);
-    if (const auto* lambert = std::get_if<shading::Lambert<double>>(&core))
-        return {lambert->albedo.x, lambert->albedo.y, lambert->albedo.z};
-    const SkyAlbedo albedo(core, SkyAlbedo::Fineness::coarse);
-    // 2 ∫ A(µ) µ dµ with µ = √s: the mean of A over s.
+// 2 ∫ A(µ) µ dµ with µ = √s: the mean of A over s.
+glm::dvec3 over_hemisphere(const SkyAlbedo& albedo) {
     constexpr int steps = 32;
     glm::dvec3 sum(0.0);
     for (int i = 0; i < steps; ++i)
         sum += albedo(std::sqrt((i + 0.5) / steps));
     return glm::clamp(sum / static_cast<double>(steps), 0.0, 1.0);
+}
+
+glm::dvec3 hemispherical_albedo(const CoreMaterial& material) {
+    // Of Lambert's there is nothing to sum up, which would round it.
+    if (const auto* lambert = std::get_if<shading::Lambert<double>>(&material))
+        return {lambert->albedo.x, lambert->albedo.y, lambert->albedo.z};
+    return over_hemisphere(SkyAlbedo(material, SkyAlbedo::Fineness::coarse));
+}
+
+} // namespace
+
+glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
+    const CoreMaterial whole = core_material(material);
+    if (specular) return hemispherical_albedo(whole);
+    return hemispherical_albedo(
+        std::visit([](const auto& of) { return CoreMaterial(shading::diffuse_alone(of)); }, whole));
 }
 
 Interreflection::Interreflection() = default;
@@ -70,8 +79,14 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
     exchange.albedo_.resize(stage.surfaces.size());
-    parallel_for(stage.surfaces.size(), options.threads,
-                 [&](std::size_t i) { exchange.albedo_[i] = hemispherical_albedo(stage.surfaces[i].material); });
+    std::vector<SkyAlbedo> by_cosine(stage.surfaces.size());
+    parallel_for(stage.surfaces.size(), options.threads, [&](std::size_t i) {
+        const CoreMaterial material = core_material(stage.surfaces[i].material);
+        by_cosine[i] = SkyAlbedo(material, SkyAlbedo::Fineness::coarse);
+        exchange.albedo_[i] = std::holds_alternative<shading::Lambert<double>>(material)
+                                  ? hemispherical_albedo(material)
+                                  : over_hemisphere(by_cosine[i]);
+    });
     if (options.bounces == all_bounces)
         if (Result<void> solvable = has_solution(geometry, exchange.albedo_); !solvable) return pass_on(solvable);
     LightingOptions exact = options;
@@ -80,7 +95,9 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     exact.bounces = 0;
     {
         const detail::LitScene scene(stage, lights, exact);
-        exchange.direct_lx_ = direct_map(patches, scene);
+        detail::DirectMap direct = direct_map(patches, scene, by_cosine, exchange.albedo_);
+        exchange.direct_lx_ = std::move(direct.lx);
+        exchange.direct_reflected_lx_ = std::move(direct.reflected_lx);
     }
     // Cells are coarse, so what they solve is gathered twice: at nodes, and from what patches then receive at nodes
     // again.
@@ -88,29 +105,31 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     const bool twice = options.bounces > 1;
     const int on_cells = to_the_end ? all_bounces : options.bounces - (twice ? 2 : 1);
     const std::vector<glm::dvec3> cells_lx =
-        solve_indirect(geometry, exchange.albedo_, exchange.direct_lx_, on_cells, options.threads);
-    std::vector<glm::dvec3> received(patches.count());
-    for (std::uint32_t i = 0; i < received.size(); ++i)
-        received[i] = exchange.direct_lx_[i] + cells_lx[patches.cell_of(i)];
-    exchange.sent_ = exchange.reflected(std::move(received));
+        solve_indirect(geometry, exchange.albedo_, exchange.direct_reflected_lx_, on_cells, options.threads);
+    std::vector<glm::dvec3> indirect_lx(patches.count());
+    for (std::uint32_t i = 0; i < indirect_lx.size(); ++i)
+        indirect_lx[i] = cells_lx[patches.cell_of(i)];
+    exchange.sent_ = exchange.seen_from_nodes(indirect_lx);
     exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
     if (twice) {
-        received = exchange.on_patches(exchange.nodes_lx_, options.threads);
-        for (std::uint32_t i = 0; i < received.size(); ++i)
-            received[i] += exchange.direct_lx_[i];
-        exchange.sent_ = exchange.reflected(std::move(received));
+        exchange.sent_ = exchange.seen_from_nodes(exchange.on_patches(exchange.nodes_lx_, options.threads));
         exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
     }
     exchange.sum_up(to_the_end, options.threads);
     return exchange;
 }
 
-// From what patches receive to what they and their cells send.
-std::vector<detail::Sent> Interreflection::reflected(std::vector<glm::dvec3> lx) const {
+glm::dvec3 Interreflection::reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const {
+    return direct_reflected_lx_[patch] + albedo_[geometry_->patches().surface_of(patch)] * indirect_lx;
+}
+
+// What patches and their cells send, with the factors of what nodes see of them.
+std::vector<detail::Sent> Interreflection::seen_from_nodes(std::span<const glm::dvec3> indirect_lx) const {
     const Patches& patches = geometry_->patches();
-    for (std::uint32_t i = 0; i < lx.size(); ++i)
-        lx[i] *= geometry_->node_factor(patches.chart_of(i)) * albedo_[patches.surface_of(i)];
-    return with_cells(patches, lx);
+    std::vector<glm::dvec3> sent(indirect_lx.size());
+    for (std::uint32_t i = 0; i < sent.size(); ++i)
+        sent[i] = geometry_->node_factor(patches.chart_of(i)) * reflected_lx(i, indirect_lx[i]);
+    return with_cells(patches, sent);
 }
 
 std::vector<glm::dvec3> Interreflection::gathered(std::span<const detail::Sent> sent, unsigned threads) const {
@@ -166,8 +185,8 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
     const auto stays = [&](std::uint32_t i) { return 1.0 - geometry_->escaping(patches.cell_of(i)); };
     // Flux that the rays lost or gained arrives like what uniform light leaves after a bounce.
     if (to_the_end && !patches.charts().endless()) {
-        const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i]; });
-        const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return albedo(i) * direct_lx_[i] * stays(i); });
+        const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return direct_reflected_lx_[i]; });
+        const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return direct_reflected_lx_[i] * stays(i); });
         if (returned_lm.x >= 0.5 * sent_lm.x && returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
             const std::vector<glm::dvec3> shape = gathered_of_uniform();
             const std::vector<glm::dvec3> shape_on_patch = on_patches(shape, threads);
@@ -184,17 +203,17 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
                 on_patch[i] += level * shape_on_patch[i];
         }
     }
+    const auto reflected = [&](std::uint32_t i) { return reflected_lx(i, on_patch[i]); };
     balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
-    balance_.absorbed_lm = sum([&](std::uint32_t i) { return (1.0 - albedo(i)) * (direct_lx_[i] + on_patch[i]); });
+    balance_.absorbed_lm = sum([&](std::uint32_t i) { return direct_lx_[i] + on_patch[i] - reflected(i); });
     if (to_the_end) {
         std::vector<glm::dvec3> sent(patches.count());
         for (std::uint32_t i = 0; i < sent.size(); ++i)
-            sent[i] = albedo(i) * (direct_lx_[i] + on_patch[i]);
+            sent[i] = reflected(i);
         sent_ = with_cells(patches, sent);
     }
-    balance_.escaped_lm =
-        sum([&](std::uint32_t i) { return albedo(i) * (direct_lx_[i] + on_patch[i]) * (1.0 - stays(i)); });
+    balance_.escaped_lm = sum([&](std::uint32_t i) { return reflected(i) * (1.0 - stays(i)); });
 }
 
 glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position,
@@ -243,7 +262,8 @@ std::size_t Interreflection::patch_count() const {
     return geometry_->patches().count();
 }
 std::size_t Interreflection::memory() const {
-    return geometry_->memory() + (direct_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3) +
+    return geometry_->memory() +
+           (direct_lx_.size() + direct_reflected_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3) +
            sent_.size() * sizeof(detail::Sent);
 }
 

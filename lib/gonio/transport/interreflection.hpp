@@ -1,8 +1,9 @@
 // Interreflection: the light that the surfaces of a stage send each other.
 //
-// Each surface scatters light in all directions alike, with the albedo of its own material over both hemispheres
-// (diffuse and specular), per channel. Direct light is known on patches, what bounces is solved on cells by rays of
-// fixed directions, and its illuminance is then gathered at nodes, between which it is interpolated. There is no noise.
+// Each surface scatters light in all directions alike (diffuse and specular), per channel: direct light with the
+// directional albedo of its own material, light that bounced with the albedo over both hemispheres. Direct light is
+// known on patches, what bounces is solved on cells by rays of fixed directions, and its illuminance is then gathered
+// at nodes, between which it is interpolated. There is no noise.
 // README.md has the method, its error and its cost.
 #pragma once
 
@@ -81,18 +82,19 @@ public:
 private:
     Interreflection();
     void sum_up(bool to_the_end, unsigned threads);
-    std::vector<detail::Sent> reflected(std::vector<glm::dvec3> lx) const;
+    glm::dvec3 reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const;
+    std::vector<detail::Sent> seen_from_nodes(std::span<const glm::dvec3> indirect_lx) const;
     std::vector<glm::dvec3> gathered(std::span<const detail::Sent> sent, unsigned threads) const;
     std::vector<glm::dvec3> gathered_of_uniform() const;
     std::vector<glm::dvec3> on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const;
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
-    std::vector<glm::dvec3> albedo_;    // by surface
-    std::vector<glm::dvec3> direct_lx_; // by patch
-    std::vector<glm::dvec3> nodes_lx_;  // by node
-    std::vector<detail::Sent> sent_;    // by patch and then by cell: what it sends, over that of a white surface
-    glm::dvec3 level_{1.0};             // factors that the balance gave the nodes
+    std::vector<glm::dvec3> albedo_; // by surface
+    std::vector<glm::dvec3> direct_lx_;           // by patch
+    std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again
+    std::vector<glm::dvec3> nodes_lx_; // by node
+    std::vector<detail::Sent> sent_;   // by patch and then by cell [lx]
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
     simd::InstructionSet instruction_set_ = simd::best_available();

@@ -50,7 +50,9 @@ struct RayHits {
 
     float* target = nullptr;   // the number of a rectangle, or from rectangle_count on of a sphere
     float* distance = nullptr; // [m]
-    float* u = nullptr;        // on a rectangle, along x from its middle [m]
+    // On a rectangle, along x and y from its middle [m]; on a sphere, the azimuth about the world's Z from X, in
+    // [−π, π], and the elevation [rad].
+    float* u = nullptr;
     float* v = nullptr;
 };
 

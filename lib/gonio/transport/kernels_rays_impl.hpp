@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
 #include <gonio/simd/packet.hpp>
 #include <gonio/transport/kernels_rays.hpp>
 
@@ -28,6 +29,26 @@ GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& di
     exit = simd::select(half_chord2 >= S(0.0F), along + half_chord, S(-1.0F));
     return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
 }
+
+// Which sphere rays meet first, and where.
+template<class S>
+struct SphereHit {
+    vec3<S> center{S(0.0F), S(0.0F), S(0.0F)};
+    decltype(S(0.0F) < S(0.0F)) met = S(0.0F) < S(0.0F);
+
+    template<class Mask>
+    GONIO_FORCE_INLINE void note(Mask first, const vec3<S>& of) {
+        center = {simd::select(first, of.x, center.x), simd::select(first, of.y, center.y),
+                  simd::select(first, of.z, center.z)};
+        met = simd::either(met, first);
+    }
+    GONIO_FORCE_INLINE void coordinates(const vec3<S>& end, S& u, S& v) const {
+        if (!simd::any(met)) return;
+        const vec3<S> out = end - center;
+        u = simd::select(met, simd::atan2(out.y, out.x), u);
+        v = simd::select(met, simd::atan2(out.z, simd::sqrt(simd::mul_add(out.x, out.x, out.y * out.y))), v);
+    }
+};
 
 template<class S>
 void first_hits(const RayTargets& targets, const RayFrame& frame, const float* const directions[3], std::size_t count,
@@ -56,14 +77,17 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
             u = simd::select(first, along_x, u);
             v = simd::select(first, along_y, v);
         }
+        SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
             S exit;
-            const S distance =
-                entry(S(targets.spheres[i].radius), spread<S>(targets.spheres[i].center), direction, exit);
+            const vec3<S> center = spread<S>(targets.spheres[i].center);
+            const S distance = entry(S(targets.spheres[i].radius), center, direction, exit);
             const auto first = simd::both(distance > S(0.0F), distance < nearest);
             nearest = simd::select(first, distance, nearest);
             target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
+            on_sphere.note(first, center);
         }
+        on_sphere.coordinates(direction * nearest, u, v);
         for (std::size_t i = 0; i < targets.bound_count; ++i) {
             S exit;
             const S distance = entry(S(targets.bounds[i].radius), spread<S>(targets.bounds[i].center), direction, exit);
@@ -106,14 +130,17 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
             u = simd::select(first, along_x, u);
             v = simd::select(first, along_y, v);
         }
+        SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
             S exit;
-            const S distance =
-                entry(S(targets.spheres[i].radius), spread<S>(targets.spheres[i].center) - origin, direction, exit);
+            const vec3<S> center = spread<S>(targets.spheres[i].center);
+            const S distance = entry(S(targets.spheres[i].radius), center - origin, direction, exit);
             const auto first = simd::both(distance > S(0.0F), distance < nearest);
             nearest = simd::select(first, distance, nearest);
             target = simd::select(first, S(static_cast<float>(targets.rectangle_count + i)), target);
+            on_sphere.note(first, center);
         }
+        on_sphere.coordinates(mul_add(direction, nearest, origin), u, v);
         for (std::size_t i = 0; i < targets.bound_count; ++i) {
             S exit;
             const S distance =

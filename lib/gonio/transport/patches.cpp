@@ -142,11 +142,6 @@ bool Patches::same_under(const Stage& stage, std::span<const glm::dvec3> lights)
     return true;
 }
 
-glm::dvec3 Patches::normal(std::uint32_t patch) const {
-    const Chart& chart = charts_.all()[chart_of(patch)];
-    return chart.normal(chart.coordinates(middle(patch)));
-}
-
 namespace {
 
 // What is left of a patch beside what covers it.
@@ -195,6 +190,7 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
             area_m2_.push_back(static_cast<double>(left.share) *
                                chart.area(grid.corner(column, row), grid.corner(column + 1.0, row + 1.0)));
             middle_.push_back(chart.position(grid.corner(column + 0.5, row + 0.5)));
+            normal_.push_back(chart.normal(grid.corner(column + 0.5, row + 0.5)));
             const auto to_corner = [&](double u, double v) {
                 return glm::distance(middle_.back(), chart.position(grid.corner(column + u, row + v)));
             };

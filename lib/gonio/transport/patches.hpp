@@ -74,7 +74,7 @@ public:
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }
     std::size_t chart_of(std::uint32_t patch) const { return chart_of_[patch]; }
     glm::dvec3 middle(std::uint32_t patch) const { return middle_[patch]; }
-    glm::dvec3 normal(std::uint32_t patch) const;
+    glm::dvec3 normal(std::uint32_t patch) const { return normal_[patch]; }
     double half_diagonal(std::uint32_t patch) const { return half_diagonal_m_[patch]; }
     // The cells of boxes, spheres and capsules that are not large, and the patches of a cell.
     const std::vector<std::uint32_t>& cells_of_solids() const { return cells_of_solids_; }
@@ -104,6 +104,7 @@ private:
     std::vector<std::uint32_t> surface_of_;
     std::vector<std::uint32_t> chart_of_;
     std::vector<glm::dvec3> middle_;
+    std::vector<glm::dvec3> normal_;
     std::vector<double> half_diagonal_m_;
     std::vector<std::uint32_t> cells_of_solids_;
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_

@@ -14,6 +14,32 @@ namespace {
 // A link stands for a part of a solid that is at least as many of its half diagonals away.
 constexpr double least_distance = 5.0;
 
+bool is_far(double distance2, double half_diagonal_m) {
+    const double least = least_distance * half_diagonal_m;
+    return distance2 > least * least;
+}
+
+double distance2_of(const Receivers::Place& place, const glm::dvec3& position) {
+    const glm::dvec3 to = position - place.position;
+    return glm::dot(to, to);
+}
+
+// From a place to a sender.
+struct Way {
+    Way(const Receivers::Place& place, const glm::dvec3& position, const glm::dvec3& normal)
+        : to(position - place.position),
+          here(glm::dot(place.normal, to)),
+          there(-glm::dot(normal, to)),
+          distance2(glm::dot(to, to)) {}
+
+    bool is_seen() const { return here > 0.0 && there > 0.0; }
+    bool is_far(double half_diagonal_m) const { return detail::is_far(distance2, half_diagonal_m); }
+
+    glm::dvec3 to;
+    double here, there; // cosines, times the distance
+    double distance2;
+};
+
 // The rays and links of one place.
 class Bundle {
 public:
@@ -52,16 +78,10 @@ public:
 private:
     enum class By : unsigned char { rays, cell, patches };
 
-    bool is_far(const Receivers::Place& place, const glm::dvec3& position, double half_diagonal_m) const {
-        const glm::dvec3 to = position - place.position;
-        const double least = least_distance * half_diagonal_m;
-        return glm::dot(to, to) > least * least;
-    }
-
     bool is_linked(const Receivers::Place& place, std::uint32_t patch) const {
         const By by = by_link_[patches_.cell_of(patch)];
         return by == By::cell ||
-               (by == By::patches && is_far(place, patches_.middle(patch), patches_.half_diagonal(patch)));
+               (by == By::patches && is_far(distance2_of(place, patches_.middle(patch)), patches_.half_diagonal(patch)));
     }
 
     void link(const Receivers::Place& place, std::vector<Link>& links, std::span<float> of_charts) {
@@ -72,22 +92,21 @@ private:
         for (const std::uint32_t of_solid : patches_.cells_of_solids()) {
             const Cell& sender = patches_.cells()[of_solid];
             by_link_[of_solid] = By::rays;
+            const Way way(place, sender.position, sender.normal);
             // What faces away is seen at most at its edge, by rays.
-            const glm::dvec3 to = sender.position - place.position;
-            if (!(glm::dot(place.normal, to) > 0.0) || !(glm::dot(sender.normal, to) < 0.0)) continue;
+            if (!way.is_seen()) continue;
             if (sender.covered || patches_.charts().all()[sender.chart].surface == place.own) continue;
-            if (is_far(place, sender.position, sender.half_diagonal_m)) {
+            if (way.is_far(sender.half_diagonal_m)) {
                 by_link_[of_solid] = By::cell;
-                consider(place, frame, {sender.position, sender.normal, patches_.cell_area_m2(of_solid)},
+                consider(way, frame, patches_.cell_area_m2(of_solid),
                          static_cast<std::uint32_t>(patches_.count()) + of_solid, sender.chart);
                 continue;
             }
             by_link_[of_solid] = By::patches;
             for (const std::uint32_t patch : patches_.patches_of(of_solid)) {
-                const glm::dvec3 middle = patches_.middle(patch);
-                if (is_far(place, middle, patches_.half_diagonal(patch)))
-                    consider(place, frame, {middle, patches_.normal(patch), patches_.area_m2(patch)}, patch,
-                             sender.chart);
+                const Way to_patch(place, patches_.middle(patch), patches_.normal(patch));
+                if (to_patch.is_far(patches_.half_diagonal(patch)) && to_patch.is_seen())
+                    consider(to_patch, frame, patches_.area_m2(patch), patch, sender.chart);
             }
         }
         charts_.resize(possible_.size());
@@ -99,23 +118,12 @@ private:
         }
     }
 
-    struct Sender {
-        glm::dvec3 position;
-        glm::dvec3 normal;
-        double area_m2;
-    };
-
-    void consider(const Receivers::Place& place, const Frame& frame, const Sender& sender, std::uint32_t number,
-                  std::uint32_t chart) {
-        const glm::dvec3 to = sender.position - place.position;
-        const double here = glm::dot(place.normal, to);
-        const double there = -glm::dot(sender.normal, to);
-        if (!(here > 0.0) || !(there > 0.0) || !(sender.area_m2 > 0.0)) return;
-        const double distance2 = glm::dot(to, to);
-        possible_.push_back(
-            {number, static_cast<float>(here * there * sender.area_m2 / (std::numbers::pi * distance2 * distance2))});
+    void consider(const Way& way, const Frame& frame, double area_m2, std::uint32_t number, std::uint32_t chart) {
+        if (!(area_m2 > 0.0)) return;
+        possible_.push_back({number, static_cast<float>(way.here * way.there * area_m2 /
+                                                        (std::numbers::pi * way.distance2 * way.distance2))});
         possible_charts_.push_back(chart);
-        towards_.add(frame.to_local(to / std::sqrt(distance2)));
+        towards_.add(frame.to_local(way.to / std::sqrt(way.distance2)));
     }
 
     BundleCaster caster_;

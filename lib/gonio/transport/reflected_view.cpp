@@ -19,12 +19,14 @@ ReflectedView::ReflectedView(const Interreflection& indirect, simd::InstructionS
 const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, std::size_t first,
                                                        std::size_t count, const LobeRays& lobe) {
     luminance_.assign(count, glm::vec3(0.0F));
-    for (std::vector<float>& axis : origin_)
-        axis.clear();
-    for (std::vector<float>& axis : direction_)
-        axis.clear();
-    weight_.clear();
-    of_sample_.clear();
+    // Room for all rays; those without weight are left out.
+    const std::size_t most = count * lobe.count();
+    for (auto* const axes : {&origin_, &direction_})
+        for (std::vector<float>& axis : *axes)
+            axis.resize(most);
+    weight_.resize(most);
+    of_sample_.resize(most);
+    std::size_t rays = 0;
     const ExchangeGeometry& geometry = indirect_.geometry();
     const double lift_m = Patches::lift(geometry.patches().square_m());
     for (std::size_t i = 0; i < count; ++i) {
@@ -38,24 +40,25 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         const glm::vec3 x(length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x);
         const glm::vec3 z(normal);
         const glm::vec3 y = glm::cross(z, x);
-        const glm::dvec3 from = samples.position_of(first + i) - samples.anchor + lift_m * normal;
+        const glm::vec3 origin(samples.position_of(first + i) - samples.anchor + lift_m * normal);
         for (const LobeRay& ray : rays_) {
             if (ray.weight == glm::vec3(0.0F)) continue;
             const glm::vec3 direction = glm::normalize(ray.direction.x * x + ray.direction.y * y + ray.direction.z * z);
             for (int axis = 0; axis < 3; ++axis) {
-                origin_[static_cast<std::size_t>(axis)].push_back(static_cast<float>(from[axis]));
-                direction_[static_cast<std::size_t>(axis)].push_back(direction[axis]);
+                origin_[static_cast<std::size_t>(axis)][rays] = origin[axis];
+                direction_[static_cast<std::size_t>(axis)][rays] = direction[axis];
             }
-            weight_.push_back(ray.weight);
-            of_sample_.push_back(static_cast<std::uint32_t>(i));
+            weight_[rays] = ray.weight;
+            of_sample_[rays] = static_cast<std::uint32_t>(i);
+            ++rays;
         }
     }
-    caster_.cast(samples.anchor, geometry.own(samples.surface), origin_, direction_, ends_);
+    caster_.cast(samples.anchor, geometry.own(samples.surface), origin_, direction_, rays, ends_);
     // A single ray that meets a thing much narrower than the distance between rays would draw a line: it counts less,
     // and the others more.
     all_.assign(count, glm::vec3(0.0F));
     kept_.assign(count, glm::vec3(0.0F));
-    for (std::size_t i = 0; i < weight_.size(); ++i) {
+    for (std::size_t i = 0; i < rays; ++i) {
         const std::uint32_t sample = of_sample_[i];
         all_[sample] += weight_[i];
         if (ends_[i].chart == no_patch) {
