@@ -58,6 +58,13 @@
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/sky/cie_sky.hpp>
+#include <gonio/sky/daylight_availability.hpp>
+#include <gonio/sky/sky.hpp>
+#include <gonio/sky/sky_description.hpp>
+#include <gonio/sky/sky_direction.hpp>
+#include <gonio/sky/solar_position.hpp>
+#include <gonio/sky/sun_light.hpp>
 #include <gonio/transport/lighting_options.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>

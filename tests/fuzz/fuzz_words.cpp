@@ -14,7 +14,7 @@
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/material_description.hpp>
 #include <gonio/scene/parameter.hpp>
-#include <gonio/scene/sky.hpp>
+#include <gonio/sky/sky.hpp>
 #include <gonio/web/author.hpp>
 
 #include "../../cli/arguments.hpp"
@@ -155,7 +155,7 @@ void amount(std::string_view text) {
     }
     if (const std::optional<double> number = parse_number(text))
         require(std::isfinite(*number) && parse_number(shortest(*number)) == number);
-    const Result<Nits> sky = parse_sky(text);
+    const Result<Nits> sky = parse_uniform_sky(text);
     if (sky)
         require(sky->value >= 0.0 && std::isfinite(sky->value));
     else
@@ -240,6 +240,36 @@ void option_value(std::string_view text) {
         require(!axis->label(i).empty());
 }
 
+// A sky, a time and a place: a sky that is understood has luminances.
+void sky(std::string_view text) {
+    if (names_spectrum(text)) return;
+    static_cast<void>(read_twice([&] { return parse_place(text); }, alike));
+    const auto same_time = [](Instant a, Instant b) { return a.days_since_j2000 == b.days_since_j2000; };
+    if (const Result<Instant> time = read_twice([&] { return parse_time(text); }, same_time)) {
+        require(time->day_of_year() >= 1 && time->day_of_year() <= 366);
+        const SkyAngles sun = apparent_solar_position({52.0, 13.0}, *time);
+        require(sun.azimuth_deg >= 0.0 && sun.azimuth_deg < 360.0 && std::abs(sun.elevation_deg) <= 91.0);
+    }
+    const auto same_sky = [](const SkyDescription& a, const SkyDescription& b) {
+        return a.kind.index() == b.kind.index() && a.color == b.color && a.ground == b.ground;
+    };
+    const Result<SkyDescription> read = read_twice([&] { return parse_sky_description(text); }, same_sky);
+    if (!read) return;
+    require(share(read->ground));
+    const Result<Sky> resolved = resolve_sky(*read);
+    if (!resolved) {
+        require_reason(resolved.error());
+        return;
+    }
+    for (const glm::dvec3& direction :
+         {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0), glm::normalize(glm::dvec3(1, 2, 3))}) {
+        const glm::dvec3 light = resolved->radiance(direction);
+        require(light.x >= 0.0 && light.y >= 0.0 && light.z >= 0.0 && std::isfinite(light.x + light.y + light.z));
+    }
+    if (resolved->sun())
+        require(std::isfinite(resolved->sun()->illuminance.value) && resolved->sun()->direction.z > 0.0);
+}
+
 // The next byte selects the command; the lines are the words after it.
 void arguments(std::string_view text) {
     if (text.empty()) return;
@@ -278,8 +308,8 @@ void arguments(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text = as_text(data, size);
     if (text.empty()) return 0;
-    constexpr std::array readers{shape,       material,  color,          photometric_value, amount,
-                                 temperature, kind_text, authored_shape, option_value,      arguments};
+    constexpr std::array readers{shape,     material,       color,        photometric_value, amount, temperature,
+                                 kind_text, authored_shape, option_value, arguments,         sky};
     readers[take_choice(text, readers.size())](text);
     return 0;
 }

@@ -1,12 +1,10 @@
-#include <gonio/base/amount_range.hpp>
-#include <gonio/base/unit_text.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/touching.hpp>
 #include <gonio/scene/sky.hpp>
 #include <gonio/shading/irradiance_rectangle.hpp>
 #include <gonio/shading/occlusion.hpp>
+#include <gonio/sky/sky_description.hpp>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -58,18 +56,7 @@ struct CoveredSky {
 } // namespace
 
 Result<Nits> parse_sky(std::string_view text) {
-    Result<Amount> amount = parse_amount(text);
-    if (!amount) return pass_on(amount);
-    const bool is_lux = amount->unit->dimension == Dimension::illuminance;
-    if (!is_lux && amount->unit->dimension != Dimension::luminance)
-        return fail(
-            "USE0105", fmt::format("a sky takes lux or nits, not '{}'", text),
-            "give the illuminance of an open plane, for example 500lx, or the luminance of the sky, for example 150nt");
-    if (!(amount->number >= 0.0)) return fail("USE0106", fmt::format("a sky cannot be negative: '{}'", text));
-    const Nits sky{amount->in_base_units() * (is_lux ? std::numbers::inv_pi : 1.0)};
-    if (!in_amount_range(sky.value))
-        return fail("USE0106", fmt::format("a sky of '{}' is above {} cd/m2", text, greatest_amount));
-    return sky;
+    return parse_uniform_sky(text);
 }
 
 double sky_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& normal) {

@@ -1,0 +1,56 @@
+// Sky: a description, resolved once into what a renderer asks.
+//
+// The frame is that of scenes and of sky_direction.hpp: z up, +Y north, +X east. Directions point from the receiver to
+// the sky. Luminances are linear Rec.709 in cd/m², so that their Y is the luminance. The sun of `daylight` is a light
+// of its own, which no function but sun() includes. Everything is computed in double, does not allocate and may be
+// called from any thread.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
+#include <gonio/sky/cie_sky.hpp>
+#include <gonio/sky/sky_description.hpp>
+#include <gonio/sky/sun_light.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+
+namespace gonio {
+
+class Sky {
+public:
+    // From every direction; 0 is no sky.
+    explicit Sky(Nits uniform = Nits(0.0), const glm::dvec3& color = glm::dvec3(1.0));
+
+    // Of a unit direction: the luminance of the sky there, RGB; of the ground below the horizon.
+    glm::dvec3 radiance(const glm::dvec3& direction) const;
+
+    // Of an open plane with a unit normal, RGB [lx]; without the sun. In closed form for a uniform sky, by quadrature
+    // to 1e-8 in about a millisecond for others.
+    glm::dvec3 irradiance(const glm::dvec3& normal) const;
+
+    // Luminances: of the zenith, and the mean over the sky's solid angle (SkyMeasure::mean).
+    Nits zenith() const;
+    Nits mean() const;
+
+    const std::optional<SunLight>& sun() const { return sun_; }
+
+    // Of the analytic sky, nothing for a uniform one: its axis is where texels need most care.
+    const std::optional<CieSky>& cie() const { return cie_; }
+
+private:
+    friend Result<Sky> resolve_sky(const SkyDescription& description);
+
+    std::optional<CieSky> cie_;
+    glm::dvec3 color_{1.0};
+    double scale_ = 0.0;  // [cd/m²] of the zenith; of all directions of a uniform sky
+    double ground_ = 0.0; // [cd/m²] below the horizon
+    std::optional<SunLight> sun_;
+};
+
+// Fails (usage) if the sun of `daylight` is not above the horizon, if the sky is dark where its amount is measured, and
+// above the range of amounts.
+Result<Sky> resolve_sky(const SkyDescription& description);
+
+} // namespace gonio
