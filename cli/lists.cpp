@@ -26,6 +26,7 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/sky/sky_description.hpp>
 
 #include "preview/layers.hpp"
 #include "preview/sweep_axis.hpp"
@@ -80,6 +81,27 @@ Entries units() {
     for (const Unit& unit : all_units())
         entries.push_back(
             {std::string(unit.symbol), fmt::format("{} ({})", unit.name, dimension_name(unit.dimension))});
+    return entries;
+}
+
+Entries skies() {
+    Entries entries;
+    for (const SkyKindInfo& kind : sky_kinds())
+        entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
+    return entries;
+}
+
+Entries cie_skies() {
+    Entries entries;
+    for (const CieSkyType& type : cie_sky_types())
+        entries.push_back({std::string(type.name), std::string(type.summary)});
+    return entries;
+}
+
+Entries weathers() {
+    Entries entries;
+    for (const WeatherRow& row : gonio::weathers())
+        entries.push_back({std::string(row.name), std::string(row.summary)});
     return entries;
 }
 
@@ -276,6 +298,7 @@ Entries targets() {
 }
 
 constexpr std::array lists{
+    NamedList{"cie-skies", "general skies of the CIE", cie_skies},
     NamedList{"color-methods", "formulas for the colour of a temperature", color_method_names},
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "IES dialects that convert writes", dialects},
@@ -300,6 +323,7 @@ constexpr std::array lists{
     NamedList{"scalings", "what bench --scaling measures", scalings},
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
+    NamedList{"skies", "skies of sky", skies},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
     NamedList{"suites", "what bench measures", suites},
@@ -308,6 +332,7 @@ constexpr std::array lists{
     NamedList{"tints", "tint conventions of other programs", tints},
     NamedList{"tone-maps", "curves that replace the view of a display", tone_maps},
     NamedList{"units", "units of values", units},
+    NamedList{"weathers", "weather of the sky daylight", weathers},
 };
 
 } // namespace

@@ -19,6 +19,7 @@ extern const Command import_command;
 extern const Command rig_command;
 extern const Command probe_command;
 extern const Command preview_command;
+extern const Command sky_command;
 extern const Command bench_command;
 extern const Command explain_command;
 extern const Command list_command;
@@ -44,6 +45,7 @@ static constexpr std::array all{
     &rig_command,
     &probe_command,
     &preview_command,
+    &sky_command,
     &bench_command,
     &explain_command,
     &list_command,

@@ -63,6 +63,7 @@
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
 #include <gonio/sky/sky_direction.hpp>
+#include <gonio/sky/sky_measures.hpp>
 #include <gonio/sky/solar_position.hpp>
 #include <gonio/sky/sun_light.hpp>
 #include <gonio/transport/lighting_options.hpp>

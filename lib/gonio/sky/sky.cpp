@@ -53,6 +53,11 @@ Nits Sky::mean() const {
     return Nits(cie_ ? scale_ * cie_->mean() : scale_);
 }
 
+glm::dvec3 Sky::light() const {
+    if (!cie_) return 4.0 * std::numbers::pi * scale_ * color_;
+    return 2.0 * std::numbers::pi * (mean().value + ground_) * color_;
+}
+
 Result<Sky> resolve_sky(const SkyDescription& description) {
     Sky sky;
     sky.color_ = description.color;

@@ -34,6 +34,9 @@ public:
     Nits zenith() const;
     Nits mean() const;
 
+    // ∫ L dω over all directions, RGB [lx]: the scalar illuminance of a point, four times that of a sphere's surface.
+    glm::dvec3 light() const;
+
     const std::optional<SunLight>& sun() const { return sun_; }
 
     // Of the analytic sky, nothing for a uniform one: its axis is where texels need most care.

@@ -153,6 +153,8 @@ constexpr std::array rows{
             false,
             read_daylight},
 };
+static_assert(rows.size() == std::variant_size_v<SkyKind>); // in its order
+
 constexpr auto infos = [] {
     std::array<SkyKindInfo, rows.size()> all;
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -269,6 +271,10 @@ Result<void> read_keys(const Reading& reading, const KindRow& row, SkyDescriptio
 
 std::span<const SkyKindInfo> sky_kinds() {
     return infos;
+}
+
+std::string_view name_of(const SkyKind& kind) {
+    return infos.at(kind.index()).name;
 }
 
 Result<Nits> parse_uniform_sky(std::string_view text) {

@@ -74,6 +74,9 @@ struct SkyKindInfo {
 
 std::span<const SkyKindInfo> sky_kinds();
 
+// Its name in the grammar.
+std::string_view name_of(const SkyKind& kind);
+
 // The short form alone: "500lx" on an open plane, or "150nt". Fails (usage) on other units, and on less than 0.
 Result<Nits> parse_uniform_sky(std::string_view text);
 

@@ -1,0 +1,30 @@
+// What `gonio sky info` says about a sky: in words and as JSON (schema gonio.sky/1).
+#pragma once
+
+#include <gonio/base/diagnostics.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/sky/sky.hpp>
+#include <gonio/sky/sky_measures.hpp>
+
+#include "../json_text.hpp"
+
+#include <optional>
+#include <string>
+
+namespace gonio::cli {
+
+struct SkyReport {
+    std::string input;
+    std::string kind; // "cie"
+    SkyMeasures measures;
+    std::optional<Cct> cct; // nothing if the colour has no temperature
+    std::optional<SunLight> sun;
+};
+
+// Measures the sky. A colour without a temperature is a warning.
+SkyReport report_of(const std::string& input, std::string_view kind, const Sky& sky, Diagnostics& diagnostics);
+
+std::string to_text(const SkyReport& report);
+Json to_json(const SkyReport& report, const Diagnostics& diagnostics);
+
+} // namespace gonio::cli

@@ -1,0 +1,40 @@
+// What a light meter would read under a sky, and where the sky is brightest.
+#pragma once
+
+#include <gonio/base/quantity.hpp>
+#include <gonio/sky/sky.hpp>
+#include <gonio/sky/sky_direction.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <optional>
+
+namespace gonio {
+
+// Half the angle of the spot around the brightest direction.
+inline constexpr double spot_radius_deg = 3.0;
+
+// The greatest luminance, and the share of all light (∫ L dω over the sphere, without the sun) from within spot_radius_deg
+// of it.
+struct BrightestSpot {
+    glm::dvec3 direction{0.0, 0.0, 1.0};
+    Nits luminance;
+    double share = 0.0;
+};
+
+struct SkyMeasures {
+    Lux horizontal;              // of a plane that faces up
+    std::array<Lux, 4> vertical; // of walls that face north, east, south and west
+    Nits mean;                   // Sky::mean()
+    Nits zenith;
+    std::optional<BrightestSpot> spot; // nothing if all directions are equal
+    glm::dvec3 color{0.0};             // of the light on a sphere: linear Rec.709 of luminance 1; 0 of a black sky
+};
+
+inline constexpr std::array wall_azimuths_deg{0.0, 90.0, 180.0, 270.0};
+
+// Without the sun. Some milliseconds for analytic skies; the share of their spot is within 1e-4.
+SkyMeasures measure(const Sky& sky);
+
+} // namespace gonio
