@@ -60,11 +60,15 @@
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/cie_sky.hpp>
 #include <gonio/sky/daylight_availability.hpp>
+#include <gonio/sky/environment_layout.hpp>
+#include <gonio/sky/environment_map.hpp>
+#include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
 #include <gonio/sky/sky_direction.hpp>
 #include <gonio/sky/sky_measures.hpp>
 #include <gonio/sky/solar_position.hpp>
+#include <gonio/sky/sun_extraction.hpp>
 #include <gonio/sky/sun_light.hpp>
 #include <gonio/transport/lighting_options.hpp>
 #include <gonio/web/integrate.hpp>

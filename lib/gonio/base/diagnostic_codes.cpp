@@ -45,6 +45,7 @@ constexpr std::array groups{
     DiagnosticGroup{"RES02", "Results: files and pictures"},
     DiagnosticGroup{"RES03", "Results: units"},
     DiagnosticGroup{"RES04", "Results: points"},
+    DiagnosticGroup{"RES05", "Results: images of environments"},
     DiagnosticGroup{"USE01", "Usage: exit status 2"},
     DiagnosticGroup{"FIL01", "Files and folders: exit status 3"},
     DiagnosticGroup{"INP01", "Other inputs: exit status 4"},

@@ -56,6 +56,9 @@ inline constexpr std::array limits{
     Limit{"auto-texture-side", 4096, "pixels", "the side of a texture that bake -s auto finds"},
     Limit{"layered-values", std::size_t{1} << 27U, "values", "width × height × channels of a picture in layers"},
     Limit{"decoded-values", std::size_t{1} << 28U, "values", "width × height × channels of a picture that is read"},
+    Limit{"environment-bytes", 1024 * mebibyte, "bytes", "an image of the light from all around, as a file"},
+    Limit{"environment-values", std::size_t{1} << 27U, "values",
+          "width × height × channels of such an image: 8192x4096 with four channels"},
     // Counts
     Limit{"points", std::size_t{1} << 24U, "points", "one run of probe"},
     Limit{"sweep-values", 1024, "values", "one sweep of preview"},

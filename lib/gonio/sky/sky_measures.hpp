@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/base/quantity.hpp>
+#include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_direction.hpp>
 
@@ -12,11 +13,8 @@
 
 namespace gonio {
 
-// Half the angle of the spot around the brightest direction.
-inline constexpr double spot_radius_deg = 3.0;
-
-// The greatest luminance, and the share of all light (∫ L dω over the sphere, without the sun) from within spot_radius_deg
-// of it.
+// The greatest luminance, and the share of all light (∫ L dω over the sphere, without the sun) from within
+// spot_radius_deg of it.
 struct BrightestSpot {
     glm::dvec3 direction{0.0, 0.0, 1.0};
     Nits luminance;

@@ -64,6 +64,15 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "The point is inside a luminous solid, which lights it from all sides."},
     {"RES0403", Severity::note, Strict::same, "surface seen from below",
      "The view comes from below the surface, where its luminance is 0."},
+
+    {"RES0501", Severity::warning, Strict::same, "pixels that cannot be light",
+     "The image has pixels that are negative, infinite or not a number. You asked to go on: they are black."},
+    {"RES0502", Severity::warning, Strict::same, "image at the end of half floats",
+     "16-bit floats end at 65504. The sun is far brighter in most units, so its light is cut off and the lux are too "
+     "low."},
+    {"RES0503", Severity::warning, Strict::same, "image with a flat maximum",
+     "Many pixels have exactly the greatest value, far above the mean. A camera or a program has cut off what was "
+     "brighter."},
 });
 static_assert(in_order(result_codes));
 
