@@ -61,18 +61,7 @@ Result<RgbSpace> space_of(const Arguments& arguments) {
     // The library never reads the environment; the tool passes $OCIO on.
     const char* const environment = std::getenv("OCIO");
     const std::string config = arguments.value("--ocio").value_or(environment == nullptr ? "" : environment);
-    Result<media::SceneLinearSpace> space = media::scene_linear_space(name, config);
-    if (!space) {
-        // If no configuration was given, a mistyped name of a built-in space is the more likely mistake.
-        if (config.empty() && space.error().failure == Failure::usage) {
-            const std::string_view guess = nearest(name, names_of(rgb_spaces()));
-            error_hint(space.error(), guess.empty() ? std::string("'gonio list spaces' names those built in; others "
-                                                                  "come from a configuration, --ocio FILE")
-                                                    : fmt::format("did you mean '{}'?", guess));
-        }
-        return pass_on(space);
-    }
-    return rgb_space_of_aces(space->name, space->from_aces2065_1);
+    return media::rgb_space_of_config(name, config);
 }
 
 template<class T, std::size_t n>

@@ -34,6 +34,7 @@
 #include <gonio/light/shape.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/media/display.hpp>
+#include <gonio/media/environment_file.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/media/module.hpp>
 #include <gonio/plot/diagram.hpp>

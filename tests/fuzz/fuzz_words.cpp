@@ -256,6 +256,10 @@ void sky(std::string_view text) {
     const Result<SkyDescription> read = read_twice([&] { return parse_sky_description(text); }, same_sky);
     if (!read) return;
     require(share(read->ground));
+    if (const auto* const image = std::get_if<ImageSkyKind>(&read->kind)) {
+        require(!image->file.empty());
+        return; // its file has not been read
+    }
     const Result<Sky> resolved = resolve_sky(*read);
     if (!resolved) {
         require_reason(resolved.error());

@@ -1,3 +1,5 @@
+#include <gonio/base/named.hpp>
+#include <gonio/base/nearest.hpp>
 #include <gonio/media/color_space.hpp>
 #include <gonio/media/detail/color_config.hpp>
 #include <gonio/media/detail/open_module.hpp>
@@ -97,6 +99,21 @@ Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::
             space.from_aces2065_1[column][row] =
                 rows.at(3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column));
     return space;
+}
+
+Result<RgbSpace> rgb_space_of_config(const std::string& name, const std::string& config) {
+    Result<SceneLinearSpace> space = scene_linear_space(name, config);
+    if (!space) {
+        // If no configuration was given, a mistyped name of a built-in space is the more likely mistake.
+        if (config.empty() && space.error().failure == Failure::usage) {
+            const std::string_view guess = nearest(name, names_of(rgb_spaces()));
+            error_hint(space.error(), guess.empty() ? std::string("'gonio list spaces' names those built in; others "
+                                                                  "come from a configuration, --ocio FILE")
+                                                    : fmt::format("did you mean '{}'?", guess));
+        }
+        return pass_on(space);
+    }
+    return rgb_space_of_aces(space->name, space->from_aces2065_1);
 }
 
 } // namespace gonio::media

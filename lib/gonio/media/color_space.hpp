@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/base/result.hpp>
+#include <gonio/color/rgb_space.hpp>
 
 #include <glm/mat3x3.hpp>
 
@@ -21,5 +22,9 @@ struct SceneLinearSpace {
 // (usage) on an unknown name; (unsupported) without the module or that role, and on a space that is not a scene-linear
 // space.
 Result<SceneLinearSpace> scene_linear_space(const std::string& name, const std::string& config = {});
+
+// The same as a space with its matrices to and from XYZ. Without a configuration, the hint for an unknown name is the
+// nearest of the built-in spaces of rgb_space.hpp, which are not looked up here.
+Result<RgbSpace> rgb_space_of_config(const std::string& name, const std::string& config = {});
 
 } // namespace gonio::media

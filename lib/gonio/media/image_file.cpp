@@ -289,7 +289,16 @@ Result<std::string> encode_image(const Image& image, const ImageFormat& format, 
     return bytes;
 }
 
-Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values) {
+namespace {
+
+// The reader of the bytes, and the module that has it.
+struct Reader {
+    const ImageFormat* format;
+    const abi::ImageModule* module;
+    std::string name;
+};
+
+Result<Reader> reader_of(std::string_view bytes) {
     const ImageFormat* const format = sniff_image_format(bytes);
     if (format == nullptr)
         return fail(Failure::malformed, "this is not a picture in a known format",
@@ -298,14 +307,38 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values
         return fail(Failure::malformed, "the PNG picture cannot be read: it is cut off or damaged");
     Result<const abi::ImageModule*> module = detail::image_module();
     if (!module) return pass_on(module);
+    return Reader{format, *module, std::string(format->writer)};
+}
 
-    const std::string reader(format->writer);
-    const abi::DecodeRequest request{reader.c_str(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                                     max_values};
+abi::DecodeRequest request_of(const Reader& reader, std::string_view bytes, std::size_t max_values) {
+    return {reader.name.c_str(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), max_values};
+}
+
+Unexpected not_read(const Reader& reader, int status, const abi::DecodeReply& reply) {
+    return fail(detail::cause_of(status),
+                fmt::format("the {} picture cannot be read: {}", reader.format->title, reply.message));
+}
+
+} // namespace
+
+Result<PictureDimensions> picture_dimensions(std::string_view bytes) {
+    Result<Reader> reader = reader_of(bytes);
+    if (!reader) return pass_on(reader);
+    const abi::DecodeRequest request = request_of(*reader, bytes, 0);
     abi::DecodeReply reply{};
-    if (const int status = (*module)->decode(&request, &reply); status != 0)
-        return fail(detail::cause_of(status),
-                    fmt::format("the {} picture cannot be read: {}", format->title, reply.message));
+    const int status = reader->module->decode(&request, &reply);
+    if (status == 0) reader->module->release_decoded(reply.owner);
+    if (reply.width <= 0 || reply.height <= 0 || reply.channels <= 0) return not_read(*reader, status, reply);
+    return PictureDimensions{reply.width, reply.height, reply.channels};
+}
+
+Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values) {
+    Result<Reader> reader = reader_of(bytes);
+    if (!reader) return pass_on(reader);
+    const abi::DecodeRequest request = request_of(*reader, bytes, max_values);
+    abi::DecodeReply reply{};
+    if (const int status = reader->module->decode(&request, &reply); status != 0)
+        return not_read(*reader, status, reply);
     DecodedImage result;
     result.image = Image(reply.width, reply.height, reply.channels);
     std::copy_n(reply.pixels, result.image.pixels.size(), result.image.pixels.begin());
@@ -313,7 +346,7 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values
     result.channel_names.assign(reply.channel_names, reply.channel_names + reply.channels);
     for (std::size_t i = 0; i < reply.attribute_count; ++i)
         result.attributes.push_back(from_abi(reply.attributes[i]));
-    (*module)->release_decoded(reply.owner);
+    reader->module->release_decoded(reply.owner);
     return result;
 }
 

@@ -85,6 +85,18 @@ struct DecodedImage {
 // The largest image that decode_image accepts: width × height × channels.
 inline constexpr std::size_t max_decoded_values = limit("decoded-values").value;
 
+struct PictureDimensions {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+
+    // As they are multiplied: no overflow.
+    [[nodiscard]] double values() const { return static_cast<double>(width) * height * channels; }
+};
+
+// What a file announces, without its pixels. Fails (malformed) on bytes without a valid head of a format here.
+Result<PictureDimensions> picture_dimensions(std::string_view bytes);
+
 // Fails (malformed) on bytes that are not a complete file of a format here, and on more than `max_values` values. A
 // JPEG with a truncated end may pass, filled up with grey.
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values = max_decoded_values);

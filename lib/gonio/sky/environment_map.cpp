@@ -232,10 +232,9 @@ TexelIndex EnvironmentMap::brightest() const {
     return best;
 }
 
-Result<void> calibrate(EnvironmentMap& map, const Calibration& to) {
+Result<double> calibration(const EnvironmentMap& map, const Calibration& to) {
     if (!(to.value > 0.0))
         return fail("USE0106", "an environment is calibrated to more than 0", "for example to 500lx");
-    map.set_nits_per_unit(1.0);
     double now = 0.0;
     std::string_view what;
     switch (to.of) {
@@ -259,7 +258,13 @@ Result<void> calibrate(EnvironmentMap& map, const Calibration& to) {
     if (!in_amount_range(scale))
         return fail("USE0106",
                     fmt::format("the calibration would make a pixel of 1 more than {} cd/m2", greatest_amount));
-    map.set_nits_per_unit(scale);
+    return scale;
+}
+
+Result<void> calibrate(EnvironmentMap& map, const Calibration& to) {
+    Result<double> factor = calibration(map, to);
+    if (!factor) return pass_on(factor);
+    map.set_nits_per_unit(map.nits_per_unit() * *factor);
     return {};
 }
 

@@ -83,8 +83,11 @@ struct Calibration {
     glm::dvec3 normal{0.0, 0.0, 1.0}; // of the plane that the illuminance was measured on
 };
 
-// Sets nits_per_unit so that the image has that amount. Fails (usage) on an image that is black where it is measured,
-// on an amount that is not greater than 0, and above the range of amounts.
+// The factor on the image's luminances that gives it that amount. Fails (usage) on an image that is black where it is
+// measured, on an amount that is not greater than 0, and above the range of amounts.
+Result<double> calibration(const EnvironmentMap& map, const Calibration& to);
+
+// Multiplies nits_per_unit by it. Fails as calibration() does.
 Result<void> calibrate(EnvironmentMap& map, const Calibration& to);
 
 } // namespace gonio

@@ -258,7 +258,7 @@ void overlaps_in(const PlaneChart& chart, const SphericalPolygon& polygon, const
 }
 
 template<class Overlaps>
-EnvironmentMap gathered(const EnvironmentMap& source, const EnvironmentGrid& to, unsigned threads,
+EnvironmentMap gathered(const EnvironmentMap& source, const EnvironmentGrid& to, Radians rotation, unsigned threads,
                         const Overlaps& overlaps) {
     Image image(to.width(), to.height(), 3);
     const int slices = detail::slices_of(to);
@@ -269,7 +269,10 @@ EnvironmentMap gathered(const EnvironmentMap& source, const EnvironmentGrid& to,
             if (!to.covers(texel)) continue;
             glm::dvec3 sum(0.0);
             for (int slice = 0; slice < slices; ++slice) {
-                const detail::TexelPolygons cell = detail::polygons_of(to, texel, slice, slices);
+                detail::TexelPolygons cell = detail::polygons_of(to, texel, slice, slices);
+                for (std::size_t i = 0; rotation.value != 0.0 && i < cell.count; ++i)
+                    for (glm::dvec3& vertex : cell.part.at(i).vertex)
+                        vertex = turned(vertex, Radians(-rotation.value));
                 for (std::size_t i = 0; i < cell.count; ++i)
                     overlaps(cell.part.at(i), [&](TexelIndex from, double area) {
                         const float* const pixel = source.image().at(from.column, from.row);
@@ -399,14 +402,14 @@ Result<EnvironmentGrid> environment_grid(EnvironmentLayout layout, int side) {
     return EnvironmentGrid::create(layout, info.across * side, info.down * side);
 }
 
-EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to, unsigned threads) {
+EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to, Radians rotation, unsigned threads) {
     if (source.grid().layout() == EnvironmentLayout::latlong) {
         const LatLongSlices slices(source.grid());
-        return gathered(source, to, threads,
+        return gathered(source, to, rotation, threads,
                         [&](const SphericalPolygon& cell, const auto& visit) { slices.overlaps(cell, visit); });
     }
     const std::vector<PlaneChart> charts = charts_of(source.grid());
-    return gathered(source, to, threads, [&](const SphericalPolygon& cell, const auto& visit) {
+    return gathered(source, to, rotation, threads, [&](const SphericalPolygon& cell, const auto& visit) {
         for (const PlaneChart& chart : charts)
             overlaps_in(chart, cell, visit);
     });

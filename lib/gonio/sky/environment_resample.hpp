@@ -15,9 +15,11 @@ namespace gonio {
 // The greatest number of texels: a limit of its own, so that a size is refused before memory runs out.
 Result<EnvironmentGrid> environment_grid(EnvironmentLayout layout, int side);
 
-// The image in another layout or size; nits_per_unit stays. About half a microsecond for each overlap, and some
-// (source texels + result texels) × 2 of them. The same for any number of threads; 0: all.
-EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to, unsigned threads = 0);
+// The image in another layout or size, turned so that azimuths grow by `rotation`; nits_per_unit stays. About half a
+// microsecond for each overlap, and some (source texels + result texels) × 2 of them. The same for any number of
+// threads; 0: all.
+EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to, Radians rotation = {},
+                         unsigned threads = 0);
 
 // The sky without its sun as pixels in cd/m²: means over the texels by Gauss quadrature, divided where it has not
 // converged: within 1e-6 of each mean, but for texels across the horizon of an odd size.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 namespace gonio {
@@ -29,37 +30,81 @@ double relative_amount(const CieSky& sky, SkyMeasure measure) {
     return sky.mean();
 }
 
+Calibration calibration_of(const SkyAmount& amount) {
+    switch (amount.measure) {
+    case SkyMeasure::horizontal:
+        return {Calibration::Of::illuminance, amount.value, up};
+    case SkyMeasure::zenith:
+        return {Calibration::Of::zenith_luminance, amount.value, up};
+    case SkyMeasure::mean:
+        break;
+    }
+    return {Calibration::Of::mean_luminance, amount.value, up};
+}
+
 } // namespace
 
 Sky::Sky(Nits uniform, const glm::dvec3& color) : color_(color), scale_(uniform.value) {}
 
 glm::dvec3 Sky::radiance(const glm::dvec3& direction) const {
+    if (image_) return scale_ * image_->radiance(turned(direction, Radians(-rotation_.value)));
     if (!cie_) return scale_ * color_;
     if (direction.z < 0.0) return ground_ * color_;
     return scale_ * cie_->relative(direction) * color_;
 }
 
+std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals) const {
+    std::vector<glm::dvec3> results;
+    results.reserve(normals.size());
+    if (image_) {
+        for (const glm::dvec3& normal : normals)
+            results.push_back(turned(normal, Radians(-rotation_.value)));
+        results = image_->irradiance(results);
+        for (glm::dvec3& result : results)
+            result *= scale_;
+        return results;
+    }
+    for (const glm::dvec3& normal : normals)
+        results.push_back(irradiance(normal));
+    return results;
+}
+
 glm::dvec3 Sky::irradiance(const glm::dvec3& normal) const {
+    if (image_) return scale_ * image_->irradiance(turned(normal, Radians(-rotation_.value)));
     if (!cie_) return std::numbers::pi * scale_ * color_;
     const double below = 0.5 * std::numbers::pi * (1.0 - normal.z) * ground_;
     return (scale_ * cie_->illuminance(normal) + below) * color_;
 }
 
 Nits Sky::zenith() const {
-    return Nits(scale_);
+    return Nits(image_ ? glm::dot(radiance(up), rec709_luminance) : scale_);
 }
 
 Nits Sky::mean() const {
+    if (image_) return Nits(glm::dot(light(), rec709_luminance) / (4.0 * std::numbers::pi));
     return Nits(cie_ ? scale_ * cie_->mean() : scale_);
 }
 
 glm::dvec3 Sky::light() const {
+    if (image_) return scale_ * image_->light();
     if (!cie_) return 4.0 * std::numbers::pi * scale_ * color_;
     return 2.0 * std::numbers::pi * (mean().value + ground_) * color_;
 }
 
-Result<Sky> resolve_sky(const SkyDescription& description) {
+Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image) {
     Sky sky;
+    if (std::holds_alternative<ImageSkyKind>(description.kind)) {
+        if (!image) return fail(Failure::internal, "the image of the sky has not been read");
+        sky.image_ = std::move(image);
+        sky.rotation_ = description.rotation;
+        sky.scale_ = 1.0;
+        if (description.amount) {
+            Result<double> factor = calibration(*sky.image_, calibration_of(*description.amount));
+            if (!factor) return pass_on(factor);
+            sky.scale_ = *factor;
+        }
+        return sky;
+    }
     sky.color_ = description.color;
     double on_ground_lx = 0.0; // sky and sun together
     if (const auto* const daylight = std::get_if<DaylightSkyKind>(&description.kind)) {

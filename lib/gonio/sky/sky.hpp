@@ -9,12 +9,16 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/sky/cie_sky.hpp>
+#include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/sky_description.hpp>
 #include <gonio/sky/sun_light.hpp>
 
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace gonio {
 
@@ -23,12 +27,15 @@ public:
     // From every direction; 0 is no sky.
     explicit Sky(Nits uniform = Nits(0.0), const glm::dvec3& color = glm::dvec3(1.0));
 
-    // Of a unit direction: the luminance of the sky there, RGB; of the ground below the horizon.
+    // Of a unit direction: the luminance of the sky there, RGB; of the ground below the horizon; of an image bilinear.
     glm::dvec3 radiance(const glm::dvec3& direction) const;
 
     // Of an open plane with a unit normal, RGB [lx]; without the sun. In closed form for a uniform sky, by quadrature
-    // to 1e-8 in about a millisecond for others.
+    // to 1e-8 in about a millisecond for others; an image is summed, in about 0.1 µs a texel.
     glm::dvec3 irradiance(const glm::dvec3& normal) const;
+
+    // The same of several planes: one pass over the pixels of an image.
+    std::vector<glm::dvec3> irradiance(std::span<const glm::dvec3> normals) const;
 
     // Luminances: of the zenith, and the mean over the sky's solid angle (SkyMeasure::mean).
     Nits zenith() const;
@@ -42,18 +49,25 @@ public:
     // Of the analytic sky, nothing for a uniform one: its axis is where texels need most care.
     const std::optional<CieSky>& cie() const { return cie_; }
 
+    // Of an image sky: the pixels, the factor on their luminances, and the rotation of sky_direction.hpp.
+    const std::shared_ptr<const EnvironmentMap>& image() const { return image_; }
+    double image_scale() const { return scale_; }
+    Radians rotation() const { return rotation_; }
+
 private:
-    friend Result<Sky> resolve_sky(const SkyDescription& description);
+    friend Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image);
 
     std::optional<CieSky> cie_;
     glm::dvec3 color_{1.0};
-    double scale_ = 0.0;  // [cd/m²] of the zenith; of all directions of a uniform sky
+    double scale_ = 0.0;  // [cd/m²] of the zenith; of all directions of a uniform sky; of an image a factor
     double ground_ = 0.0; // [cd/m²] below the horizon
     std::optional<SunLight> sun_;
+    std::shared_ptr<const EnvironmentMap> image_;
+    Radians rotation_;
 };
 
-// Fails (usage) if the sun of `daylight` is not above the horizon, if the sky is dark where its amount is measured, and
-// above the range of amounts.
-Result<Sky> resolve_sky(const SkyDescription& description);
+// An image sky needs the image of its file. Fails (usage) if the sun of `daylight` is not above the horizon, if the sky
+// is dark where its amount is measured, and above the range of amounts.
+Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image = nullptr);
 
 } // namespace gonio

@@ -1,4 +1,5 @@
 #include <gonio/base/amount_range.hpp>
+#include <gonio/base/file_scope.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -115,10 +116,59 @@ Result<SkyKind> read_daylight(const Reading& reading) {
     return SkyKind(sky);
 }
 
+Result<SkyKind> read_image(const Reading& reading) {
+    ImageSkyKind sky;
+    // Put first by cut_at_keys(), which has found its end.
+    if (reading.text.entries.empty() || reading.text.entries.front().key.empty())
+        return fail("USE0104", "'image' needs a file", "write image:room.exr");
+    sky.file = reading.text.entries.front().key;
+    if (reading.files != nullptr) {
+        Result<std::string> path = reading.files->path_of(sky.file);
+        if (!path) return pass_on(path);
+        sky.file = *path;
+    }
+    if (const std::string* const layout = reading.value("layout")) {
+        Result<EnvironmentLayout> known = parse_environment_layout(*layout);
+        if (!known) return pass_on(known);
+        sky.layout = *known;
+    }
+    if (const std::string* const space = reading.value("space")) sky.space = *space;
+    if (const std::string* const bad = reading.value("bad-pixels")) {
+        constexpr std::array choices{Named{"error", BadPixels::error}, Named{"black", BadPixels::black}};
+        Result<BadPixels> known = find_value("choice", *bad, choices);
+        if (!known) return pass_on(known);
+        sky.bad_pixels = *known;
+    }
+    return SkyKind(sky);
+}
+
+// "image:a,b.exr,rotate=30deg": the name of the file is the first entry, whole, and ends before the first comma that
+// "word=" follows.
+Result<KindText> cut_at_keys(std::string_view text) {
+    constexpr std::string_view prefix = "image:";
+    const std::string_view rest = text.substr(prefix.size());
+    std::size_t end = rest.size();
+    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',', comma + 1)) {
+        const std::string_view after = rest.substr(comma + 1);
+        const std::size_t word = after.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
+        if (word == std::string_view::npos || word == 0 || after[word] != '=') continue;
+        end = comma;
+        break;
+    }
+    Result<KindText> words =
+        parse_kind_text(end < rest.size() ? fmt::format("{}{}", prefix, rest.substr(end + 1)) : std::string("image"));
+    if (!words) return words;
+    words->entries.insert(words->entries.begin(), {std::string(rest.substr(0, end)), std::nullopt});
+    return words;
+}
+
 constexpr std::array<std::string_view, 4> uniform_keys{"horizontal", "zenith", "mean", "color"};
 constexpr std::array<std::string_view, 7> cie_keys{"sun", "horizontal", "zenith", "mean", "color", "rotate", "ground"};
 constexpr std::array<std::string_view, 8> daylight_keys{"place", "time",   "weather", "refraction",
                                                         "color", "rotate", "ground",  "sun-color"};
+
+constexpr std::array<std::string_view, 7> image_keys{"layout", "space", "bad-pixels", "horizontal",
+                                                     "zenith", "mean",  "rotate"};
 
 struct KindRow {
     SkyKindInfo info;
@@ -152,6 +202,14 @@ constexpr std::array rows{
             false,
             false,
             read_daylight},
+    KindRow{{"image",
+             "image:FILE[,horizontal=LUX|zenith=NITS|mean=NITS][,rotate=ANGLE][,layout=LAYOUT][,space=SPACE]"
+             "[,bad-pixels=black]",
+             "a picture of the light from all around: EXR or HDR, in cd/m2 unless an amount is given"},
+            image_keys,
+            true,
+            false,
+            read_image},
 };
 static_assert(rows.size() == std::variant_size_v<SkyKind>); // in its order
 
@@ -292,7 +350,7 @@ Result<SkyDescription> parse_sky_description(std::string_view text, Diagnostics*
         sky.amount = SkyAmount{SkyMeasure::mean, uniform->value};
         return sky;
     }
-    Result<KindText> words = parse_kind_text(text);
+    Result<KindText> words = text.starts_with("image:") ? cut_at_keys(text) : parse_kind_text(text);
     if (!words) return pass_on(words);
     Result<const KindRow*> row = find_named("sky", words->kind, rows);
     if (!row) return pass_on(row);

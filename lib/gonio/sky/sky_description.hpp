@@ -4,6 +4,7 @@
 //   uniform:horizontal=500lx,color=6500K
 //   cie:12,sun=180/40,horizontal=20klx         one of the CIE's general skies, under a sun by azimuth/elevation [°]
 //   daylight:place=52.52/13.405,time=2024-06-21T12:00+02:00,weather=clear
+//   image:room.exr,horizontal=500lx            a picture of the light from all around
 //
 // The text has the form of shapes and materials, KIND:key=value,… (base/kind_text.hpp). Nothing is opened here.
 // sky_kinds() describes each kind once: its name, its keys and how they are read.
@@ -13,6 +14,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/sky/cie_sky.hpp>
 #include <gonio/sky/daylight_availability.hpp>
+#include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/solar_position.hpp>
 
 #include <glm/vec3.hpp>
@@ -20,6 +22,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -44,13 +47,23 @@ struct DaylightSkyKind {
     glm::dvec3 sun_color{1.0}; // linear Rec.709 of luminance 1
 };
 
-using SkyKind = std::variant<UniformSkyKind, CieSkyKind, DaylightSkyKind>;
+// A file, which is not opened here: the program that resolves the sky reads it (media/environment_file.hpp).
+struct ImageSkyKind {
+    std::string file;
+    std::optional<EnvironmentLayout> layout; // nothing: by the ratio of its sides
+    std::string space;                       // colour space of its pixels; empty: linear Rec.709
+    BadPixels bad_pixels = BadPixels::error;
+};
+
+// In the order in which they are listed.
+using SkyKind = std::variant<UniformSkyKind, CieSkyKind, DaylightSkyKind, ImageSkyKind>;
 
 // What an amount is measured on.
 enum class SkyMeasure : std::uint8_t {
     horizontal, // illuminance of an open horizontal plane that faces up [lx], without the sun
     zenith,     // luminance of the zenith [cd/m²]
-    mean        // luminance, mean over the solid angle of the sky: the upper hemisphere, of a uniform sky the sphere
+    mean        // luminance, mean over the solid angle of the sky: the upper hemisphere, of uniform ones and images the
+                // sphere
 };
 
 struct SkyAmount {
@@ -80,9 +93,10 @@ std::string_view name_of(const SkyKind& kind);
 // The short form alone: "500lx" on an open plane, or "150nt". Fails (usage) on other units, and on less than 0.
 Result<Nits> parse_uniform_sky(std::string_view text);
 
-// Remarks are appended to `diagnostics` if it is given. A spectrum of a colour may be any file or, if `files` is given,
-// one that `files` allows. Fails (usage) on unknown kinds and keys, on values out of their ranges, on an amount that is
-// missing or given twice, and on a sun below the horizon.
+// Remarks are appended to `diagnostics` if it is given. An image and the spectrum of a colour may be any file or, if
+// `files` is given, one that `files` allows; the name of an image may contain commas, but none before "word=". Fails
+// (usage) on unknown kinds and keys, on values out of their ranges, on an amount that is missing or given twice, and on
+// a sun below the horizon.
 Result<SkyDescription> parse_sky_description(std::string_view text, Diagnostics* diagnostics = nullptr,
                                              FileScope* files = nullptr);
 

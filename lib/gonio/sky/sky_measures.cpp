@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace gonio {
 
@@ -72,15 +73,26 @@ double light_of_cap(const Sky& sky, const glm::dvec3& middle, double radius) {
 
 SkyMeasures measure(const Sky& sky) {
     SkyMeasures result;
-    const glm::dvec3 horizontal = sky.irradiance(up);
-    result.horizontal = Lux(luminance(horizontal));
+    std::vector<glm::dvec3> normals{up};
+    for (const double azimuth_deg : wall_azimuths_deg)
+        normals.push_back(direction_of({azimuth_deg, 0.0}));
+    const std::vector<glm::dvec3> lux = sky.irradiance(normals);
+    result.horizontal = Lux(luminance(lux.front()));
     for (std::size_t i = 0; i < wall_azimuths_deg.size(); ++i)
-        result.vertical.at(i) = Lux(luminance(sky.irradiance(direction_of({wall_azimuths_deg.at(i), 0.0}))));
+        result.vertical.at(i) = Lux(luminance(lux[i + 1]));
     result.mean = sky.mean();
     result.zenith = sky.zenith();
     const glm::dvec3 all = sky.light();
     const double total = luminance(all);
     if (total > 0.0) result.color = all / total;
+    if (sky.image() && total > 0.0) {
+        const EnvironmentMap& map = *sky.image();
+        const TexelIndex at = map.brightest();
+        const glm::dvec3 middle = map.grid().direction({at.column + 0.5, at.row + 0.5});
+        const double around = luminance(map.light_within(middle, degrees(spot_radius_deg)));
+        result.spot = BrightestSpot{turned(middle, sky.rotation()), Nits(sky.image_scale() * luminance(map.texel(at))),
+                                    sky.image_scale() * around / total};
+    }
     if (sky.cie()) {
         BrightestSpot spot;
         spot.direction = brightest_direction(*sky.cie());

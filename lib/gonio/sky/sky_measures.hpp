@@ -26,7 +26,7 @@ struct SkyMeasures {
     std::array<Lux, 4> vertical; // of walls that face north, east, south and west
     Nits mean;                   // Sky::mean()
     Nits zenith;
-    std::optional<BrightestSpot> spot; // nothing if all directions are equal
+    std::optional<BrightestSpot> spot; // nothing if all directions are equal; of an image the brightest texel
     glm::dvec3 color{0.0};             // of the light on a sphere: linear Rec.709 of luminance 1; 0 of a black sky
 };
 

@@ -248,8 +248,22 @@ TEST(EnvironmentResample, KeepsTheIlluminance) {
             EXPECT_NEAR(luminance(result.irradiance(normal)) / luminance(source.irradiance(normal)), 1.0, 3e-4)
                 << to.name;
     }
-    EXPECT_EQ(resampled(source, grid(cube_cross, 20), 1).image().pixels,
-              resampled(source, grid(cube_cross, 20), 3).image().pixels);
+    EXPECT_EQ(resampled(source, grid(cube_cross, 20), {}, 1).image().pixels,
+              resampled(source, grid(cube_cross, 20), {}, 3).image().pixels);
+}
+
+// Turned by a quarter, a wall reads what the wall beside it read; the light stays.
+TEST(EnvironmentResample, Turns) {
+    for (const EnvironmentLayoutInfo& from : environment_layouts()) {
+        const EnvironmentMap source = random_map(grid(from.layout, 16), false);
+        for (const EnvironmentLayoutInfo& to : environment_layouts()) {
+            const EnvironmentMap result = resampled(source, grid(to.layout, 16), degrees(90.0));
+            EXPECT_NEAR(luminance(result.light()) / luminance(source.light()), 1.0, 1e-7) << from.name << to.name;
+            if (from.layout != to.layout) continue;
+            EXPECT_NEAR(luminance(result.irradiance({1, 0, 0})) / luminance(source.irradiance({0, 1, 0})), 1.0, 1e-6);
+            EXPECT_NEAR(luminance(result.irradiance({0, -1, 0})) / luminance(source.irradiance({1, 0, 0})), 1.0, 1e-6);
+        }
+    }
 }
 
 // A sky as an image: its texels are the means, and the meter reads the same.

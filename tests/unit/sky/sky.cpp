@@ -1,10 +1,12 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky.hpp>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -155,6 +157,63 @@ TEST(SkyText, ErrorsSayWhatIsWrong) {
               "'refraction' of 'daylight' takes no value");
     EXPECT_EQ(reason("daylight:place=1/2,time=2024-06-21T12:00Z,horizontal=3lx"),
               "unknown key 'horizontal' of 'daylight'");
+}
+
+ImageSkyKind image_kind(std::string_view text) {
+    const Result<SkyDescription> read = parse_sky_description(text);
+    EXPECT_TRUE(read) << text;
+    return read ? std::get<ImageSkyKind>(read->kind) : ImageSkyKind();
+}
+
+TEST(SkyText, ImagesAreNamedByTheirFile) {
+    EXPECT_EQ(image_kind("image:room.exr").file, "room.exr");
+    EXPECT_EQ(image_kind("image:a=b, c:d.exr").file, "a=b, c:d.exr");
+    const ImageSkyKind all =
+        image_kind("image:x,y,2.exr,layout=cube-cross,space=acescg,bad-pixels=black,rotate=30deg,horizontal=5lx");
+    EXPECT_EQ(all.file, "x,y,2.exr");
+    EXPECT_EQ(all.layout, EnvironmentLayout::cube_cross);
+    EXPECT_EQ(all.space, "acescg");
+    EXPECT_EQ(all.bad_pixels, BadPixels::black);
+    EXPECT_FALSE(image_kind("image:room.exr").layout);
+    EXPECT_FALSE(parse_sky_description("image:room.exr").value().amount);
+    EXPECT_EQ(parse_sky_description("image:room.exr,zenith=3nt").value().amount->measure, SkyMeasure::zenith);
+    EXPECT_EQ(reason("image:"), "'image' needs a file");
+    EXPECT_EQ(reason("image"), "'image' needs a file");
+    EXPECT_EQ(reason("image:a.exr,layuot=latlong"), "unknown key 'layuot' of 'image'");
+    EXPECT_EQ(reason("image:a.exr,layout=mirror-ball"), "unknown layout 'mirror-ball'");
+    EXPECT_EQ(reason("image:a.exr,bad-pixels=keep"), "unknown choice 'keep'");
+    EXPECT_EQ(reason("image:a.exr,color=3000K"), "unknown key 'color' of 'image'");
+    EXPECT_EQ(reason("image:a.exr,file=b.exr"), "unknown key 'file' of 'image'");
+}
+
+// An image of a sky is that sky, also turned and with another amount.
+TEST(SkyImage, IsWhatItWasMadeOf) {
+    const Sky truth = sky("cie:12,sun=200/40,horizontal=10klx,ground=0.2");
+    const auto image = std::make_shared<const EnvironmentMap>(
+        rendered(truth, environment_grid(EnvironmentLayout::latlong, 256).value()));
+    const auto of = [&](std::string_view text) {
+        return resolve_sky(parse_sky_description(text).value(), image).value();
+    };
+    const Sky same = of("image:sky.exr");
+    const Sky half = of("image:sky.exr,horizontal=5klx");
+    const Sky turn = of("image:sky.exr,rotate=30deg");
+    const Sky turned_truth = sky("cie:12,sun=200/40,horizontal=10klx,ground=0.2,rotate=30deg");
+    EXPECT_NEAR(luminance(half.irradiance(up)), 5000.0, 1e-6);
+    EXPECT_NEAR(luminance(same.irradiance(up)), 10e3, 1.0);
+    for (const SkyAngles& at : {SkyAngles{10.0, 60.0}, SkyAngles{100.0, 20.0}, SkyAngles{230.0, 45.0}}) {
+        const glm::dvec3 direction = direction_of(at);
+        const double expected = luminance(truth.radiance(direction));
+        EXPECT_NEAR(luminance(same.radiance(direction)) / expected, 1.0, 1e-3);
+        EXPECT_NEAR(luminance(half.radiance(direction)) / expected, 0.5, 1e-3);
+        EXPECT_NEAR(luminance(turn.radiance(direction)) / luminance(turned_truth.radiance(direction)), 1.0, 1e-3);
+        EXPECT_NEAR(luminance(turn.irradiance(direction)) / luminance(turned_truth.irradiance(direction)), 1.0, 1e-3);
+    }
+    EXPECT_NEAR(same.zenith().value / truth.zenith().value, 1.0, 1e-3);
+    EXPECT_NEAR(luminance(same.light()) / luminance(truth.light()), 1.0, 1e-6);
+    EXPECT_NEAR(of("image:sky.exr,mean=70nt").mean().value, 70.0, 1e-9);
+    EXPECT_NEAR(of("image:sky.exr,zenith=70nt").zenith().value, 70.0, 1e-9);
+    EXPECT_FALSE(resolve_sky(parse_sky_description("image:sky.exr").value()));
+    EXPECT_FALSE(resolve_sky(parse_sky_description("image:sky.exr,horizontal=0lx").value(), image));
 }
 
 TEST(SkyText, KindsAreListed) {

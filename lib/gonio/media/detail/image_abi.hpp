@@ -11,7 +11,7 @@
 
 namespace gonio::media::abi {
 
-inline constexpr std::uint32_t image_version = 2;
+inline constexpr std::uint32_t image_version = 3;
 
 enum PixelKind : std::int32_t { pixel_uint8 = 0, pixel_uint16 = 1, pixel_half = 2, pixel_float = 3 };
 enum AttributeKind : std::int32_t { attribute_text = 0, attribute_floats = 1, attribute_ints = 2 };
@@ -48,7 +48,7 @@ struct DecodeRequest {
     const char* format;
     const unsigned char* bytes;
     std::size_t size;
-    std::size_t max_values; // upper limit of width × height × channels
+    std::size_t max_values; // upper limit of width × height × channels; beyond it only these three are in the reply
 };
 
 struct DecodeReply {

@@ -193,6 +193,10 @@ int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
         const std::size_t values = static_cast<std::size_t>(std::max(spec.width, 0)) *
                                    static_cast<std::size_t>(std::max(spec.height, 0)) *
                                    static_cast<std::size_t>(std::max(spec.nchannels, 0));
+        // Also of a picture that is refused: picture_dimensions() asks for no values at all.
+        reply->width = spec.width;
+        reply->height = spec.height;
+        reply->channels = spec.nchannels;
         // Width and height are below 2^31 each, channels far below; the product may wrap, so it is also compared in
         // double.
         const auto pixels = static_cast<double>(spec.width) * spec.height * spec.nchannels;
@@ -213,9 +217,6 @@ int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
         for (const std::string& name : spec.channelnames)
             decoded->channel_names.push_back(name.c_str());
         list_attributes(*decoded);
-        reply->width = spec.width;
-        reply->height = spec.height;
-        reply->channels = spec.nchannels;
         reply->pixel = kind_of(spec.format);
         reply->pixels = decoded->pixels.data();
         reply->channel_names = decoded->channel_names.data();

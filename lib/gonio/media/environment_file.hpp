@@ -1,0 +1,43 @@
+// Environment images as files: OpenEXR and Radiance HDR, and 32-bit float TIFF.
+//
+// What is read becomes linear Rec.709; what is written is linear Rec.709 too, with the factor to cd/m² and the layout
+// beside the pixels (OpenEXR: attributes gonio:nits_per_unit and gonio:layout; a file that has the first is
+// calibrated). Needs the modules as image_file.hpp and color_space.hpp do.
+#pragma once
+
+#include <gonio/base/result.hpp>
+#include <gonio/media/image_file.hpp>
+#include <gonio/sky/environment_map.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::media {
+
+struct EnvironmentReadOptions {
+    std::optional<EnvironmentLayout> layout; // nothing: by the ratio of the sides
+    std::string space;                       // of the pixels: built in or of the configuration; empty: linear Rec.709
+    std::string config;                      // OpenColorIO configuration; empty: the built-in one
+    BadPixels bad_pixels = BadPixels::error;
+};
+
+struct EnvironmentImage {
+    EnvironmentMap map;
+    PictureDimensions dimensions;
+    Pixel pixel = Pixel::float32; // as stored
+};
+
+// Remarks are appended to `diagnostics`: those of EnvironmentMap::create, and on colours outside Rec.709, which are
+// moved into it at the same luminance. Fails (malformed) on incomplete files, on sizes that the layout does not have
+// and on bad pixels; (unsupported) on integer pixels, which hold display values, and, before the pixels are read, on
+// more values than the limit environment-values; (usage) on an unknown colour space.
+Result<EnvironmentImage> decode_environment(std::string_view bytes, const EnvironmentReadOptions& options,
+                                            Diagnostics& diagnostics);
+
+// The pixels times `factor`, as a file of the format. Attributes are added to those above. Fails as encode_image does.
+Result<std::string> encode_environment(const EnvironmentMap& map, double factor, const ImageFormat& format, Pixel pixel,
+                                       std::vector<ImageAttribute> attributes);
+
+} // namespace gonio::media
