@@ -167,15 +167,15 @@ Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& o
                              const Console& console) {
     const Compared& first = comparison.methods.front();
     std::vector<SheetTile> pictures;
-    std::vector<std::vector<PartialLight>> lights;
+    std::vector<TileScene> scenes;
     for (const Compared& compared : comparison.methods) {
-        lights.push_back(compared.partial_lights);
-        expose(lights.back(), comparison.exposure);
+        scenes.push_back({compared.partial_lights, request.stage.camera});
+        expose(scenes.back().lights, comparison.exposure);
         const measure::PictureError& error = comparison.methods[std::max<std::size_t>(1, pictures.size())].error;
         pictures.push_back(
             tile_of(compared, pictures.empty() ? error.mean : error.mean + error.bias, comparison.exposure));
     }
-    if (Result<void> shown = develop_tiles(pictures, std::move(lights), request, console); !shown)
+    if (Result<void> shown = develop_tiles(pictures, std::move(scenes), request, console); !shown)
         return pass_on(shown);
     std::vector<SheetTile> tiles;
     for (std::size_t i = 1; i < comparison.methods.size(); ++i) {

@@ -51,11 +51,11 @@ Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::str
     return fits;
 }
 
-Result<void> develop_tiles(std::vector<SheetTile>& tiles, std::vector<std::vector<PartialLight>> lights,
-                           const PreviewRequest& request, const Console& console) {
+Result<void> develop_tiles(std::vector<SheetTile>& tiles, std::vector<TileScene> scenes, const PreviewRequest& request,
+                           const Console& console) {
     std::vector<ExposedPicture> pictures;
     for (std::size_t i = 0; i < tiles.size(); ++i)
-        pictures.push_back({&tiles[i].picture, std::move(lights[i])});
+        pictures.push_back({&tiles[i].picture, std::move(scenes[i].lights), scenes[i].camera});
     return show_exposed(pictures, request, console);
 }
 

@@ -38,9 +38,14 @@ Result<void> holds_sheets(const media::ImageFormat& format, std::string_view hin
 // Fails (usage) if this number of tiles ("profiles") makes too large a picture.
 Result<void> fits_sheet(std::size_t tiles, const SheetOptions& options, std::string_view what);
 
-// Puts the exposed linear pictures of all tiles through the display transform. `lights` are those in the pixels of each
-// tile, exposed too. Empty pictures stay empty.
-Result<void> develop_tiles(std::vector<SheetTile>& tiles, std::vector<std::vector<PartialLight>> lights,
-                           const PreviewRequest& request, const Console& console);
+// What a tile's display takes beside its picture.
+struct TileScene {
+    std::vector<PartialLight> lights; // in its pixels, exposed too
+    Camera camera;
+};
+
+// Puts the exposed linear pictures of all tiles through the display transform. Empty pictures stay empty.
+Result<void> develop_tiles(std::vector<SheetTile>& tiles, std::vector<TileScene> scenes, const PreviewRequest& request,
+                           const Console& console);
 
 } // namespace gonio::cli

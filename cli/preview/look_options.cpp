@@ -220,6 +220,55 @@ Result<void> read_white_balance(const Arguments& arguments, bool floats, Exposur
     return {};
 }
 
+// "age=60,pigment=1".
+Result<Eye> read_eye(std::string_view text) {
+    struct Part {
+        std::string_view key;
+        double Eye::*value;
+        double most;
+    };
+    constexpr std::array parts{Part{"age", &Eye::age_years, 100.0}, Part{"pigment", &Eye::pigment, 1.2}};
+    Eye eye;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view word = text.substr(begin, end - begin);
+        begin = end + 1;
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const auto part = std::find_if(parts.begin(), parts.end(),
+                                       [&](const Part& known) { return known.key == word.substr(0, equals); });
+        if (part == parts.end() || equals == word.size())
+            return fail("USE0105", fmt::format("--eye takes age and pigment, not '{}'", word),
+                        "for example --eye age=60,pigment=1");
+        const std::optional<double> value = parse_number(word.substr(equals + 1));
+        if (!value)
+            return fail("USE0105", fmt::format("--eye '{}' needs a number", word),
+                        "for example --eye age=60,pigment=1");
+        if (!(*value >= 0.0 && *value <= part->most))
+            return fail("USE0106", fmt::format("--eye '{}' is out of range", word),
+                        fmt::format("{} lies between 0 and {}", part->key, part->most));
+        eye.*(part->value) = *value;
+    }
+    return eye;
+}
+
+Result<void> read_glare(const Arguments& arguments, bool floats, ExposureRequest& request) {
+    const auto text = arguments.value("--eye");
+    if (!arguments.has("--glare")) {
+        if (text) return fail("USE0107", "--eye is for --glare, which is not given", "add --glare");
+        return {};
+    }
+    if (floats) return fail("USE0107", "--glare is for a display; an .exr keeps the light of the scene", "write .png");
+    if (arguments.value("--look").value_or("beauty") != "beauty")
+        return fail("USE0107", "--glare needs the display mode beauty",
+                    "leave --look out: the other modes show values");
+    request.glare = Eye();
+    if (!text) return {};
+    Result<Eye> eye = read_eye(*text);
+    if (!eye) return pass_on(eye);
+    request.glare = *eye;
+    return {};
+}
+
 } // namespace
 
 Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::ImageFormat& format) {
@@ -231,6 +280,7 @@ Result<ExposureRequest> read_exposure(const Arguments& arguments, const media::I
     request.tone_map = *map;
     const bool floats = has_pixel(format, media::Pixel::float32);
     if (Result<void> read = read_white_balance(arguments, floats, request); !read) return pass_on(read);
+    if (Result<void> read = read_glare(arguments, floats, request); !read) return pass_on(read);
     if (*map == ToneMap::ue3_inverse && arguments.value("--look").value_or("beauty") != "beauty")
         return fail("USE0107", "ue3-inverse needs the display mode beauty");
     if (*map == ToneMap::ue3 && floats)

@@ -7,6 +7,7 @@
 #include <gonio/color/chromaticity.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/look.hpp>
+#include <gonio/preview/glare.hpp>
 #include <gonio/preview/tone_map.hpp>
 
 #include "../arguments.hpp"
@@ -35,6 +36,10 @@ inline constexpr std::array preview_exposure_options{
            "auto, an exposure value such as 8ev, or lux:300lx, under which a matte 18 % card is middle grey (auto)"},
     Option{"--white-balance", "KELVIN",
            "the light that is shown as white: 2700K, auto (the mean of the picture) or off, which is D65 (off)"},
+    Option{"--glare", "",
+           "add the veil that the eye scatters around what is brighter than white, from what is in the picture"},
+    Option{"--eye", "KEY=VALUE,…",
+           "the eye of --glare: age=60 in years, pigment=0 (dark brown) to 1.2 (light blue) (age=25,pigment=0.5)"},
     Option{"--tone-map", "NAME", "tone map instead of the view: none, ue3 or ue3-inverse (none)", "tone-maps"},
 };
 
@@ -60,7 +65,8 @@ struct ExposureRequest {
     Ev100 ev; // if not automatic
     ToneMap tone_map = ToneMap::none;
     bool auto_white = false;
-    std::optional<Xy> white; // shown as white; if not automatic
+    std::optional<Xy> white;  // shown as white; if not automatic
+    std::optional<Eye> glare; // in which it is added
 
     Ev100 of(const Rendering& rendering) const;
 };

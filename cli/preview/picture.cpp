@@ -5,6 +5,7 @@
 #include <gonio/plot/picture_contours.hpp>
 #include <gonio/plot/raster.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/glare.hpp>
 #include <gonio/preview/white_balance.hpp>
 #include <gonio/shading/lights.hpp>
 
@@ -28,7 +29,7 @@ Result<void> develop(Image& image, std::vector<PartialLight> lights, Ev100 expos
                      const Console& console) {
     expose(image, exposure);
     expose(lights, exposure);
-    const ExposedPicture picture{&image, std::move(lights)};
+    ExposedPicture picture{&image, std::move(lights), request.stage.camera};
     return show_exposed({&picture, 1}, request, console);
 }
 
@@ -190,19 +191,21 @@ private:
 
 } // namespace
 
-Result<void> show_exposed(std::span<const ExposedPicture> pictures, const PreviewRequest& request,
-                          const Console& console) {
-    std::vector<Image> parts; // of pixels that show a light in part
+Result<void> show_exposed(std::span<ExposedPicture> pictures, const PreviewRequest& request, const Console& console) {
     std::vector<Image*> all;
-    for (const ExposedPicture& shown : pictures) {
-        parts.push_back(parts_of(*shown.picture, shown.lights));
+    for (const ExposedPicture& shown : pictures)
         if (!shown.picture->pixels.empty()) all.push_back(shown.picture);
-    }
     if (all.empty()) return {};
     std::optional<glm::dmat3> white;
     if (request.exposure.auto_white)
         white = white_balance(gray_world_white(std::vector<const Image*>(all.begin(), all.end())));
     if (request.exposure.white) white = white_balance(*request.exposure.white);
+    std::vector<Image> parts; // of pixels that show a light in part
+    for (ExposedPicture& shown : pictures) {
+        if (request.exposure.glare && !shown.picture->pixels.empty())
+            add_glare(*shown.picture, shown.lights, shown.camera, {*request.exposure.glare, request.render.threads});
+        parts.push_back(parts_of(*shown.picture, shown.lights));
+    }
     for (Image& image : parts)
         if (!image.pixels.empty()) all.push_back(&image);
     for (Image* const image : all) {

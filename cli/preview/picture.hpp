@@ -24,16 +24,16 @@ struct EncodedPicture {
     std::vector<double> levels;      // isolux, in base units
 };
 
-// Exposed linear pictures and the lights in their pixels.
+// An exposed linear picture, the lights in its pixels and the camera.
 struct ExposedPicture {
     Image* picture = nullptr;
     std::vector<PartialLight> lights;
+    Camera camera;
 };
 
 // Converts them to display-encoded values, by the selected view or tone map. All together, because setting up a
-// transform costs as much as applying it; a white balance is that of all of them.
-Result<void> show_exposed(std::span<const ExposedPicture> pictures, const PreviewRequest& request,
-                          const Console& console);
+// transform costs as much as applying it; a white balance is that of all of them, without glare.
+Result<void> show_exposed(std::span<ExposedPicture> pictures, const PreviewRequest& request, const Console& console);
 
 // Integer formats: exposed, through the display transform, in the selected display mode. Float formats: linear Rec.709
 // in cd/m², or one channel Y with the display mode's quantity in lux or cd/m².

@@ -44,7 +44,7 @@ struct Thumbnail {
 Result<void> only_of_sheets(const Arguments& arguments) {
     std::string_view other = given_light_option(arguments);
     if (arguments.has("--rig")) other = "--rig";
-    for (const std::string_view option : {"--output-dir"})
+    for (const std::string_view option : {"--output-dir", "--glare"})
         if (arguments.has(option)) other = option;
     if (!other.empty())
         return fail("USE0107", fmt::format("a sheet shows profiles as measured: {} does not apply", other),
@@ -190,7 +190,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
             return outcome;
         });
     // Profiles are points, which no pixel shows.
-    fine = develop_tiles(tiles, std::vector<std::vector<PartialLight>>(tiles.size()), *request, console);
+    fine = develop_tiles(tiles, std::vector<TileScene>(tiles.size()), *request, console);
     if (!fine) return Unexpected(fine.error());
     Result<std::string> bytes = encode_for_display(sheet(tiles, *options), *request->format, true);
     if (!bytes) return pass_on(bytes);

@@ -24,7 +24,7 @@ constexpr PixelSize usual_size{240, 180};
 
 Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Console& console) {
     std::vector<SheetTile> tiles(sweeper.sweep().cells());
-    std::vector<std::vector<PartialLight>> lights(tiles.size());
+    std::vector<TileScene> scenes(tiles.size());
     Result<void> made =
         sweeper.render_all(options.picture_width_px, options.picture_height_px, [&](Cell cell, std::size_t index) {
             SheetTile& tile = tiles[index];
@@ -36,11 +36,11 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
             const Ev100 exposure = cell.request.exposure.of(cell.rendering);
             tile.picture = std::move(cell.rendering.luminance_nt);
             expose(tile.picture, exposure);
-            lights[index] = std::move(cell.rendering.partial_lights);
-            expose(lights[index], exposure);
+            scenes[index] = {std::move(cell.rendering.partial_lights), cell.request.stage.camera};
+            expose(scenes[index].lights, exposure);
             return Result<void>();
         });
-    if (made) made = develop_tiles(tiles, std::move(lights), sweeper.request(), console);
+    if (made) made = develop_tiles(tiles, std::move(scenes), sweeper.request(), console);
     if (!made) return made;
     Result<std::string> bytes = encode_for_display(sheet(tiles, options), *sweeper.request().format, true);
     if (!bytes) return pass_on(bytes);

@@ -1,0 +1,390 @@
+#include <gonio/base/gauss_legendre.hpp>
+#include <gonio/base/parallel.hpp>
+#include <gonio/light/light_color.hpp>
+#include <gonio/preview/glare.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace gonio {
+
+namespace {
+
+using Vec = glm::dvec3;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// The equation's angles, in degrees.
+constexpr double core_deg = 0.0046;
+constexpr double skirt_deg = 0.045;
+constexpr double halo_deg = 0.1;
+
+constexpr double square(double x) {
+    return x * x;
+}
+
+// ∫ over the disk of radius r of the terms (1 + (θ/a)²)^(−3/2), ^(−1) and ^(−1/2), in degrees².
+double steep_within(double r, double a) {
+    return 2.0 * std::numbers::pi * square(a) * (1.0 - 1.0 / std::sqrt(1.0 + square(r / a)));
+}
+double middle_within(double r, double a) {
+    return std::numbers::pi * square(a) * std::log1p(square(r / a));
+}
+double flat_within(double r, double a) {
+    return 2.0 * std::numbers::pi * square(a) * (std::sqrt(1.0 + square(r / a)) - 1.0);
+}
+
+// f(θ) cosθ by the square of the chord between two directions, c = 2 (1 − cosθ): 128 values for each power of two,
+// linear between them, which is within 1e-4 of it.
+class ByChord {
+public:
+    explicit ByChord(const GlareFunction& glare) : values_((octaves << steps_bits) + 1) {
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            const double chord2 =
+                std::bit_cast<double>((std::uint64_t{i} << drop) + std::bit_cast<std::uint64_t>(least));
+            const double angle = 2.0 * std::asin(std::min(0.5 * std::sqrt(chord2), 1.0));
+            values_[i] = glare.per_sr(angle) * std::max(1.0 - 0.5 * chord2, 0.0);
+        }
+    }
+
+    double at(double chord2) const {
+        if (!(chord2 < 2.0)) return 0.0; // beyond 90° nothing falls on the pupil
+        const std::uint64_t bits =
+            std::bit_cast<std::uint64_t>(std::max(chord2, least)) - std::bit_cast<std::uint64_t>(least);
+        const auto index = static_cast<std::size_t>(bits >> drop);
+        const double between = static_cast<double>(bits & ((std::uint64_t{1} << drop) - 1)) * 0x1p-45;
+        return values_[index] + between * (values_[index + 1] - values_[index]);
+    }
+
+private:
+    static constexpr int steps_bits = 7;
+    static constexpr int drop = 52 - steps_bits;
+    static constexpr double least = 0x1p-44; // 1e-5 of a degree; the function is flat there
+    static constexpr std::size_t octaves = 45;
+
+    std::vector<double> values_;
+};
+
+// The directions of a picture's pixels.
+class PixelRays {
+public:
+    PixelRays(const Camera& camera, const Image& picture) : rays_(camera, picture.width, picture.height) {}
+
+    Vec middle(int column, int row) const { return at(column + 0.5, row + 0.5); }
+    // Along the sides of a pixel, through its middle.
+    Vec across(int column, int row) const { return at(column + 1.0, row + 0.5) - at(column, row + 0.5); }
+    Vec down(int column, int row) const { return at(column + 0.5, row + 1.0) - at(column + 0.5, row); }
+
+private:
+    Vec at(double x, double y) const { return rays_.ray(x, y).direction; }
+
+    CameraRays rays_;
+};
+
+// The share of a pixel's light that stays in it: in triangles from its middle, each in closed form along its rays.
+double share_in_pixel(const GlareFunction& glare, const Vec& across, const Vec& down) {
+    static constexpr auto rule = gauss_legendre<8>();
+    const double area = glm::length(glm::cross(across, down));
+    double sum = 0.0;
+    for (const QuadratureNode& node : rule)
+        for (const Vec& to_side : {across + node.at * down, down + node.at * across}) {
+            const double length = glm::length(to_side);
+            sum += node.weight * glare.share_within(0.5 * length) / square(length);
+        }
+    return sum * area / std::numbers::pi;
+}
+
+// A pixel that is brighter than white, or a group of them.
+struct Source {
+    Vec middle{0.0};         // unit
+    Vec lux{0.0};            // of the excess, at an eye that looks there; one for each channel
+    double radius = 0.0;     // chord to the farthest corner
+    std::int32_t column = 0; // in cells of its level
+    std::int32_t row = 0;
+    std::uint32_t first = 0; // of a group: its members in the level below
+    std::uint32_t count = 0;
+};
+
+// Sources in cells of 2^level pixels; level 0 holds the pixels. Cells that share a cell of the next level are
+// neighbours.
+using Level = std::vector<Source>;
+
+// Bits of the column and the row in turn: cells of every size are contiguous in this order.
+std::uint64_t interleaved(std::int32_t column, std::int32_t row) {
+    std::uint64_t key = 0;
+    for (unsigned bit = 0; bit < 31; ++bit) {
+        key |= (static_cast<std::uint64_t>(column) >> bit & 1U) << (2 * bit);
+        key |= (static_cast<std::uint64_t>(row) >> bit & 1U) << (2 * bit + 1);
+    }
+    return key;
+}
+
+Level groups_of(const Level& below) {
+    Level groups;
+    for (std::uint32_t i = 0; i < below.size(); ++i) {
+        const Source& member = below[i];
+        const std::int32_t column = member.column / 2;
+        const std::int32_t row = member.row / 2;
+        if (groups.empty() || groups.back().column != column || groups.back().row != row) {
+            Source& group = groups.emplace_back();
+            group.column = column;
+            group.row = row;
+            group.first = i;
+        }
+        Source& group = groups.back();
+        group.lux += member.lux;
+        group.middle += (member.lux.x + member.lux.y + member.lux.z) * member.middle;
+        ++group.count;
+    }
+    for (Source& group : groups) {
+        group.middle = glm::normalize(group.middle);
+        for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
+            group.radius = std::max(group.radius, glm::distance(group.middle, below[i].middle) + below[i].radius);
+    }
+    return groups;
+}
+
+// The part of a colour beyond white.
+Vec excess_of(const Vec& rgb) {
+    const double luminance = glm::dot(rgb, rec709_luminance);
+    return luminance > 1.0 && std::isfinite(luminance) ? rgb * (1.0 - 1.0 / luminance) : Vec(0.0);
+}
+
+template<class Channels>
+Vec vec_of(const Channels& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+template<class Channels>
+void add(const Vec& value, Channels& rgb) {
+    for (int channel = 0; channel < 3; ++channel) {
+        float& sum = rgb[static_cast<std::size_t>(channel)];
+        sum = static_cast<float>(std::max(static_cast<double>(sum) + value[channel], 0.0));
+    }
+}
+
+// The excess of each pixel; those that show lights in part have that of their parts.
+std::vector<Vec> excess_in(const Image& exposed, std::span<const PartialLight> lights) {
+    std::vector<Vec> excess(exposed.pixels.size() / 3);
+    for (std::size_t i = 0; i < excess.size(); ++i)
+        excess[i] = excess_of(vec_of(exposed.pixels.data() + 3 * i));
+    while (!lights.empty()) {
+        const std::uint32_t pixel = lights.front().pixel;
+        Vec rest = vec_of(exposed.pixels.data() + std::size_t{pixel} * 3);
+        Vec sum(0.0);
+        double left = 1.0;
+        for (; !lights.empty() && lights.front().pixel == pixel; lights = lights.subspan(1)) {
+            const auto share = static_cast<double>(lights.front().share);
+            const Vec rgb = vec_of(lights.front().rgb);
+            rest -= share * rgb;
+            left -= share;
+            sum += share * excess_of(rgb);
+        }
+        constexpr double hardly_any = 1e-3; // where the difference is rounding
+        if (left > hardly_any) sum += left * excess_of(glm::max(rest, 0.0) / left);
+        excess[pixel] = sum;
+    }
+    return excess;
+}
+
+constexpr int tile_size = 8; // pixels that share their groups
+
+class Veil {
+public:
+    Veil(const Image& picture, const std::vector<Vec>& excess, const PixelRays& rays, const GlareFunction& glare,
+         double group_size)
+        : width_(picture.width), height_(picture.height), rays_(rays), glare_(glare), group_size_(group_size) {
+        Level pixels;
+        for (int row = 0; row < height_; ++row)
+            for (int column = 0; column < width_; ++column) {
+                const Vec& rgb = excess[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                                        static_cast<std::size_t>(column)];
+                if (rgb == Vec(0.0)) continue;
+                const Vec across = rays.across(column, row);
+                const Vec down = rays.down(column, row);
+                Source& pixel = pixels.emplace_back();
+                pixel.middle = rays.middle(column, row);
+                pixel.lux = rgb * glm::length(glm::cross(across, down));
+                pixel.radius = 0.5 * std::max(glm::length(across + down), glm::length(across - down));
+                pixel.column = column;
+                pixel.row = row;
+            }
+        std::sort(pixels.begin(), pixels.end(), [](const Source& a, const Source& b) {
+            return interleaved(a.column, a.row) < interleaved(b.column, b.row);
+        });
+        levels_.push_back(std::move(pixels));
+        while (levels_.back().size() > 1 && levels_.size() < 32)
+            levels_.push_back(groups_of(levels_.back()));
+    }
+
+    bool is_empty() const { return levels_.front().empty(); }
+    std::size_t tiles() const {
+        return static_cast<std::size_t>(tiles_across()) * static_cast<std::size_t>(count_of(height_));
+    }
+
+    // Adds what the pixels of a tile receive from all other pixels.
+    void add_tile(std::size_t tile, std::vector<Vec>& veil) const {
+        const int left = static_cast<int>(tile) % tiles_across() * tile_size;
+        const int top = static_cast<int>(tile) / tiles_across() * tile_size;
+        const int right = std::min(left + tile_size, width_);
+        const int bottom = std::min(top + tile_size, height_);
+        const Vec middle = rays_.middle((left + right) / 2, (top + bottom) / 2);
+        double radius = 0.0;
+        for (const int row : {top, bottom - 1})
+            for (const int column : {left, right - 1})
+                radius = std::max(radius, glm::distance(middle, rays_.middle(column, row)));
+        std::vector<const Source*> far;
+        std::vector<const Source*> near;
+        find(middle, radius, far, near);
+        for (int row = top; row < bottom; ++row)
+            for (int column = left; column < right; ++column) {
+                const Vec to = rays_.middle(column, row);
+                Vec sum(0.0);
+                for (const Source* source : far)
+                    sum += glare_.at(distance2(to, source->middle)) * source->lux;
+                for (const Source* source : near)
+                    if (source->column != column || source->row != row) sum += mean_over(*source, to) * source->lux;
+                veil[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                     static_cast<std::size_t>(column)] = sum;
+            }
+    }
+
+private:
+    // The greatest radius of a pixel, or of a part of it, over its distance.
+    static constexpr double pixel_size = 0.1;
+    static constexpr int most_parts = 8; // along each side
+
+    static int count_of(int pixels) { return (pixels + tile_size - 1) / tile_size; }
+    int tiles_across() const { return count_of(width_); }
+
+    static double distance2(const Vec& a, const Vec& b) {
+        const Vec between = a - b;
+        return glm::dot(between, between);
+    }
+
+    // What a tile sees as points, and the pixels that are too near for that.
+    void find(const Vec& middle, double radius, std::vector<const Source*>& far,
+              std::vector<const Source*>& near) const {
+        struct Open {
+            std::size_t level;
+            const Source* source;
+        };
+        std::vector<Open> open;
+        for (const Source& source : levels_.back())
+            open.push_back({levels_.size() - 1, &source});
+        while (!open.empty()) {
+            const auto [level, source] = open.back();
+            open.pop_back();
+            const double away = glm::distance(middle, source->middle) - radius;
+            if (source->radius < (level == 0 ? pixel_size : group_size_) * away) {
+                far.push_back(source);
+            } else if (level == 0) {
+                near.push_back(source);
+            } else {
+                for (std::uint32_t i = source->first + source->count; i-- > source->first;)
+                    open.push_back({level - 1, &levels_[level - 1][i]});
+            }
+        }
+    }
+
+    // The mean of the function over a pixel.
+    double mean_over(const Source& pixel, const Vec& to) const {
+        const double away = glm::distance(to, pixel.middle);
+        const int parts = std::clamp(static_cast<int>(std::ceil(pixel.radius / (pixel_size * away))), 1, most_parts);
+        if (parts == 1) return glare_.at(distance2(to, pixel.middle));
+        const Vec across = rays_.across(pixel.column, pixel.row);
+        const Vec down = rays_.down(pixel.column, pixel.row);
+        double sum = 0.0;
+        for (int i = 0; i < parts; ++i)
+            for (int j = 0; j < parts; ++j)
+                sum += glare_.at(distance2(to, pixel.middle + ((i + 0.5) / parts - 0.5) * across +
+                                                   ((j + 0.5) / parts - 0.5) * down));
+        return sum / square(parts);
+    }
+
+    int width_;
+    int height_;
+    const PixelRays& rays_;
+    ByChord glare_;
+    double group_size_;
+    std::vector<Level> levels_;
+};
+
+} // namespace
+
+GlareFunction::GlareFunction(Eye eye) {
+    const double by_70 = std::pow(eye.age_years / 70.0, 4);
+    narrow_ = 1.0 - 0.08 * by_70;
+    wide_ = 1.0 + 1.6 * by_70;
+    pigment_ = eye.pigment;
+    static constexpr auto rule = gauss_legendre<12>();
+    double sum = 0.0;
+    double end_deg = 90.0;
+    for (int octave = 0; octave < 40; ++octave, end_deg *= 0.5)
+        for (const QuadratureNode& node : rule) {
+            const double angle_deg = end_deg * (0.75 + 0.25 * node.at);
+            const double angle = angle_deg * degree;
+            sum +=
+                node.weight * 0.25 * end_deg * degree * published_per_sr(angle_deg) * std::sin(angle) * std::cos(angle);
+        }
+    integral_ = 2.0 * std::numbers::pi * sum;
+}
+
+double GlareFunction::published_per_sr(double angle_deg) const {
+    const double core = 1.0 + square(angle_deg / core_deg);
+    const double skirt = 1.0 + square(angle_deg / skirt_deg);
+    const double halo = 1.0 + square(angle_deg / halo_deg);
+    const auto steep = [](double x) { return 1.0 / (x * std::sqrt(x)); };
+    return narrow_ * (9.2e6 * steep(core) + 1.5e5 * steep(skirt)) +
+           wide_ *
+               (400.0 / halo + 3e-8 * square(angle_deg) + pigment_ * (1300.0 * steep(halo) + 0.8 / std::sqrt(halo))) +
+           2.5e-3 * pigment_;
+}
+
+double GlareFunction::per_sr(double angle_rad) const {
+    return published_per_sr(angle_rad / degree) / integral_;
+}
+
+double GlareFunction::share_within(double angle_rad) const {
+    const double r = angle_rad / degree;
+    const double sum = narrow_ * (9.2e6 * steep_within(r, core_deg) + 1.5e5 * steep_within(r, skirt_deg)) +
+                       wide_ * (400.0 * middle_within(r, halo_deg) + 0.5 * std::numbers::pi * 3e-8 * square(square(r)) +
+                                pigment_ * (1300.0 * steep_within(r, halo_deg) + 0.8 * flat_within(r, halo_deg))) +
+                       2.5e-3 * pigment_ * std::numbers::pi * square(r);
+    return sum * square(degree) / integral_;
+}
+
+void add_glare(Image& exposed, std::span<PartialLight> lights, const Camera& camera, const GlareOptions& options) {
+    const std::vector<Vec> excess = excess_in(exposed, lights);
+    const GlareFunction glare(options.eye);
+    const PixelRays rays(camera, exposed);
+    const Veil veil(exposed, excess, rays, glare, options.group_size);
+    if (veil.is_empty()) return;
+    std::vector<Vec> received(excess.size());
+    parallel_for(veil.tiles(), options.threads, [&](std::size_t tile) { veil.add_tile(tile, received); });
+    // What a source loses to other pixels.
+    const auto share_lost = [&](std::size_t pixel) {
+        const auto width = static_cast<std::size_t>(exposed.width);
+        const auto column = static_cast<int>(pixel % width);
+        const auto row = static_cast<int>(pixel / width);
+        return 1.0 - share_in_pixel(glare, rays.across(column, row), rays.down(column, row));
+    };
+    for (std::size_t i = 0; i < excess.size(); ++i) {
+        Vec change = received[i];
+        if (excess[i] != Vec(0.0)) change -= share_lost(i) * excess[i];
+        float* const pixel = exposed.pixels.data() + 3 * i;
+        add(change, pixel);
+    }
+    for (PartialLight& light : lights)
+        add(received[light.pixel] - share_lost(light.pixel) * excess_of(vec_of(light.rgb)), light.rgb);
+}
+
+} // namespace gonio
