@@ -9,6 +9,7 @@
 #include <gonio/plot/look.hpp>
 #include <gonio/plot/palette.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/glare.hpp>
 
 #include "../json_text.hpp"
 #include "../options/output.hpp"
@@ -154,17 +155,19 @@ std::vector<std::array<float, 3>> ramp() {
 }
 
 // A tile with its picture exposed, but not yet developed.
-SheetTile tile_of(const Compared& compared, double mean_nt, Ev100 exposure) {
+SheetTile tile_of(const Compared& compared, double mean_nt, const PreviewRequest& request,
+                  std::span<const Light> lights, Ev100 exposure) {
     SheetTile tile;
     tile.name = name_of(compared);
     tile.facts = {fmt::format("mean {} cd/m²", rounded(mean_nt, 4))};
     tile.picture = compared.rgb_nt;
+    if (request.exposure.glare) show_points(tile.picture, request.stage, lights, request.stage.camera);
     expose(tile.picture, exposure);
     return tile;
 }
 
 Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& options, const PreviewRequest& request,
-                             const Console& console) {
+                             std::span<const Light> shining, const Console& console) {
     const Compared& first = comparison.methods.front();
     std::vector<SheetTile> pictures;
     std::vector<TileScene> scenes;
@@ -172,8 +175,8 @@ Result<std::string> as_sheet(const Comparison& comparison, const SheetOptions& o
         scenes.push_back({compared.partial_lights, request.stage.camera});
         expose(scenes.back().lights, comparison.exposure);
         const measure::PictureError& error = comparison.methods[std::max<std::size_t>(1, pictures.size())].error;
-        pictures.push_back(
-            tile_of(compared, pictures.empty() ? error.mean : error.mean + error.bias, comparison.exposure));
+        pictures.push_back(tile_of(compared, pictures.empty() ? error.mean : error.mean + error.bias, request, shining,
+                                   comparison.exposure));
     }
     if (Result<void> shown = develop_tiles(pictures, std::move(scenes), request, console); !shown)
         return pass_on(shown);
@@ -326,7 +329,8 @@ Result<int> preview_compare(const Arguments& arguments, Console& console) {
     if (!comparison) return pass_on(comparison);
     console.say(judged);
     diagnostics.insert(diagnostics.end(), judged.begin(), judged.end());
-    Result<std::string> bytes = layers ? as_layers(*comparison) : as_sheet(*comparison, options, *request, console);
+    Result<std::string> bytes =
+        layers ? as_layers(*comparison) : as_sheet(*comparison, options, *request, *lights, console);
     if (!bytes) return pass_on(bytes);
     fine = write_output(request->output, *bytes);
     if (!fine) return Unexpected(fine.error());

@@ -143,6 +143,7 @@ private:
 
     Result<Image> beauty() {
         Image image = std::move(rendering_.luminance_nt);
+        if (request_.exposure.glare) show_points(image, request_.stage, lights_, request_.stage.camera);
         const Result<void> developed =
             develop(image, std::move(rendering_.partial_lights), picture_.exposure, request_, console_);
         if (!developed) return Unexpected(developed.error());

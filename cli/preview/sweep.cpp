@@ -2,6 +2,7 @@
 
 #include <gonio/base/unit_text.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/glare.hpp>
 
 #include "../json_text.hpp"
 #include "../options/output.hpp"
@@ -35,6 +36,8 @@ Result<void> make_sheet(Sweeper& sweeper, const SheetOptions& options, const Con
                                                  : fmt::format("mean {} cd/m²", rounded(mean_nt(cell.rendering), 4))};
             const Ev100 exposure = cell.request.exposure.of(cell.rendering);
             tile.picture = std::move(cell.rendering.luminance_nt);
+            if (cell.request.exposure.glare)
+                show_points(tile.picture, cell.request.stage, cell.lights, cell.request.stage.camera);
             expose(tile.picture, exposure);
             scenes[index] = {std::move(cell.rendering.partial_lights), cell.request.stage.camera};
             expose(scenes[index].lights, exposure);

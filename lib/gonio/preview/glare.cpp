@@ -2,6 +2,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/glare.hpp>
+#include <gonio/shading/falloff.hpp>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace gonio {
@@ -79,6 +81,9 @@ public:
     PixelRays(const Camera& camera, const Image& picture) : rays_(camera, picture.width, picture.height) {}
 
     Vec middle(int column, int row) const { return at(column + 0.5, row + 0.5); }
+    double solid_angle(int column, int row) const {
+        return glm::length(glm::cross(across(column, row), down(column, row)));
+    }
     // Along the sides of a pixel, through its middle.
     Vec across(int column, int row) const { return at(column + 1.0, row + 0.5) - at(column, row + 0.5); }
     Vec down(int column, int row) const { return at(column + 0.5, row + 1.0) - at(column + 0.5, row); }
@@ -164,7 +169,7 @@ Vec vec_of(const Channels& rgb) {
 }
 
 template<class Channels>
-void add(const Vec& value, Channels& rgb) {
+void add(const Vec& value, Channels&& rgb) {
     for (int channel = 0; channel < 3; ++channel) {
         float& sum = rgb[static_cast<std::size_t>(channel)];
         sum = static_cast<float>(std::max(static_cast<double>(sum) + value[channel], 0.0));
@@ -212,7 +217,7 @@ public:
                 const Vec down = rays.down(column, row);
                 Source& pixel = pixels.emplace_back();
                 pixel.middle = rays.middle(column, row);
-                pixel.lux = rgb * glm::length(glm::cross(across, down));
+                pixel.lux = rgb * rays.solid_angle(column, row);
                 pixel.radius = 0.5 * std::max(glm::length(across + down), glm::length(across - down));
                 pixel.column = column;
                 pixel.row = row;
@@ -360,6 +365,28 @@ double GlareFunction::share_within(double angle_rad) const {
                                 pigment_ * (1300.0 * steep_within(r, halo_deg) + 0.8 * flat_within(r, halo_deg))) +
                        2.5e-3 * pigment_ * std::numbers::pi * square(r);
     return sum * square(degree) / integral_;
+}
+
+void show_points(Image& luminance_nt, const Stage& stage, std::span<const Light> lights, const Camera& camera) {
+    const CameraRays rays(camera, luminance_nt.width, luminance_nt.height);
+    const PixelRays pixels(camera, luminance_nt);
+    for (const Light& light : lights) {
+        const bool has_size = light.luminance.value > 0.0 || light.illuminance.value > 0.0;
+        if (has_size) continue;
+        const std::optional<glm::dvec2> place = rays.place_of(light.frame.origin);
+        if (!place || !(place->x >= 0.0 && place->x < luminance_nt.width)) continue;
+        if (!(place->y >= 0.0 && place->y < luminance_nt.height)) continue;
+        const Vec to_eye = camera.position - light.frame.origin;
+        const double distance = glm::length(to_eye);
+        const std::optional<Hit> hit = first_hit(stage, rays.ray(place->x, place->y));
+        if (hit && hit->distance < distance) continue;
+        const auto column = static_cast<int>(place->x);
+        const auto row = static_cast<int>(place->y);
+        const double window = light.range ? shading::window_squared(distance, 1.0 / light.range->value) : 1.0;
+        const double lux = light.intensity_towards(to_eye).value / square(distance) * window;
+        const double nits = lux / pixels.solid_angle(column, row);
+        if (std::isfinite(nits)) add(nits * light.color, luminance_nt.at(column, row));
+    }
 }
 
 void add_glare(Image& exposed, std::span<PartialLight> lights, const Camera& camera, const GlareOptions& options) {

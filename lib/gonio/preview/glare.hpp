@@ -2,12 +2,15 @@
 //
 // What a display does show scatters in the eye of the person who looks at it. What it cannot show is missing there: the
 // excess above the display's white. So the excess alone is spread over the picture, by the point spread function of the
-// eye, over the angles at the camera. Sources outside the picture do not count, nor do lights without size.
+// eye, over the angles at the camera. Sources outside the picture do not count. A light without size does: the eye sees
+// it, though a picture does not show it.
 #pragma once
 
 #include <gonio/base/image.hpp>
+#include <gonio/light/light.hpp>
 #include <gonio/preview/partial_light.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/stage.hpp>
 
 #include <span>
 
@@ -52,6 +55,10 @@ struct GlareOptions {
     // sums every pixel by itself.
     double group_size = 0.1;
 };
+
+// Adds each light without size that the camera sees to the pixel in which it is: as a luminance that gives the same
+// illuminance at the eye, I/d² times the window of its range. A picture in cd/m², of this camera.
+void show_points(Image& luminance_nt, const Stage& stage, std::span<const Light> lights, const Camera& camera);
 
 // Adds glare to an exposed picture of linear Rec.709, 1 being the display's white, and to the lights that its pixels
 // show in part. The share 1 − 1/Y of a pixel with a luminance Y above 1 is spread: a pixel in the direction of u

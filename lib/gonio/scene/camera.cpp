@@ -1,6 +1,8 @@
 #include <gonio/base/frame.hpp>
 #include <gonio/scene/camera.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,21 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : origin_(ca
     const double pixel = 2.0 * std::max(half_height / height, half_width / width);
     right_ = frame.x * pixel;
     down_ = -frame.y * pixel;
+    ahead_ = -frame.z;
     corner_ = -frame.z - 0.5 * width * right_ - 0.5 * height * down_;
 }
 
 Ray CameraRays::ray(double x, double y) const {
     return {origin_, glm::normalize(corner_ + x * right_ + y * down_)};
+}
+
+std::optional<glm::dvec2> CameraRays::place_of(const glm::dvec3& position) const {
+    const glm::dvec3 from_eye = position - origin_;
+    const double depth = glm::dot(from_eye, ahead_);
+    if (!(depth > 0.0)) return std::nullopt;
+    const glm::dvec3 from_corner = from_eye / depth - corner_;
+    const double pixel2 = glm::dot(right_, right_);
+    return glm::dvec2(glm::dot(from_corner, right_) / pixel2, glm::dot(from_corner, down_) / pixel2);
 }
 
 } // namespace gonio

@@ -1,7 +1,10 @@
 // Camera: a pinhole that looks from a position at a target.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <optional>
 
 namespace gonio {
 
@@ -29,11 +32,16 @@ public:
     // at (i + ½, j + ½).
     Ray ray(double x, double y) const;
 
+    // The point of the picture, or of its plane beyond its sides, at which a point of the world appears: the ray()
+    // through it meets that point. Nothing where the world's point is not in front of the eye.
+    std::optional<glm::dvec2> place_of(const glm::dvec3& position) const;
+
 private:
     glm::dvec3 origin_;
     glm::dvec3 corner_; // from the eye to the top left corner of the picture
     glm::dvec3 right_;  // one pixel
     glm::dvec3 down_;   // one pixel
+    glm::dvec3 ahead_;  // unit
 };
 
 } // namespace gonio
