@@ -60,6 +60,7 @@ constexpr std::array examples{
     Example{"gonio preview --rig street.json --look isolux --levels 1lx,5lx,10lx -o lines.png", "lines of equal lux"},
     Example{"gonio preview lamp.ies --look falsecolour -o lux.exr", "the values in lux, one per pixel"},
     Example{"gonio preview lamp.ies --exposure lux:500lx -o office.png", "as an eye adapted to 500 lx sees it"},
+    Example{"gonio preview lamp.ies --stage street --glare -o night.png", "the lamp as it dazzles an eye"},
     Example{"gonio preview --rig park.json --stats -o park.png", "print what the renderer skipped"},
     Example{"gonio preview --rig room.json --compare exact,frostbite -o methods.png",
             "how far a method is off, and where"},
@@ -102,6 +103,8 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
                           {"card_lx", card_illuminance(picture.exposure).value}};
     report["method"] = to_text(request.render.method);
     report["tone_map"] = to_text(request.exposure.tone_map);
+    if (const std::optional<Eye>& eye = request.exposure.glare)
+        report["glare"] = {{"age_years", eye->age_years}, {"pigment", eye->pigment}};
     if (request.lights.rig_file.empty())
         report["intensity_cd"] = lights.front().intensity.value;
     else

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -44,35 +45,95 @@ double flat_within(double r, double a) {
     return 2.0 * std::numbers::pi * square(a) * (std::sqrt(1.0 + square(r / a)) - 1.0);
 }
 
-// f(θ) cosθ by the square of the chord between two directions, c = 2 (1 − cosθ): 128 values for each power of two,
-// linear between them, which is within 1e-4 of it.
+// The spread of light about its middle: the mean of x xᵀ, a symmetric matrix.
+struct Spread2 {
+    double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
+
+    void add(double weight, const Vec& from_middle) {
+        const Vec& v = from_middle;
+        add(weight, Spread2{v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z});
+    }
+    void add(double weight, const Spread2& other) {
+        xx += weight * other.xx;
+        yy += weight * other.yy;
+        zz += weight * other.zz;
+        xy += weight * other.xy;
+        xz += weight * other.xz;
+        yz += weight * other.yz;
+    }
+    double trace() const { return xx + yy + zz; }
+    double along(const Vec& v) const {
+        return xx * v.x * v.x + yy * v.y * v.y + zz * v.z * v.z +
+               2.0 * (xy * v.x * v.y + xz * v.x * v.z + yz * v.y * v.z);
+    }
+};
+
+// k = f(θ) cosθ and its derivatives by c = 2 (1 − cosθ), the square of the chord between two directions: 128 values for
+// each power of two, linear between them, which is within 1e-4 of k.
 class ByChord {
 public:
     explicit ByChord(const GlareFunction& glare) : values_((octaves << steps_bits) + 1) {
-        for (std::size_t i = 0; i < values_.size(); ++i) {
-            const double chord2 =
-                std::bit_cast<double>((std::uint64_t{i} << drop) + std::bit_cast<std::uint64_t>(least));
+        const auto k = [&](double chord2) {
             const double angle = 2.0 * std::asin(std::min(0.5 * std::sqrt(chord2), 1.0));
-            values_[i] = glare.per_sr(angle) * std::max(1.0 - 0.5 * chord2, 0.0);
+            return glare.per_sr(angle) * (1.0 - 0.5 * chord2);
+        };
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            const double chord2 = std::bit_cast<double>((std::uint64_t{i} << drop) + least_bits);
+            const double step = 1e-3 * chord2; // of central differences
+            const double below = k(chord2 - step);
+            const double here = k(chord2);
+            const double above = k(chord2 + step);
+            values_[i] = {here, (above - below) / (2.0 * step), (above - 2.0 * here + below) / square(step)};
         }
     }
 
+    // At one point.
     double at(double chord2) const {
         if (!(chord2 < 2.0)) return 0.0; // beyond 90° nothing falls on the pupil
-        const std::uint64_t bits =
-            std::bit_cast<std::uint64_t>(std::max(chord2, least)) - std::bit_cast<std::uint64_t>(least);
-        const auto index = static_cast<std::size_t>(bits >> drop);
-        const double between = static_cast<double>(bits & ((std::uint64_t{1} << drop) - 1)) * 0x1p-45;
-        return values_[index] + between * (values_[index + 1] - values_[index]);
+        const Place place(chord2);
+        const double before = values_[place.index].k;
+        return before + place.between * (values_[place.index + 1].k - before);
+    }
+
+    // The mean over light spread about its middle, to second order: E k(|d − e|²) = k + k′ tr C + 2 k″ dᵀC d.
+    double mean(const Vec& to, const Spread2& spread) const {
+        const double chord2 = glm::dot(to, to);
+        if (!(chord2 < 2.0)) return 0.0;
+        const Place place(chord2);
+        const Value& before = values_[place.index];
+        const Value& after = values_[place.index + 1];
+        const auto between = [&](double Value::*member) {
+            return before.*member + place.between * (after.*member - before.*member);
+        };
+        return std::max(between(&Value::k) + between(&Value::slope) * spread.trace() +
+                            2.0 * between(&Value::bend) * spread.along(to),
+                        0.0);
     }
 
 private:
     static constexpr int steps_bits = 7;
     static constexpr int drop = 52 - steps_bits;
-    static constexpr double least = 0x1p-44; // 1e-5 of a degree; the function is flat there
-    static constexpr std::size_t octaves = 45;
+    static constexpr double least = 0x1p-44; // a chord of 1e-5 degrees; k is flat there
+    static constexpr std::uint64_t least_bits = std::bit_cast<std::uint64_t>(least);
+    static constexpr std::size_t octaves = 45; // to c = 2
 
-    std::vector<double> values_;
+    struct Value {
+        double k;
+        double slope;
+        double bend;
+    };
+    struct Place {
+        std::size_t index;
+        double between; // it and the next, in [0, 1)
+
+        explicit Place(double chord2) {
+            const std::uint64_t bits = std::bit_cast<std::uint64_t>(std::max(chord2, least)) - least_bits;
+            index = static_cast<std::size_t>(bits >> drop);
+            between = static_cast<double>(bits & ((std::uint64_t{1} << drop) - 1)) * 0x1p-45;
+        }
+    };
+
+    std::vector<Value> values_;
 };
 
 // The directions of a picture's pixels.
@@ -80,6 +141,8 @@ class PixelRays {
 public:
     PixelRays(const Camera& camera, const Image& picture) : rays_(camera, picture.width, picture.height) {}
 
+    // Through a point of the picture, in pixels.
+    Vec at(double x, double y) const { return rays_.ray(x, y).direction; }
     Vec middle(int column, int row) const { return at(column + 0.5, row + 0.5); }
     double solid_angle(int column, int row) const {
         return glm::length(glm::cross(across(column, row), down(column, row)));
@@ -89,8 +152,6 @@ public:
     Vec down(int column, int row) const { return at(column + 0.5, row + 1.0) - at(column + 0.5, row); }
 
 private:
-    Vec at(double x, double y) const { return rays_.ray(x, y).direction; }
-
     CameraRays rays_;
 };
 
@@ -109,13 +170,16 @@ double share_in_pixel(const GlareFunction& glare, const Vec& across, const Vec& 
 
 // A pixel that is brighter than white, or a group of them.
 struct Source {
-    Vec middle{0.0};         // unit
-    Vec lux{0.0};            // of the excess, at an eye that looks there; one for each channel
+    Vec middle{0.0}; // of its light
+    Vec lux{0.0};    // of the excess, at an eye that looks there; one for each channel
+    Spread2 spread;
     double radius = 0.0;     // chord to the farthest corner
     std::int32_t column = 0; // in cells of its level
     std::int32_t row = 0;
     std::uint32_t first = 0; // of a group: its members in the level below
     std::uint32_t count = 0;
+
+    double weight() const { return lux.x + lux.y + lux.z; }
 };
 
 // Sources in cells of 2^level pixels; level 0 holds the pixels. Cells that share a cell of the next level are
@@ -146,13 +210,18 @@ Level groups_of(const Level& below) {
         }
         Source& group = groups.back();
         group.lux += member.lux;
-        group.middle += (member.lux.x + member.lux.y + member.lux.z) * member.middle;
+        group.middle += member.weight() * member.middle;
         ++group.count;
     }
     for (Source& group : groups) {
-        group.middle = glm::normalize(group.middle);
-        for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
-            group.radius = std::max(group.radius, glm::distance(group.middle, below[i].middle) + below[i].radius);
+        group.middle /= group.weight();
+        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+            const Source& member = below[i];
+            const double share = member.weight() / group.weight();
+            group.spread.add(share, member.spread);
+            group.spread.add(share, member.middle - group.middle);
+            group.radius = std::max(group.radius, glm::distance(group.middle, member.middle) + member.radius);
+        }
     }
     return groups;
 }
@@ -202,6 +271,45 @@ std::vector<Vec> excess_in(const Image& exposed, std::span<const PartialLight> l
 
 constexpr int tile_size = 8; // pixels that share their groups
 
+// What a pixel sends to its neighbours, in which the function changes within it: the mean over the pixel by the value
+// at its middle. By the offset in pixels, for pixels of one size and shape.
+class NeighbourRatios {
+public:
+    NeighbourRatios(const ByChord& glare, const Vec& across, const Vec& down)
+        : glare_(glare), across_(across), down_(down) {
+        ratios_.fill(0.0);
+    }
+
+    static bool has(int columns, int rows) { return std::abs(columns) <= reach && std::abs(rows) <= reach; }
+
+    double at(int columns, int rows) {
+        double& ratio = ratios_[static_cast<std::size_t>((rows + reach) * (2 * reach + 1) + columns + reach)];
+        if (ratio == 0.0) ratio = computed(columns, rows);
+        return ratio;
+    }
+
+private:
+    static constexpr int reach = 8;
+
+    double computed(int columns, int rows) const {
+        const int parts = std::max(std::abs(columns), std::abs(rows)) > 2 ? 4 : 12; // along each side
+        double sum = 0.0;
+        for (int i = 0; i < parts; ++i)
+            for (int j = 0; j < parts; ++j)
+                sum += value(columns + (i + 0.5) / parts - 0.5, rows + (j + 0.5) / parts - 0.5);
+        return sum / square(parts) / value(columns, rows);
+    }
+    double value(double columns, double rows) const {
+        const Vec away = columns * across_ + rows * down_;
+        return glare_.at(glm::dot(away, away));
+    }
+
+    const ByChord& glare_;
+    Vec across_;
+    Vec down_;
+    std::array<double, (2 * reach + 1) * (2 * reach + 1)> ratios_; // 0: not computed yet
+};
+
 class Veil {
 public:
     Veil(const Image& picture, const std::vector<Vec>& excess, const PixelRays& rays, const GlareFunction& glare,
@@ -218,6 +326,8 @@ public:
                 Source& pixel = pixels.emplace_back();
                 pixel.middle = rays.middle(column, row);
                 pixel.lux = rgb * rays.solid_angle(column, row);
+                pixel.spread.add(1.0 / 12.0, across);
+                pixel.spread.add(1.0 / 12.0, down);
                 pixel.radius = 0.5 * std::max(glm::length(across + down), glm::length(across - down));
                 pixel.column = column;
                 pixel.row = row;
@@ -235,49 +345,51 @@ public:
         return static_cast<std::size_t>(tiles_across()) * static_cast<std::size_t>(count_of(height_));
     }
 
-    // Adds what the pixels of a tile receive from all other pixels.
-    void add_tile(std::size_t tile, std::vector<Vec>& veil) const {
+    // What the pixels of a tile receive from all other pixels.
+    void find_tile(std::size_t tile, std::vector<Vec>& veil) const {
         const int left = static_cast<int>(tile) % tiles_across() * tile_size;
         const int top = static_cast<int>(tile) / tiles_across() * tile_size;
-        const int right = std::min(left + tile_size, width_);
-        const int bottom = std::min(top + tile_size, height_);
-        const Vec middle = rays_.middle((left + right) / 2, (top + bottom) / 2);
-        double radius = 0.0;
-        for (const int row : {top, bottom - 1})
-            for (const int column : {left, right - 1})
-                radius = std::max(radius, glm::distance(middle, rays_.middle(column, row)));
-        std::vector<const Source*> far;
-        std::vector<const Source*> near;
-        find(middle, radius, far, near);
-        for (int row = top; row < bottom; ++row)
-            for (int column = left; column < right; ++column) {
+        const Seen seen = seen_from(left, top);
+        const std::array<Vec, nodes* nodes> smooth = at_nodes(seen.smooth, left, top);
+        const int column_inside = std::min(left + tile_size / 2, width_ - 1);
+        const int row_inside = std::min(top + tile_size / 2, height_ - 1);
+        NeighbourRatios ratios(glare_, rays_.across(column_inside, row_inside), rays_.down(column_inside, row_inside));
+        for (int row = top; row < std::min(top + tile_size, height_); ++row)
+            for (int column = left; column < std::min(left + tile_size, width_); ++column) {
                 const Vec to = rays_.middle(column, row);
-                Vec sum(0.0);
-                for (const Source* source : far)
-                    sum += glare_.at(distance2(to, source->middle)) * source->lux;
-                for (const Source* source : near)
-                    if (source->column != column || source->row != row) sum += mean_over(*source, to) * source->lux;
+                Vec sum = between_nodes(smooth, column - left, row - top);
+                for (const Source* source : seen.far)
+                    sum += glare_.mean(to - source->middle, source->spread) * source->lux;
+                for (const Source* source : seen.near)
+                    sum += from_pixel(*source, column, row, to, ratios) * source->lux;
                 veil[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
                      static_cast<std::size_t>(column)] = sum;
             }
     }
 
 private:
-    // The greatest radius of a pixel, or of a part of it, over its distance.
-    static constexpr double pixel_size = 0.1;
-    static constexpr int most_parts = 8; // along each side
+    // The greatest radius of a pixel over its distance, for its mean to second order.
+    static constexpr double pixel_size = 0.2;
+    // The greatest radius of a tile over the distance of what is interpolated over it.
+    static constexpr double tile_share = 0.15;
+    static constexpr int nodes = 3; // of the interpolation over a tile, along each side
+
+    // What a tile sees, by how its light is summed.
+    struct Seen {
+        std::vector<const Source*> smooth; // so far away that a parabola follows it over the tile
+        std::vector<const Source*> far;    // at each pixel
+        std::vector<const Source*> near;   // pixels, at each pixel
+    };
 
     static int count_of(int pixels) { return (pixels + tile_size - 1) / tile_size; }
     int tiles_across() const { return count_of(width_); }
 
-    static double distance2(const Vec& a, const Vec& b) {
-        const Vec between = a - b;
-        return glm::dot(between, between);
-    }
-
-    // What a tile sees as points, and the pixels that are too near for that.
-    void find(const Vec& middle, double radius, std::vector<const Source*>& far,
-              std::vector<const Source*>& near) const {
+    Seen seen_from(int left, int top) const {
+        const Vec middle = rays_.at(left + 0.5 * tile_size, top + 0.5 * tile_size);
+        double radius = 0.0;
+        for (const int row : {0, tile_size})
+            for (const int column : {0, tile_size})
+                radius = std::max(radius, glm::distance(middle, rays_.at(left + column, top + row)));
         struct Open {
             std::size_t level;
             const Source* source;
@@ -285,34 +397,62 @@ private:
         std::vector<Open> open;
         for (const Source& source : levels_.back())
             open.push_back({levels_.size() - 1, &source});
+        Seen seen;
         while (!open.empty()) {
             const auto [level, source] = open.back();
             open.pop_back();
-            const double away = glm::distance(middle, source->middle) - radius;
-            if (source->radius < (level == 0 ? pixel_size : group_size_) * away) {
-                far.push_back(source);
+            const double distance = glm::distance(middle, source->middle);
+            if (source->radius < (level == 0 ? pixel_size : group_size_) * (distance - radius)) {
+                (radius < tile_share * distance && group_size_ > 0.0 ? seen.smooth : seen.far).push_back(source);
             } else if (level == 0) {
-                near.push_back(source);
+                seen.near.push_back(source);
             } else {
                 for (std::uint32_t i = source->first + source->count; i-- > source->first;)
                     open.push_back({level - 1, &levels_[level - 1][i]});
             }
         }
+        return seen;
     }
 
-    // The mean of the function over a pixel.
-    double mean_over(const Source& pixel, const Vec& to) const {
-        const double away = glm::distance(to, pixel.middle);
-        const int parts = std::clamp(static_cast<int>(std::ceil(pixel.radius / (pixel_size * away))), 1, most_parts);
-        if (parts == 1) return glare_.at(distance2(to, pixel.middle));
-        const Vec across = rays_.across(pixel.column, pixel.row);
-        const Vec down = rays_.down(pixel.column, pixel.row);
-        double sum = 0.0;
-        for (int i = 0; i < parts; ++i)
-            for (int j = 0; j < parts; ++j)
-                sum += glare_.at(distance2(to, pixel.middle + ((i + 0.5) / parts - 0.5) * across +
-                                                   ((j + 0.5) / parts - 0.5) * down));
-        return sum / square(parts);
+    // Where the nodes are: on the first and the last pixel of a whole tile and between them.
+    static double node_at(int node) { return 0.5 * (tile_size - 1) * node; }
+
+    std::array<Vec, nodes * nodes> at_nodes(const std::vector<const Source*>& sources, int left, int top) const {
+        std::array<Vec, nodes * nodes> sums{};
+        if (sources.empty()) return sums;
+        for (int j = 0; j < nodes; ++j)
+            for (int i = 0; i < nodes; ++i) {
+                const Vec to = rays_.at(left + node_at(i) + 0.5, top + node_at(j) + 0.5);
+                Vec& sum = sums[static_cast<std::size_t>(j * nodes + i)];
+                for (const Source* source : sources)
+                    sum += glare_.mean(to - source->middle, source->spread) * source->lux;
+            }
+        return sums;
+    }
+
+    // Lagrange's parabola through values at −1, 0 and 1.
+    static std::array<double, nodes> parabola(int pixel) {
+        const double x = pixel / node_at(1) - 1.0;
+        return {0.5 * x * (x - 1.0), 1.0 - square(x), 0.5 * x * (x + 1.0)};
+    }
+    static Vec between_nodes(const std::array<Vec, nodes * nodes>& sums, int column, int row) {
+        const std::array<double, nodes> across = parabola(column);
+        const std::array<double, nodes> down = parabola(row);
+        Vec sum(0.0);
+        for (std::size_t j = 0; j < nodes; ++j)
+            for (std::size_t i = 0; i < nodes; ++i)
+                sum += down[j] * across[i] * sums[j * nodes + i];
+        return sum;
+    }
+
+    double from_pixel(const Source& pixel, int column, int row, const Vec& to, NeighbourRatios& ratios) const {
+        if (pixel.column == column && pixel.row == row) return 0.0;
+        const Vec away = to - pixel.middle;
+        const double chord2 = glm::dot(away, away);
+        if (square(pixel.radius) < square(pixel_size) * chord2 ||
+            !NeighbourRatios::has(column - pixel.column, row - pixel.row))
+            return glare_.mean(away, pixel.spread);
+        return glare_.at(chord2) * ratios.at(column - pixel.column, row - pixel.row);
     }
 
     int width_;
@@ -396,7 +536,7 @@ void add_glare(Image& exposed, std::span<PartialLight> lights, const Camera& cam
     const Veil veil(exposed, excess, rays, glare, options.group_size);
     if (veil.is_empty()) return;
     std::vector<Vec> received(excess.size());
-    parallel_for(veil.tiles(), options.threads, [&](std::size_t tile) { veil.add_tile(tile, received); });
+    parallel_for(veil.tiles(), options.threads, [&](std::size_t tile) { veil.find_tile(tile, received); });
     // What a source loses to other pixels.
     const auto share_lost = [&](std::size_t pixel) {
         const auto width = static_cast<std::size_t>(exposed.width);

@@ -51,9 +51,9 @@ private:
 struct GlareOptions {
     Eye eye;
     unsigned threads = 0; // 0: all
-    // The greatest radius of a group of sources over its distance: groups are summed as one source in their middle. 0
-    // sums every pixel by itself.
-    double group_size = 0.1;
+    // The greatest radius of a group of sources over its distance: groups are summed as one source. 0 sums every pixel
+    // by itself.
+    double group_size = 0.3;
 };
 
 // Adds each light without size that the camera sees to the pixel in which it is: as a luminance that gives the same
@@ -63,8 +63,9 @@ void show_points(Image& luminance_nt, const Stage& stage, std::span<const Light>
 // Adds glare to an exposed picture of linear Rec.709, 1 being the display's white, and to the lights that its pixels
 // show in part. The share 1 − 1/Y of a pixel with a luminance Y above 1 is spread: a pixel in the direction of u
 // receives ∫ f(θ) cosθ L dω over the pixels, and a source keeps what falls into its own pixel. Groups of pixels that
-// are small against their distance count as one: within 1 % of the sum over all pixels (0.2 % RMS). The same bytes at
-// any number of threads.
+// are small against their distance count as one, with their spread to second order: within 0.5 % of the sum over all
+// pixels, 0.1 % RMS. The same bytes at any number of threads. A picture with few sources costs little; where every
+// pixel is one, some 15 µs for each on one core.
 void add_glare(Image& exposed, std::span<PartialLight> lights, const Camera& camera, const GlareOptions& options = {});
 
 } // namespace gonio
