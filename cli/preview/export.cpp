@@ -61,7 +61,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     }
     if (request.render.shadows != Shadows::soft)
         scene->instead.emplace_back("other renderers cast soft shadows regardless of --shadows");
-    if (request.render.sky.value > 0.0) scene->instead.emplace_back("the sky of --sky is left out");
+    if (!request.render.sky.is_dark()) scene->instead.emplace_back("the sky of --sky is left out");
     for (const std::string& line : scene->instead)
         exported.diagnostics.push_back(result_diagnostic("RES0201", line, {}, request.export_file));
     return exported;

@@ -1,7 +1,6 @@
 #include "request.hpp"
 
 #include <gonio/asset/stage_scene.hpp>
-#include <gonio/scene/sky.hpp>
 
 #include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
@@ -52,9 +51,11 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
     if (const auto text = arguments.value("--sky")) {
-        Result<Nits> sky = parse_sky(*text);
+        Result<SkyDescription> described = parse_sky_description(*text, &request.diagnostics);
+        if (!described) return pass_on(described);
+        Result<Sky> sky = resolve_sky(*described);
         if (!sky) return pass_on(sky);
-        request.render.sky = *sky;
+        request.render.sky = *std::move(sky);
     }
     // The library never reads the environment; the tool passes $OCIO on.
     const char* const config = std::getenv("OCIO");

@@ -246,7 +246,7 @@ Result<Cell> Sweeper::render_cell(std::size_t index, int width, int height) {
 
 // Whether two cells differ in what relit() can change, or in nothing that is rendered.
 bool Sweeper::follows(std::size_t cell, std::size_t from) const {
-    if (request_.render.sky.value > 0.0) return false;
+    if (!request_.render.sky.is_dark()) return false;
     for (std::size_t a = 0; a < sweep_.axes.size(); ++a) {
         if (sweep_.value_of(cell, a) == sweep_.value_of(from, a)) continue;
         const std::string& key = sweep_.axes[a].key;

@@ -4,6 +4,7 @@
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/reflected_view.hpp>
+#include <gonio/transport/sky_light.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,8 +38,7 @@ LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
 void LitTile::light_up() {
     show_emitters();
     count_samples();
-    if (options_.sky.value > 0.0) add_sky();
-    if (picture_.indirect != nullptr) add_indirect();
+    if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
     for (const std::uint32_t index : candidates()) {
         const LitLight& light = scene_.lights[index];
         if (!find_groups(light)) continue;
@@ -82,26 +82,12 @@ void LitTile::count_samples() {
     }
 }
 
-void LitTile::add_sky() {
-    const double nt = options_.sky.value;
-    for (const SurfaceSamples& samples : tile_.surfaces())
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
-            const double free = options_.shadows == Shadows::off
-                                    ? 1.0
-                                    : sky_share(scene_.stage, samples.surface, samples.position_of(i), normal);
-            const double weight = samples.share[i] * free * nt;
-            const glm::dvec3 rgb = weight * scene_.albedos[samples.surface](glm::dot(normal, samples.view_of(i)));
-            for (int channel = 0; channel < 3; ++channel)
-                picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
-                    static_cast<float>(rgb[channel]);
-            if (options_.illuminance)
-                picture_.illuminance_lx.pixels[samples.pixel[i]] += static_cast<float>(std::numbers::pi * weight);
-        }
-}
-
-void LitTile::add_indirect() {
-    ReflectedView view(*picture_.indirect, options_.instruction_set);
+// Light that bounced, and that of a sky: what surfaces scatter of it, and what glossy ones show of it.
+void LitTile::add_surroundings() {
+    const Interreflection* const indirect = picture_.indirect.get();
+    const SkyLight* const sky = scene_.sky;
+    ReflectedView view(indirect != nullptr ? *indirect->geometry() : *sky->geometry(), indirect,
+                       sky != nullptr ? &options_.sky : nullptr, options_.instruction_set);
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
         const LobeRays& lobe = scene_.lobes[samples.surface];
@@ -110,23 +96,29 @@ void LitTile::add_indirect() {
                 lobe.empty() ? nullptr : &view.luminance(samples, chunk.first, chunk.count, lobe);
             for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
                 const glm::dvec3 position = samples.position_of(i);
-                const glm::dvec3 lx =
-                    picture_.indirect->on_surface(samples.surface, face_at(geometry, position), position);
-                const double cosine = glm::dot(glm::normalize(samples.normal_of(i)), samples.view_of(i));
+                const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
+                const int face = face_at(geometry, position);
+                glm::dvec3 lx(0.0);
+                if (indirect != nullptr) lx += indirect->on_surface(samples.surface, face, position);
+                if (sky != nullptr) lx += sky->on_surface(samples.surface, face, position);
+                const double cosine = glm::dot(normal, samples.view_of(i));
                 const glm::dvec3 diffuse =
                     glm::max(scene_.albedos[samples.surface](cosine) - lobe.albedo(cosine), glm::dvec3(0.0));
                 glm::dvec3 rgb = std::numbers::inv_pi * lx * diffuse;
                 if (glossy != nullptr) rgb += glm::dvec3((*glossy)[i - chunk.first]);
-                for (int channel = 0; channel < 3; ++channel)
-                    picture_.luminance_nt
-                        .pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
-                        samples.share[i] * static_cast<float>(rgb[channel]);
-                if (options_.illuminance)
-                    picture_.illuminance_lx.pixels[samples.pixel[i]] +=
-                        samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
+                add(samples, i, rgb, lx);
             }
         }
     }
+}
+
+void LitTile::add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3& nt, const glm::dvec3& lx) {
+    for (int channel = 0; channel < 3; ++channel)
+        picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
+            samples.share[i] * static_cast<float>(nt[channel]);
+    if (options_.illuminance)
+        picture_.illuminance_lx.pixels[samples.pixel[i]] +=
+            samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
 }
 
 // The lights within range of the tile, in their order.

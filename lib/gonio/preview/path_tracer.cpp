@@ -45,20 +45,19 @@ public:
         return has_extent(light.shape) ? of_surface(light, numbers) : of_point(light);
     }
 
-    // For a uniform sky of luminance 1: a direction sampled from the material for the luminance, and a
-    // cosine-distributed one for the lux.
+    // A direction sampled from the material for the luminance, and a cosine-distributed one for the lux.
     template<class Numbers>
-    Shown of_sky(const Numbers& numbers) const {
+    Shown of(const Sky& sky, const Numbers& numbers) const {
         constexpr double far = std::numeric_limits<double>::infinity();
         Shown shown;
         const Vec n = vec(hit_.normal);
         const auto own = shading::sample_brdf(material_, n, vec(view_), {numbers(2), numbers(3), numbers(4)});
         const double cosine = dot(n, own.l);
         if (own.pdf > 0.0 && cosine > 0.0 && !hidden(vec(own.l), far))
-            shown.rgb = brdf(vec(own.l)) * (cosine / own.pdf);
+            shown.rgb = brdf(vec(own.l)) * (cosine / own.pdf) * sky.radiance(vec(own.l));
         const shading::TangentFrame<double> frame(n);
         const Vec l = frame.to_world(shading::cosine_direction(numbers(5), numbers(6)));
-        if (!hidden(vec(l), far)) shown.lx = std::numbers::pi;
+        if (!hidden(vec(l), far)) shown.lx = std::numbers::pi * glm::dot(sky.radiance(vec(l)), rec709_luminance);
         return shown;
     }
 
@@ -191,10 +190,10 @@ Shown PathTracer::at(const Hit& hit, const glm::dvec3& view, const PixelSequence
             const auto of = [&](std::uint32_t turn) {
                 return [&numbers, turn](std::size_t dimension) { return numbers(dimension, turn); };
             };
-            if (options_.sky_nt > 0.0) {
-                const Shown by_sky = point.of_sky(of(0));
-                shown.rgb += options_.sky_nt * by_sky.rgb;
-                shown.lx += options_.sky_nt * by_sky.lx;
+            if (options_.sky != nullptr) {
+                const Shown by_sky = point.of(*options_.sky, of(0));
+                shown.rgb += by_sky.rgb;
+                shown.lx += by_sky.lx;
             }
             for (const std::size_t i : shining_) {
                 const Shown by_light = point.of(lights_[i], of(static_cast<std::uint32_t>(i) + 1));
@@ -231,7 +230,7 @@ glm::dvec3 PathTracer::direct(const Hit& hit, const glm::dvec3& view, const Pixe
                     return numbers.independent(vertex, turn * 8 + static_cast<std::uint32_t>(dimension));
                 };
             };
-            if (options_.sky_nt > 0.0) rgb += options_.sky_nt * point.of_sky(of(1)).rgb;
+            if (options_.sky != nullptr) rgb += point.of(*options_.sky, of(1)).rgb;
             if (shining_.size() <= few_lights) {
                 for (std::size_t i = 0; i < shining_.size(); ++i)
                     rgb += point.of(lights_[shining_[i]], of(static_cast<std::uint32_t>(i) + 2)).rgb;

@@ -9,12 +9,14 @@
 #include <gonio/light/light.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/sky/sky.hpp>
 #include <gonio/transport/ray_caster.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,7 +52,7 @@ public:
     struct Options {
         bool shadows = true;
         bool specular = true; // false: only the diffuse parts of materials
-        double sky_nt = 0.0;
+        std::shared_ptr<const Sky> sky; // null: none
         int bounces = 0;
         bool illuminance = false; // also estimates Shown::lx of what bounced
     };

@@ -23,7 +23,8 @@ ReferencePicture::ReferencePicture(const Stage& stage, std::span<const Light> li
       row_passes_(static_cast<std::size_t>(options.height)),
       tracer_(std::make_shared<detail::PathTracer>(
           stage, lights,
-          detail::PathTracer::Options{options.shadows != Shadows::off, options.specular, options.sky.value,
+          detail::PathTracer::Options{options.shadows != Shadows::off, options.specular,
+                                      options.sky.is_dark() ? nullptr : std::make_shared<const Sky>(options.sky),
                                       options.bounces, options.illuminance})) {}
 
 Result<ReferencePicture> ReferencePicture::begin(const Stage& stage, std::span<const Light> lights,

@@ -24,8 +24,10 @@ namespace gonio {
 
 class Sky {
 public:
-    // From every direction; 0 is no sky.
-    explicit Sky(Nits uniform = Nits(0.0), const glm::dvec3& color = glm::dvec3(1.0));
+    // None.
+    Sky() = default;
+    // From every direction.
+    explicit Sky(Nits uniform, const glm::dvec3& color = glm::dvec3(1.0));
 
     // Of a unit direction: the luminance of the sky there, RGB; of the ground below the horizon; of an image bilinear.
     glm::dvec3 radiance(const glm::dvec3& direction) const;
@@ -43,6 +45,11 @@ public:
 
     // ∫ L dω over all directions, RGB [lx]: the scalar illuminance of a point, four times that of a sphere's surface.
     glm::dvec3 light() const;
+
+    // No light from anywhere, but for the sun.
+    bool is_dark() const { return !(scale_ > 0.0); }
+    // The same luminance from everywhere.
+    bool is_uniform() const { return !cie_ && !image_; }
 
     const std::optional<SunLight>& sun() const { return sun_; }
 

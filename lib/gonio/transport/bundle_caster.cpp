@@ -139,11 +139,17 @@ void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32
         if (target_[i] == transport::RayHits::nothing) continue;
         if (target_[i] == transport::RayHits::unknown) {
             const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.of(i))}, own_);
-            if (end.surface == RayEnd::nothing) continue;
+            if (end.surface == RayEnd::nothing) {
+                if (!end.leaves()) ends[i] = back_side;
+                continue;
+            }
             charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
             ends[i] = patches_.at(charts[i], end.position);
         } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
-            if (of_rectangles_[target].blocks) continue;
+            if (of_rectangles_[target].blocks) {
+                ends[i] = back_side;
+                continue;
+            }
             charts[i] = of_rectangles_[target].chart;
             ends[i] = of_rectangles_[target].grid->patch(static_cast<double>(u_[i]), static_cast<double>(v_[i]));
         } else {
@@ -221,7 +227,11 @@ void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std:
         {rectangles_.data(), rectangles_.size(), spheres_.data(), spheres_.size(), bounds_.data(), bounds_.size()},
         from, along, count, {target_.data(), distance_.data(), u_.data(), v_.data()});
     for (std::size_t i = 0; i < count; ++i) {
-        if (target_[i] == transport::RayHits::nothing || target_[i] == transport::RayHits::back) continue;
+        if (target_[i] == transport::RayHits::nothing) continue;
+        if (target_[i] == transport::RayHits::back) {
+            ends[i].chart = back_side;
+            continue;
+        }
         const auto on = [&](std::uint32_t chart, const glm::dvec2& at) {
             return PatchPlace{chart, static_cast<float>(at.x), static_cast<float>(at.y), distance_[i]};
         };
@@ -229,7 +239,10 @@ void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std:
             const glm::dvec3 origin = anchor + glm::dvec3(origins[0][i], origins[1][i], origins[2][i]);
             const glm::dvec3 direction(directions[0][i], directions[1][i], directions[2][i]);
             const RayEnd end = caster_.cast({origin, glm::normalize(direction)}, own);
-            if (end.surface == RayEnd::nothing) continue;
+            if (end.surface == RayEnd::nothing) {
+                if (!end.leaves()) ends[i].chart = back_side;
+                continue;
+            }
             distance_[i] = static_cast<float>(glm::distance(origin, end.position));
             const std::size_t chart = patches_.charts().index_of(end.surface, end.face);
             ends[i] =

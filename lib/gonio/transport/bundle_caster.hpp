@@ -17,8 +17,10 @@
 
 namespace gonio::detail {
 
-// The end of a ray that leaves the stage, or that the back of a one-sided surface blocks.
+// The end of a ray that leaves the stage.
 inline constexpr std::uint32_t no_patch = 0xffffffffU;
+// The end of a ray that the back of a one-sided surface blocks.
+inline constexpr std::uint32_t back_side = 0xfffffffdU;
 
 // Unit directions about +Z as arrays of floats.
 struct DirectionArrays {
@@ -41,7 +43,7 @@ public:
     // All rays that follow start here. `own`: as RayCaster::cast().
     void begin(const Frame& from, std::size_t own);
 
-    // The patch that each ray ends on, and its chart, which is `no_patch` where that is.
+    // The patch that each ray ends on, or `no_patch` or `back_side`, and its chart, or `no_patch`.
     void cast(const DirectionArrays& directions, std::span<std::uint32_t> ends, std::span<std::uint32_t> charts);
 
     // The chart that each ray meets first, or `no_patch`.
@@ -74,7 +76,7 @@ private:
 
 // A point of a chart, by its coordinates.
 struct PatchPlace {
-    std::uint32_t chart = no_patch; // where a ray ends on nothing
+    std::uint32_t chart = no_patch; // or back_side
     float u = 0.0F;
     float v = 0.0F;
     float distance_m = 0.0F; // along the ray

@@ -1,8 +1,8 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/scene/occlusion.hpp>
-#include <gonio/scene/sky.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/sample_shader.hpp>
+#include <gonio/transport/sky_light.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 #include <gonio/transport/surface_samples.hpp>
 
@@ -56,7 +56,7 @@ double turned(int along_it, int across_it, int along) {
 
 // Of the surface of a block.
 struct Albedo {
-    const SkyAlbedo& by_cosine;
+    const DirectionalAlbedo& by_cosine;
     const glm::dvec3& hemispherical;
 };
 
@@ -68,7 +68,7 @@ public:
     void add_to(DirectMap& map) {
         const SurfaceSamples& few = samples(2);
         if (few.size() == 0) return;
-        if (scene_.options.sky.value > 0.0) add_sky(few, map);
+        if (scene_.sky != nullptr) add_sky(few, map);
         bounds_ = few.chunks.front().bounds;
         std::vector<std::uint32_t> near;
         scene_.reaches.meeting_box(bounds_.low, bounds_.high, near);
@@ -280,13 +280,10 @@ private:
     }
 
     void add_sky(const SurfaceSamples& samples, DirectMap& map) const {
-        const double lx = std::numbers::pi * scene_.options.sky.value;
+        const int face = patches_.charts().all()[block_.chart].face;
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            const double free =
-                scene_.options.shadows == Shadows::off
-                    ? 1.0
-                    : sky_share(scene_.stage, samples.surface, samples.position_of(i), samples.normal_of(i));
-            const glm::dvec3 of_patch(static_cast<double>(samples.share[i]) * free * lx);
+            const glm::dvec3 of_patch = static_cast<double>(samples.share[i]) *
+                                        scene_.sky->on_surface(samples.surface, face, samples.position_of(i));
             map.lx[samples.pixel[i]] += of_patch;
             map.reflected_lx[samples.pixel[i]] += of_patch * albedo_.hemispherical;
         }
@@ -305,7 +302,7 @@ private:
 
 } // namespace
 
-DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const SkyAlbedo> albedo,
+DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const DirectionalAlbedo> albedo,
                      std::span<const glm::dvec3> hemispherical_albedo) {
     DirectMap map{std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0)),
                   std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0))};

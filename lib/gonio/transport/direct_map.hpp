@@ -1,7 +1,7 @@
 // Direct light on the patches of a stage, with shadows.
 #pragma once
 
-#include <gonio/scene/sky.hpp>
+#include <gonio/scene/directional_albedo.hpp>
 #include <gonio/transport/lit_scene.hpp>
 #include <gonio/transport/patches.hpp>
 
@@ -21,7 +21,7 @@ struct DirectMap {
 
 // Closed forms, whatever the method of the options is. `albedo` by surface: of light that arrives at a cosine, for
 // which that towards the middle of a light is taken.
-DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const SkyAlbedo> albedo,
+DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const DirectionalAlbedo> albedo,
                      std::span<const glm::dvec3> hemispherical_albedo);
 
 } // namespace gonio::detail

@@ -65,14 +65,16 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
     std::vector<Receivers::Place> places;
     for (const Cell& cell : patches_.cells())
         places.push_back({cell.position, cell.normal, own(patches_.charts().all()[cell.chart].surface), cell.covered});
-    from_cells_ = Bundles(stage_, patches_, places, quality.cell_rays, threads, set);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        escaping_.push_back(from_cells_.escaping(i));
+    if (quality.cell_rays > 0) {
+        from_cells_ = Bundles(stage_, patches_, places, quality.cell_rays, threads, set);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            escaping_.push_back(from_cells_.escaping(i));
+    }
     places.clear();
     for (const Node& node : nodes_)
         places.push_back({node.position, node.normal, own(node.surface), !node.gathers()});
     from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
-    balance();
+    if (quality.cell_rays > 0) balance();
 }
 
 void ExchangeGeometry::order_between() {

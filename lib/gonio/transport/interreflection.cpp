@@ -1,14 +1,16 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/scene/sky.hpp>
+#include <gonio/scene/directional_albedo.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/indirect_solution.hpp>
 #include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/sky_light.hpp>
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace gonio {
@@ -35,7 +37,7 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
 }
 
 // 2 ∫ A(µ) µ dµ with µ = √s: the mean of A over s.
-glm::dvec3 over_hemisphere(const SkyAlbedo& albedo) {
+glm::dvec3 over_hemisphere(const DirectionalAlbedo& albedo) {
     constexpr int steps = 32;
     glm::dvec3 sum(0.0);
     for (int i = 0; i < steps; ++i)
@@ -47,7 +49,7 @@ glm::dvec3 hemispherical_albedo(const CoreMaterial& material) {
     // Of Lambert's there is nothing to sum up, which would round it.
     if (const auto* lambert = std::get_if<shading::Lambert<double>>(&material))
         return {lambert->albedo.x, lambert->albedo.y, lambert->albedo.z};
-    return over_hemisphere(SkyAlbedo(material, SkyAlbedo::Fineness::coarse));
+    return over_hemisphere(DirectionalAlbedo(material, DirectionalAlbedo::Fineness::coarse));
 }
 
 } // namespace
@@ -79,10 +81,10 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
     exchange.albedo_.resize(stage.surfaces.size());
-    std::vector<SkyAlbedo> by_cosine(stage.surfaces.size());
+    std::vector<DirectionalAlbedo> by_cosine(stage.surfaces.size());
     parallel_for(stage.surfaces.size(), options.threads, [&](std::size_t i) {
         const CoreMaterial material = core_material(stage.surfaces[i].material);
-        by_cosine[i] = SkyAlbedo(material, SkyAlbedo::Fineness::coarse);
+        by_cosine[i] = DirectionalAlbedo(material, DirectionalAlbedo::Fineness::coarse);
         exchange.albedo_[i] = std::holds_alternative<shading::Lambert<double>>(material)
                                   ? hemispherical_albedo(material)
                                   : over_hemisphere(by_cosine[i]);
@@ -94,7 +96,9 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     exact.specular = false;
     exact.bounces = 0;
     {
-        const detail::LitScene scene(stage, lights, exact);
+        detail::LitScene scene(stage, lights, exact);
+        std::optional<detail::SkyLight> sky;
+        if (!options.sky.is_dark()) scene.sky = &sky.emplace(options, exchange.geometry_);
         detail::DirectMap direct = direct_map(patches, scene, by_cosine, exchange.albedo_);
         exchange.direct_lx_ = std::move(direct.lx);
         exchange.direct_reflected_lx_ = std::move(direct.reflected_lx);

@@ -30,7 +30,7 @@ struct Sent;
 // How finely a stage is divided. The defaults are those of the benchmark's front.
 struct ExchangeQuality {
     double patches = 8000.0;          // about as many carry direct light
-    std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution
+    std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution; 0: for a sky alone
     std::size_t node_rays = 768;      // of each node, in the last gathering
     double node_spacing = 1.0;        // multiplies the distances between nodes
     std::size_t receiver_rays = 8192; // of a point that is not on a surface
@@ -65,7 +65,7 @@ public:
     // The luminance that a point of a chart sends, per channel [nt], direct light included: between the middles of
     // patches, or of the patch itself if it is smaller than `fine_m`. For the transport room itself.
     glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m) const;
-    const detail::ExchangeGeometry& geometry() const { return *geometry_; }
+    const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
 
     const ExchangeBalance& balance() const { return balance_; }
     std::size_t node_count() const;

@@ -4,6 +4,7 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/simd/dispatch.hpp>
+#include <gonio/sky/sky.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -26,7 +27,7 @@ struct LightingOptions {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
-    Nits sky;                 // luminance of an ambient sky (scene/sky.hpp), which is not visible itself
+    Sky sky;                  // without its sun, which is a light; it is not visible itself
     int bounces = 0;          // between the surfaces of the stage: 0 = direct light alone, or all_bounces
     bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
     bool illuminance = false; // computes the illuminance of the surfaces too

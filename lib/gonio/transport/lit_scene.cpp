@@ -98,14 +98,14 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
         materials.push_back(constants(core_materials.back()));
         diffuse_materials.push_back(constants(matte));
     }
-    if (!(options.sky.value > 0.0) && options.bounces == 0) return;
+    if (options.sky.is_dark() && options.bounces == 0) return;
     const std::size_t count = core_materials.size();
     albedos.resize(count);
-    if (options.bounces > 0) lobes.resize(count);
+    lobes.resize(count);
     parallel_for(count, options.threads, [&](std::size_t i) {
-        albedos[i] = SkyAlbedo(core_materials[i],
-                               options.sky.value > 0.0 ? SkyAlbedo::Fineness::fine : SkyAlbedo::Fineness::coarse);
-        if (options.bounces > 0) lobes[i] = LobeRays(core_materials[i]);
+        albedos[i] = DirectionalAlbedo(core_materials[i],
+                               !options.sky.is_dark() ? DirectionalAlbedo::Fineness::fine : DirectionalAlbedo::Fineness::coarse);
+        lobes[i] = LobeRays(core_materials[i]);
     });
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gonio/scene/core_material.hpp>
-#include <gonio/scene/sky.hpp>
+#include <gonio/scene/directional_albedo.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/transport/intensity_pattern.hpp>
@@ -17,6 +17,8 @@
 #include <vector>
 
 namespace gonio::detail {
+
+class SkyLight;
 
 struct LitLight {
     // The light must outlive this.
@@ -55,10 +57,12 @@ struct LitScene {
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
-    std::vector<SkyAlbedo> albedos; // of light from all around; empty without a sky and without bounces
-    std::vector<LobeRays> lobes;    // the glossy lobe of each, with bounces; else empty
+    // Of light from all around, and the glossy lobe of each; both are empty without a sky and without bounces.
+    std::vector<DirectionalAlbedo> albedos;
+    std::vector<LobeRays> lobes;
     LightTree reaches;              // spheres by range, of the lights that are not dark
     LightTree bodies;               // bounding spheres, of the lights with a surface
+    const SkyLight* sky = nullptr;  // to be set by who has one; null without a sky
 };
 
 } // namespace gonio::detail

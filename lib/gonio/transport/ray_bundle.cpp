@@ -61,7 +61,7 @@ public:
         const std::size_t charts = of_charts.size();
         count_.assign(turns * charts, 0);
         for (std::size_t i = 0; i < ends.size(); ++i) {
-            if (ends[i] == no_patch) continue;
+            if (charts_[i] == no_patch) continue;
             if (is_solid_[charts_[i]] != 0 && is_linked(place, ends[i]))
                 ends[i] = linked;
             else
@@ -202,7 +202,7 @@ glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent) cons
     for (std::size_t first = 0; first < of_place.size(); first += run) {
         Sent sum;
         for (std::size_t i = first; i < std::min(first + run, of_place.size()); ++i)
-            if (of_place[i] < linked) sum.add(sent[of_place[i]]);
+            if (of_place[i] < back_side) sum.add(sent[of_place[i]]);
         by_rays += sum.rgb();
     }
     glm::dvec3 by_links(0.0);
@@ -213,7 +213,17 @@ glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent) cons
 
 double Bundles::escaping(std::size_t place) const {
     const std::span<const std::uint32_t> of_place = ends(place);
-    return static_cast<double>(std::count(of_place.begin(), of_place.end(), no_patch)) / static_cast<double>(rays_);
+    const auto lost = std::count_if(of_place.begin(), of_place.end(),
+                                    [](std::uint32_t end) { return end == no_patch || end == back_side; });
+    return static_cast<double>(lost) / static_cast<double>(rays_);
+}
+
+glm::dvec3 Bundles::leaving(std::size_t place, std::span<const glm::dvec3> along) const {
+    const std::span<const std::uint32_t> of_place = ends(place);
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < of_place.size(); ++i)
+        if (of_place[i] == no_patch) sum += along[i];
+    return sum / static_cast<double>(rays_);
 }
 
 std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches) {

@@ -70,6 +70,9 @@ public:
     double of_chart(std::size_t place, std::size_t chart) const {
         return static_cast<double>(of_charts_[place * charts_ + chart]);
     }
+    std::size_t rays() const { return rays_; }
+    // The mean over the rays of what comes along those that leave the stage; `along` by ray.
+    glm::dvec3 leaving(std::size_t place, std::span<const glm::dvec3> along) const;
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
     std::size_t memory() const {

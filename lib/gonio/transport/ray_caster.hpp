@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace gonio::detail {
@@ -19,6 +20,8 @@ struct RayEnd {
     int face = 0;
     double distance = 0.0; // infinite where the ray leaves the stage
     glm::dvec3 position{0.0};
+
+    bool leaves() const { return distance == std::numeric_limits<double>::infinity(); }
 };
 
 class RayCaster {

@@ -8,9 +8,10 @@
 
 namespace gonio::detail {
 
-ReflectedView::ReflectedView(const Interreflection& indirect, simd::InstructionSet set)
-    : indirect_(indirect), caster_(indirect.geometry().stage(), indirect.geometry().patches(), set) {
-    for (const Chart& chart : indirect.geometry().patches().charts().all())
+ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const Sky* sky,
+                             simd::InstructionSet set)
+    : geometry_(geometry), indirect_(indirect), sky_(sky), caster_(geometry.stage(), geometry.patches(), set) {
+    for (const Chart& chart : geometry.patches().charts().all())
         width_m_.push_back(static_cast<float>(chart.kind == Chart::Kind::round
                                                   ? 2.0 * chart.radius
                                                   : std::min(chart.u.high - chart.u.low, chart.v.high - chart.v.low)));
@@ -27,8 +28,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
     weight_.resize(most);
     of_sample_.resize(most);
     std::size_t rays = 0;
-    const ExchangeGeometry& geometry = indirect_.geometry();
-    const double lift_m = Patches::lift(geometry.patches().square_m());
+    const double lift_m = Patches::lift(geometry_.patches().square_m());
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 normal = glm::normalize(samples.normal_of(first + i));
         const glm::dvec3 view = samples.view_of(first + i);
@@ -53,7 +53,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
             ++rays;
         }
     }
-    caster_.cast(samples.anchor, geometry.own(samples.surface), origin_, direction_, rays, ends_);
+    caster_.cast(samples.anchor, geometry_.own(samples.surface), origin_, direction_, rays, ends_);
     // A single ray that meets a thing much narrower than the distance between rays would draw a line: it counts less,
     // and the others more.
     all_.assign(count, glm::vec3(0.0F));
@@ -61,15 +61,19 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
     for (std::size_t i = 0; i < rays; ++i) {
         const std::uint32_t sample = of_sample_[i];
         all_[sample] += weight_[i];
-        if (ends_[i].chart == no_patch) {
+        if (ends_[i].chart == no_patch || ends_[i].chart == back_side) {
             kept_[sample] += weight_[i];
+            if (sky_ != nullptr && ends_[i].chart == no_patch)
+                luminance_[sample] +=
+                    weight_[i] *
+                    glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]}));
             continue;
         }
         const float between_m = lobe.spacing() * ends_[i].distance_m;
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         kept_[sample] += weight;
-        luminance_[sample] += weight * indirect_.luminance_at(ends_[i], between_m);
+        if (indirect_ != nullptr) luminance_[sample] += weight * indirect_->luminance_at(ends_[i], between_m);
     }
     for (std::size_t i = 0; i < count; ++i)
         for (int channel = 0; channel < 3; ++channel)

@@ -1,4 +1,4 @@
-// What a glossy surface shows of the lit stage around it.
+// What a glossy surface shows of the lit stage around it, and of the sky.
 #pragma once
 
 #include <gonio/transport/bundle_caster.hpp>
@@ -19,14 +19,18 @@ class ExchangeGeometry;
 // One for each thread. Lights themselves are not seen: their highlights are direct light.
 class ReflectedView {
 public:
-    ReflectedView(const Interreflection& indirect, simd::InstructionSet set);
+    // Without `indirect`, surfaces are black; without `sky`, what is around the stage is. They must outlive it.
+    ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const Sky* sky,
+                  simd::InstructionSet set);
 
     // The luminance that the lobe of the samples' surface reflects [nt], for samples [first, first + count).
     const std::vector<glm::vec3>& luminance(const SurfaceSamples& samples, std::size_t first, std::size_t count,
                                             const LobeRays& lobe);
 
 private:
-    const Interreflection& indirect_;
+    const ExchangeGeometry& geometry_;
+    const Interreflection* indirect_;
+    const Sky* sky_;
     ScatteredCaster caster_;
     std::vector<LobeRay> rays_;
     std::array<std::vector<float>, 3> origin_, direction_;

@@ -6,7 +6,7 @@
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
-#include <gonio/scene/sky.hpp>
+#include <gonio/sky/sky.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
 
@@ -427,42 +427,6 @@ TEST(ThreadsReferencePicture, ThreadsChangeNothingAndRowsMayWait) {
 }
 
 // For a single body the share is exact; compared with a cosine-weighted count of directions.
-TEST(Sky, BodiesHideWhatRaysMeet) {
-    Numbers numbers(11);
-    for (int i = 0; i < 200; ++i) {
-        const Primitive body = any_body(numbers, i % 5);
-        const Vec point = numbers.in_box(4.0);
-        const Vec normal = numbers.direction();
-        if (i % 5 > 1 && hides(body, point)) continue;
-        Stage stage;
-        stage.surfaces.push_back({"own", Plane{point, normal}, LambertMaterial{}});
-        stage.surfaces.push_back({"body", body, LambertMaterial{}});
-        const shading::TangentFrame<double> frame({normal.x, normal.y, normal.z});
-        constexpr int side = 96;
-        int seen = 0;
-        for (int a = 0; a < side; ++a)
-            for (int b = 0; b < side; ++b) {
-                const auto l = frame.to_world(shading::cosine_direction((a + 0.5) / side, (b + 0.5) / side));
-                if (!meets(body, point, Vec(l.x, l.y, l.z) * 1e4)) ++seen;
-            }
-        EXPECT_NEAR(sky_share(stage, 0, point, normal), static_cast<double>(seen) / (side * side), 0.006)
-            << i % 5 << " in case " << i;
-    }
-}
-
-TEST(Sky, IsClosedByARoomAndOpenOnAFloor) {
-    const Stage room = make_stage("room").value();
-    for (std::size_t wall = 0; wall < 6; ++wall) {
-        const Frame& frame = std::get<Panel>(room.surfaces[wall].geometry).frame;
-        EXPECT_LT(sky_share(room, wall, frame.origin, frame.z), 1e-9);
-    }
-    EXPECT_EQ(sky_share(floor_under({}), 0, {1, 2, 0}, {0, 0, 1}), 1.0);
-    EXPECT_NEAR(parse_sky("500lx").value().value, 500.0 / std::numbers::pi, 1e-12);
-    EXPECT_EQ(parse_sky("20nt").value().value, 20.0);
-    for (const char* bad : {"500", "500lm", "-5lx", "2m", "sky"})
-        EXPECT_FALSE(parse_sky(bad)) << bad;
-}
-
 TEST(ThreadsSky, PicturesAgreeWithLightPaths) {
     Stage stage = floor_under({Ball{{0.1, -0.1, 0.3}, 0.3}});
     stage.surfaces[0].material = parse_material("frostbite:smoothness=0.5").value();
@@ -472,11 +436,16 @@ TEST(ThreadsSky, PicturesAgreeWithLightPaths) {
     options.width = 36;
     options.height = 28;
     options.illuminance = true;
-    options.sky = Nits{100.0};
-    const Rendering exact = render(stage, {}, stage.camera, options).value();
-    const Rendering truth = traced(stage, {}, options, 128);
-    EXPECT_NEAR(mean_of(exact.illuminance_lx), mean_of(truth.illuminance_lx), 0.004 * mean_of(truth.illuminance_lx));
-    EXPECT_NEAR(mean_of(exact.luminance_nt), mean_of(truth.luminance_nt), 0.006 * mean_of(truth.luminance_nt));
+    for (const char* text : {"100nt", "cie:12,sun=200/30,horizontal=10klx"})
+        for (const int bounces : {0, all_bounces}) {
+            options.sky = resolve_sky(parse_sky_description(text).value()).value();
+            options.bounces = bounces;
+            const Rendering exact = render(stage, {}, stage.camera, options).value();
+            const Rendering truth = traced(stage, {}, options, 128);
+            EXPECT_NEAR(mean_of(exact.illuminance_lx), mean_of(truth.illuminance_lx),
+                        0.004 * mean_of(truth.illuminance_lx));
+            EXPECT_NEAR(mean_of(exact.luminance_nt), mean_of(truth.luminance_nt), 0.006 * mean_of(truth.luminance_nt));
+        }
 }
 
 } // namespace

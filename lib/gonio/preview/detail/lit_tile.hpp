@@ -30,8 +30,8 @@ private:
     void show_emitters();
     void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
     void count_samples();
-    void add_sky();
-    void add_indirect();
+    void add_surroundings();
+    void add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3& nt, const glm::dvec3& lx);
     std::vector<std::uint32_t> candidates() const;
     bool find_groups(const LitLight& light);
     void find_shadows(const LitLight& light);

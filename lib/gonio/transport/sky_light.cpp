@@ -1,0 +1,101 @@
+#include <gonio/base/parallel.hpp>
+#include <gonio/scene/primitives.hpp>
+#include <gonio/transport/exchange_geometry.hpp>
+#include <gonio/transport/sky_light.hpp>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace gonio::detail {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr glm::dvec3 up{0.0, 0.0, 1.0};
+
+std::vector<glm::dvec3> luminance_along(const Sky& sky, std::span<const glm::dvec3> directions,
+                                        const glm::dvec3& normal) {
+    const Frame frame = frame_about(glm::dvec3(0.0), normal);
+    std::vector<glm::dvec3> nt;
+    nt.reserve(directions.size());
+    for (const glm::dvec3& direction : directions)
+        nt.push_back(sky.radiance(frame.to_world(direction)));
+    return nt;
+}
+
+glm::dvec3 mean_of(std::span<const glm::dvec3> values) {
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+// What a bundle with these directions makes of an open plane with the illuminance `open_lx`: exactly that.
+void correct(std::vector<glm::dvec3>& nt, const glm::dvec3& open_lx) {
+    const glm::dvec3 missing = open_lx * std::numbers::inv_pi - mean_of(nt);
+    for (glm::dvec3& value : nt)
+        value += missing;
+}
+
+} // namespace
+
+SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry)
+    : options_(options), geometry_(std::move(geometry)) {
+    const Sky& sky = options.sky;
+    const Bundles& bundles = geometry_->from_nodes();
+    const std::vector<glm::dvec3> directions = cosine_directions(bundles.rays());
+    const Charts& charts = geometry_->patches().charts();
+
+    // All rays about a flat chart's normal are the same everywhere on it.
+    std::vector<glm::dvec3> normals;
+    for (const Chart& chart : charts.all())
+        normals.push_back(chart.kind == Chart::Kind::flat ? chart.frame.z : up);
+    const std::vector<glm::dvec3> open_lx = sky.irradiance(normals);
+    std::vector<std::vector<glm::dvec3>> of_charts(normals.size());
+    parallel_for(of_charts.size(), options.threads, [&](std::size_t i) {
+        if (charts.all()[i].kind != Chart::Kind::flat) return;
+        of_charts[i] = luminance_along(sky, directions, normals[i]);
+        correct(of_charts[i], open_lx[i]);
+    });
+
+    const std::vector<Node>& nodes = geometry_->nodes();
+    lx_.assign(nodes.size(), glm::dvec3(0.0));
+    constexpr std::size_t together = 64;
+    parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
+            const Node& node = nodes[i];
+            if (!node.gathers()) continue;
+            const int face = face_at(geometry_->stage().surfaces[node.surface].geometry, node.position);
+            const std::vector<glm::dvec3>& flat = of_charts[charts.index_of(node.surface, face)];
+            const std::vector<glm::dvec3> round =
+                flat.empty() ? luminance_along(sky, directions, node.normal) : std::vector<glm::dvec3>();
+            const std::vector<glm::dvec3>& nt = flat.empty() ? round : flat;
+            lx_[i] = pi * (options.shadows == Shadows::off ? mean_of(nt) : bundles.leaving(i, nt));
+        }
+    });
+    geometry_->fill_between(lx_);
+}
+
+glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
+    const NodeMean around = geometry_->around(geometry_->patches().charts().index_of(surface, face), position);
+    glm::dvec3 lx(0.0);
+    for (std::size_t i = 0; i < around.count; ++i)
+        lx += around.weight[i] * lx_[around.node[i]];
+    return glm::max(lx, glm::dvec3(0.0));
+}
+
+glm::dvec3 SkyLight::at(const glm::dvec3& position, const glm::dvec3& normal, std::size_t rays,
+                        simd::InstructionSet set) const {
+    std::vector<glm::dvec3> nt = luminance_along(options_.sky, cosine_directions(rays), normal);
+    correct(nt, options_.sky.irradiance(normal));
+    if (options_.shadows == Shadows::off) return pi * mean_of(nt);
+    const Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
+    const Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, rays, 1, set);
+    return glm::max(pi * bundle.leaving(0, nt), glm::dvec3(0.0));
+}
+
+} // namespace gonio::detail

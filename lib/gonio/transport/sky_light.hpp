@@ -1,0 +1,42 @@
+// The light of a sky on the surfaces of a stage, past all that stands on it.
+//
+// The nodes of an ExchangeGeometry sum up what comes along those of their rays that leave the stage; between nodes it is
+// interpolated. What the sum of all rays lacks to the illuminance of an open plane is added to flat surfaces in
+// proportion to the rays that leave, so an open one has no error. README.md has that of others.
+#pragma once
+
+#include <gonio/simd/dispatch.hpp>
+#include <gonio/sky/sky.hpp>
+#include <gonio/transport/lighting_options.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace gonio::detail {
+
+class ExchangeGeometry;
+
+class SkyLight {
+public:
+    // Uses these options, which must outlive it: sky, shadows, threads.
+    SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry);
+
+    // Illuminance of a point of a surface, RGB [lx].
+    glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
+
+    // The same at any point, with `rays` rays of its own; `normal` is unit.
+    glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal, std::size_t rays,
+                  simd::InstructionSet set) const;
+
+    const std::shared_ptr<const ExchangeGeometry>& geometry() const { return geometry_; }
+
+private:
+    const LightingOptions& options_;
+    std::shared_ptr<const ExchangeGeometry> geometry_;
+    std::vector<glm::dvec3> lx_; // by node
+};
+
+} // namespace gonio::detail
