@@ -168,7 +168,9 @@ Result<LookRequest> read_look(const Arguments& arguments, const media::ImageForm
 }
 
 Ev100 ExposureRequest::of(const Rendering& rendering) const {
-    return mode == ExposureMode::automatic ? auto_exposure(rendering.luminance_nt, rendering.shows_light) : ev;
+    return mode == ExposureMode::automatic
+               ? auto_exposure(rendering.luminance_nt, rendering.shows_light, rendering.shows_subject)
+               : ev;
 }
 
 Result<void> read_exposure_value(const std::string& text, ExposureRequest& request) {

@@ -16,9 +16,12 @@ Nits white_luminance(Ev100 ev);
 // The exposure at which the lit pixels are middle grey in the geometric mean, 0.18 of the display's white (E. Reinhard
 // et al., "Photographic Tone Reproduction for Digital Images", 2002), as far as no more than one in 40 of them becomes
 // white and at least one in 200 does: neither a pool of light below a spot nor dark surroundings decide alone. Pixels
-// for which `left_out` is not 0 do not count, unless no other pixel is lit; they are lights that are visible
-// themselves. `left_out` is empty or has one value for each pixel. 0 for a picture without light.
-Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {});
+// for which `subject` is not 0 have at least half of the weight in all of this, as the middle of the picture has in
+// centre-weighted cameras: a hot spot on a ceiling does not darken what is shown below it. Pixels for which `left_out`
+// is not 0 do not count, unless no other pixel is lit; they are lights that are visible themselves. Both are empty or
+// have one value for each pixel. 0 for a picture without light.
+Ev100 auto_exposure(const Image& rgb_nits, std::span<const std::uint8_t> left_out = {},
+                    std::span<const std::uint8_t> subject = {});
 
 // The exposure at which a matte 18 % card with this illuminance is middle grey, 0.18 of the display's white; a white
 // card, of luminance E/π, is then white. An incident-light meter gives another value: by ISO 2720, EV = log2(E/2.5) (C

@@ -37,6 +37,7 @@ LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
 
 void LitTile::light_up() {
     show_emitters();
+    show_subjects();
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
     for (const std::uint32_t index : candidates()) {
@@ -61,6 +62,17 @@ void LitTile::show_emitters() {
                 static_cast<float>(seen.share * mask * light.luminance.value * light.color[channel]);
         if (seen.share < 1.0F) add_part(seen.pixel, seen.share, mask * light.luminance.value * light.color);
     }
+}
+
+void LitTile::show_subjects() {
+    const std::vector<Seen>& centers = tile_.centers();
+    for (std::ptrdiff_t y = 1; y <= tile_.bottom() - tile_.top(); ++y)
+        for (std::ptrdiff_t x = 1; x <= tile_.right() - tile_.left(); ++x) {
+            const auto center = static_cast<std::size_t>(y * tile_.stride() + x);
+            const Seen& seen = centers[center];
+            if (seen.what == Seen::What::surface && scene_.stage.surfaces[seen.hit.surface].subject)
+                picture_.shows_subject[tile_.pixel_of(center)] = 1;
+        }
 }
 
 // The points of a pixel on one light come one after the other.

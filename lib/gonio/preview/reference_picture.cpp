@@ -93,11 +93,25 @@ double ReferencePicture::error_estimate() const {
     return all > 0.0 ? apart / all : 0.0;
 }
 
+std::vector<std::uint8_t> ReferencePicture::subjects() const {
+    std::vector<std::uint8_t> subjects(pixels_.size());
+    const auto width = static_cast<std::size_t>(options_.width);
+    parallel_for(row_passes_.size(), options_.threads, [&](std::size_t row) {
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::optional<Hit> hit =
+                first_hit(*stage_, rays_.ray(static_cast<double>(x) + 0.5, static_cast<double>(row) + 0.5));
+            if (hit && stage_->surfaces[hit->surface].subject) subjects[row * width + x] = 1;
+        }
+    });
+    return subjects;
+}
+
 Rendering ReferencePicture::picture() const {
     Rendering rendering;
     rendering.luminance_nt = Image(options_.width, options_.height, 3);
     if (options_.illuminance) rendering.illuminance_lx = Image(options_.width, options_.height, 1);
     rendering.shows_light.resize(pixels_.size());
+    rendering.shows_subject = subjects();
     RenderStats& stats = rendering.stats;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const Pixel& pixel = pixels_[i];

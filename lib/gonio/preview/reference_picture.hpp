@@ -59,6 +59,7 @@ private:
         bool shows_light = false;
     };
     void sample(Pixel& pixel, int x, int y, std::size_t pass) const;
+    std::vector<std::uint8_t> subjects() const; // Rendering::shows_subject
 
     const Stage* stage_;
     std::span<const Light> lights_;

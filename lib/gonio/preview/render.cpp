@@ -56,6 +56,7 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     Rendering picture;
     picture.luminance_nt = Image(options.width, options.height, 3);
     picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
+    picture.shows_subject.resize(picture.shows_light.size());
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
     if (options.bounces > 0) {
         Result<Interreflection> indirect = Interreflection::of(stage, lights, options, {}, options.known.get());

@@ -44,6 +44,8 @@ struct Rendering {
     Image illuminance_lx;
     // For each pixel: 1 if it shows a light itself, even in only a part of it, else 0.
     std::vector<std::uint8_t> shows_light;
+    // For each pixel: 1 if its middle shows a subject of the stage, else 0.
+    std::vector<std::uint8_t> shows_subject;
     // Pixels that show a light in a part of them, in cd/m²; in the order of the pixels. Not of a reference_picture().
     std::vector<PartialLight> partial_lights;
     // The light that bounces; null without bounces, and of a reference_picture().

@@ -1,5 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/exposure.hpp>
+#include <gonio/preview/reference_picture.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/probe.hpp>
 
@@ -174,6 +175,46 @@ TEST(Exposure, BringsTheBrightPartToWhite) {
     EXPECT_NEAR(auto_exposure(image).value, std::log2(1000.0 / 1.2), 1e-6);
     EXPECT_EQ(auto_exposure(image, std::vector<std::uint8_t>(100, 1)).value, auto_exposure(image).value);
     EXPECT_NEAR(white_luminance(Ev100(10)).value, 1228.8, 1e-9);
+}
+
+// A hundred pixels of a subject in a thousand count as much as all others.
+TEST(Exposure, GivesTheSubjectHalfOfTheWeight) {
+    Image image(1000, 1, 3);
+    std::fill(image.pixels.begin(), image.pixels.end(), 1.0F);
+    std::vector<std::uint8_t> subject(1000, 0);
+    for (std::size_t i = 0; i < 100; ++i) {
+        subject[i] = 1;
+        std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 0.25F);
+    }
+    // 40 pixels around it, a hot spot: 4 % of the pixels and 2.2 % of the weight.
+    for (std::size_t i = 960; i < 1000; ++i)
+        std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 20.0F);
+    const auto white = [&] { return white_luminance(auto_exposure(image, {}, subject)).value; };
+    const double mean = std::sqrt(0.25 * std::pow(20.0, 40.0 / 900.0));
+    EXPECT_NEAR(white(), mean / 0.18, 1e-6);
+    EXPECT_NEAR(white_luminance(auto_exposure(image)).value, 20.0, 1e-6); // by pixels, the hot spot decides
+    // More than half of the pixels: each counts as one.
+    std::fill(subject.begin(), subject.begin() + 600, 1);
+    EXPECT_EQ(white(), white_luminance(auto_exposure(image)).value);
+    std::fill(subject.begin(), subject.end(), 1);
+    EXPECT_EQ(white(), white_luminance(auto_exposure(image)).value);
+}
+
+// Which pixels show the subject does not depend on the method.
+TEST(Exposure, SubjectIsTheSameForTheReference) {
+    const Stage stage = make_stage("room").value();
+    const Light light = light_of("point", "100cd", {0, 0.3, 2});
+    RenderOptions options;
+    options.width = 40;
+    options.height = 30;
+    options.bounces = 0;
+    const Rendering rendering = render(stage, {&light, 1}, stage.camera, options).value();
+    ReferencePicture reference = ReferencePicture::begin(stage, {&light, 1}, stage.camera, options).value();
+    reference.add_pass();
+    EXPECT_EQ(rendering.shows_subject, reference.picture().shows_subject);
+    const auto count = std::count(rendering.shows_subject.begin(), rendering.shows_subject.end(), 1);
+    EXPECT_GT(count, 60); // a box and a sphere
+    EXPECT_LT(count, 300);
 }
 
 // Middle grey in the geometric mean, unless too many or too few pixels are white then.
