@@ -73,7 +73,7 @@ Result<Arguments> Arguments::parse(const Command& command, std::span<char* const
         given.name = spellings(*options[i]).back();
         const std::string names(options[i]->names);
         if (options[i]->value.empty()) {
-            handles.push_back(app.add_flag(names));
+            handles.push_back(app.add_flag(names)->disable_flag_override());
         } else {
             handles.push_back(app.add_option(names, given.values)
                                   ->type_size(1)

@@ -372,7 +372,7 @@ private:
     static constexpr double pixel_size = 0.2;
     // The greatest radius of a tile over the distance of what is interpolated over it.
     static constexpr double tile_share = 0.15;
-    static constexpr int nodes = 3; // of the interpolation over a tile, along each side
+    static constexpr std::size_t nodes = 3; // of the interpolation over a tile, along each side
 
     // What a tile sees, by how its light is summed.
     struct Seen {
@@ -415,15 +415,15 @@ private:
     }
 
     // Where the nodes are: on the first and the last pixel of a whole tile and between them.
-    static double node_at(int node) { return 0.5 * (tile_size - 1) * node; }
+    static double node_at(std::size_t node) { return 0.5 * (tile_size - 1) * static_cast<double>(node); }
 
     std::array<Vec, nodes * nodes> at_nodes(const std::vector<const Source*>& sources, int left, int top) const {
         std::array<Vec, nodes * nodes> sums{};
         if (sources.empty()) return sums;
-        for (int j = 0; j < nodes; ++j)
-            for (int i = 0; i < nodes; ++i) {
+        for (std::size_t j = 0; j < nodes; ++j)
+            for (std::size_t i = 0; i < nodes; ++i) {
                 const Vec to = rays_.at(left + node_at(i) + 0.5, top + node_at(j) + 0.5);
-                Vec& sum = sums[static_cast<std::size_t>(j * nodes + i)];
+                Vec& sum = sums[j * nodes + i];
                 for (const Source* source : sources)
                     sum += glare_.mean(to - source->middle, source->spread) * source->lux;
             }
