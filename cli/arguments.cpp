@@ -42,6 +42,10 @@ Unexpected refused(const Command& command, const CLI::ParseError& error, const C
     }
     // The text by CLI11 is "--shape: 1 required TEXT missing".
     const std::string_view said = error.what();
+    constexpr std::string_view override = " was given a disallowed flag override"; // --json=1
+    if (said.ends_with(override))
+        return fail("USE0105", fmt::format("'--{}' takes no value", said.substr(0, said.size() - override.size())),
+                    see);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return fail("USE0104", fmt::format("option '{}' needs a value", said.substr(0, said.find(':'))), see);
     return fail("USE0105", std::string(said), see);

@@ -124,7 +124,9 @@ Result<int> convert(const Arguments& arguments, Console& console) {
     if (const auto name = arguments.value("--preset")) {
         Result<const LightPreset*> preset = find_preset(*name);
         if (!preset) return pass_on(preset);
-        if (!values.empty()) return fail("USE0107", "a preset has its own value, but another one is given");
+        if (!values.empty())
+            return fail("USE0107", "a preset has its own value, but another one is given",
+                        "leave the value out, or describe the light by --shape instead of --preset");
         values.emplace_back((*preset)->value);
         if (!arguments.has("--shape")) request->shape = (*preset)->shape;
     }

@@ -78,7 +78,7 @@ public:
             return glare.per_sr(angle) * (1.0 - 0.5 * chord2);
         };
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            const double chord2 = std::bit_cast<double>((std::uint64_t{i} << drop) + least_bits);
+            const auto chord2 = std::bit_cast<double>((std::uint64_t{i} << drop) + least_bits);
             const double step = 1e-3 * chord2; // of central differences
             const double below = k(chord2 - step);
             const double here = k(chord2);
@@ -283,13 +283,15 @@ public:
     static bool has(int columns, int rows) { return std::abs(columns) <= reach && std::abs(rows) <= reach; }
 
     double at(int columns, int rows) {
-        double& ratio = ratios_[static_cast<std::size_t>((rows + reach) * (2 * reach + 1) + columns + reach)];
+        const auto row = static_cast<std::size_t>(rows + reach);
+        double& ratio = ratios_[row * side + static_cast<std::size_t>(columns + reach)];
         if (ratio == 0.0) ratio = computed(columns, rows);
         return ratio;
     }
 
 private:
     static constexpr int reach = 8;
+    static constexpr std::size_t side = 2 * reach + 1;
 
     double computed(int columns, int rows) const {
         const int parts = std::max(std::abs(columns), std::abs(rows)) > 2 ? 4 : 12; // along each side
@@ -307,7 +309,7 @@ private:
     const ByChord& glare_;
     Vec across_;
     Vec down_;
-    std::array<double, (2 * reach + 1) * (2 * reach + 1)> ratios_; // 0: not computed yet
+    std::array<double, side * side> ratios_; // 0: not computed yet
 };
 
 class Veil {
