@@ -283,8 +283,8 @@ public:
     static bool has(int columns, int rows) { return std::abs(columns) <= reach && std::abs(rows) <= reach; }
 
     double at(int columns, int rows) {
-        const auto row = static_cast<std::size_t>(rows + reach);
-        double& ratio = ratios_[row * side + static_cast<std::size_t>(columns + reach)];
+        const int place = (rows + reach) * static_cast<int>(side) + columns + reach;
+        double& ratio = ratios_[static_cast<std::size_t>(place)];
         if (ratio == 0.0) ratio = computed(columns, rows);
         return ratio;
     }
