@@ -91,6 +91,13 @@ Entries skies() {
     return entries;
 }
 
+Entries sky_layouts() {
+    Entries entries;
+    for (const EnvironmentLayoutInfo& layout : environment_layouts())
+        entries.push_back({std::string(layout.name), std::string(layout.summary)});
+    return entries;
+}
+
 Entries cie_skies() {
     Entries entries;
     for (const CieSkyType& type : cie_sky_types())
@@ -324,6 +331,7 @@ constexpr std::array lists{
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"skies", "skies of sky", skies},
+    NamedList{"sky-layouts", "layouts of environment images", sky_layouts},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
     NamedList{"suites", "what bench measures", suites},

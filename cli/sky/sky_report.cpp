@@ -33,8 +33,8 @@ double horizontal_lx(const SunLight& sun) {
 
 } // namespace
 
-SkyReport report_of(const std::string& input, std::string_view kind, const Sky& sky, Diagnostics& diagnostics) {
-    SkyReport report{input, std::string(kind), measure(sky), {}, sky.sun()};
+SkyReport report_of(const std::string& input, const LoadedSky& loaded, Diagnostics& diagnostics) {
+    SkyReport report{input, std::string(loaded.kind), measure(loaded.sky), {}, loaded.sun, loaded.image};
     if (report.measures.color == glm::dvec3(0.0)) return report;
     Result<Uv> at = uv_of_rgb(report.measures.color, *find_rgb_space("rec709"));
     Result<Cct> cct = at ? exact_cct(*at) : Result<Cct>(pass_on(at));
@@ -55,6 +55,12 @@ std::string to_text(const SkyReport& report) {
     const auto line = [&](std::string_view name, const std::string& value) {
         text += fmt::format("  {:<12}{}\n", name, value);
     };
+    if (report.image) {
+        const EnvironmentMap& map = *report.image->map;
+        line("image", fmt::format("{}x{}, {}, {}, {} cd/m2 per unit", map.grid().width(), map.grid().height(),
+                                  info_of(map.grid().layout()).name, media::to_text(report.image->pixel),
+                                  rounded(map.nits_per_unit())));
+    }
     line("horizontal", rounded(m.horizontal.value) + " lx");
     std::string walls;
     for (std::size_t i = 0; i < wall_names.size(); ++i)
@@ -71,7 +77,11 @@ std::string to_text(const SkyReport& report) {
                                          std::abs(report.cct->duv) < 5e-5 ? 0.0 : report.cct->duv)
                            : "none");
     if (report.sun) {
-        line("sun", place_text(report.sun->direction));
+        const bool was_cut = report.image && report.image->sun_texels > 0;
+        line("sun", place_text(report.sun->direction) +
+                        (was_cut ? fmt::format(", cut out of {} texels, {} sr", report.image->sun_texels,
+                                               rounded(report.image->sun_sr, 3))
+                                 : ""));
         line("sunlight",
              fmt::format("{} lx facing it, {} lx on the horizontal, {}° wide", rounded(report.sun->illuminance.value),
                          rounded(horizontal_lx(*report.sun)), rounded(to_degrees(report.sun->diameter), 5)));
@@ -82,6 +92,16 @@ std::string to_text(const SkyReport& report) {
 Json to_json(const SkyReport& report, const Diagnostics& diagnostics) {
     const SkyMeasures& m = report.measures;
     Json json{{"schema", "gonio.sky/1"}, {"sky", report.input}, {"kind", report.kind}};
+    json["image"] = nullptr;
+    if (report.image) {
+        const EnvironmentMap& map = *report.image->map;
+        json["image"] = {{"width", map.grid().width()},
+                         {"height", map.grid().height()},
+                         {"layout", info_of(map.grid().layout()).name},
+                         {"pixel", media::to_text(report.image->pixel)},
+                         {"nits_per_unit", map.nits_per_unit()},
+                         {"sha256", report.image->sha256}};
+    }
     json["horizontal_lx"] = m.horizontal.value;
     for (std::size_t i = 0; i < wall_names.size(); ++i)
         json["vertical_lx"][std::string(wall_names.at(i))] = m.vertical.at(i).value;
@@ -107,6 +127,10 @@ Json to_json(const SkyReport& report, const Diagnostics& diagnostics) {
                        {"horizontal_lx", horizontal_lx(*report.sun)},
                        {"diameter_deg", to_degrees(report.sun->diameter)},
                        {"color", Json::array({report.sun->color.x, report.sun->color.y, report.sun->color.z})}};
+    }
+    if (report.sun && report.image) {
+        json["sun"]["texels"] = report.image->sun_texels;
+        json["sun"]["solid_angle_sr"] = report.image->sun_sr;
     }
     json["diagnostics"] = diagnostics_json(diagnostics);
     return json;

@@ -7,6 +7,7 @@
 #include <gonio/sky/sky_measures.hpp>
 
 #include "../json_text.hpp"
+#include "request.hpp"
 
 #include <optional>
 #include <string>
@@ -19,10 +20,11 @@ struct SkyReport {
     SkyMeasures measures;
     std::optional<Cct> cct; // nothing if the colour has no temperature
     std::optional<SunLight> sun;
+    std::optional<LoadedImage> image;
 };
 
 // Measures the sky. A colour without a temperature is a warning.
-SkyReport report_of(const std::string& input, std::string_view kind, const Sky& sky, Diagnostics& diagnostics);
+SkyReport report_of(const std::string& input, const LoadedSky& loaded, Diagnostics& diagnostics);
 
 std::string to_text(const SkyReport& report);
 Json to_json(const SkyReport& report, const Diagnostics& diagnostics);

@@ -69,6 +69,29 @@ double nits_per_unit_of(const DecodedImage& file) {
     return 1.0;
 }
 
+// To 11 bits, or to multiples of 2⁻²⁴ for small values, halves to even. Larger than 65504 stays for encode_image() to
+// refuse.
+float rounded_to_half(float value) {
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    constexpr int digits = 11;
+    constexpr int least_exponent = -24;
+    const int unit = std::max(exponent - digits, least_exponent);
+    return std::ldexp(std::nearbyint(std::ldexp(value, -unit)), unit);
+}
+
+// To eight bits of the greatest channel's power of two. The writer cuts off what is left, which would darken the image
+// by 0.3 %.
+void round_to_shared_exponent(float* rgb) {
+    const float most = std::max({rgb[0], rgb[1], rgb[2]});
+    if (!(most > 0.0F)) return;
+    int exponent = 0;
+    // The next power of two, if rounding reaches it.
+    if (std::frexp(most, &exponent) * 256.0F >= 255.5F) ++exponent;
+    for (int c = 0; c < 3; ++c)
+        rgb[c] = std::ldexp(std::nearbyint(std::ldexp(rgb[c], 8 - exponent)), exponent - 8);
+}
+
 } // namespace
 
 Result<EnvironmentImage> decode_environment(std::string_view bytes, const EnvironmentReadOptions& options,
@@ -124,22 +147,31 @@ Result<EnvironmentImage> decode_environment(std::string_view bytes, const Enviro
     return EnvironmentImage{std::move(*map), *size, pixel};
 }
 
-Result<std::string> encode_environment(const EnvironmentMap& map, double factor, const ImageFormat& format, Pixel pixel,
-                                       std::vector<ImageAttribute> attributes) {
-    Image scaled;
-    if (factor != 1.0) {
-        scaled = map.image();
-        for (float& value : scaled.pixels)
-            value = static_cast<float>(static_cast<double>(value) * factor);
+EnvironmentMap as_stored(const EnvironmentMap& map, double nits_per_unit, const ImageFormat& format, Pixel pixel) {
+    Image image = map.image();
+    const double factor = map.nits_per_unit() / nits_per_unit;
+    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3) {
+        float* const rgb = image.pixels.data() + i;
+        for (int c = 0; c < 3; ++c)
+            rgb[c] = static_cast<float>(static_cast<double>(rgb[c]) * factor);
+        if (format.name == "hdr")
+            round_to_shared_exponent(rgb);
+        else if (pixel == Pixel::half)
+            std::transform(rgb, rgb + 3, rgb, rounded_to_half);
     }
+    return EnvironmentMap::of_valid(map.grid(), std::move(image), nits_per_unit);
+}
+
+Result<std::string> encode_environment(const EnvironmentMap& map, const ImageFormat& format, Pixel pixel,
+                                       std::vector<ImageAttribute> attributes) {
     ImageWriteOptions options;
     options.pixel = pixel;
     options.color_space = "Linear";
     options.attributes = std::move(attributes);
     options.attributes.push_back({std::string(layout_attribute), std::string(info_of(map.grid().layout()).name)});
     options.attributes.push_back(
-        {std::string(scale_attribute), std::vector<float>{static_cast<float>(map.nits_per_unit() / factor)}});
-    return encode_image(factor != 1.0 ? scaled : map.image(), format, options);
+        {std::string(scale_attribute), std::vector<float>{static_cast<float>(map.nits_per_unit())}});
+    return encode_image(map.image(), format, options);
 }
 
 } // namespace gonio::media

@@ -36,8 +36,12 @@ struct EnvironmentImage {
 Result<EnvironmentImage> decode_environment(std::string_view bytes, const EnvironmentReadOptions& options,
                                             Diagnostics& diagnostics);
 
-// The pixels times `factor`, as a file of the format. Attributes are added to those above. Fails as encode_image does.
-Result<std::string> encode_environment(const EnvironmentMap& map, double factor, const ImageFormat& format, Pixel pixel,
+// The image with a pixel of 1 at `nits_per_unit` cd/m², rounded to what a file of the format holds: its light is then
+// that of the file. Radiance HDR has eight bits for a channel and one exponent for three.
+EnvironmentMap as_stored(const EnvironmentMap& map, double nits_per_unit, const ImageFormat& format, Pixel pixel);
+
+// As a file of the format. Attributes are added to those above. Fails as encode_image does.
+Result<std::string> encode_environment(const EnvironmentMap& map, const ImageFormat& format, Pixel pixel,
                                        std::vector<ImageAttribute> attributes);
 
 } // namespace gonio::media

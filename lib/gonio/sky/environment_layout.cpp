@@ -17,16 +17,32 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::array infos{
-    EnvironmentLayoutInfo{"latlong", EnvironmentLayout::latlong, 2, 1,
-                          "latitude and longitude, 2:1: the zenith above, north in the middle, east to its right"},
+    EnvironmentLayoutInfo{
+        "latlong", EnvironmentLayout::latlong, 2, 1,
+        "latitude and longitude, 2:1: the zenith above, north in the middle, east to its right",
+        "column i covers azimuths ([i, i+1]/width-1/2)*360 deg, from north over east, row j covers zenith angles [j, "
+        "j+1]/height*180 deg; a texel holds the mean over its solid angle"},
     EnvironmentLayoutInfo{"cube-cross", EnvironmentLayout::cube_cross, 4, 3,
-                          "cube faces unfolded, 4:3: up above north, west, north, east and south, down below north"},
-    EnvironmentLayoutInfo{"cube-cross-vertical", EnvironmentLayout::cube_cross_vertical, 3, 4,
-                          "the same, 3:4: south upside down below down"},
+                          "cube faces unfolded, 4:3: up above north, west, north, east and south, down below north",
+                          "faces up above, west, north, east and south from the left, down below, as seen from inside; "
+                          "up and down adjoin "
+                          "north; a texel holds the mean over its solid angle, texels of no face are 0"},
+    EnvironmentLayoutInfo{
+        "cube-cross-vertical", EnvironmentLayout::cube_cross_vertical, 3, 4,
+        "the same, 3:4: south upside down below down",
+        "faces up above, west, north and east from the left, down below north, south upside down below down, as seen "
+        "from inside; a texel holds the mean over its solid angle, texels of no face are 0"},
     EnvironmentLayoutInfo{"cube-strip", EnvironmentLayout::cube_strip, 6, 1,
-                          "cube faces +X -X +Y -Y +Z -Z of a world with Y up, 6:1, as OpenGL looks them up"},
-    EnvironmentLayoutInfo{"octahedral", EnvironmentLayout::octahedral, 1, 1,
-                          "square: the zenith in the middle, north above, the nadir in the corners"},
+                          "cube faces +X -X +Y -Y +Z -Z of a world with Y up, 6:1, as OpenGL looks them up",
+                          "faces +X -X +Y -Y +Z -Z from the left, each as OpenGL looks it up in a world with X = east, "
+                          "Y = up, Z = south; "
+                          "a texel holds the mean over its solid angle"},
+    EnvironmentLayoutInfo{
+        "octahedral", EnvironmentLayout::octahedral, 1, 1,
+        "square: the zenith in the middle, north above, the nadir in the corners",
+        "p = (x, y)/(|x|+|y|+|z|), for z < 0 folded to (1-|p.y|, 1-|p.x|) with the signs of x and y; column i covers "
+        "p.x in [i, i+1]/width*2-1, row j covers p.y in 1-[j, j+1]/height*2; a texel holds the mean over its solid "
+        "angle"},
 };
 static_assert(in_enum_order(infos, &EnvironmentLayoutInfo::layout, EnvironmentLayout::octahedral));
 

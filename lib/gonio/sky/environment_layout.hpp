@@ -33,7 +33,8 @@ struct EnvironmentLayoutInfo {
     int across =
         1; // width and height in sides: of a cube's face, of the height of a lat-long, of the octahedral square
     int down = 1;
-    std::string_view summary;
+    std::string_view summary;          // for lists
+    std::string_view texel_convention; // one sentence: which directions a texel covers
 };
 
 std::span<const EnvironmentLayoutInfo> environment_layouts();
@@ -59,6 +60,9 @@ struct TexelIndex {
 // A layout at a size. A value without allocations.
 class EnvironmentGrid {
 public:
+    // A single texel for each face of a cube: to be assigned.
+    EnvironmentGrid() = default;
+
     // Fails (malformed) if the layout has no pictures of this size: a ratio that is not its own, an odd octahedral one,
     // fewer than 4 columns of a lat-long.
     static Result<EnvironmentGrid> create(EnvironmentLayout layout, int width, int height);
@@ -96,10 +100,10 @@ private:
     EnvironmentGrid(EnvironmentLayout layout, int width, int height, int side)
         : layout_(layout), width_(width), height_(height), side_(side) {}
 
-    EnvironmentLayout layout_;
-    int width_;
-    int height_;
-    int side_;
+    EnvironmentLayout layout_ = EnvironmentLayout::cube_strip;
+    int width_ = 6;
+    int height_ = 1;
+    int side_ = 1;
 };
 
 } // namespace gonio

@@ -77,12 +77,10 @@ void blacken_bad(Image& image) {
 
 // Maxima that a sensor or a format has cut off.
 void remark_on_clipping(const Image& image, Diagnostics& diagnostics) {
-    std::size_t at_half = 0;
     std::size_t at_most = 0;
     float most = 0.0F;
     double sum = 0.0;
     for (const float value : image.pixels) {
-        if (value >= largest_half) ++at_half;
         if (value > most) {
             most = value;
             at_most = 0;
@@ -90,17 +88,17 @@ void remark_on_clipping(const Image& image, Diagnostics& diagnostics) {
         if (value == most) ++at_most;
         sum += static_cast<double>(value);
     }
-    if (at_half > 0)
-        diagnostics.push_back(result_diagnostic(
-            "RES0502",
-            fmt::format("{} value{} at or above 65504, where half floats end: brighter light may be cut off", at_half,
-                        at_half == 1 ? " is" : "s are"),
-            "calibrate on a plane that does not see the sun, and give the sun as a light of its own"));
     // A few pixels are equal by chance, and a picture of a uniform room is flat.
     constexpr std::size_t few = 12;
     constexpr double far = 20.0;
     const double mean = sum / static_cast<double>(image.pixels.size());
-    if (at_half == 0 && at_most >= few && static_cast<double>(most) > far * mean)
+    if (most == largest_half)
+        diagnostics.push_back(result_diagnostic(
+            "RES0502",
+            fmt::format("{} value{} 65504, where half floats end, and none is greater: brighter light may be cut off",
+                        at_most, at_most == 1 ? " is" : "s are"),
+            "calibrate on a plane that does not see the sun, and give the sun as a light of its own"));
+    else if (at_most >= few && static_cast<double>(most) > far * mean)
         diagnostics.push_back(
             result_diagnostic("RES0503",
                               fmt::format("{} values have the greatest one, {}: brighter light may be cut off", at_most,

@@ -33,9 +33,9 @@ inline constexpr double spot_radius_deg = 3.0;
 class EnvironmentMap {
 public:
     // An image with three channels, linear Rec.709, in which a pixel of Y = 1 has `nits_per_unit` cd/m². Remarks are
-    // appended to `diagnostics`: on bad pixels, and on pixels that look clipped, at the end of half floats (65504) or
-    // on a flat maximum far above the rest. Fails (malformed) on a size that the layout does not have and on bad
-    // pixels, with their number and the place of the first.
+    // appended to `diagnostics`: on bad pixels, and on images that look clipped: the greatest value is
+    // 65504, where half floats end, or many pixels have it, far above the mean. Fails (malformed) on a size that the
+    // layout does not have and on bad pixels, with their number and the place of the first.
     static Result<EnvironmentMap> create(EnvironmentLayout layout, Image image, double nits_per_unit, BadPixels bad,
                                          Diagnostics& diagnostics);
 

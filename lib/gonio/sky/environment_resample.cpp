@@ -2,6 +2,7 @@
 #include <gonio/base/limits.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/sky/detail/environment_charts.hpp>
+#include <gonio/sky/detail/sphere_quadrature.hpp>
 #include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky_direction.hpp>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -311,7 +313,7 @@ public:
         const double top = texel.row;
         const std::array corner{glm::dvec2(left, top), glm::dvec2(left + 1, top), glm::dvec2(left + 1, top + 1),
                                 glm::dvec2(left, top + 1)};
-        if (grid_.layout() != EnvironmentLayout::octahedral) return refined(corner, gauss(corner), 0).mean();
+        if (grid_.layout() != EnvironmentLayout::octahedral) return refined(corner, 0).mean();
         // Two triangles, either of which has one side of the fold alone, if it crosses the texel.
         const int half = grid_.side() / 2;
         const bool falling = (texel.column < half) != (texel.row < half);
@@ -319,8 +321,8 @@ public:
                                 : Patch{corner[1], corner[2], corner[3], corner[3]};
         const Patch b = falling ? Patch{corner[0], corner[2], corner[3], corner[3]}
                                 : Patch{corner[0], corner[1], corner[3], corner[3]};
-        Sum sum = refined(a, gauss(a), 0);
-        sum += refined(b, gauss(b), 0);
+        Sum sum = refined(a, 0);
+        sum += refined(b, 0);
         return sum.mean();
     }
 
@@ -337,8 +339,8 @@ private:
         }
     }
 
-    [[nodiscard]] Sum gauss(const Patch& patch) const {
-        static constexpr auto rule = gauss_legendre<3>();
+    template<class Rule>
+    [[nodiscard]] Sum gauss(const Patch& patch, const Rule& rule) const {
         Sum sum;
         for (const QuadratureNode& across : rule)
             for (const QuadratureNode& down : rule) {
@@ -359,29 +361,27 @@ private:
         return (1.0 - b) * ((1.0 - a) * patch[0] + a * patch[1]) + b * ((1.0 - a) * patch[3] + a * patch[2]);
     }
 
-    [[nodiscard]] Sum refined(const Patch& patch, const Sum& whole, int depth) const {
-        constexpr int deepest = 7;
+    // Two rules that agree are enough: the finer one is far better than their difference.
+    [[nodiscard]] Sum refined(const Patch& patch, int depth) const {
+        constexpr int deepest = 8;
         constexpr double tolerance = 2e-7;
+        static constexpr auto two = gauss_legendre<2>();
+        static constexpr auto three = gauss_legendre<3>();
+        const Sum coarse = gauss(patch, two);
+        const Sum fine = gauss(patch, three);
+        const glm::dvec3 mean = fine.mean();
+        const double most = std::max({mean.x, mean.y, mean.z});
+        const double change = glm::length(mean - coarse.mean());
+        if (depth == deepest || !(change > tolerance * most)) return fine;
         const glm::dvec2 middle = at(patch, 0.5, 0.5);
         const std::array edge{at(patch, 0.5, 0.0), at(patch, 1.0, 0.5), at(patch, 0.5, 1.0), at(patch, 0.0, 0.5)};
         const std::array<Patch, 4> quarters{{{patch[0], edge[0], middle, edge[3]},
                                              {edge[0], patch[1], edge[1], middle},
                                              {middle, edge[1], patch[2], edge[2]},
                                              {edge[3], middle, edge[2], patch[3]}}};
-        std::array<Sum, 4> sums;
         Sum sum;
-        for (std::size_t i = 0; i < 4; ++i) {
-            sums.at(i) = gauss(quarters.at(i));
-            sum += sums.at(i);
-        }
-        const glm::dvec3 before = whole.mean();
-        const glm::dvec3 after = sum.mean();
-        const double most = std::max({after.x, after.y, after.z});
-        const double change = glm::length(after - before);
-        if (depth == deepest || !(change > tolerance * most)) return sum;
-        sum = {};
-        for (std::size_t i = 0; i < 4; ++i)
-            sum += refined(quarters.at(i), sums.at(i), depth + 1);
+        for (const Patch& quarter : quarters)
+            sum += refined(quarter, depth + 1);
         return sum;
     }
 
@@ -394,10 +394,12 @@ private:
 Result<EnvironmentGrid> environment_grid(EnvironmentLayout layout, int side) {
     const EnvironmentLayoutInfo& info = info_of(layout);
     const double values = 3.0 * info.across * info.down * static_cast<double>(side) * side;
-    if (side < 1 || values > static_cast<double>(limit("environment-values").value))
+    if (side < 1) return fail("USE0106", "an environment has at least one pixel a side", "for example 512");
+    if (values > static_cast<double>(limit("environment-values").value))
         return fail("USE0106",
-                    fmt::format("an environment in the layout {} with a side of {} pixels is empty or has more than {}",
-                                info.name, side, to_text(limit("environment-values"))),
+                    fmt::format("an environment of {:.0f}x{:.0f} pixels with three channels has more than {}",
+                                static_cast<double>(info.across) * side, static_cast<double>(info.down) * side,
+                                to_text(limit("environment-values"))),
                     std::string(limits_hint));
     return EnvironmentGrid::create(layout, info.across * side, info.down * side);
 }
@@ -428,6 +430,35 @@ EnvironmentMap rendered(const Sky& sky, const EnvironmentGrid& to, unsigned thre
         }
     });
     return EnvironmentMap::of_valid(to, std::move(image), 1.0);
+}
+
+EnvironmentMap with_sun(const EnvironmentMap& map, const SunLight& sun) {
+    // Points of equal solid angle on a spiral of the golden angle (H. Vogel, 1979).
+    constexpr int points = 1 << 16;
+    constexpr double golden_angle = 2.399963229728653;
+    const double radius = 0.5 * sun.diameter.value;
+    const auto [e, f] = detail::perpendicular(sun.direction);
+    const EnvironmentGrid& grid = map.grid();
+    // A uniform disc: E = L π sin² r, over 2π (1 − cos r) sr.
+    const double cap_height = 2.0 * std::pow(std::sin(0.5 * radius), 2.0);
+    const double luminance = sun.illuminance.value / (pi * std::pow(std::sin(radius), 2.0));
+    const glm::dvec3 of_point = luminance * 2.0 * pi * cap_height / points / map.nits_per_unit() * sun.color;
+    std::map<std::pair<int, int>, int> covered;
+    for (int i = 0; i < points; ++i) {
+        const double cosine = 1.0 - cap_height * (i + 0.5) / points;
+        const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+        const double turn = golden_angle * i;
+        const TexelIndex at = grid.texel_at(cosine * sun.direction + sine * (std::cos(turn) * e + std::sin(turn) * f));
+        ++covered[{at.row, at.column}];
+    }
+    Image image = map.image();
+    for (const auto& [at, count] : covered) {
+        const TexelIndex texel{at.second, at.first};
+        const glm::dvec3 added = static_cast<double>(count) / grid.solid_angle(texel) * of_point;
+        for (int c = 0; c < 3; ++c)
+            image.at(texel.column, texel.row)[c] += static_cast<float>(added[c]);
+    }
+    return EnvironmentMap::of_valid(grid, std::move(image), map.nits_per_unit());
 }
 
 } // namespace gonio

@@ -9,6 +9,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/sky.hpp>
+#include <gonio/sky/sun_light.hpp>
 
 namespace gonio {
 
@@ -24,5 +25,9 @@ EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to
 // The sky without its sun as pixels in cd/m²: means over the texels by Gauss quadrature, divided where it has not
 // converged: within 1e-6 of each mean, but for texels across the horizon of an odd size.
 EnvironmentMap rendered(const Sky& sky, const EnvironmentGrid& to, unsigned threads = 0);
+
+// The image with the disc of the sun in it, its light spread over the texels that it covers. The illuminance of a plane
+// that faces the sun grows by the sun's, as far as the texels do not blur it.
+EnvironmentMap with_sun(const EnvironmentMap& map, const SunLight& sun);
 
 } // namespace gonio

@@ -4,7 +4,6 @@
 #include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
-#include <gonio/sky/detail/angle_pair.hpp>
 #include <gonio/sky/sky_description.hpp>
 
 #include <fmt/format.h>
@@ -73,15 +72,14 @@ Result<SkyKind> read_cie(const Reading& reading) {
         return fail("USE0104", fmt::format("the CIE sky {} needs the direction of its sun", sky.type->name),
                     "add sun=AZIMUTH/ELEVATION, for example sun=180/40 for a sun 40 degrees high in the south");
     if (sun != nullptr) {
-        Result<detail::AnglePair> pair =
-            detail::parse_angle_pair(*sun, "the sun's direction", "azimuth/elevation", "180/40");
-        if (!pair) return pass_on(pair);
-        if (!(pair->second_deg >= 0.0 && pair->second_deg <= 90.0))
+        Result<SkyAngles> at = parse_sky_angles(*sun, "the sun");
+        if (!at) return pass_on(at);
+        if (!(at->elevation_deg >= 0.0))
             return fail("USE0106",
-                        fmt::format("the sun's elevation must lie between 0 and 90 degrees, not {}",
-                                    shortest(pair->second_deg)),
+                        fmt::format("the sun must not be below the horizon: its elevation is {} degrees",
+                                    shortest(at->elevation_deg)),
                         "the azimuth comes first, counted from north over east: 180/40 is in the south");
-        sky.sun = {pair->first_deg, pair->second_deg};
+        sky.sun = *at;
     }
     return SkyKind(sky);
 }
@@ -118,7 +116,7 @@ Result<SkyKind> read_daylight(const Reading& reading) {
 
 Result<SkyKind> read_image(const Reading& reading) {
     ImageSkyKind sky;
-    // Put first by cut_at_keys(), which has found its end.
+    // Put first by image_text().
     if (reading.text.entries.empty() || reading.text.entries.front().key.empty())
         return fail("USE0104", "'image' needs a file", "write image:room.exr");
     sky.file = reading.text.entries.front().key;
@@ -142,23 +140,15 @@ Result<SkyKind> read_image(const Reading& reading) {
     return SkyKind(sky);
 }
 
-// "image:a,b.exr,rotate=30deg": the name of the file is the first entry, whole, and ends before the first comma that
-// "word=" follows.
-Result<KindText> cut_at_keys(std::string_view text) {
+// The name of the file is the first entry, whole.
+Result<KindText> image_text(std::string_view text) {
     constexpr std::string_view prefix = "image:";
     const std::string_view rest = text.substr(prefix.size());
-    std::size_t end = rest.size();
-    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',', comma + 1)) {
-        const std::string_view after = rest.substr(comma + 1);
-        const std::size_t word = after.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
-        if (word == std::string_view::npos || word == 0 || after[word] != '=') continue;
-        end = comma;
-        break;
-    }
-    Result<KindText> words =
-        parse_kind_text(end < rest.size() ? fmt::format("{}{}", prefix, rest.substr(end + 1)) : std::string("image"));
+    const std::string_view file = file_before_keys(rest);
+    Result<KindText> words = parse_kind_text(
+        file.size() < rest.size() ? fmt::format("{}{}", prefix, rest.substr(file.size() + 1)) : std::string("image"));
     if (!words) return words;
-    words->entries.insert(words->entries.begin(), {std::string(rest.substr(0, end)), std::nullopt});
+    words->entries.insert(words->entries.begin(), {std::string(file), std::nullopt});
     return words;
 }
 
@@ -335,6 +325,15 @@ std::string_view name_of(const SkyKind& kind) {
     return infos.at(kind.index()).name;
 }
 
+std::string_view file_before_keys(std::string_view text) {
+    for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
+        const std::string_view after = text.substr(comma + 1);
+        const std::size_t word = after.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
+        if (word != std::string_view::npos && word > 0 && after[word] == '=') return text.substr(0, comma);
+    }
+    return text;
+}
+
 Result<Nits> parse_uniform_sky(std::string_view text) {
     Result<Amount> amount = parse_amount(text);
     if (!amount) return pass_on(amount);
@@ -350,7 +349,7 @@ Result<SkyDescription> parse_sky_description(std::string_view text, Diagnostics*
         sky.amount = SkyAmount{SkyMeasure::mean, uniform->value};
         return sky;
     }
-    Result<KindText> words = text.starts_with("image:") ? cut_at_keys(text) : parse_kind_text(text);
+    Result<KindText> words = text.starts_with("image:") ? image_text(text) : parse_kind_text(text);
     if (!words) return pass_on(words);
     Result<const KindRow*> row = find_named("sky", words->kind, rows);
     if (!row) return pass_on(row);

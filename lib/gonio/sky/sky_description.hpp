@@ -90,11 +90,15 @@ std::span<const SkyKindInfo> sky_kinds();
 // Its name in the grammar.
 std::string_view name_of(const SkyKind& kind);
 
+// The name of a file at the beginning of a text with keys, "room.exr,rotate=30deg": it ends before the first comma that
+// "word=" follows, and may contain other commas.
+std::string_view file_before_keys(std::string_view text);
+
 // The short form alone: "500lx" on an open plane, or "150nt". Fails (usage) on other units, and on less than 0.
 Result<Nits> parse_uniform_sky(std::string_view text);
 
 // Remarks are appended to `diagnostics` if it is given. An image and the spectrum of a colour may be any file or, if
-// `files` is given, one that `files` allows; the name of an image may contain commas, but none before "word=". Fails
+// `files` is given, one that `files` allows; the name of an image is that of file_before_keys(). Fails
 // (usage) on unknown kinds and keys, on values out of their ranges, on an amount that is missing or given twice, and on
 // a sun below the horizon.
 Result<SkyDescription> parse_sky_description(std::string_view text, Diagnostics* diagnostics = nullptr,

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <gonio/base/quantity.hpp>
+#include <gonio/base/result.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <string_view>
 
 namespace gonio {
 
@@ -23,6 +25,10 @@ inline glm::dvec3 direction_of(const SkyAngles& at) {
     const double elevation = degrees(at.elevation_deg).value;
     return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
 }
+
+// "180/40": azimuth and elevation in degrees, with or without the unit. `what` names the direction in messages. Fails
+// (usage) on anything else and on an elevation outside [−90, 90].
+Result<SkyAngles> parse_sky_angles(std::string_view text, std::string_view what);
 
 // Of a vector of any length > 0: azimuth in [0, 360), elevation in [−90, 90]. At the poles, where the azimuth has no
 // meaning, it is 0.

@@ -90,8 +90,10 @@ SkyMeasures measure(const Sky& sky) {
         const TexelIndex at = map.brightest();
         const glm::dvec3 middle = map.grid().direction({at.column + 0.5, at.row + 0.5});
         const double around = luminance(map.light_within(middle, degrees(spot_radius_deg)));
-        result.spot = BrightestSpot{turned(middle, sky.rotation()), Nits(sky.image_scale() * luminance(map.texel(at))),
-                                    sky.image_scale() * around / total};
+        const double most = sky.image_scale() * luminance(map.texel(at));
+        // Rounding of a uniform image is no spot.
+        if (most > (1.0 + 1e-6) * result.mean.value)
+            result.spot = BrightestSpot{turned(middle, sky.rotation()), Nits(most), sky.image_scale() * around / total};
     }
     if (sky.cie()) {
         BrightestSpot spot;

@@ -50,7 +50,7 @@ TEST_F(EnvironmentFile, ComesBack) {
     for (const EnvironmentLayoutInfo& info : environment_layouts()) {
         EnvironmentMap map = sky_map(info.layout, 32);
         map.set_nits_per_unit(3.5);
-        const auto bytes = encode_environment(map, 1.0, format("exr"), Pixel::float32, {});
+        const auto bytes = encode_environment(map, format("exr"), Pixel::float32, {});
         ASSERT_TRUE(bytes);
         const auto back = decoded(*bytes);
         ASSERT_TRUE(back) << reason(back);
@@ -61,26 +61,40 @@ TEST_F(EnvironmentFile, ComesBack) {
     }
 }
 
-// The factor goes into the pixels and out of the scale: the light stays.
-TEST_F(EnvironmentFile, KeepsTheLightWithAnyFactor) {
+// A scale goes into the pixels and out of the image: the light stays. What as_stored() says is what comes back.
+TEST_F(EnvironmentFile, HoldsWhatItIsSaidToHold) {
     const EnvironmentMap map = sky_map(EnvironmentLayout::latlong, 32);
     const double before = glm::dot(map.light(), rec709_luminance);
-    for (const auto& [name, pixel, tolerance] :
-         {std::tuple{"exr", Pixel::float32, 1e-7}, std::tuple{"exr", Pixel::half, 1e-3}}) {
-        const auto bytes = encode_environment(map, 1.0 / 64.0, format(name), pixel, {});
+    struct Case {
+        const char* name;
+        Pixel pixel;
+        double nits_per_unit;
+        double tolerance;
+    };
+    for (const Case& of : {Case{"exr", Pixel::float32, 64.0, 1e-7}, Case{"exr", Pixel::half, 64.0, 3e-5},
+                           Case{"exr", Pixel::half, 1e7, 3e-4}, Case{"hdr", Pixel::float32, 1.0, 3e-4},
+                           Case{"tiff", Pixel::float32, 1.0, 1e-7}}) {
+        const EnvironmentMap stored = as_stored(map, of.nits_per_unit, format(of.name), of.pixel);
+        const auto bytes = encode_environment(stored, format(of.name), of.pixel, {});
         ASSERT_TRUE(bytes);
         const auto back = decoded(*bytes);
         ASSERT_TRUE(back) << reason(back);
-        EXPECT_EQ(back->map.nits_per_unit(), 64.0);
-        EXPECT_NEAR(glm::dot(back->map.light(), rec709_luminance) / before, 1.0, tolerance) << name;
+        EXPECT_EQ(back->map.image().pixels, stored.image().pixels) << of.name << to_text(of.pixel);
+        EXPECT_EQ(back->map.nits_per_unit(), of.name == std::string("exr") ? of.nits_per_unit : 1.0);
+        EXPECT_NEAR(glm::dot(back->map.light(), rec709_luminance) / before, 1.0, of.tolerance) << of.name;
     }
-    // Radiance HDR has a shared exponent, and no place for the scale.
-    const auto hdr = encode_environment(map, 1.0, format("hdr"), Pixel::float32, {});
-    ASSERT_TRUE(hdr);
-    const auto back = decoded(*hdr);
-    ASSERT_TRUE(back) << reason(back);
-    EXPECT_NEAR(glm::dot(back->map.light(), rec709_luminance) / before, 1.0, 5e-3);
-    EXPECT_EQ(back->map.nits_per_unit(), 1.0);
+    // Values next to a power of two, and small channels beside a large one.
+    Image image(16, 8, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = std::ldexp(1.0F - 0.0005F * static_cast<float>(i % 7), static_cast<int>(i % 19) - 9);
+    const EnvironmentMap edges = EnvironmentMap::of_valid(
+        EnvironmentGrid::create(EnvironmentLayout::latlong, 16, 8).value(), std::move(image), 1.0);
+    for (const auto& [name, pixel] : {std::pair{"hdr", Pixel::float32}, std::pair{"exr", Pixel::half}}) {
+        const EnvironmentMap stored = as_stored(edges, 1.0, format(name), pixel);
+        const auto back = decoded(encode_environment(stored, format(name), pixel, {}).value());
+        ASSERT_TRUE(back) << reason(back);
+        EXPECT_EQ(back->map.image().pixels, stored.image().pixels) << name;
+    }
 }
 
 TEST_F(EnvironmentFile, ColorsBecomeRec709) {
@@ -131,7 +145,7 @@ TEST_F(EnvironmentFile, HostileFilesAreRefused) {
     EXPECT_EQ(decoded("no picture").error().failure, Failure::malformed);
     const EnvironmentMap map = sky_map(EnvironmentLayout::latlong, 32);
     for (const char* name : {"exr", "hdr"}) {
-        const std::string bytes = encode_environment(map, 1.0, format(name), Pixel::float32, {}).value();
+        const std::string bytes = encode_environment(map, format(name), Pixel::float32, {}).value();
         // Nothing of a file that is cut off is taken for light.
         for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97)
             EXPECT_FALSE(decoded(std::string_view(bytes).substr(0, size))) << name << " " << size;

@@ -164,6 +164,7 @@ TEST(EnvironmentMap, ClippedPixelsAreRemarked) {
     };
     EXPECT_EQ(codes(65504.0F, 3), "RES0502");
     EXPECT_EQ(codes(65503.0F, 3), "");
+    EXPECT_EQ(codes(65505.0F, 3), ""); // half floats do not hold it, so they have not cut it off
     EXPECT_EQ(codes(1000.0F, 30), "RES0503");
     EXPECT_EQ(codes(1000.0F, 3), "");
     EXPECT_EQ(codes(2.0F, 300), "");
@@ -333,6 +334,27 @@ TEST(SunExtraction, KeepsTheIlluminance) {
         // What remains is the sky without a peak: no second sun.
         EXPECT_LT(luminance(found->sky.texel(found->sky.brightest())), 3.0 * luminance(plain.texel(plain.brightest())));
     }
+}
+
+// A sun that is put into an image adds its illuminance, and is what is taken out again.
+TEST(SunExtraction, ReturnsTheSunThatWasPutIn) {
+    const Sky sky =
+        resolve_sky(parse_sky_description("daylight:place=52.52/13.405,time=2024-06-21T12:00+02:00").value()).value();
+    const SunLight& sun = *sky.sun();
+    for (const EnvironmentLayoutInfo& info : environment_layouts())
+        for (const int side : {128, 1024}) { // a part of a texel, and a dozen of them
+            if (side > 128 && info.layout != latlong) continue;
+            const EnvironmentMap plain = rendered(sky, grid(info.layout, side_like(latlong, side, info.layout)));
+            const EnvironmentMap map = with_sun(plain, sun);
+            const double added = luminance(map.irradiance(sun.direction)) - luminance(plain.irradiance(sun.direction));
+            EXPECT_NEAR(added / sun.illuminance.value, 1.0, 1e-3) << info.name << side;
+            const Result<ExtractedSun> found = extract_sun(map);
+            ASSERT_TRUE(found) << info.name << side;
+            EXPECT_NEAR(found->sun.illuminance.value / sun.illuminance.value, 1.0, 2e-3) << info.name << side;
+            EXPECT_LT(glm::length(found->sun.direction - sun.direction), 1.5 * pi / side) << info.name << side;
+            EXPECT_NEAR(luminance(found->sky.irradiance({0, 0, 1})) / luminance(plain.irradiance({0, 0, 1})), 1.0,
+                        1e-3);
+        }
 }
 
 TEST(SunExtraction, NeedsASun) {

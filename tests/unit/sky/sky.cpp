@@ -140,8 +140,11 @@ TEST(SkyText, ErrorsSayWhatIsWrong) {
     EXPECT_EQ(reason("cie:sun=3/4"), "'cie' needs the number of a sky");
     EXPECT_EQ(reason("cie:17,mean=3nt"), "unknown CIE sky '17'");
     EXPECT_EQ(reason("cie:12,mean=3nt"), "the CIE sky 12 needs the direction of its sun");
-    EXPECT_EQ(reason("cie:12,sun=40,mean=3nt"), "the sun's direction is azimuth/elevation in degrees, not '40'");
-    EXPECT_EQ(reason("cie:12,sun=40/180,mean=3nt"), "the sun's elevation must lie between 0 and 90 degrees, not 180");
+    EXPECT_EQ(reason("cie:12,sun=40,mean=3nt"), "the sun is azimuth/elevation in degrees, not '40'");
+    EXPECT_EQ(reason("cie:12,sun=40/180,mean=3nt"),
+              "the elevation of the sun must lie between -90 and 90 degrees, not 180");
+    EXPECT_EQ(reason("cie:12,sun=180/-4,mean=3nt"),
+              "the sun must not be below the horizon: its elevation is -4 degrees");
     EXPECT_EQ(reason("cie:12,sun=180/40"), "'cie' needs an amount");
     EXPECT_EQ(reason("cie:12,sun=180/40,mean"), "'mean' of 'cie' needs a value");
     EXPECT_EQ(reason("cie:1,mean=-3nt"), "mean of 'cie' must lie between 0 and 1e+30, not -3nt");
