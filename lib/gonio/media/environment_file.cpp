@@ -11,6 +11,7 @@
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -57,6 +58,30 @@ void convert(Image& image, const RgbSpace& from, Diagnostics& diagnostics) {
         diagnostics.push_back(result_diagnostic(
             "RES0104", fmt::format("{} of {} pixels lie outside Rec.709: moved into it at the same luminance", outside,
                                    image.pixels.size() / 3)));
+}
+
+// The space that an OpenEXR file states by its chromaticities, if it is not Rec.709.
+Result<std::optional<RgbSpace>> stated_space(const DecodedImage& file) {
+    for (const ImageAttribute& attribute : file.attributes) {
+        const auto* const xy = std::get_if<std::vector<float>>(&attribute.value);
+        if (attribute.name != "chromaticities" || xy == nullptr || xy->size() != 8) continue;
+        constexpr std::array rec709{0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
+        constexpr double same = 1e-4;
+        std::array<Xy, 4> points;
+        bool is_rec709 = true;
+        for (std::size_t i = 0; i < rec709.size(); ++i) {
+            const auto value = static_cast<double>((*xy)[i]);
+            (i % 2 == 0 ? points.at(i / 2).x : points.at(i / 2).y) = value;
+            is_rec709 = is_rec709 && std::abs(value - rec709.at(i)) < same;
+        }
+        if (is_rec709) break;
+        Result<RgbSpace> space = rgb_space_of("chromaticities", points[0], points[1], points[2], points[3]);
+        if (!space)
+            return fail(Failure::malformed, "the chromaticities that the image states do not span a colour space",
+                        "name the space of its pixels: space=rec709");
+        return std::optional(std::move(*space));
+    }
+    return std::optional<RgbSpace>();
 }
 
 double nits_per_unit_of(const DecodedImage& file) {
@@ -130,6 +155,11 @@ Result<EnvironmentImage> decode_environment(std::string_view bytes, const Enviro
         return fail(Failure::unsupported,
                     fmt::format("the image has {} pixels: values for a display, not light", to_text(file->pixel)),
                     "an environment is an EXR or a Radiance HDR with linear values");
+    if (!space) {
+        Result<std::optional<RgbSpace>> stated = stated_space(*file);
+        if (!stated) return pass_on(stated);
+        space = std::move(*stated);
+    }
     const double nits_per_unit = nits_per_unit_of(*file);
     const Pixel pixel = file->pixel;
     Result<Image> rgb = three_channels(*file);

@@ -18,8 +18,9 @@ namespace gonio::media {
 
 struct EnvironmentReadOptions {
     std::optional<EnvironmentLayout> layout; // nothing: by the ratio of the sides
-    std::string space;                       // of the pixels: built in or of the configuration; empty: linear Rec.709
-    std::string config;                      // OpenColorIO configuration; empty: the built-in one
+    std::string space;  // of the pixels: built in or of the configuration; empty: as the chromaticities of
+                        // an OpenEXR file state it, else linear Rec.709
+    std::string config; // OpenColorIO configuration; empty: the built-in one
     BadPixels bad_pixels = BadPixels::error;
 };
 

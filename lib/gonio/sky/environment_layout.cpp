@@ -255,6 +255,10 @@ TexelIndex EnvironmentGrid::neighbor(TexelIndex texel, int across, int down) con
     }
 }
 
+double EnvironmentGrid::texel_reach() const {
+    return 4.0 * pi / side_;
+}
+
 double EnvironmentGrid::solid_angle(TexelIndex texel) const {
     if (layout_ == EnvironmentLayout::latlong) return LatLongCell(*this, texel).solid_angle();
     const detail::TexelPolygons parts = detail::polygons_of(*this, texel);
@@ -274,12 +278,10 @@ glm::dvec3 EnvironmentGrid::direction_integral(TexelIndex texel) const {
 }
 
 glm::dvec3 EnvironmentGrid::direction_integral_above(TexelIndex texel, const glm::dvec3& normal) const {
-    // All of it or nothing, unless it is near the horizon: the bound is generous.
     const glm::dvec3 middle = direction({texel.column + 0.5, texel.row + 0.5});
     const double height = glm::dot(middle, normal);
-    const double size = 4.0 * pi / side_;
-    if (height >= size) return direction_integral(texel);
-    if (height <= -size) return glm::dvec3(0.0);
+    if (height >= texel_reach()) return direction_integral(texel);
+    if (height <= -texel_reach()) return glm::dvec3(0.0);
     glm::dvec3 sum(0.0);
     bool all = true;
     const int slices = detail::slices_of(*this);

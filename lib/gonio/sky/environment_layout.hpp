@@ -86,6 +86,9 @@ public:
     // picture: across the seam, the pole, the fold.
     [[nodiscard]] TexelIndex neighbor(TexelIndex texel, int across, int down) const;
 
+    // No direction of a texel is farther from that of its middle: a generous bound [rad].
+    [[nodiscard]] double texel_reach() const;
+
     // [sr]
     [[nodiscard]] double solid_angle(TexelIndex texel) const;
 

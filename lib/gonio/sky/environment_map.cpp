@@ -126,6 +126,10 @@ Result<EnvironmentMap> EnvironmentMap::create(EnvironmentLayout layout, Image im
         return fail(Failure::internal, "an environment has three channels and a buffer of its size");
     Result<EnvironmentGrid> grid = EnvironmentGrid::create(layout, image.width, image.height);
     if (!grid) return pass_on(grid);
+    // The corners of a cross are no light, whatever they hold.
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column)
+            if (!grid->covers({column, row})) std::fill_n(image.at(column, row), 3, 0.0F);
     if (const BadCount found = count_bad(image); found.all() > 0) {
         if (bad == BadPixels::error)
             return fail(Failure::malformed, to_text(found),
@@ -162,6 +166,7 @@ glm::dvec3 EnvironmentMap::radiance(const glm::dvec3& direction) const {
 
 std::vector<glm::dvec3> EnvironmentMap::irradiance(std::span<const glm::dvec3> normals, unsigned threads) const {
     using Sums = std::vector<glm::dvec3>;
+    const double reach = grid_.texel_reach();
     const std::vector<Sums> rows = sum_of_rows(grid_.height(), threads, [&](int row) {
         Sums sums(normals.size(), glm::dvec3(0.0));
         for (int column = 0; column < grid_.width(); ++column) {
@@ -169,13 +174,13 @@ std::vector<glm::dvec3> EnvironmentMap::irradiance(std::span<const glm::dvec3> n
             const glm::dvec3 light = texel(index);
             if (light == glm::dvec3(0.0) || !grid_.covers(index)) continue;
             const glm::dvec3 middle = grid_.direction({column + 0.5, row + 0.5});
-            const double near = 4.0 * std::numbers::pi / grid_.side(); // as direction_integral_above() has it
             std::optional<glm::dvec3> whole;
             for (std::size_t i = 0; i < normals.size(); ++i) {
                 const double height = glm::dot(middle, normals[i]);
-                if (height < -near) continue;
-                if (height > near && !whole) whole = grid_.direction_integral(index);
-                const glm::dvec3 above = height > near ? *whole : grid_.direction_integral_above(index, normals[i]);
+                if (height < -reach) continue;
+                // Once for all planes that see the whole texel.
+                if (height > reach && !whole) whole = grid_.direction_integral(index);
+                const glm::dvec3 above = height > reach ? *whole : grid_.direction_integral_above(index, normals[i]);
                 sums[i] += light * glm::dot(above, normals[i]);
             }
         }

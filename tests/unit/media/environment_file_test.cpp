@@ -126,6 +126,35 @@ TEST_F(EnvironmentFile, ColorsBecomeRec709) {
     EXPECT_EQ(unknown.error().diagnostics.back().hint, "did you mean 'acescg'?");
 }
 
+// OpenEXR files state their space by chromaticities; a space that is named wins.
+TEST_F(EnvironmentFile, StatedChromaticitiesAreItsSpace) {
+    Image image(16, 8, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+        image.pixels[i] = 0.9F;
+        image.pixels[i + 1] = 1.0F;
+        image.pixels[i + 2] = 0.8F;
+    }
+    ImageWriteOptions write;
+    write.pixel = Pixel::float32;
+    const auto read_with = [&](std::vector<float> xy, const std::string& space) {
+        write.attributes = {{"chromaticities", std::move(xy)}};
+        EnvironmentReadOptions options;
+        options.space = space;
+        return decoded(encode_image(image, format("exr"), write).value(), options);
+    };
+    const std::vector<float> rec2020{0.708F, 0.292F, 0.170F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.3290F};
+    const auto stated = read_with(rec2020, "");
+    ASSERT_TRUE(stated) << reason(stated);
+    const glm::dvec3 expected =
+        find_rgb_space("rec709")->from_xyz * (find_rgb_space("rec2020")->to_xyz * glm::dvec3(0.9F, 1.0F, 0.8F));
+    EXPECT_LT(glm::length(stated->map.texel({2, 2}) - expected), 1e-5);
+    EXPECT_EQ(read_with(rec2020, "rec709")->map.image().pixels, image.pixels);
+    EXPECT_EQ(read_with({0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F}, "")->map.image().pixels,
+              image.pixels);
+    EXPECT_FALSE(read_with({0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F, 0.3F}, ""));
+    EXPECT_FALSE(read_with({0.3F, 0.0F, NAN, 0.3F, 0.3F, -0.3F, 0.3F, 1e30F}, ""));
+}
+
 TEST_F(EnvironmentFile, GreyIsWhiteLight) {
     Image image(16, 8, 1);
     std::fill(image.pixels.begin(), image.pixels.end(), 2.0F);

@@ -146,6 +146,14 @@ TEST(EnvironmentMap, BadPixelsAreCountedAndFound) {
     EXPECT_EQ(said[0].code, "RES0501");
     EXPECT_EQ(black->texel({5, 1}), glm::dvec3(0.0));
     EXPECT_EQ(black->texel({4, 1}), glm::dvec3(1.0));
+    // The corners of a cross do not count.
+    Image cross(16, 12, 3);
+    cross.at(0, 0)[1] = std::nanf("");
+    cross.at(15, 11)[1] = -1.0F;
+    said.clear();
+    const Result<EnvironmentMap> corners = EnvironmentMap::create(cube_cross, cross, 1.0, BadPixels::error, said);
+    ASSERT_TRUE(corners);
+    EXPECT_EQ(corners->texel({0, 0}), glm::dvec3(0.0));
     EXPECT_FALSE(EnvironmentMap::create(latlong, Image(8, 5, 3), 1.0, BadPixels::error, said));
     EXPECT_FALSE(EnvironmentMap::create(latlong, Image(8, 4, 1), 1.0, BadPixels::error, said));
 }
