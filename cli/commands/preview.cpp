@@ -1,3 +1,4 @@
+#include <gonio/light/light_color.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/preview/ticks.hpp>
@@ -23,6 +24,7 @@
 #include "../stopwatch.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <iterator>
@@ -105,10 +107,13 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     report["tone_map"] = to_text(request.exposure.tone_map);
     if (const std::optional<Eye>& eye = request.exposure.glare)
         report["glare"] = {{"age_years", eye->age_years}, {"pigment", eye->pigment}};
-    if (request.lights.rig_file.empty())
-        report["intensity_cd"] = lights.front().intensity.value;
-    else
+    if (!request.lights.rig_file.empty())
         report["rig"] = request.lights.rig_file;
+    else if (!request.lights.rig.lights.empty())
+        report["intensity_cd"] = lights.front().intensity.value;
+    if (!request.render.sky.is_dark())
+        report["sky"] = {
+            {"horizontal_lx", glm::dot(request.render.sky.irradiance(glm::dvec3(0.0, 0.0, 1.0)), rec709_luminance)}};
     report["lights"] = lights.size();
     report["diagnostics"] = diagnostics_json(diagnostics);
     return report;

@@ -12,6 +12,10 @@ RigReadOptions rig_read_options(const Arguments& arguments) {
     return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
 }
 
+bool asks_for_light(const Arguments& arguments) {
+    return arguments.has("--rig") || !given_light_option(arguments).empty() || !arguments.positional().empty();
+}
+
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement,
                                  Diagnostics& diagnostics) {
     LightsInput input;
@@ -39,10 +43,21 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
 }
 
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads) {
-    if (!input.rig_file.empty()) return resolve_lights(std::move(input.rig), diagnostics, threads);
+    std::vector<LightDescription> others = std::move(input.others);
     std::vector<Light> lights;
+    if (!input.rig_file.empty()) {
+        Result<std::vector<Light>> of_rig = resolve_lights(std::move(input.rig), diagnostics, threads);
+        if (!of_rig) return pass_on(of_rig);
+        lights = std::move(*of_rig);
+        input.rig.lights.clear();
+    }
     for (LightDescription& description : input.rig.lights) {
         if (!lights.empty()) description.shape = lights.front().shape; // its profile is read once
+        Result<Light> light = resolve_light(std::move(description), diagnostics);
+        if (!light) return pass_on(light);
+        lights.push_back(std::move(*light));
+    }
+    for (LightDescription& description : others) {
         Result<Light> light = resolve_light(std::move(description), diagnostics);
         if (!light) return pass_on(light);
         lights.push_back(std::move(*light));

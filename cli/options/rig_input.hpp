@@ -28,7 +28,8 @@ RigReadOptions rig_read_options(const Arguments& arguments);
 struct LightsInput {
     std::string rig_file; // empty: the lights of options, alike but for their positions
     Rig rig;
-    std::vector<std::string> files; // every file that was read for the lights
+    std::vector<LightDescription> others; // beside them: the sun of a sky
+    std::vector<std::string> files;       // every file that was read for the lights
 };
 
 // The lights of --rig, or the positional FILE or --shape at `placement` or at each --position. Reads the rig
@@ -36,7 +37,10 @@ struct LightsInput {
 // read_rig_file and light_input do.
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement, Diagnostics& diagnostics);
 
-// The resolved lights, in order; messages name the rig's JSON path if there is a rig.
+// Whether a light is asked for, or a rig.
+bool asks_for_light(const Arguments& arguments);
+
+// The resolved lights, in order, and then the others; messages name the rig's JSON path if there is a rig.
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads);
 
 } // namespace gonio::cli

@@ -4,6 +4,7 @@
 
 #include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
+#include "../options/sky_input.hpp"
 #include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/values.hpp"
@@ -50,13 +51,6 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     Result<Shadows> shadows = read_shadows(arguments);
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
-    if (const auto text = arguments.value("--sky")) {
-        Result<SkyDescription> described = parse_sky_description(*text, &request.diagnostics);
-        if (!described) return pass_on(described);
-        Result<Sky> sky = resolve_sky(*described);
-        if (!sky) return pass_on(sky);
-        request.render.sky = *std::move(sky);
-    }
     // The library never reads the environment; the tool passes $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
@@ -167,6 +161,12 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
+void add_sky(SkyInput sky, PreviewRequest& request) {
+    request.render.sky = std::move(sky.sky);
+    if (sky.sun) request.lights.others.push_back(*std::move(sky.sun));
+    request.lights.files.insert(request.lights.files.end(), sky.files.begin(), sky.files.end());
+}
+
 } // namespace
 
 Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
@@ -180,6 +180,12 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     stage = stage_input(arguments, {}, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
+    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
+    if (!sky) return pass_on(sky);
+    if (sky->sun)
+        return fail("USE0107", "sheets show the light of profiles, and the sky of --sky has a sun",
+                    "name a sky without one: weather=overcast, or a kind of cie");
+    add_sky(std::move(*sky), request);
     return request;
 }
 
@@ -195,10 +201,16 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
-    if (!lights) return pass_on(lights);
-    request.lights = std::move(*lights);
-    if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
+    if (!sky) return pass_on(sky);
+    // A sky is light enough.
+    if (asks_for_light(arguments) || !arguments.has("--sky")) {
+        Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
+        if (!lights) return pass_on(lights);
+        request.lights = std::move(*lights);
+        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    }
+    add_sky(std::move(*sky), request);
     if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
     std::vector<std::string> outputs;
     for (const std::string& output : {request.output, request.export_file})

@@ -12,6 +12,7 @@
 #include "../command.hpp"
 #include "../options/output.hpp"
 #include "../options/rig_input.hpp"
+#include "../options/sky_input.hpp"
 #include "look_options.hpp"
 #include "refine.hpp"
 #include "stage_input.hpp"
@@ -26,7 +27,7 @@ inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "width and height in pixels (512x512)"},
     Option{"--shadows", "KIND",
            "off, hard (from the centre of each light) or soft (from its size and shape; the default)"},
-    Option{"--sky", "AMOUNT", "uniform sky: 500lx on an open plane, or 150nt; objects on the stage occlude it"},
+    sky_option,
     Option{"--no-shadows", "", "let light pass through objects on the stage: the same as --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; built in: Standard, Filmic, ACES, Raw"},
