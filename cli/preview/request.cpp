@@ -51,6 +51,9 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     Result<Shadows> shadows = read_shadows(arguments);
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
+    request.render.shows_sky = arguments.has("--show-sky");
+    if (request.render.shows_sky && !arguments.has("--sky"))
+        return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     // The library never reads the environment; the tool passes $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);

@@ -28,6 +28,7 @@ inline constexpr std::array preview_picture_options{
     Option{"--shadows", "KIND",
            "off, hard (from the centre of each light) or soft (from its size and shape; the default)"},
     sky_option,
+    Option{"--show-sky", "", "show the sky where the camera sees nothing else"},
     Option{"--no-shadows", "", "let light pass through objects on the stage: the same as --shadows off"},
     Option{"--display", "NAME", "display of the OpenColorIO configuration"},
     Option{"--view", "NAME", "view of that display; built in: Standard, Filmic, ACES, Raw"},

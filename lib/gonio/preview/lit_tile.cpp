@@ -37,6 +37,7 @@ LitTile::Place LitTile::place_of(const SurfaceSamples& samples, std::size_t i) {
 
 void LitTile::light_up() {
     show_emitters();
+    if (options_.shows_sky) show_sky();
     show_subjects();
     count_samples();
     if (picture_.indirect != nullptr || scene_.sky != nullptr) add_surroundings();
@@ -73,6 +74,15 @@ void LitTile::show_subjects() {
             if (seen.what == Seen::What::surface && scene_.stage.surfaces[seen.hit.surface].subject)
                 picture_.shows_subject[tile_.pixel_of(center)] = 1;
         }
+}
+
+void LitTile::show_sky() {
+    for (const TileSamples::OpenShare& open : tile_.open()) {
+        const glm::dvec3 rgb = static_cast<double>(open.share) * options_.sky.radiance(open.direction);
+        for (int channel = 0; channel < 3; ++channel)
+            picture_.luminance_nt.pixels[std::size_t{open.pixel} * 3 + static_cast<std::size_t>(channel)] +=
+                static_cast<float>(rgb[channel]);
+    }
 }
 
 // The points of a pixel on one light come one after the other.

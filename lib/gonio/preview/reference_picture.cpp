@@ -68,7 +68,10 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
         pixel.shows_light = true;
         return;
     }
-    if (!hit) return;
+    if (!hit) {
+        if (options_.shows_sky) pixel.emitter += glm::vec3(options_.sky.radiance(ray.direction));
+        return;
+    }
     const detail::Shown shown = tracer_->at(*hit, -ray.direction, numbers);
     pixel.surface[pass % 2] += glm::vec3(shown.rgb);
     pixel.illuminance_lx += static_cast<float>(shown.lx);

@@ -108,7 +108,10 @@ const TileSamples::FineSamples& TileSamples::fine(std::size_t center) {
 }
 
 void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::int32_t center) {
-    if (seen.what == Seen::What::nothing) return;
+    if (seen.what == Seen::What::nothing) {
+        open_.push_back({pixel, static_cast<float>(share), -seen.view});
+        return;
+    }
     if (seen.what == Seen::What::emitter) {
         emitters_.push_back({pixel, seen.light, static_cast<float>(share), seen.view});
         return;

@@ -28,6 +28,7 @@ private:
     };
 
     void show_emitters();
+    void show_sky();
     void show_subjects();
     void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
     void count_samples();

@@ -63,6 +63,14 @@ public:
     };
     const std::vector<EmitterShare>& emitters() const { return emitters_; }
 
+    // The share of a pixel that shows nothing of the stage.
+    struct OpenShare {
+        std::uint32_t pixel;
+        float share;
+        glm::dvec3 direction; // unit, from the eye
+    };
+    const std::vector<OpenShare>& open() const { return open_; }
+
     // Centres of the tile's pixels and of one more pixel on each side, in rows of `stride`.
     const std::vector<Seen>& centers() const { return centers_; }
     std::ptrdiff_t stride() const { return stride_; }
@@ -93,6 +101,7 @@ private:
     std::vector<FineSamples> fine_;
     std::vector<SurfaceSamples> surfaces_;
     std::vector<EmitterShare> emitters_;
+    std::vector<OpenShare> open_;
 };
 
 } // namespace gonio::detail
