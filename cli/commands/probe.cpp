@@ -26,13 +26,15 @@ constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
                             points_group,
                             OptionGroup{"evaluation", probe_options},
-                            OptionGroup{"interreflection", probe_stage_options},
+                            OptionGroup{"surroundings", probe_stage_options},
                             OptionGroup{"report", probe_report_options},
                             light_common_group};
 constexpr std::array examples{
     Example{"gonio probe --rig room.json --at 0,0,0.8 --normal 0,0,1", "lux on a table, in total and from each light"},
     Example{"gonio probe lamp.ies --stage room --indirect --at 0.8,0.6,0.75",
             "lux on the box of a room, with what walls and ceiling reflect"},
+    Example{"gonio probe --sky daylight:place=52.52/13.405,time=2026-06-21T12:00+02:00 --at 0,0,0 --normal 0,-1,0",
+            "the sun and the sky on a facade to the south"},
     Example{"gonio probe lamp.ies --position 0,0,2.5 --grid -2,-2,0:4,0,0:0,4,0:21x21",
             "min, mean, max and uniformity on a floor"},
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
@@ -49,7 +51,7 @@ constexpr std::array examples{
 constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // shares of lights held at a time
 constexpr std::size_t points_at_once = std::size_t{1} << 16;
 
-// The stage's shadows on the share of each light, and the light that it reflects.
+// The stage's shadows on the share of each light, the light of the sky, and what the stage reflects.
 void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
     ProbeResult& result = stretch.by_method.front();
     const ReceiverLight::Shares shares = on_stage.at(stretch.receivers);
@@ -61,8 +63,9 @@ void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
             direct_lx += result.parts_lx[part];
         }
         stretch.direct_lx.push_back(direct_lx);
-        result.illuminance_lx[i] = direct_lx + shares.indirect_lx[i];
+        result.illuminance_lx[i] = direct_lx + shares.sky_lx[i] + shares.indirect_lx[i];
     }
+    stretch.sky_lx = shares.sky_lx;
     stretch.indirect_lx = shares.indirect_lx;
 }
 
@@ -75,7 +78,8 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
     std::optional<ReceiverLight> on_stage;
     LightingOptions lighting;
     lighting.threads = request->options.threads;
-    lighting.bounces = all_bounces;
+    lighting.bounces = request->indirect ? all_bounces : 0;
+    lighting.sky = request->sky;
     if (request->stage) {
         Result<ReceiverLight> solved = ReceiverLight::on(*request->stage, request->lights, lighting);
         if (!solved) return pass_on(solved);
@@ -124,7 +128,7 @@ const Command probe_command{
     "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1.\n"
     "Prints lux in double precision. With --view and --material it also prints the luminance\n"
     "towards the eye in nits. Lights neither occlude nor reflect each other. --indirect adds the light\n"
-    "that a stage reflects, and its shadows.",
+    "that a stage reflects, and its shadows; --sky adds a sky and the sun of daylight.",
     groups,
     examples,
     run,

@@ -38,6 +38,21 @@ Json vector_json(const glm::dvec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
 
+// What an illuminance consists of on a stage or under a sky.
+struct Source {
+    std::string_view name;
+    const std::vector<double>* lx;
+};
+
+std::vector<Source> sources_of(const ProbeRequest& request, const ProbeStretch& stretch) {
+    std::vector<Source> sources;
+    if (!request.stage) return sources;
+    sources.push_back({"direct", &stretch.direct_lx});
+    if (!request.sky.is_dark()) sources.push_back({"sky", &stretch.sky_lx});
+    if (request.indirect) sources.push_back({"indirect", &stretch.indirect_lx});
+    return sources;
+}
+
 // One of the compared methods at a point, relative to the first of them.
 Json method_json(const ProbeRequest& request, const ProbeStretch& stretch, std::size_t m, std::size_t i) {
     const ProbeResult& truth = stretch.by_method.front();
@@ -64,10 +79,8 @@ Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::s
     Json json{{"position", vector_json(receiver.position)},
               {"normal", vector_json(unit_vector(receiver.normal).value_or(receiver.normal))},
               {"illuminance_lx", result.illuminance_lx[i]}};
-    if (!stretch.indirect_lx.empty()) {
-        json["direct_lx"] = stretch.direct_lx[i];
-        json["indirect_lx"] = stretch.indirect_lx[i];
-    }
+    for (const Source& source : sources_of(request, stretch))
+        json[fmt::format("{}_lx", source.name)] = (*source.lx)[i];
     if (estimated) json["illuminance_error_lx"] = result.illuminance_error_lx[i];
     if (!result.luminance.empty()) json["luminance_nt"] = luminance_json(result.luminance[i], estimated);
     if (request.compare) {
@@ -212,7 +225,8 @@ void ProbeReport::print_csv_heading() {
         return;
     }
     console_.print(estimated() ? ",illuminance_lx,illuminance_error_lx" : ",illuminance_lx");
-    if (request_.stage) console_.print(",direct_lx,indirect_lx");
+    for (const Source& source : sources_of(request_, {}))
+        console_.print(fmt::format(",{}_lx", source.name));
     if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
     console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
 }
@@ -229,7 +243,8 @@ void ProbeReport::csv_row(const ProbeStretch& stretch, std::size_t i) {
             if (!result.luminance.empty()) row += ',' + shortest(result.luminance[i].total().value);
     } else {
         if (estimated()) row += ',' + shortest(first.illuminance_error_lx[i]);
-        if (request_.stage) row += ',' + shortest(stretch.direct_lx[i]) + ',' + shortest(stretch.indirect_lx[i]);
+        for (const Source& source : sources_of(request_, stretch))
+            row += ',' + shortest((*source.lx)[i]);
         if (request_.options.view) {
             const ProbeLuminance& nt = first.luminance[i];
             row += fmt::format(",{},{},{}", shortest(nt.diffuse.value), shortest(nt.specular.value),
@@ -257,9 +272,10 @@ void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
     }
     console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
     if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.illuminance_error_lx[i], 2)));
-    if (request_.stage)
-        console_.print(
-            fmt::format(" (direct {}, indirect {})", rounded(stretch.direct_lx[i]), rounded(stretch.indirect_lx[i])));
+    std::string parts;
+    for (const Source& source : sources_of(request_, stretch))
+        parts += fmt::format("{}{} {}", parts.empty() ? " (" : ", ", source.name, rounded((*source.lx)[i]));
+    if (!parts.empty()) console_.print(parts + ")");
     if (!result.luminance.empty()) {
         console_.print(luminance_text(result.luminance[i]));
         if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.luminance[i].error_estimate.value, 2)));
@@ -290,7 +306,7 @@ Json ProbeReport::spread_json(const Spread& s) const {
 Json ProbeReport::grid_json() const {
     Json json{{"columns", request_.points.grid->across}, {"rows", request_.points.grid->along}};
     json.update(spread_json(spread(values_.front())));
-    if (request_.stage) json["mean_indirect_lx"] = spread(indirect_lx_).mean;
+    if (request_.indirect) json["mean_indirect_lx"] = spread(indirect_lx_).mean;
     if (!request_.compare) return json;
     Json methods = Json::array();
     for (std::size_t m = 0; m < request_.methods.size(); ++m) {
@@ -342,7 +358,7 @@ void ProbeReport::summary_text() {
                                        request_.compare ? column_width(request_, m) : 14));
         console_.print(line < 3 && !request_.compare ? " lx\n" : "\n");
     }
-    if (request_.stage)
+    if (request_.indirect)
         console_.print(fmt::format("indirect  {:>14} lx of the mean\n", rounded(spread(indirect_lx_).mean)));
     for (std::size_t m = 1; m < request_.methods.size(); ++m) {
         const Worst w = worst(m);

@@ -20,7 +20,8 @@ struct ProbeStretch {
     std::size_t first = 0;
     std::span<const Receiver> receivers;
     std::vector<ProbeResult> by_method;
-    std::vector<double> direct_lx; // of --indirect, like the next; else empty
+    std::vector<double> direct_lx; // of lights; like the next, with --indirect or --sky, else empty
+    std::vector<double> sky_lx;
     std::vector<double> indirect_lx;
 };
 
@@ -67,7 +68,7 @@ private:
     Console& console_;
     std::optional<JsonWriter> json_;
     std::vector<std::vector<double>> values_; // of each method, for the summary
-    std::vector<double> indirect_lx_;         // of --indirect
+    std::vector<double> indirect_lx_;
     double largest_error_ = 0.0;              // relative, of the method reference
     ProbeRemarks remarks_;
 };

@@ -20,14 +20,18 @@ namespace gonio::cli {
 namespace {
 
 Result<void> fits_stage(const Arguments& arguments) {
-    if (!arguments.has("--indirect")) {
+    std::string_view given;
+    for (const std::string_view option : {"--indirect", "--sky"})
+        if (arguments.has(option)) given = option;
+    if (given.empty()) {
         if (!arguments.has("--stage")) return {};
-        return fail("USE0104", "--stage needs --indirect", "without it, a stage neither reflects nor blocks light");
+        return fail("USE0104", "--stage needs --indirect or --sky",
+                    "without them, a stage neither reflects nor blocks light");
     }
     for (const std::string_view option : {"--compare", "--view"})
         if (arguments.has(option))
-            return fail("USE0107", fmt::format("--indirect and {} are both given", option),
-                        "--indirect adds illuminance to one method");
+            return fail("USE0107", fmt::format("{} and {} are both given", given, option),
+                        fmt::format("{} adds illuminance to one method", given));
     return {};
 }
 
@@ -39,18 +43,30 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
         placement = stage->light;
         request.stage = std::move(*stage);
     }
-    Result<LightsInput> input = lights_input(arguments, placement, request.diagnostics);
-    if (!input) return pass_on(input);
-    request.rig = input->rig_file;
-    if (arguments.has("--indirect")) {
-        if (!request.stage) request.stage = input->rig.stage;
-        if (!request.stage)
+    const bool has_sky = arguments.has("--sky");
+    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
+    if (!sky) return pass_on(sky);
+    request.sky = std::move(sky->sky);
+    request.indirect = arguments.has("--indirect");
+    LightsInput input;
+    // A sky is light enough.
+    if (asks_for_light(arguments) || !has_sky) {
+        Result<LightsInput> lights = lights_input(arguments, placement, request.diagnostics);
+        if (!lights) return pass_on(lights);
+        input = std::move(*lights);
+    }
+    request.rig = input.rig_file;
+    if (request.indirect || has_sky) {
+        if (!request.stage) request.stage = input.rig.stage;
+        if (!request.stage && request.indirect)
             return fail("USE0104", "--indirect needs a stage that reflects the light",
                         "add --stage room, or a stage to the rig");
-        for (const SurfaceMaterial& material : input->rig.materials)
+        if (!request.stage) request.stage = Stage();
+        for (const SurfaceMaterial& material : input.rig.materials)
             if (Result<void> given = give_material(*request.stage, material); !given) return given;
     }
-    Result<std::vector<Light>> lights = resolve_input(std::move(*input), request.diagnostics, request.options.threads);
+    if (sky->sun) input.others.push_back(*std::move(sky->sun));
+    Result<std::vector<Light>> lights = resolve_input(std::move(input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
     return {};

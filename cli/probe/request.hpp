@@ -9,6 +9,7 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../options/points_input.hpp"
+#include "../options/sky_input.hpp"
 
 #include <array>
 #include <optional>
@@ -31,7 +32,8 @@ inline constexpr std::array probe_stage_options{
         "--indirect", "",
         "add the light that the surfaces of a stage reflect, and the shadows of what stands on it: that of the rig or "
         "of --stage"},
-    Option{"--stage", "STAGE", "with --indirect: a stage by name (that of the rig)", "stages"},
+    sky_option,
+    Option{"--stage", "STAGE", "with --indirect or --sky: a stage by name (that of the rig)", "stages"},
 };
 inline constexpr std::array probe_report_options{
     Option{"--json", "", "one JSON object, with the share of each light"},
@@ -49,7 +51,9 @@ struct ProbeRequest {
     std::vector<IrradianceMethod> methods; // one, or those compared, with the reference first
     bool compare = false;
     ProbeOptions options;
-    std::optional<Stage> stage; // of --indirect
+    std::optional<Stage> stage; // of --indirect or --sky, whose stage may have no surfaces
+    bool indirect = false;
+    Sky sky;
     ProbeForm form = ProbeForm::text;
 };
 

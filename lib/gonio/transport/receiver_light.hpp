@@ -1,4 +1,5 @@
-// What reaches receivers anywhere on a stage: the share of each light that its objects leave, and indirect light.
+// What reaches receivers anywhere on a stage: the share of each light that its objects leave, the light of the sky, and
+// indirect light.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -16,6 +17,7 @@ namespace gonio {
 
 namespace detail {
 struct LitScene;
+class SkyLight;
 }
 
 class ReceiverLight {
@@ -30,16 +32,19 @@ public:
 
     struct Shares {
         std::vector<double> visible;     // [receiver][light]: the share of its illuminance, in [0, 1]
+        std::vector<double> sky_lx;      // [receiver]; 0 without a sky
         std::vector<double> indirect_lx; // [receiver]; 0 without bounces
     };
     // The normals of the receivers may have any length > 0.
     Shares at(std::span<const Receiver> receivers) const;
 
 private:
-    ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect);
+    ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect,
+                  std::unique_ptr<detail::SkyLight> sky);
 
     std::unique_ptr<detail::LitScene> scene_;
     std::unique_ptr<Interreflection> indirect_; // null without bounces
+    std::unique_ptr<detail::SkyLight> sky_;     // null without a sky, and on an empty stage, where it is open
 };
 
 } // namespace gonio

@@ -27,8 +27,9 @@ public:
     // Illuminance of a point of a surface, RGB [lx].
     glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
 
-    // The same at any point, with `rays` rays of its own; `normal` is unit.
-    glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal, std::size_t rays,
+    // The same at any point, with `rays` rays of its own; `normal` is unit, and `open_lx` the illuminance of an open
+    // plane with it.
+    glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays,
                   simd::InstructionSet set) const;
 
     const std::shared_ptr<const ExchangeGeometry>& geometry() const { return geometry_; }
