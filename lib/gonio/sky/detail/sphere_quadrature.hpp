@@ -49,7 +49,9 @@ double integrate_above(const glm::dvec3& axis, std::span<const glm::dvec3> above
     constexpr double pi = std::numbers::pi;
     static constexpr auto outer = gauss_legendre<48>();
     static constexpr auto inner = gauss_legendre<40>();
-    const auto [e, f] = perpendicular(axis);
+    const std::array across_axis = perpendicular(axis);
+    const glm::dvec3& e = across_axis[0];
+    const glm::dvec3& f = across_axis[1];
 
     // The angles χ at which a ring begins or ends to meet a plane or passes a corner.
     std::array<double, 8> ends{};
