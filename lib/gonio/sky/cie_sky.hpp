@@ -39,7 +39,7 @@ std::span<const CieSkyType> cie_sky_types();
 // "12" or "overcast", also "16". Fails (usage) on other names.
 Result<const CieSkyType*> find_cie_sky(std::string_view name);
 
-// One of these under a sun; of value type and a few additions, multiplications and two exponentials to evaluate.
+// One of these under a sun: a value. A direction costs two exponentials and an arc sine.
 class CieSky {
 public:
     // `sun` is a unit vector with z ≥ 0 towards the sun; types that do not need one ignore it.

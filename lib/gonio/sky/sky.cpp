@@ -47,7 +47,9 @@ Calibration calibration_of(const SkyAmount& amount) {
 Sky::Sky(Nits uniform, const glm::dvec3& color) : color_(color), scale_(uniform.value) {}
 
 glm::dvec3 Sky::radiance(const glm::dvec3& direction) const {
-    if (image_) return scale_ * image_->radiance(turned(direction, Radians(-rotation_.value)));
+    if (image_)
+        return scale_ *
+               image_->radiance(rotation_.value == 0.0 ? direction : turned(direction, Radians(-rotation_.value)));
     if (!cie_) return scale_ * color_;
     if (direction.z < 0.0) return ground_ * color_;
     return scale_ * cie_->relative(direction) * color_;

@@ -2,8 +2,8 @@
 //
 // The frame is that of scenes and of sky_direction.hpp: z up, +Y north, +X east. Directions point from the receiver to
 // the sky. Luminances are linear Rec.709 in cd/m², so that their Y is the luminance. The sun of `daylight` is a light
-// of its own, which no function but sun() includes. Everything is computed in double, does not allocate and may be
-// called from any thread.
+// of its own, which no function but sun() includes. Everything is computed in double and may be called from any
+// thread; radiance() does not allocate.
 #pragma once
 
 #include <gonio/base/quantity.hpp>
