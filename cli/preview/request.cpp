@@ -4,9 +4,9 @@
 
 #include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
-#include "../options/sky_input.hpp"
 #include "../options/method_list.hpp"
 #include "../options/output.hpp"
+#include "../options/sky_input.hpp"
 #include "../options/values.hpp"
 #include "export.hpp"
 

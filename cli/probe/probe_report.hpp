@@ -69,7 +69,7 @@ private:
     std::optional<JsonWriter> json_;
     std::vector<std::vector<double>> values_; // of each method, for the summary
     std::vector<double> indirect_lx_;
-    double largest_error_ = 0.0;              // relative, of the method reference
+    double largest_error_ = 0.0; // relative, of the method reference
     ProbeRemarks remarks_;
 };
 

@@ -119,8 +119,8 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
     for (std::size_t i = 0; material != nullptr && i < counts.size(); ++i) {
         Surface& surface = stage.surfaces[i];
         counts[i] = surface.subject && !is_sheet(surface.geometry) ? 1 : 0;
-        surface.material = counts[i] != 0 ? parse_material(material).value()
-                                          : LambertMaterial{hemispherical_albedo(surface.material)};
+        surface.material =
+            counts[i] != 0 ? parse_material(material).value() : LambertMaterial{hemispherical_albedo(surface.material)};
     }
     if (std::find(counts.begin(), counts.end(), 1) == counts.end()) return;
     const std::vector<Light> lights = lamp_over(stage);
@@ -138,8 +138,8 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
     std::vector<Pixel> points;
     const CameraRays rays(stage.camera, pixels, pixels);
     const auto luminance = [](const Image& image, std::size_t pixel) {
-        return glm::dot(rec709_luminance, glm::dvec3(image.pixels[3 * pixel], image.pixels[3 * pixel + 1],
-                                                     image.pixels[3 * pixel + 2]));
+        return glm::dot(rec709_luminance,
+                        glm::dvec3(image.pixels[3 * pixel], image.pixels[3 * pixel + 1], image.pixels[3 * pixel + 2]));
     };
     for (int j = 0; j < pixels; ++j)
         for (int i = 0; i < pixels; ++i) {
@@ -181,8 +181,9 @@ int main(int argc, char** argv) {
     const std::size_t paths = argc > 1 ? static_cast<std::size_t>(std::atoll(argv[1])) : 8000;
     const std::string_view part = argc > 2 ? argv[2] : "";
     if (part != "luminance") {
-        std::puts("| stage | mean indirect | root mean square | bias | noise of the paths | patches | nodes | memory |\n"
-                  "|---|---|---|---|---|---|---|---|");
+        std::puts(
+            "| stage | mean indirect | root mean square | bias | noise of the paths | patches | nodes | memory |\n"
+            "|---|---|---|---|---|---|---|---|");
         for (const StageKind& kind : stage_kinds())
             print_diffuse(kind, paths);
     }
@@ -190,8 +191,7 @@ int main(int argc, char** argv) {
     std::puts("| stage | materials | mean indirect | root mean square | bias | noise of the paths | pixels |\n"
               "|---|---|---|---|---|---|---|");
     for (const StageKind& kind : stage_kinds())
-        for (const char* material :
-             {static_cast<const char*>(nullptr), "frostbite:base=0.5,smoothness=0.5",
-              "ue4:base=0.9,metallic=1,roughness=0.6", "ue4:base=0.9,metallic=1,roughness=0.3"})
+        for (const char* material : {static_cast<const char*>(nullptr), "frostbite:base=0.5,smoothness=0.5",
+                                     "ue4:base=0.9,metallic=1,roughness=0.6", "ue4:base=0.9,metallic=1,roughness=0.3"})
             print_luminance(kind, material, paths);
 }

@@ -51,7 +51,7 @@ class PathTracer {
 public:
     struct Options {
         bool shadows = true;
-        bool specular = true; // false: only the diffuse parts of materials
+        bool specular = true;           // false: only the diffuse parts of materials
         std::shared_ptr<const Sky> sky; // null: none
         int bounces = 0;
         bool illuminance = false; // also estimates Shown::lx of what bounced

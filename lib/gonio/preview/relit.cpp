@@ -59,8 +59,8 @@ std::optional<Rendering> relit(const Rendering& picture, std::span<const Light> 
         for (int channel = 0; channel < 3; ++channel)
             if (!are_same(one->rgb[channel], all->rgb[channel])) return std::nullopt;
     }
-    const bool same_color = are_same(all->rgb.x, all->amount) && are_same(all->rgb.y, all->amount) &&
-                            are_same(all->rgb.z, all->amount);
+    const bool same_color =
+        are_same(all->rgb.x, all->amount) && are_same(all->rgb.y, all->amount) && are_same(all->rgb.z, all->amount);
     if (!same_color && picture.indirect != nullptr && !picture.illuminance_lx.pixels.empty()) return std::nullopt;
     Rendering result = picture;
     result.indirect = nullptr;

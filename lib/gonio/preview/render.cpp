@@ -70,8 +70,8 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
         without_cells.cell_rays = 0;
         auto geometry = picture.indirect != nullptr
                             ? picture.indirect->geometry()
-                            : std::make_shared<const detail::ExchangeGeometry>(stage, lights, without_cells,
-                                                                               options.threads, options.instruction_set);
+                            : std::make_shared<const detail::ExchangeGeometry>(
+                                  stage, lights, without_cells, options.threads, options.instruction_set);
         scene.sky = &sky.emplace(options, std::move(geometry));
     }
     const CameraRays rays(camera, options.width, options.height);

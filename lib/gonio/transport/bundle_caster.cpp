@@ -245,8 +245,7 @@ void ScatteredCaster::cast(const glm::dvec3& anchor, std::size_t own, const std:
             }
             distance_[i] = static_cast<float>(glm::distance(origin, end.position));
             const std::size_t chart = patches_.charts().index_of(end.surface, end.face);
-            ends[i] =
-                on(static_cast<std::uint32_t>(chart), patches_.charts().all()[chart].coordinates(end.position));
+            ends[i] = on(static_cast<std::uint32_t>(chart), patches_.charts().all()[chart].coordinates(end.position));
             continue;
         }
         const auto target = static_cast<std::size_t>(target_[i]);

@@ -197,9 +197,8 @@ private:
         const double lx = visible * shader_.lx()[i];
         if (!(lx > 0.0)) return;
         const glm::dvec3 of_patch = static_cast<double>(of.share[i]) * lx * light.light.color;
-        const glm::dvec3 towards = light.reach.at_infinity
-                                       ? light.light.frame.z
-                                       : glm::normalize(light.reach.center - of.position_of(i));
+        const glm::dvec3 towards =
+            light.reach.at_infinity ? light.light.frame.z : glm::normalize(light.reach.center - of.position_of(i));
         map.lx[of.pixel[i]] += of_patch;
         map.reflected_lx[of.pixel[i]] +=
             of_patch * glm::min(albedo_.by_cosine(glm::dot(of.normal_of(i), towards)), glm::dvec3(1.0));

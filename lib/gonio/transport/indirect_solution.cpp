@@ -24,9 +24,8 @@ public:
             const std::size_t chart = patches_.cells()[i].chart;
             reflected_[i] = geometry.cell_factor(chart) * albedo[patches_.charts().all()[chart].surface];
         }
-        once_ = gathered([&](std::uint32_t patch) {
-            return geometry.cell_factor(patches_.chart_of(patch)) * reflected_lx[patch];
-        });
+        once_ = gathered(
+            [&](std::uint32_t patch) { return geometry.cell_factor(patches_.chart_of(patch)) * reflected_lx[patch]; });
     }
 
     // The first bounces one by one.

@@ -90,11 +90,11 @@ private:
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
-    std::vector<glm::dvec3> albedo_; // by surface
+    std::vector<glm::dvec3> albedo_;              // by surface
     std::vector<glm::dvec3> direct_lx_;           // by patch
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again
-    std::vector<glm::dvec3> nodes_lx_; // by node
-    std::vector<detail::Sent> sent_;   // by patch and then by cell [lx]
+    std::vector<glm::dvec3> nodes_lx_;            // by node
+    std::vector<detail::Sent> sent_;              // by patch and then by cell [lx]
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
     simd::InstructionSet instruction_set_ = simd::best_available();

@@ -60,9 +60,9 @@ struct LitScene {
     // Of light from all around, and the glossy lobe of each; both are empty without a sky and without bounces.
     std::vector<DirectionalAlbedo> albedos;
     std::vector<LobeRays> lobes;
-    LightTree reaches;              // spheres by range, of the lights that are not dark
-    LightTree bodies;               // bounding spheres, of the lights with a surface
-    const SkyLight* sky = nullptr;  // to be set by who has one; null without a sky
+    LightTree reaches;             // spheres by range, of the lights that are not dark
+    LightTree bodies;              // bounding spheres, of the lights with a surface
+    const SkyLight* sky = nullptr; // to be set by who has one; null without a sky
 };
 
 } // namespace gonio::detail

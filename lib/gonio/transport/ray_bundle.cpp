@@ -80,8 +80,8 @@ private:
 
     bool is_linked(const Receivers::Place& place, std::uint32_t patch) const {
         const By by = by_link_[patches_.cell_of(patch)];
-        return by == By::cell ||
-               (by == By::patches && is_far(distance2_of(place, patches_.middle(patch)), patches_.half_diagonal(patch)));
+        return by == By::cell || (by == By::patches &&
+                                  is_far(distance2_of(place, patches_.middle(patch)), patches_.half_diagonal(patch)));
     }
 
     void link(const Receivers::Place& place, std::vector<Link>& links, std::span<float> of_charts) {

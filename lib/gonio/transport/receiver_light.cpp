@@ -76,10 +76,11 @@ Result<ReceiverLight> ReceiverLight::on(const Stage& stage, std::span<const Ligh
     }
     std::unique_ptr<detail::SkyLight> sky;
     if (!options.sky.is_dark() && !stage.surfaces.empty()) {
-        auto geometry = indirect != nullptr ? indirect->geometry()
-                                            : std::make_shared<const detail::ExchangeGeometry>(
-                                                  stage, lights, ExchangeQuality{.cell_rays = 0}, options.threads,
-                                                  options.instruction_set);
+        auto geometry =
+            indirect != nullptr
+                ? indirect->geometry()
+                : std::make_shared<const detail::ExchangeGeometry>(stage, lights, ExchangeQuality{.cell_rays = 0},
+                                                                   options.threads, options.instruction_set);
         sky = std::make_unique<detail::SkyLight>(options, std::move(geometry));
     }
     return ReceiverLight(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect),
@@ -94,7 +95,8 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
     shares.indirect_lx.assign(receivers.size(), 0.0);
     const bool has_sky = !scene_->options.sky.is_dark();
     // Many receivers, as those of a grid, face the same way, and the light of an image takes long to sum up.
-    const std::vector<glm::dvec3> open_lx = has_sky ? open_to_the_sky(scene_->options, receivers) : std::vector<glm::dvec3>();
+    const std::vector<glm::dvec3> open_lx =
+        has_sky ? open_to_the_sky(scene_->options, receivers) : std::vector<glm::dvec3>();
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
@@ -104,10 +106,10 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
             shares.visible[i * lights + light] =
                 visible_share_of(*scene_, scene_->lights[light], shadow, position, normal);
         if (has_sky) {
-            const glm::dvec3 lx = sky_ == nullptr ? open_lx[i]
-                                                  : sky_->at(receivers[i].position, normal, open_lx[i],
-                                                             ExchangeQuality().receiver_rays,
-                                                             scene_->options.instruction_set);
+            const glm::dvec3 lx = sky_ == nullptr
+                                      ? open_lx[i]
+                                      : sky_->at(receivers[i].position, normal, open_lx[i],
+                                                 ExchangeQuality().receiver_rays, scene_->options.instruction_set);
             shares.sky_lx[i] = glm::dot(lx, rec709_luminance);
         }
         if (indirect_ != nullptr)

@@ -18,7 +18,7 @@ namespace gonio {
 namespace detail {
 struct LitScene;
 class SkyLight;
-}
+} // namespace detail
 
 class ReceiverLight {
 public:

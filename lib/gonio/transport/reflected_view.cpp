@@ -65,8 +65,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
             kept_[sample] += weight_[i];
             if (sky_ != nullptr && ends_[i].chart == no_patch)
                 luminance_[sample] +=
-                    weight_[i] *
-                    glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]}));
+                    weight_[i] * glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]}));
             continue;
         }
         const float between_m = lobe.spacing() * ends_[i].distance_m;

@@ -1,7 +1,7 @@
 // The light of a sky on the surfaces of a stage, past all that stands on it.
 //
-// The nodes of an ExchangeGeometry sum up what comes along those of their rays that leave the stage; between nodes it is
-// interpolated. What the sum of all rays lacks to the illuminance of an open plane is added to flat surfaces in
+// The nodes of an ExchangeGeometry sum up what comes along those of their rays that leave the stage; between nodes it
+// is interpolated. What the sum of all rays lacks to the illuminance of an open plane is added to flat surfaces in
 // proportion to the rays that leave, so an open one has no error. README.md has that of others.
 #pragma once
 

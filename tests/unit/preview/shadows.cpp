@@ -6,9 +6,9 @@
 #include <gonio/scene/light_lines.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/shadow_line.hpp>
-#include <gonio/sky/sky.hpp>
 #include <gonio/shading/sample_disk.hpp>
 #include <gonio/shading/sample_tube.hpp>
+#include <gonio/sky/sky.hpp>
 
 #include "../light/lights.hpp"
 #include "numbers.hpp"

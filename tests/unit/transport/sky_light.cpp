@@ -35,9 +35,8 @@ LightingOptions under(const char* text) {
 }
 
 SkyLight on(const Stage& stage, const LightingOptions& options) {
-    return {options,
-            std::make_shared<const ExchangeGeometry>(stage, std::span<const Light>(), ExchangeQuality(), 0,
-                                                     options.instruction_set)};
+    return {options, std::make_shared<const ExchangeGeometry>(stage, std::span<const Light>(), ExchangeQuality(), 0,
+                                                              options.instruction_set)};
 }
 
 // What is open to the sky, direction by direction: shares nothing with SkyLight but the sky itself.
@@ -72,7 +71,8 @@ TEST(SkyLight, IsExactWhereNothingHidesIt) {
     for (const char* text : {low_sun, high_sun, overcast, even}) {
         const LightingOptions options = under(text);
         EXPECT_NEAR(on(open, options).on_surface(0, 0, {1.0, 2.0, 0.0}).y, 10e3, 1e-3) << text;
-        EXPECT_NEAR(on(open, options).at({1.0, 2.0, 0.8}, {0.0, 0.0, 1.0}, Vec(10e3), 512, options.instruction_set).y, 10e3, 1e-3)
+        EXPECT_NEAR(on(open, options).at({1.0, 2.0, 0.8}, {0.0, 0.0, 1.0}, Vec(10e3), 512, options.instruction_set).y,
+                    10e3, 1e-3)
             << text;
     }
 }
@@ -110,7 +110,9 @@ TEST(SkyLight, ReceiversAgreeWithCountedDirections) {
             hit.position = {0.1, 0.2, 0.4};
             hit.normal = normal;
             const double expected = counted(stage, options.sky, hit, 100000).y;
-            EXPECT_NEAR(light.at(hit.position, normal, options.sky.irradiance(normal), 8192, options.instruction_set).y, expected, 2e-3 * 10e3) << text;
+            EXPECT_NEAR(light.at(hit.position, normal, options.sky.irradiance(normal), 8192, options.instruction_set).y,
+                        expected, 2e-3 * 10e3)
+                << text;
         }
     }
 }
@@ -151,8 +153,8 @@ TEST(SkyLight, WithoutShadowsIsThatOfAnOpenPlane) {
     const SkyLight light = on(stage, options);
     for (const Hit& hit : seen(stage, 6)) {
         const bool is_flat = is_sheet(stage.surfaces[hit.surface].geometry);
-        EXPECT_NEAR(light.on_surface(hit.surface, hit.face, hit.position).y,
-                    options.sky.irradiance(hit.normal).y, (is_flat ? 1e-6 : 0.01) * 10e3);
+        EXPECT_NEAR(light.on_surface(hit.surface, hit.face, hit.position).y, options.sky.irradiance(hit.normal).y,
+                    (is_flat ? 1e-6 : 0.01) * 10e3);
     }
 }
 
