@@ -31,6 +31,9 @@ stage street profiles/street.ldt --color 3000K
 stage spheres --shape rect:w=1.2m,h=30cm --intensity 3000lm
 stage card profiles/flood.ies
 stage room --shape tube:r=2cm,l=1.2m --intensity 2500lm --color 4000K
+day=daylight:place=52.52/13.405,time=2026-06-21T10:00+02:00
+"$gonio" preview --sky $day --stage street --show-sky -s 320x240 -o $here/day.png
+"$gonio" preview --sky $day,weather=overcast --stage spheres -s 320x240 -o $here/overcast.png
 "$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
     -o $here/sheet.png
 "$gonio" preview --shape tube:r=2cm,l=1.2m --intensity 2500lm --fov 26deg --target 0.2,0,0.6 \
