@@ -54,6 +54,7 @@ constexpr std::string_view skeleton =
     },
     { "name": "lamp", "shape": "sphere:r=3cm", "intensity": "800lm", "color": "2700K", "position": [-1.2, -0.5, 1.2] }
   ],
+  // "sky": "500lx",                  // light from all around, gonio list skies; a closed room keeps it out
   "stage": "room",                    // gonio list stages
   "camera": { "position": [0, -2.8, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "60deg" },
   "materials": { "floor": "lambert:albedo=0.3" }  // of surfaces of the stage; gonio list materials

@@ -1,4 +1,4 @@
-// The sky of a command: --sky, and its sun as a light.
+// The sky of a command: --sky or that of a rig, and its sun as a light.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -22,11 +22,13 @@ inline constexpr Option sky_option{
 
 struct SkyInput {
     Sky sky;
+    bool is_given = false;               // though it may be dark
     std::optional<LightDescription> sun; // of daylight; named "sun"
     std::vector<std::string> files;      // that were read for it
 };
 
-// Without --sky: none. Remarks go to `diagnostics`. Fails as load_sky().
-Result<SkyInput> sky_input(const Arguments& arguments, Diagnostics& diagnostics);
+// That of --sky, else of the rig, else none. Remarks go to `diagnostics`. Fails as load_sky().
+Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDescription>& of_rig,
+                           Diagnostics& diagnostics);
 
 } // namespace gonio::cli

@@ -52,8 +52,6 @@ Result<void> read_picture(const Arguments& arguments, PreviewRequest& request) {
     if (!shadows) return pass_on(shadows);
     request.render.shadows = *shadows;
     request.render.shows_sky = arguments.has("--show-sky");
-    if (request.render.shows_sky && !arguments.has("--sky"))
-        return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     // The library never reads the environment; the tool passes $OCIO on.
     const char* const config = std::getenv("OCIO");
     request.display.config = arguments.value("--ocio").value_or(config == nullptr ? "" : config);
@@ -164,10 +162,13 @@ Result<void> read_output(const Arguments& arguments, PreviewRequest& request) {
     return {};
 }
 
-void add_sky(SkyInput sky, PreviewRequest& request) {
+Result<void> add_sky(SkyInput sky, PreviewRequest& request) {
+    if (request.render.shows_sky && !sky.is_given)
+        return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     request.render.sky = std::move(sky.sky);
     if (sky.sun) request.lights.others.push_back(*std::move(sky.sun));
     request.lights.files.insert(request.lights.files.end(), sky.files.begin(), sky.files.end());
+    return {};
 }
 
 } // namespace
@@ -183,12 +184,12 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     stage = stage_input(arguments, {}, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
+    Result<SkyInput> sky = sky_input(arguments, std::nullopt, request.diagnostics);
     if (!sky) return pass_on(sky);
     if (sky->sun)
         return fail("USE0107", "sheets show the light of profiles, and the sky of --sky has a sun",
                     "name a sky without one: weather=overcast, or a kind of cie");
-    add_sky(std::move(*sky), request);
+    if (read = add_sky(std::move(*sky), request); !read) return pass_on(read);
     return request;
 }
 
@@ -204,16 +205,17 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
-    if (!sky) return pass_on(sky);
     // A sky is light enough.
     if (asks_for_light(arguments) || !arguments.has("--sky")) {
         Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
         if (!lights) return pass_on(lights);
         request.lights = std::move(*lights);
-        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
     }
-    add_sky(std::move(*sky), request);
+    Result<SkyInput> sky = sky_input(arguments, request.lights.rig.sky, request.diagnostics);
+    if (!sky) return pass_on(sky);
+    if (!sky->is_given)
+        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    if (read = add_sky(std::move(*sky), request); !read) return pass_on(read);
     if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
     std::vector<std::string> outputs;
     for (const std::string& output : {request.output, request.export_file})

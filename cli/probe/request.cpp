@@ -19,19 +19,19 @@ namespace gonio::cli {
 
 namespace {
 
-Result<void> fits_stage(const Arguments& arguments) {
-    std::string_view given;
-    for (const std::string_view option : {"--indirect", "--sky"})
-        if (arguments.has(option)) given = option;
-    if (given.empty()) {
-        if (!arguments.has("--stage")) return {};
-        return fail("USE0104", "--stage needs --indirect or --sky",
-                    "without them, a stage neither reflects nor blocks light");
-    }
+// What is added on a stage or under a sky is added to the illuminance of one method.
+Result<void> fits_one_illuminance(const Arguments& arguments, std::string_view given) {
     for (const std::string_view option : {"--compare", "--view"})
         if (arguments.has(option))
             return fail("USE0107", fmt::format("{} and {} are both given", given, option),
                         fmt::format("{} adds illuminance to one method", given));
+    return {};
+}
+
+// Before anything is read.
+Result<void> fits_stage(const Arguments& arguments) {
+    for (const std::string_view option : {"--sky", "--indirect"})
+        if (arguments.has(option)) return fits_one_illuminance(arguments, option);
     return {};
 }
 
@@ -43,27 +43,35 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
         placement = stage->light;
         request.stage = std::move(*stage);
     }
-    const bool has_sky = arguments.has("--sky");
-    Result<SkyInput> sky = sky_input(arguments, request.diagnostics);
-    if (!sky) return pass_on(sky);
-    request.sky = std::move(sky->sky);
     request.indirect = arguments.has("--indirect");
     LightsInput input;
     // A sky is light enough.
-    if (asks_for_light(arguments) || !has_sky) {
+    if (asks_for_light(arguments) || !arguments.has("--sky")) {
         Result<LightsInput> lights = lights_input(arguments, placement, request.diagnostics);
         if (!lights) return pass_on(lights);
         input = std::move(*lights);
     }
     request.rig = input.rig_file;
-    if (request.indirect || has_sky) {
+    Result<SkyInput> sky = sky_input(arguments, input.rig.sky, request.diagnostics);
+    if (!sky) return pass_on(sky);
+    if (sky->is_given)
+        if (Result<void> fits = fits_one_illuminance(arguments, arguments.has("--sky") ? "--sky" : "a sky of the rig");
+            !fits)
+            return fits;
+    if (!request.indirect && !sky->is_given && arguments.has("--stage"))
+        return fail("USE0104", "--stage needs --indirect or --sky",
+                    "without them, a stage neither reflects nor blocks light");
+    request.sky = std::move(sky->sky);
+    if (request.indirect || sky->is_given) {
         if (!request.stage) request.stage = input.rig.stage;
         if (!request.stage && request.indirect)
             return fail("USE0104", "--indirect needs a stage that reflects the light",
                         "add --stage room, or a stage to the rig");
+        // Without a stage there is nothing to give the materials to.
+        if (request.stage)
+            for (const SurfaceMaterial& material : input.rig.materials)
+                if (Result<void> given = give_material(*request.stage, material); !given) return given;
         if (!request.stage) request.stage = Stage();
-        for (const SurfaceMaterial& material : input.rig.materials)
-            if (Result<void> given = give_material(*request.stage, material); !given) return given;
     }
     if (sky->sun) input.others.push_back(*std::move(sky->sun));
     Result<std::vector<Light>> lights = resolve_input(std::move(input), request.diagnostics, request.options.threads);

@@ -98,45 +98,52 @@ std::string file_of_sky(const std::string& text) {
 }
 
 Result<LoadedSky> load_sky(const std::string& text, const SkyRequest& request) {
-    LoadedSky loaded;
-    Result<SkyDescription> description = parse_sky_description(in_the_grammar(text), &loaded.diagnostics);
+    Diagnostics diagnostics;
+    Result<SkyDescription> description = parse_sky_description(in_the_grammar(text), &diagnostics);
     if (!description) return pass_on(description);
-    loaded.kind = name_of(description->kind);
-    const auto* const kind = std::get_if<ImageSkyKind>(&description->kind);
+    Result<LoadedSky> loaded = load_sky(std::move(*description), request);
+    if (loaded) loaded->diagnostics.insert(loaded->diagnostics.begin(), diagnostics.begin(), diagnostics.end());
+    return loaded;
+}
+
+Result<LoadedSky> load_sky(SkyDescription description, const SkyRequest& request) {
+    LoadedSky loaded;
+    loaded.kind = name_of(description.kind);
+    const auto* const kind = std::get_if<ImageSkyKind>(&description.kind);
     if (kind == nullptr) {
         if (request.calibration || request.cut_sun)
             return fail("USE0107",
                         fmt::format("{} is for images, and '{}' is a formula",
                                     request.calibration ? "--calibrate" : "--cut-sun", loaded.kind),
                         request.calibration ? "its amount is a key: horizontal=500lx" : "its sun is a light already");
-        Result<Sky> sky = resolve_sky(*description);
+        Result<Sky> sky = resolve_sky(description);
         if (!sky) return pass_on(sky);
         loaded.sky = std::move(*sky);
         loaded.sun = loaded.sky.sun();
         return loaded;
     }
-    if (request.calibration && description->amount)
+    if (request.calibration && description.amount)
         return fail("USE0107", "the image has two amounts", "leave --calibrate or the key of the image out");
     Result<LoadedImage> image = read_image(*kind, request, loaded.diagnostics);
     if (!image) return pass_on(image);
     // The calibration goes into the image, so that what is cut out of it or written has it too.
-    Result<Sky> sky = resolve_sky(*description, image->map);
+    Result<Sky> sky = resolve_sky(description, image->map);
     if (!sky) return pass_on(sky);
     EnvironmentMap map = *image->map;
     map.set_nits_per_unit(map.nits_per_unit() * sky->image_scale());
     if (request.calibration) {
         Calibration calibration = *request.calibration;
-        calibration.normal = turned(calibration.normal, Radians(-description->rotation.value));
+        calibration.normal = turned(calibration.normal, Radians(-description.rotation.value));
         if (Result<void> scaled = calibrate(map, calibration); !scaled) return pass_on(scaled);
     }
     image->map = std::make_shared<const EnvironmentMap>(std::move(map));
     if (request.cut_sun) {
-        Result<SunLight> sun = cut_sun(*image, description->rotation);
+        Result<SunLight> sun = cut_sun(*image, description.rotation);
         if (!sun) return pass_on(sun);
         loaded.sun = *sun;
     }
-    description->amount.reset();
-    sky = resolve_sky(*description, image->map);
+    description.amount.reset();
+    sky = resolve_sky(description, image->map);
     if (!sky) return pass_on(sky);
     loaded.sky = std::move(*sky);
     loaded.image = std::move(*image);

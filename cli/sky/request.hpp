@@ -53,6 +53,9 @@ struct LoadedSky {
 // The file that the text names: "room.exr", "image:room.exr,rotate=30deg", "-" for stdin; empty for a sky by formula.
 std::string file_of_sky(const std::string& text);
 
+// A sky that is described, with its image read. Fails as decode_environment and calibrate do.
+Result<LoadedSky> load_sky(SkyDescription description, const SkyRequest& request);
+
 // A sky in its grammar, or the name of an image. Fails as parse_sky_description, decode_environment and calibrate do.
 Result<LoadedSky> load_sky(const std::string& text, const SkyRequest& request);
 

@@ -36,7 +36,7 @@ using detail::type_of;
 using detail::unit_hint;
 
 constexpr std::string_view schema_name = "gonio.rig/1";
-constexpr std::array<std::string_view, 5> top_keys{"schema", "lights", "stage", "camera", "materials"};
+constexpr std::array<std::string_view, 6> top_keys{"schema", "lights", "sky", "stage", "camera", "materials"};
 constexpr std::array<std::string_view, 10> light_keys{"name",      "shape", "intensity", "color",  "position",
                                                       "direction", "up",    "rotate",    "smooth", "range"};
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
@@ -216,6 +216,12 @@ private:
                 other.value().failure = Failure::unsupported;
                 return other;
             }
+        } else if (key == "sky") {
+            Result<std::string> text = text_of(json, "for example \"cie:12,sun=180/40,horizontal=20klx\"");
+            Result<SkyDescription> sky =
+                text ? parse_sky_description(*text, &rig_.diagnostics, &files_) : Result<SkyDescription>(pass_on(text));
+            if (!sky) return placed(sky.error(), rig_.source, "sky");
+            rig_.sky = std::move(*sky);
         } else if (key == "stage") {
             Result<Stage> stage = detail::read_rig_stage(json, rig_.source);
             if (!stage) return pass_on(stage);

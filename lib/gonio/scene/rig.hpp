@@ -5,6 +5,7 @@
 //                   "position": [0, 0, 2], "direction": [0, 0, -1], "up": [0, 1, 0], "rotate": "90deg",
 //                   "range": "12m" },
 //                 { "shape": "ies:lamp.ies", "smooth": "1deg", "position": [1, 0, 2] } ],
+//     "sky": "cie:12,sun=180/40,horizontal=20klx",
 //     "stage": "floor",
 //     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
 //     "materials": { "floor": "lambert:albedo=0.5" } }
@@ -20,11 +21,11 @@
 //       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" } },
 //       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
 //
-// Only `shape` is required for a light; the defaults are those of LightDescription. Arrays are in metres. Files named
-// by a shape, a mask or a spectrum are relative to the rig's folder and must be regular files under it, symbolic links
-// resolved, unless RigReadOptions allows others; a profile is read once and shared by every light that names it. The
-// JSON is read as a stream: memory grows only with the lights (about 0.5 kB each, including resolving); nesting and the
-// size of one light are limited. A million lights take 2.4 s.
+// With a sky, `lights` may be an empty array. Only `shape` is required for a light; the defaults are those of
+// LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum are relative to the rig's folder
+// and must be regular files under it, symbolic links resolved, unless RigReadOptions allows others; a profile is read
+// once and shared by every light that names it. The JSON is read as a stream: memory grows only with the lights (about
+// 0.5 kB each, including resolving); nesting and the size of one light are limited. A million lights take 2.4 s.
 // rig.schema.json beside this file is the schema for editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is invalid, else
@@ -37,6 +38,7 @@
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/sky/sky_description.hpp>
 
 #include <optional>
 #include <span>
@@ -55,6 +57,7 @@ struct SurfaceMaterial {
 struct Rig {
     std::string source;                   // the name used in messages
     std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
+    std::optional<SkyDescription> sky;    // an image is named and not read
     std::optional<Stage> stage;           // as in the file: the materials are not applied
     std::optional<Camera> camera;
     std::vector<SurfaceMaterial> materials;
@@ -75,7 +78,7 @@ Result<Rig> read_rig(std::string_view text, const std::string& source, const std
 // Reads the file at `path`. For "-", standard input, file names are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
 
-// Fails (malformed) on a rig without lights: there is nothing to show or to export.
+// Fails (malformed) on a rig without lights: there is nothing to export, and nothing to show unless it has a sky.
 Result<void> require_lights(const Rig& rig);
 
 // Resolves every light, in order; runs on several threads. Fails as resolve_light does, with the light's JSON path.

@@ -117,7 +117,7 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error[RIG0105]: lights: must be an array");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lihgts":1})"),
               "rig.json: error[RIG0103]: unknown key 'lihgts'\n"
-              "hint: did you mean 'lights'? there are: schema, lights, stage, camera, materials");
+              "hint: did you mean 'lights'? there are: schema, lights, sky, stage, camera, materials");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lights":[]})"),
               "rig.json: error[RIG0107]: the key 'lights' is given twice");
     EXPECT_EQ(light_refusal("7"), "rig.json: error[RIG0105]: lights[0]: must be an object, not a number");
