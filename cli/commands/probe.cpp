@@ -128,7 +128,8 @@ const Command probe_command{
     "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1.\n"
     "Prints lux in double precision. With --view and --material it also prints the luminance\n"
     "towards the eye in nits. Lights neither occlude nor reflect each other. --indirect adds the light\n"
-    "that a stage reflects, and its shadows; --sky adds a sky and the sun of daylight.",
+    "that a stage reflects; --sky adds a sky and the sun of daylight. With either, what stands on a stage\n"
+    "hides lights.",
     groups,
     examples,
     run,

@@ -9,6 +9,7 @@
 #include "../options/output.hpp"
 #include "../options/rig_input.hpp"
 #include "../options/values.hpp"
+#include "../sky/request.hpp"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,14 @@ Outcome check(const std::string& file, const RigReadOptions& options) {
         return outcome;
     }
     Diagnostics diagnostics;
+    if (rig->sky) {
+        Result<LoadedSky> sky = load_sky(*rig->sky, {});
+        if (!sky) {
+            outcome.error = std::move(sky.error());
+            return outcome;
+        }
+        diagnostics = std::move(sky->diagnostics);
+    }
     const std::size_t files = rig->files.size();
     const std::string stage = rig->stage ? fmt::format(", stage '{}'", rig->stage->name) : std::string();
     Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), diagnostics, 1);

@@ -111,6 +111,8 @@ Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
 Result<Content> content_of_rig(Rig rig, const std::string& name) {
     Content content;
     content.diagnostics = rig.diagnostics;
+    if (rig.sky)
+        content.diagnostics.push_back(result_diagnostic("RES0201", "the sky of the rig is left out", {}, rig.source));
     Result<std::vector<Light>> lights = resolve_lights(std::move(rig), content.diagnostics, 1);
     if (!lights) return pass_on(lights);
     content.lights = std::move(*lights);

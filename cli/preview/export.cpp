@@ -41,6 +41,8 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
                                    std::optional<Nits> white) {
     Result<const StageFormat*> format = stage_format_of(request.export_file);
     if (!format) return pass_on(format);
+    if (lights.empty())
+        return fail("USE0107", "--export writes lights, and there is only a sky", "add a light, or leave --export out");
     StageSceneOptions options;
     options.name = asset_name(request.export_file);
     options.description = description_of(request, lights.size(), white);
@@ -61,7 +63,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     }
     if (request.render.shadows != Shadows::soft)
         scene->instead.emplace_back("other renderers cast soft shadows regardless of --shadows");
-    if (!request.render.sky.is_dark()) scene->instead.emplace_back("the sky of --sky is left out");
+    if (!request.render.sky.is_dark()) scene->instead.emplace_back("the sky is left out");
     for (const std::string& line : scene->instead)
         exported.diagnostics.push_back(result_diagnostic("RES0201", line, {}, request.export_file));
     return exported;

@@ -27,6 +27,9 @@ constexpr std::size_t most_cells = limit("sweep-pictures").value;
 // Sets the lights of the axis's target name, or all lights.
 Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<LightDescription>& lights,
                         Diagnostics& diagnostics) {
+    if (lights.empty())
+        return fail("USE0103", fmt::format("--sweep '{}': there is no light", axis.text),
+                    "a sky and its sun cannot be swept: add a light");
     bool has_name = axis.target.empty();
     bool was_set = false;
     for (LightDescription& light : lights) {

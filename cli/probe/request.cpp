@@ -20,11 +20,11 @@ namespace gonio::cli {
 namespace {
 
 // What is added on a stage or under a sky is added to the illuminance of one method.
-Result<void> fits_one_illuminance(const Arguments& arguments, std::string_view given) {
+Result<void> fits_one_illuminance(const Arguments& arguments, std::string_view given, std::string_view hint = {}) {
     for (const std::string_view option : {"--compare", "--view"})
         if (arguments.has(option))
             return fail("USE0107", fmt::format("{} and {} are both given", given, option),
-                        fmt::format("{} adds illuminance to one method", given));
+                        hint.empty() ? fmt::format("{} adds illuminance to one method", given) : std::string(hint));
     return {};
 }
 
@@ -55,7 +55,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
     Result<SkyInput> sky = sky_input(arguments, input.rig.sky, request.diagnostics);
     if (!sky) return pass_on(sky);
     if (sky->is_given)
-        if (Result<void> fits = fits_one_illuminance(arguments, arguments.has("--sky") ? "--sky" : "a sky of the rig");
+        if (Result<void> fits = fits_one_illuminance(arguments, "a sky of the rig",
+                                                     "it adds illuminance to one method: take \"sky\" out of the rig");
             !fits)
             return fits;
     if (!request.indirect && !sky->is_given && arguments.has("--stage"))

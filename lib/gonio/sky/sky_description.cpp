@@ -121,6 +121,8 @@ Result<SkyKind> read_image(const Reading& reading) {
         return fail("USE0104", "'image' needs a file", "write image:room.exr");
     sky.file = reading.text.entries.front().key;
     if (reading.files != nullptr) {
+        if (sky.file == "-")
+            return fail("USE0107", "the sky of a rig cannot be read from standard input", "name a file beside the rig");
         Result<std::string> path = reading.files->path_of(sky.file);
         if (!path) return pass_on(path);
         sky.file = *path;

@@ -27,7 +27,7 @@ struct LightingOptions {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
-    Sky sky;                  // without its sun, which is a light; it is not visible itself
+    Sky sky;                  // without its sun, which is a light
     int bounces = 0;          // between the surfaces of the stage: 0 = direct light alone, or all_bounces
     bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
     bool illuminance = false; // computes the illuminance of the surfaces too

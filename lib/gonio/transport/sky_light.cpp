@@ -90,9 +90,9 @@ glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3&
 
 glm::dvec3 SkyLight::at(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx,
                         std::size_t rays, simd::InstructionSet set) const {
+    if (options_.shadows == Shadows::off) return open_lx;
     std::vector<glm::dvec3> nt = luminance_along(options_.sky, cosine_directions(rays), normal);
     correct(nt, open_lx);
-    if (options_.shadows == Shadows::off) return open_lx;
     const Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
     const Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, rays, 1, set);
     return glm::max(pi * bundle.leaving(0, nt), glm::dvec3(0.0));
