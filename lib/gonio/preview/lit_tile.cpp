@@ -58,9 +58,7 @@ void LitTile::show_emitters() {
         // Towards the eye the mask is the same from every point of the light, except for the effect of its width.
         const double mask = mask_share(light, light.frame.origin + seen.view);
         picture_.shows_light[seen.pixel] = 1;
-        for (int channel = 0; channel < 3; ++channel)
-            picture_.luminance_nt.pixels[std::size_t{seen.pixel} * 3 + static_cast<std::size_t>(channel)] +=
-                static_cast<float>(seen.share * mask * light.luminance.value * light.color[channel]);
+        add(seen.pixel, seen.share * mask * light.luminance.value * light.color);
         if (seen.share < 1.0F) add_part(seen.pixel, seen.share, mask * light.luminance.value * light.color);
     }
 }
@@ -77,12 +75,14 @@ void LitTile::show_subjects() {
 }
 
 void LitTile::show_sky() {
-    for (const TileSamples::OpenShare& open : tile_.open()) {
-        const glm::dvec3 rgb = static_cast<double>(open.share) * options_.sky.radiance(open.direction);
-        for (int channel = 0; channel < 3; ++channel)
-            picture_.luminance_nt.pixels[std::size_t{open.pixel} * 3 + static_cast<std::size_t>(channel)] +=
-                static_cast<float>(rgb[channel]);
-    }
+    for (const TileSamples::OpenShare& open : tile_.open())
+        add(open.pixel, static_cast<double>(open.share) * options_.sky.radiance(open.direction));
+}
+
+void LitTile::add(std::uint32_t pixel, const glm::dvec3& nt) {
+    for (int channel = 0; channel < 3; ++channel)
+        picture_.luminance_nt.pixels[std::size_t{pixel} * 3 + static_cast<std::size_t>(channel)] +=
+            static_cast<float>(nt[channel]);
 }
 
 // The points of a pixel on one light come one after the other.

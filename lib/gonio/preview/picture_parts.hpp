@@ -10,7 +10,7 @@
 
 namespace gonio {
 
-// The picture with all lights dark: black, or only what the options add, such as an ambient sky.
+// The picture with all lights dark: black, or only what the options add, such as a sky.
 Result<Rendering> render_unlit(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                const RenderOptions& options);
 

@@ -4,7 +4,6 @@
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/render.hpp>
-#include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/sky_light.hpp>
 
@@ -13,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,16 +62,9 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
         picture.indirect = std::make_shared<const Interreflection>(std::move(*indirect));
     }
     detail::LitScene scene(stage, lights, options);
-    std::optional<detail::SkyLight> sky;
-    if (!options.sky.is_dark()) {
-        ExchangeQuality without_cells;
-        without_cells.cell_rays = 0;
-        auto geometry = picture.indirect != nullptr
-                            ? picture.indirect->geometry()
-                            : std::make_shared<const detail::ExchangeGeometry>(
-                                  stage, lights, without_cells, options.threads, options.instruction_set);
-        scene.sky = &sky.emplace(options, std::move(geometry));
-    }
+    const std::shared_ptr<const detail::SkyLight> sky =
+        detail::SkyLight::on(stage, lights, options, picture.indirect.get());
+    scene.sky = sky.get();
     const CameraRays rays(camera, options.width, options.height);
     const detail::RayScene ray_scene{stage, lights, rays, scene.bodies, options.width, options.height};
     const int across = (options.width + detail::tile_size - 1) / detail::tile_size;

@@ -1,6 +1,8 @@
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/directional_albedo.hpp>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,6 +54,16 @@ glm::dvec3 DirectionalAlbedo::operator()(double cosine) const {
     const auto i = std::min(static_cast<std::size_t>(at), albedo_.size() - 2);
     const double share = at - static_cast<double>(i);
     return (1.0 - share) * albedo_[i] + share * albedo_[i + 1];
+}
+
+glm::dvec3 DirectionalAlbedo::over_hemisphere() const {
+    if (albedo_.size() == 1) return albedo_.front();
+    // With µ = √s it is the mean of A over s.
+    constexpr int steps = 32;
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < steps; ++i)
+        sum += (*this)(std::sqrt((i + 0.5) / steps));
+    return glm::clamp(sum / static_cast<double>(steps), 0.0, 1.0);
 }
 
 } // namespace gonio

@@ -24,6 +24,9 @@ public:
 
     glm::dvec3 operator()(double cosine) const;
 
+    // Of light that is uniform over the hemisphere, in [0, 1]: 2 ∫ A(µ) µ dµ. Lambert's is its albedo.
+    glm::dvec3 over_hemisphere() const;
+
 private:
     std::vector<glm::dvec3> albedo_; // at the cosines (i/(n−1))²; a single one for Lambert
 };

@@ -7,7 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -56,19 +59,37 @@ glm::dvec3 Sky::radiance(const glm::dvec3& direction) const {
 }
 
 std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals) const {
+    std::vector<std::size_t> order(normals.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::tie(normals[a].x, normals[a].y, normals[a].z) < std::tie(normals[b].x, normals[b].y, normals[b].z);
+    });
+    std::vector<glm::dvec3> different;
+    std::vector<std::size_t> which(normals.size());
+    for (const std::size_t i : order) {
+        if (different.empty() || normals[i] != different.back()) different.push_back(normals[i]);
+        which[i] = different.size() - 1;
+    }
+    const std::vector<glm::dvec3> of_each = irradiance_of_each(std::move(different));
     std::vector<glm::dvec3> results;
     results.reserve(normals.size());
-    if (image_) {
-        for (const glm::dvec3& normal : normals)
-            results.push_back(turned(normal, Radians(-rotation_.value)));
-        results = image_->irradiance(results);
-        for (glm::dvec3& result : results)
-            result *= scale_;
-        return results;
-    }
-    for (const glm::dvec3& normal : normals)
-        results.push_back(irradiance(normal));
+    for (const std::size_t index : which)
+        results.push_back(of_each[index]);
     return results;
+}
+
+std::vector<glm::dvec3> Sky::irradiance_of_each(std::vector<glm::dvec3> normals) const {
+    if (image_) {
+        for (glm::dvec3& normal : normals)
+            normal = turned(normal, Radians(-rotation_.value));
+        normals = image_->irradiance(normals);
+        for (glm::dvec3& lx : normals)
+            lx *= scale_;
+    } else {
+        for (glm::dvec3& normal : normals)
+            normal = irradiance(normal);
+    }
+    return normals;
 }
 
 glm::dvec3 Sky::irradiance(const glm::dvec3& normal) const {

@@ -36,7 +36,7 @@ public:
     // to 1e-8 in about a millisecond for others; an image is summed, in about 0.1 µs a texel.
     glm::dvec3 irradiance(const glm::dvec3& normal) const;
 
-    // The same of several planes: one pass over the pixels of an image.
+    // The same of several planes, once for each different normal: one pass over the pixels of an image.
     std::vector<glm::dvec3> irradiance(std::span<const glm::dvec3> normals) const;
 
     // Luminances: of the zenith, and the mean over the sky's solid angle (SkyMeasure::mean).
@@ -48,8 +48,6 @@ public:
 
     // No light from anywhere, but for the sun.
     bool is_dark() const { return !(scale_ > 0.0); }
-    // The same luminance from everywhere.
-    bool is_uniform() const { return !cie_ && !image_; }
 
     const std::optional<SunLight>& sun() const { return sun_; }
 
@@ -63,6 +61,8 @@ public:
 
 private:
     friend Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image);
+
+    std::vector<glm::dvec3> irradiance_of_each(std::vector<glm::dvec3> normals) const;
 
     std::optional<CieSky> cie_;
     glm::dvec3 color_{1.0};

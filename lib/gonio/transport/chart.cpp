@@ -123,6 +123,11 @@ struct Maker {
     }
 };
 
+// From [−π, π] to [0, 2π).
+double unwrapped(double azimuth) {
+    return azimuth < 0.0 ? azimuth + 2.0 * pi : azimuth;
+}
+
 // A point of the outline of a capsule: its distance from the axis, its height along it, and the sine of the slope of
 // its normal.
 struct Outline {
@@ -162,17 +167,15 @@ Interest interest_of(const Stage& stage, const std::vector<glm::dvec3>& lights) 
 glm::dvec2 Chart::coordinates(const glm::dvec3& position) const {
     const glm::dvec3 local = frame.to_local(position - frame.origin);
     if (kind == Kind::flat) return {local.x, local.y};
-    double azimuth = std::atan2(local.y, local.x);
-    if (azimuth < 0.0) azimuth += 2.0 * pi;
     const double quarter = 0.5 * pi * radius;
     const double straight = std::clamp(local.z, -half_length, half_length);
     const double out = std::hypot(local.x, local.y);
     const double angle = std::atan2(local.z - straight, out);
-    return {azimuth, quarter + straight + half_length + radius * angle};
+    return {unwrapped(std::atan2(local.y, local.x)), quarter + straight + half_length + radius * angle};
 }
 
 glm::dvec2 Chart::on_sphere(double azimuth, double elevation) const {
-    return {azimuth < 0.0 ? azimuth + 2.0 * pi : azimuth, radius * (0.5 * pi + elevation)};
+    return {unwrapped(azimuth), radius * (0.5 * pi + elevation)};
 }
 
 glm::dvec3 Chart::position(const glm::dvec2& at) const {

@@ -73,7 +73,7 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
     places.clear();
     for (const Node& node : nodes_)
         places.push_back({node.position, node.normal, own(node.surface), !node.gathers()});
-    from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
+    if (quality.node_rays > 0) from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
     if (quality.cell_rays > 0) balance();
 }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace gonio {
@@ -36,29 +35,12 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
                 "give a surface an albedo below 1, or ask for a number of bounces");
 }
 
-// 2 ∫ A(µ) µ dµ with µ = √s: the mean of A over s.
-glm::dvec3 over_hemisphere(const DirectionalAlbedo& albedo) {
-    constexpr int steps = 32;
-    glm::dvec3 sum(0.0);
-    for (int i = 0; i < steps; ++i)
-        sum += albedo(std::sqrt((i + 0.5) / steps));
-    return glm::clamp(sum / static_cast<double>(steps), 0.0, 1.0);
-}
-
-glm::dvec3 hemispherical_albedo(const CoreMaterial& material) {
-    // Of Lambert's there is nothing to sum up, which would round it.
-    if (const auto* lambert = std::get_if<shading::Lambert<double>>(&material))
-        return {lambert->albedo.x, lambert->albedo.y, lambert->albedo.z};
-    return over_hemisphere(DirectionalAlbedo(material, DirectionalAlbedo::Fineness::coarse));
-}
-
 } // namespace
 
 glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
-    const CoreMaterial whole = core_material(material);
-    if (specular) return hemispherical_albedo(whole);
-    return hemispherical_albedo(
-        std::visit([](const auto& of) { return CoreMaterial(shading::diffuse_alone(of)); }, whole));
+    CoreMaterial core = core_material(material);
+    if (!specular) core = std::visit([](const auto& of) { return CoreMaterial(shading::diffuse_alone(of)); }, core);
+    return DirectionalAlbedo(core, DirectionalAlbedo::Fineness::coarse).over_hemisphere();
 }
 
 Interreflection::Interreflection() = default;
@@ -83,11 +65,9 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     exchange.albedo_.resize(stage.surfaces.size());
     std::vector<DirectionalAlbedo> by_cosine(stage.surfaces.size());
     parallel_for(stage.surfaces.size(), options.threads, [&](std::size_t i) {
-        const CoreMaterial material = core_material(stage.surfaces[i].material);
-        by_cosine[i] = DirectionalAlbedo(material, DirectionalAlbedo::Fineness::coarse);
-        exchange.albedo_[i] = std::holds_alternative<shading::Lambert<double>>(material)
-                                  ? hemispherical_albedo(material)
-                                  : over_hemisphere(by_cosine[i]);
+        by_cosine[i] =
+            DirectionalAlbedo(core_material(stage.surfaces[i].material), DirectionalAlbedo::Fineness::coarse);
+        exchange.albedo_[i] = by_cosine[i].over_hemisphere();
     });
     if (options.bounces == all_bounces)
         if (Result<void> solvable = has_solution(geometry, exchange.albedo_); !solvable) return pass_on(solvable);
@@ -97,8 +77,9 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     exact.bounces = 0;
     {
         detail::LitScene scene(stage, lights, exact);
-        std::optional<detail::SkyLight> sky;
-        if (!options.sky.is_dark()) scene.sky = &sky.emplace(options, exchange.geometry_);
+        if (!options.sky.is_dark())
+            exchange.sky_ = std::make_shared<const detail::SkyLight>(options, exchange.geometry_);
+        scene.sky = exchange.sky_.get();
         detail::DirectMap direct = direct_map(patches, scene, by_cosine, exchange.albedo_);
         exchange.direct_lx_ = std::move(direct.lx);
         exchange.direct_reflected_lx_ = std::move(direct.reflected_lx);

@@ -23,6 +23,7 @@ namespace gonio {
 
 namespace detail {
 class ExchangeGeometry;
+class SkyLight;
 struct PatchPlace;
 struct Sent;
 } // namespace detail
@@ -31,7 +32,7 @@ struct Sent;
 struct ExchangeQuality {
     double patches = 8000.0;          // about as many carry direct light
     std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution; 0: for a sky alone
-    std::size_t node_rays = 768;      // of each node, in the last gathering
+    std::size_t node_rays = 768;      // of each node, in the last gathering; 0: for receivers alone
     double node_spacing = 1.0;        // multiplies the distances between nodes
     std::size_t receiver_rays = 8192; // of a point that is not on a surface
 
@@ -66,6 +67,8 @@ public:
     // patches, or of the patch itself if it is smaller than `fine_m`. For the transport room itself.
     glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m) const;
     const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
+    // What surfaces receive of the options' sky; null without one.
+    const std::shared_ptr<const detail::SkyLight>& sky() const { return sky_; }
 
     const ExchangeBalance& balance() const { return balance_; }
     std::size_t node_count() const;
@@ -90,6 +93,7 @@ private:
     glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
+    std::shared_ptr<const detail::SkyLight> sky_;
     std::vector<glm::dvec3> albedo_;              // by surface
     std::vector<glm::dvec3> direct_lx_;           // by patch
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again

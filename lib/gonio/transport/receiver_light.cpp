@@ -8,9 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace gonio {
@@ -33,35 +31,11 @@ double visible_share_of(const detail::LitScene& scene, const detail::LitLight& l
 
 constexpr glm::dvec3 up{0.0, 0.0, 1.0};
 
-// Of planes that nothing stands before [lx].
-std::vector<glm::dvec3> open_to_the_sky(const LightingOptions& options, std::span<const Receiver> receivers) {
-    std::vector<glm::dvec3> normals;
-    for (const Receiver& receiver : receivers)
-        normals.push_back(unit_vector(receiver.normal).value_or(up));
-    const auto before = [&](std::size_t a, std::size_t b) {
-        return std::tie(normals[a].x, normals[a].y, normals[a].z) < std::tie(normals[b].x, normals[b].y, normals[b].z);
-    };
-    std::vector<std::size_t> order(normals.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), before);
-    std::vector<glm::dvec3> different;
-    std::vector<std::size_t> which(normals.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || normals[order[i]] != different.back()) different.push_back(normals[order[i]]);
-        which[order[i]] = different.size() - 1;
-    }
-    different = options.sky.irradiance(different);
-    std::vector<glm::dvec3> lx;
-    for (const std::size_t index : which)
-        lx.push_back(different[index]);
-    return lx;
-}
-
 } // namespace
 
 ReceiverLight::ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect,
-                             std::unique_ptr<detail::SkyLight> sky)
-    : scene_(std::move(scene)), indirect_(std::move(indirect)), sky_(std::move(sky)) {}
+                             std::shared_ptr<const detail::ExchangeGeometry> geometry)
+    : scene_(std::move(scene)), indirect_(std::move(indirect)), geometry_(std::move(geometry)) {}
 ReceiverLight::ReceiverLight(ReceiverLight&& other) noexcept = default;
 ReceiverLight& ReceiverLight::operator=(ReceiverLight&& other) noexcept = default;
 ReceiverLight::~ReceiverLight() = default;
@@ -74,17 +48,17 @@ Result<ReceiverLight> ReceiverLight::on(const Stage& stage, std::span<const Ligh
         if (!solved) return pass_on(solved);
         indirect = std::make_unique<Interreflection>(std::move(*solved));
     }
-    std::unique_ptr<detail::SkyLight> sky;
-    if (!options.sky.is_dark() && !stage.surfaces.empty()) {
-        auto geometry =
-            indirect != nullptr
-                ? indirect->geometry()
-                : std::make_shared<const detail::ExchangeGeometry>(stage, lights, ExchangeQuality{.cell_rays = 0},
-                                                                   options.threads, options.instruction_set);
-        sky = std::make_unique<detail::SkyLight>(options, std::move(geometry));
+    std::shared_ptr<const detail::ExchangeGeometry> geometry;
+    if (indirect != nullptr) {
+        geometry = indirect->geometry();
+    } else if (!options.sky.is_dark() && !stage.surfaces.empty()) {
+        ExchangeQuality quality;
+        quality.cell_rays = quality.node_rays = 0;
+        geometry = std::make_shared<const detail::ExchangeGeometry>(stage, lights, quality, options.threads,
+                                                                    options.instruction_set);
     }
     return ReceiverLight(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect),
-                         std::move(sky));
+                         std::move(geometry));
 }
 
 ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) const {
@@ -94,9 +68,12 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
     shares.sky_lx.assign(receivers.size(), 0.0);
     shares.indirect_lx.assign(receivers.size(), 0.0);
     const bool has_sky = !scene_->options.sky.is_dark();
-    // Many receivers, as those of a grid, face the same way, and the light of an image takes long to sum up.
-    const std::vector<glm::dvec3> open_lx =
-        has_sky ? open_to_the_sky(scene_->options, receivers) : std::vector<glm::dvec3>();
+    std::vector<glm::dvec3> open_lx; // of planes that nothing stands before
+    if (has_sky) {
+        for (const Receiver& receiver : receivers)
+            open_lx.push_back(unit_vector(receiver.normal).value_or(up));
+        open_lx = scene_->options.sky.irradiance(open_lx);
+    }
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
@@ -106,10 +83,10 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
             shares.visible[i * lights + light] =
                 visible_share_of(*scene_, scene_->lights[light], shadow, position, normal);
         if (has_sky) {
-            const glm::dvec3 lx = sky_ == nullptr
+            const glm::dvec3 lx = geometry_ == nullptr
                                       ? open_lx[i]
-                                      : sky_->at(receivers[i].position, normal, open_lx[i],
-                                                 ExchangeQuality().receiver_rays, scene_->options.instruction_set);
+                                      : detail::sky_light_at(scene_->options, *geometry_, receivers[i].position, normal,
+                                                             open_lx[i], ExchangeQuality().receiver_rays);
             shares.sky_lx[i] = glm::dot(lx, rec709_luminance);
         }
         if (indirect_ != nullptr)

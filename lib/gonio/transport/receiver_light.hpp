@@ -16,8 +16,8 @@
 namespace gonio {
 
 namespace detail {
+class ExchangeGeometry;
 struct LitScene;
-class SkyLight;
 } // namespace detail
 
 class ReceiverLight {
@@ -40,11 +40,12 @@ public:
 
 private:
     ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect,
-                  std::unique_ptr<detail::SkyLight> sky);
+                  std::shared_ptr<const detail::ExchangeGeometry> geometry);
 
     std::unique_ptr<detail::LitScene> scene_;
     std::unique_ptr<Interreflection> indirect_; // null without bounces
-    std::unique_ptr<detail::SkyLight> sky_;     // null without a sky, and on an empty stage, where it is open
+    // Null where there is neither light that bounced nor a sky that something may hide.
+    std::shared_ptr<const detail::ExchangeGeometry> geometry_;
 };
 
 } // namespace gonio

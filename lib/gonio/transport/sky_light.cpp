@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/scene/primitives.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
+#include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/sky_light.hpp>
 
 #include <glm/common.hpp>
@@ -44,7 +45,7 @@ void correct(std::vector<glm::dvec3>& nt, const glm::dvec3& open_lx) {
 } // namespace
 
 SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry)
-    : options_(options), geometry_(std::move(geometry)) {
+    : geometry_(std::move(geometry)) {
     const Sky& sky = options.sky;
     const Bundles& bundles = geometry_->from_nodes();
     const std::vector<glm::dvec3> directions = cosine_directions(bundles.rays());
@@ -80,6 +81,17 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     geometry_->fill_between(lx_);
 }
 
+std::shared_ptr<const SkyLight> SkyLight::on(const Stage& stage, std::span<const Light> lights,
+                                             const LightingOptions& options, const Interreflection* indirect) {
+    if (options.sky.is_dark()) return nullptr;
+    if (indirect != nullptr) return indirect->sky();
+    ExchangeQuality quality;
+    quality.cell_rays = 0;
+    return std::make_shared<const SkyLight>(
+        options,
+        std::make_shared<const ExchangeGeometry>(stage, lights, quality, options.threads, options.instruction_set));
+}
+
 glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
     const NodeMean around = geometry_->around(geometry_->patches().charts().index_of(surface, face), position);
     glm::dvec3 lx(0.0);
@@ -88,13 +100,13 @@ glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3&
     return glm::max(lx, glm::dvec3(0.0));
 }
 
-glm::dvec3 SkyLight::at(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx,
-                        std::size_t rays, simd::InstructionSet set) const {
-    if (options_.shadows == Shadows::off) return open_lx;
-    std::vector<glm::dvec3> nt = luminance_along(options_.sky, cosine_directions(rays), normal);
+glm::dvec3 sky_light_at(const LightingOptions& options, const ExchangeGeometry& geometry, const glm::dvec3& position,
+                        const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays) {
+    if (options.shadows == Shadows::off) return open_lx;
+    std::vector<glm::dvec3> nt = luminance_along(options.sky, cosine_directions(rays), normal);
     correct(nt, open_lx);
-    const Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
-    const Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, rays, 1, set);
+    const Receivers::Place place{position + Patches::lift(geometry.patches().square_m()) * normal, normal};
+    const Bundles bundle(geometry.stage(), geometry.patches(), {&place, 1}, rays, 1, options.instruction_set);
     return glm::max(pi * bundle.leaving(0, nt), glm::dvec3(0.0));
 }
 

@@ -5,15 +5,22 @@
 // proportion to the rays that leave, so an open one has no error. README.md has that of others.
 #pragma once
 
-#include <gonio/simd/dispatch.hpp>
-#include <gonio/sky/sky.hpp>
+#include <gonio/light/light.hpp>
+#include <gonio/scene/stage.hpp>
 #include <gonio/transport/lighting_options.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
+
+namespace gonio {
+
+class Interreflection;
+
+} // namespace gonio
 
 namespace gonio::detail {
 
@@ -21,23 +28,26 @@ class ExchangeGeometry;
 
 class SkyLight {
 public:
-    // Uses these options, which must outlive it: sky, shadows, threads.
+    // Uses these options: sky, shadows, threads. The geometry must have rays of nodes.
     SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry);
+
+    // That of `indirect`, which may be null, or else one without what only bounces need. Null for a dark sky.
+    static std::shared_ptr<const SkyLight> on(const Stage& stage, std::span<const Light> lights,
+                                              const LightingOptions& options, const Interreflection* indirect);
 
     // Illuminance of a point of a surface, RGB [lx].
     glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
 
-    // The same at any point, with `rays` rays of its own; `normal` is unit, and `open_lx` the illuminance of an open
-    // plane with it.
-    glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays,
-                  simd::InstructionSet set) const;
-
     const std::shared_ptr<const ExchangeGeometry>& geometry() const { return geometry_; }
 
 private:
-    const LightingOptions& options_;
     std::shared_ptr<const ExchangeGeometry> geometry_;
     std::vector<glm::dvec3> lx_; // by node
 };
+
+// The same at any point, with `rays` rays of its own; `normal` is unit, and `open_lx` the illuminance of an open plane
+// with it. Uses these options: sky, shadows, instruction_set.
+glm::dvec3 sky_light_at(const LightingOptions& options, const ExchangeGeometry& geometry, const glm::dvec3& position,
+                        const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays);
 
 } // namespace gonio::detail

@@ -152,7 +152,7 @@ TEST(EnvironmentLayout, DirectionsAreWhereTheyAreSaidToBe) {
     EXPECT_TRUE(same(at(octahedral, 0.5, 1e-15), north));
     EXPECT_TRUE(same(at(octahedral, 1 - 1e-15, 0.5), east));
     EXPECT_TRUE(same(at(octahedral, 1e-15, 1e-15), -up));
-    // As seen from inside: columns run to the right, rows down, in all but the strip, which is mirrored.
+    // Columns run to the right and rows down as seen from inside; only the strip is mirrored.
     for (const EnvironmentLayoutInfo& info : environment_layouts()) {
         const EnvironmentGrid of = grid(info.layout, 64);
         for (int row = 3; row < of.height(); row += 20)

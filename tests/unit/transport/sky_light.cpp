@@ -71,8 +71,10 @@ TEST(SkyLight, IsExactWhereNothingHidesIt) {
     for (const char* text : {low_sun, high_sun, overcast, even}) {
         const LightingOptions options = under(text);
         EXPECT_NEAR(on(open, options).on_surface(0, 0, {1.0, 2.0, 0.0}).y, 10e3, 1e-3) << text;
-        EXPECT_NEAR(on(open, options).at({1.0, 2.0, 0.8}, {0.0, 0.0, 1.0}, Vec(10e3), 512, options.instruction_set).y,
-                    10e3, 1e-3)
+        const SkyLight light = on(open, options);
+        EXPECT_NEAR(
+            detail::sky_light_at(options, *light.geometry(), {1.0, 2.0, 0.8}, {0.0, 0.0, 1.0}, Vec(10e3), 512).y, 10e3,
+            1e-3)
             << text;
     }
 }
@@ -110,7 +112,9 @@ TEST(SkyLight, ReceiversAgreeWithCountedDirections) {
             hit.position = {0.1, 0.2, 0.4};
             hit.normal = normal;
             const double expected = counted(stage, options.sky, hit, 100000).y;
-            EXPECT_NEAR(light.at(hit.position, normal, options.sky.irradiance(normal), 8192, options.instruction_set).y,
+            EXPECT_NEAR(detail::sky_light_at(options, *light.geometry(), hit.position, normal,
+                                             options.sky.irradiance(normal), 8192)
+                            .y,
                         expected, 2e-3 * 10e3)
                 << text;
         }

@@ -30,6 +30,7 @@ private:
     void show_emitters();
     void show_sky();
     void show_subjects();
+    void add(std::uint32_t pixel, const glm::dvec3& nt);
     void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
     void count_samples();
     void add_surroundings();
