@@ -77,7 +77,7 @@ std::string counted(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
-Outcome check(const std::string& file, const RigReadOptions& options) {
+Outcome check(const std::string& file, const RigReadOptions& options, const SkyRequest& colors) {
     Outcome outcome;
     Result<Rig> rig = read_rig_file(file, options);
     if (!rig) {
@@ -86,7 +86,7 @@ Outcome check(const std::string& file, const RigReadOptions& options) {
     }
     Diagnostics diagnostics;
     if (rig->sky) {
-        Result<LoadedSky> sky = load_sky(*rig->sky, {});
+        Result<LoadedSky> sky = load_sky(*rig->sky, colors);
         if (!sky) {
             outcome.error = std::move(sky.error());
             return outcome;
@@ -118,9 +118,10 @@ Result<int> check_all(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     const RigReadOptions options = rig_read_options(arguments);
+    const SkyRequest colors = sky_request_of_colors(arguments);
     const ReportKind kind = report_kind(arguments);
     return run_batch({files, "gonio.rig-check/1", "checked", *threads}, kind, console, [&](std::size_t index) {
-        Outcome outcome = check(files[index], options);
+        Outcome outcome = check(files[index], options, colors);
         if (kind == ReportKind::words) outcome.report = nullptr;
         return outcome;
     });

@@ -12,10 +12,6 @@ RigReadOptions rig_read_options(const Arguments& arguments) {
     return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
 }
 
-bool asks_for_light(const Arguments& arguments) {
-    return arguments.has("--rig") || !given_light_option(arguments).empty() || !arguments.positional().empty();
-}
-
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement,
                                  Diagnostics& diagnostics) {
     LightsInput input;

@@ -37,9 +37,6 @@ struct LightsInput {
 // read_rig_file and light_input do.
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement, Diagnostics& diagnostics);
 
-// Whether a light is asked for, or a rig.
-bool asks_for_light(const Arguments& arguments);
-
 // The resolved lights, in order, and then the others; messages name the rig's JSON path if there is a rig.
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads);
 

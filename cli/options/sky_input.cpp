@@ -1,8 +1,8 @@
 #include "sky_input.hpp"
 
 #include "../sky/request.hpp"
+#include "light_input.hpp"
 
-#include <cstdlib>
 #include <utility>
 
 namespace gonio::cli {
@@ -28,11 +28,7 @@ Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDe
     SkyInput input;
     const auto text = arguments.value("--sky");
     if (!text && !of_rig) return input;
-    SkyRequest request;
-    request.config = arguments.value("--ocio").value_or("");
-    // The library never reads the environment; the tool passes $OCIO on.
-    if (const char* const environment = std::getenv("OCIO"); environment != nullptr)
-        request.environment_config = environment;
+    const SkyRequest request = sky_request_of_colors(arguments);
     Result<LoadedSky> loaded = text ? load_sky(*text, request) : load_sky(*of_rig, request);
     if (!loaded) return pass_on(loaded);
     diagnostics.insert(diagnostics.end(), loaded->diagnostics.begin(), loaded->diagnostics.end());
@@ -45,6 +41,25 @@ Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDe
         if (!sun) return pass_on(sun);
         input.sun = std::move(*sun);
     }
+    return input;
+}
+
+Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement,
+                                    Diagnostics& diagnostics) {
+    LightsAndSky input;
+    const bool asks_for_light =
+        arguments.has("--rig") || !given_light_option(arguments).empty() || !arguments.positional().empty();
+    // A sky is light enough.
+    if (asks_for_light || !arguments.has("--sky")) {
+        Result<LightsInput> lights = lights_input(arguments, placement, diagnostics);
+        if (!lights) return pass_on(lights);
+        input.lights = std::move(*lights);
+    }
+    Result<SkyInput> sky = sky_input(arguments, input.lights.rig.sky, diagnostics);
+    if (!sky) return pass_on(sky);
+    input.sky = std::move(*sky);
+    if (input.sky.sun) input.lights.others.push_back(*input.sky.sun);
+    input.lights.files.insert(input.lights.files.end(), input.sky.files.begin(), input.sky.files.end());
     return input;
 }
 

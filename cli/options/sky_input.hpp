@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "rig_input.hpp"
 
 #include <optional>
 #include <string>
@@ -30,5 +31,14 @@ struct SkyInput {
 // That of --sky, else of the rig, else none. Remarks go to `diagnostics`. Fails as load_sky().
 Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDescription>& of_rig,
                            Diagnostics& diagnostics);
+
+struct LightsAndSky {
+    LightsInput lights; // the sun of the sky is among its others; none at all if only a sky is asked for
+    SkyInput sky;
+};
+
+// The lights of lights_input() under the sky of sky_input(). Fails as these do.
+Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement,
+                                    Diagnostics& diagnostics);
 
 } // namespace gonio::cli

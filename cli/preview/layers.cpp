@@ -35,7 +35,7 @@ struct LayerChoice {
     bool indirect = false;
     bool illuminance = false;
 
-    // An ambient sky counts as a light.
+    // A sky counts as a light.
     std::size_t channels(std::size_t light_count) const {
         const std::size_t each = lights ? (illuminance ? 4U : 3U) : 0U;
         return 3U + (parts ? 9U : 0U) + (direct ? 3U : 0U) + (indirect ? 3U : 0U) + (illuminance ? 1U : 0U) +

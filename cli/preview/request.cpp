@@ -166,8 +166,6 @@ Result<void> add_sky(SkyInput sky, PreviewRequest& request) {
     if (request.render.shows_sky && !sky.is_given)
         return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     request.render.sky = std::move(sky.sky);
-    if (sky.sun) request.lights.others.push_back(*std::move(sky.sun));
-    request.lights.files.insert(request.lights.files.end(), sky.files.begin(), sky.files.end());
     return {};
 }
 
@@ -205,17 +203,12 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    // A sky is light enough.
-    if (asks_for_light(arguments) || !arguments.has("--sky")) {
-        Result<LightsInput> lights = lights_input(arguments, stage->light, request.diagnostics);
-        if (!lights) return pass_on(lights);
-        request.lights = std::move(*lights);
-    }
-    Result<SkyInput> sky = sky_input(arguments, request.lights.rig.sky, request.diagnostics);
-    if (!sky) return pass_on(sky);
-    if (!sky->is_given)
+    Result<LightsAndSky> lit = lights_and_sky(arguments, stage->light, request.diagnostics);
+    if (!lit) return pass_on(lit);
+    request.lights = std::move(lit->lights);
+    if (!lit->sky.is_given)
         if (read = require_lights(request.lights.rig); !read) return pass_on(read);
-    if (read = add_sky(std::move(*sky), request); !read) return pass_on(read);
+    if (read = add_sky(std::move(lit->sky), request); !read) return pass_on(read);
     if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
     std::vector<std::string> outputs;
     for (const std::string& output : {request.output, request.export_file})

@@ -227,24 +227,28 @@ Result<Cell> Sweeper::render_cell(std::size_t index, int width, int height) {
     of_cell->render.height = height;
     Result<std::vector<Light>> lights = resolve_input(std::move(of_cell->lights), noticed, of_cell->render.threads);
     if (!lights) return pass_on(lights);
-    Result<Rendering> rendering = Rendering{};
-    std::optional<Rendering> again;
-    if (kept_ && follows(index, kept_->cell)) again = relit(kept_->rendering, kept_->lights, *lights);
-    if (again) {
-        rendering = *std::move(again);
-    } else {
-        of_cell->render.known = known_;
-        rendering = render(of_cell->stage, *lights, of_cell->stage.camera, of_cell->render);
-        if (!rendering) return pass_on(rendering);
-        known_ = rendering->indirect;
-        kept_.reset();
-        if (is_followed(index)) kept_ = Kept{index, *lights, *rendering};
-    }
+    Result<Rendering> rendering = picture_of(index, *of_cell, *lights);
+    if (!rendering) return pass_on(rendering);
     Diagnostics fresh = diagnostics_;
     add_new(noticed, fresh);
     console_.say(Diagnostics(fresh.begin() + static_cast<std::ptrdiff_t>(diagnostics_.size()), fresh.end()));
     diagnostics_ = std::move(fresh);
     return Cell{std::move(*of_cell), std::move(*lights), std::move(*rendering)};
+}
+
+// Rendered, unless it follows from the picture that was kept.
+Result<Rendering> Sweeper::picture_of(std::size_t index, const PreviewRequest& request,
+                                      const std::vector<Light>& lights) {
+    if (kept_ && follows(index, kept_->cell))
+        if (std::optional<Rendering> again = relit(kept_->rendering, kept_->lights, lights)) return *std::move(again);
+    RenderOptions options = request.render;
+    options.known = known_;
+    Result<Rendering> rendering = render(request.stage, lights, request.stage.camera, options);
+    if (!rendering) return rendering;
+    known_ = rendering->indirect;
+    kept_.reset();
+    if (is_followed(index)) kept_ = Kept{index, lights, *rendering};
+    return rendering;
 }
 
 // Whether two cells differ in what relit() can change, or in nothing that is rendered.

@@ -66,6 +66,7 @@ private:
     };
 
     Result<Cell> render_cell(std::size_t index, int width, int height);
+    Result<Rendering> picture_of(std::size_t index, const PreviewRequest& request, const std::vector<Light>& lights);
     bool follows(std::size_t cell, std::size_t from) const;
     bool is_followed(std::size_t cell) const;
     void note(const Cell& cell, std::size_t index, Ev100 exposure);

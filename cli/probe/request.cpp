@@ -44,26 +44,20 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
         request.stage = std::move(*stage);
     }
     request.indirect = arguments.has("--indirect");
-    LightsInput input;
-    // A sky is light enough.
-    if (asks_for_light(arguments) || !arguments.has("--sky")) {
-        Result<LightsInput> lights = lights_input(arguments, placement, request.diagnostics);
-        if (!lights) return pass_on(lights);
-        input = std::move(*lights);
-    }
+    Result<LightsAndSky> lit = lights_and_sky(arguments, placement, request.diagnostics);
+    if (!lit) return pass_on(lit);
+    LightsInput& input = lit->lights;
     request.rig = input.rig_file;
-    Result<SkyInput> sky = sky_input(arguments, input.rig.sky, request.diagnostics);
-    if (!sky) return pass_on(sky);
-    if (sky->is_given)
+    if (lit->sky.is_given)
         if (Result<void> fits = fits_one_illuminance(arguments, "a sky of the rig",
                                                      "it adds illuminance to one method: take \"sky\" out of the rig");
             !fits)
             return fits;
-    if (!request.indirect && !sky->is_given && arguments.has("--stage"))
+    if (!request.indirect && !lit->sky.is_given && arguments.has("--stage"))
         return fail("USE0104", "--stage needs --indirect or --sky",
                     "without them, a stage neither reflects nor blocks light");
-    request.sky = std::move(sky->sky);
-    if (request.indirect || sky->is_given) {
+    request.sky = std::move(lit->sky.sky);
+    if (request.indirect || lit->sky.is_given) {
         if (!request.stage) request.stage = input.rig.stage;
         if (!request.stage && request.indirect)
             return fail("USE0104", "--indirect needs a stage that reflects the light",
@@ -74,7 +68,6 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
                 if (Result<void> given = give_material(*request.stage, material); !given) return given;
         if (!request.stage) request.stage = Stage();
     }
-    if (sky->sun) input.others.push_back(*std::move(sky->sun));
     Result<std::vector<Light>> lights = resolve_input(std::move(input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);

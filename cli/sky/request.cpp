@@ -63,16 +63,21 @@ Result<SunLight> cut_sun(LoadedImage& image, Radians rotation) {
 
 } // namespace
 
-Result<SkyRequest> sky_request(const Arguments& arguments) {
+SkyRequest sky_request_of_colors(const Arguments& arguments) {
     SkyRequest request;
-    Result<unsigned> threads = thread_count(arguments);
-    if (!threads) return pass_on(threads);
-    request.threads = *threads;
-    request.cut_sun = arguments.has("--cut-sun");
     request.config = arguments.value("--ocio").value_or("");
     // The library never reads the environment; the tool passes $OCIO on.
     if (const char* const environment = std::getenv("OCIO"); environment != nullptr)
         request.environment_config = environment;
+    return request;
+}
+
+Result<SkyRequest> sky_request(const Arguments& arguments) {
+    SkyRequest request = sky_request_of_colors(arguments);
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    request.threads = *threads;
+    request.cut_sun = arguments.has("--cut-sun");
     const auto facing = arguments.value("--facing");
     if (const auto lux = arguments.value("--calibrate")) {
         Calibration calibration;

@@ -31,6 +31,9 @@ struct SkyRequest {
     unsigned threads = 0;
 };
 
+// With the colour configurations of --ocio and $OCIO alone: for commands that take a sky as it is.
+SkyRequest sky_request_of_colors(const Arguments& arguments);
+
 Result<SkyRequest> sky_request(const Arguments& arguments);
 
 // Of an image: how it was stored, and what became of it.
