@@ -211,6 +211,14 @@ TEST(SkyImage, IsWhatItWasMadeOf) {
         EXPECT_NEAR(luminance(turn.radiance(direction)) / luminance(turned_truth.radiance(direction)), 1.0, 1e-3);
         EXPECT_NEAR(luminance(turn.irradiance(direction)) / luminance(turned_truth.irradiance(direction)), 1.0, 1e-3);
     }
+    // Of many planes in any order, some of them alike, as of each.
+    const std::vector<glm::dvec3> normals{up, {0, 1, 0}, up, {1, 0, 0}, {0, 1, 0}, -up};
+    for (const Sky* of_many : {&truth, &turn}) {
+        const std::vector<glm::dvec3> found = of_many->irradiance(normals);
+        ASSERT_EQ(found.size(), normals.size());
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            EXPECT_LT(glm::length(found[i] - of_many->irradiance(normals[i])), 1e-9 * 10e3) << i;
+    }
     EXPECT_NEAR(same.zenith().value / truth.zenith().value, 1.0, 1e-3);
     EXPECT_NEAR(luminance(same.light()) / luminance(truth.light()), 1.0, 1e-6);
     EXPECT_NEAR(of("image:sky.exr,mean=70nt").mean().value, 70.0, 1e-9);
