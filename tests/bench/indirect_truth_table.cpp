@@ -14,6 +14,8 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/interreflection.hpp>
 
+#include "truth_pixels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,6 +30,7 @@
 namespace {
 
 using namespace gonio;
+using namespace gonio::bench;
 
 constexpr int side = 24; // points
 
@@ -38,34 +41,6 @@ std::vector<Light> lamp_over(const Stage& stage) {
     hang(description, stage.light);
     Diagnostics ignored;
     return {resolve_light(std::move(description), ignored).value()};
-}
-
-// A value and two estimates of it whose errors are independent.
-struct Point {
-    double found, first, second;
-};
-
-struct Errors {
-    double mean = 0.0;
-    double rms = 0.0, bias = 0.0, noise = 0.0; // relative to the mean
-};
-
-Errors errors_of(const std::vector<Point>& points) {
-    Errors errors;
-    double square = 0.0;
-    for (const Point& point : points) {
-        const double truth = 0.5 * (point.first + point.second);
-        errors.mean += truth;
-        errors.bias += point.found - truth;
-        square += (point.found - point.first) * (point.found - point.second);
-        errors.noise += 0.25 * (point.first - point.second) * (point.first - point.second);
-    }
-    const auto count = static_cast<double>(points.size());
-    errors.mean /= count;
-    errors.rms = std::sqrt(std::max(square / count, 0.0)) / errors.mean;
-    errors.bias /= count * errors.mean;
-    errors.noise = std::sqrt(errors.noise / count) / errors.mean;
-    return errors;
 }
 
 void print_diffuse(const StageKind& kind, std::size_t paths) {
@@ -100,28 +75,10 @@ void print_diffuse(const StageKind& kind, std::size_t paths) {
                 static_cast<double>(indirect.memory()) / 1e6);
 }
 
-constexpr int pixels = 32; // along a side
-
-// The pixels whose corners lie on the surface of their middle: others are means over several.
-bool shows_one_surface(const Stage& stage, const CameraRays& rays, int i, int j, const Hit& middle) {
-    for (const double v : {0.0, 1.0})
-        for (const double u : {0.0, 1.0}) {
-            const std::optional<Hit> corner = first_hit(stage, rays.ray(i + u, j + v));
-            if (!corner || corner->surface != middle.surface || corner->face != middle.face) return false;
-        }
-    return true;
-}
-
 // `material`: of the solids that are subjects; null for the stage as it is.
 void print_luminance(const StageKind& kind, const char* material, std::size_t paths) {
     Stage stage = make_stage(kind.name).value();
-    std::vector<std::uint8_t> counts(stage.surfaces.size(), material == nullptr ? 1 : 0);
-    for (std::size_t i = 0; material != nullptr && i < counts.size(); ++i) {
-        Surface& surface = stage.surfaces[i];
-        counts[i] = surface.subject && !is_sheet(surface.geometry) ? 1 : 0;
-        surface.material =
-            counts[i] != 0 ? parse_material(material).value() : LambertMaterial{hemispherical_albedo(surface.material)};
-    }
+    const std::vector<std::uint8_t> counts = put_on_subjects(stage, material);
     if (std::find(counts.begin(), counts.end(), 1) == counts.end()) return;
     const std::vector<Light> lights = lamp_over(stage);
     RenderOptions options;
@@ -130,25 +87,7 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
     options.bounces = all_bounces;
     const Image all = render(stage, lights, stage.camera, options).value().luminance_nt;
 
-    struct Pixel {
-        Hit hit;
-        glm::dvec3 view;
-        double found;
-    };
-    std::vector<Pixel> points;
-    const CameraRays rays(stage.camera, pixels, pixels);
-    const auto luminance = [](const Image& image, std::size_t pixel) {
-        return glm::dot(rec709_luminance,
-                        glm::dvec3(image.pixels[3 * pixel], image.pixels[3 * pixel + 1], image.pixels[3 * pixel + 2]));
-    };
-    for (int j = 0; j < pixels; ++j)
-        for (int i = 0; i < pixels; ++i) {
-            const Ray ray = rays.ray(i + 0.5, j + 0.5);
-            const std::optional<Hit> hit = first_hit(stage, ray);
-            if (!hit || counts[hit->surface] == 0 || !shows_one_surface(stage, rays, i, j, *hit)) continue;
-            const auto pixel = static_cast<std::size_t>(j) * pixels + static_cast<std::size_t>(i);
-            points.push_back({*hit, -ray.direction, luminance(all, pixel) - luminance(direct, pixel)});
-        }
+    const std::vector<Pixel> points = pixels_of_one_surface(stage, counts);
     detail::PathTracer::Options path_options;
     const detail::PathTracer of_direct(stage, lights, path_options);
     path_options.bounces = all_bounces;
@@ -166,7 +105,8 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
             return sum / static_cast<double>(paths);
         };
         const auto seed = static_cast<std::uint32_t>(2 * i);
-        found[i] = {points[i].found, by_paths(seed), by_paths(seed + 1)};
+        const std::size_t pixel = points[i].index;
+        found[i] = {luminance_of(all, pixel) - luminance_of(direct, pixel), by_paths(seed), by_paths(seed + 1)};
     });
     const Errors errors = errors_of(found);
     std::printf("| %s | %s | %.3g nt | %.2f %% | %+.2f %% | %.2f %% | %zu |\n", std::string(kind.name).c_str(),

@@ -109,7 +109,7 @@ void LitTile::add_surroundings() {
     const Interreflection* const indirect = picture_.indirect.get();
     const SkyLight* const sky = scene_.sky;
     ReflectedView view(indirect != nullptr ? *indirect->geometry() : *sky->geometry(), indirect,
-                       sky != nullptr ? &options_.sky : nullptr, options_.instruction_set);
+                       sky != nullptr ? &sky->sky() : nullptr, options_.instruction_set);
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
         const LobeRays& lobe = scene_.lobes[samples.surface];

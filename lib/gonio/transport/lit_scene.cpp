@@ -105,7 +105,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
     parallel_for(count, options.threads, [&](std::size_t i) {
         albedos[i] = DirectionalAlbedo(core_materials[i], !options.sky.is_dark() ? DirectionalAlbedo::Fineness::fine
                                                                                  : DirectionalAlbedo::Fineness::coarse);
-        lobes[i] = LobeRays(core_materials[i]);
+        lobes[i] = LobeRays(core_materials[i], !options.sky.is_dark() ? 4 : 1);
     });
 }
 

@@ -1,6 +1,8 @@
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/transport/lobe_rays.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +15,8 @@ namespace {
 using Vec = shading::vec3<double>;
 
 constexpr std::size_t nodes = 24; // over the cosine of the view
-constexpr std::size_t many = 128; // samples of the albedo
+constexpr double widest = 1.0;    // [rad]
+constexpr std::size_t many = 512; // samples of the albedo
 
 // The lattice of the two-dimensional golden ratio (M. Roberts, 2018).
 double fraction_of(std::size_t i, double step) {
@@ -29,7 +32,7 @@ std::size_t rays_for(double alpha, double reflectance) {
 }
 
 struct Sampled {
-    std::vector<LobeRay> rays;
+    std::vector<LobeRay> facets; // `direction` is the facet's normal
     glm::dvec3 sum{0.0};
 };
 
@@ -40,18 +43,20 @@ Sampled sampled(const Core& core, double alpha, double cosine, std::size_t count
     const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
     Sampled result;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec l =
-            shading::reflected_direction_ggx(v, alpha, fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g)));
-        LobeRay ray;
-        ray.direction = glm::vec3(vec(l));
+        const Vec h = shading::visible_normal_ggx(v, alpha, fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g)));
+        const Vec l = shading::normalized(h * (2.0 * dot(v, h)) - v);
+        LobeRay facet;
+        facet.direction = glm::vec3(vec(h));
         const double pdf = shading::pdf_reflected_ggx(n, v, l, alpha);
+        facet.width =
+            static_cast<float>(std::min(std::sqrt(1.0 / (std::max(pdf, 1e-3) * static_cast<double>(count))), widest));
         if (l.z > 0.0 && pdf > 0.0) {
             const glm::dvec3 weight =
                 l.z / (pdf * static_cast<double>(count)) * vec(shading::specular_part(core, n, l, v, 0.0));
-            ray.weight = glm::vec3(weight);
+            facet.weight = glm::vec3(weight);
             result.sum += weight;
         }
-        result.rays.push_back(ray);
+        result.facets.push_back(facet);
     }
     return result;
 }
@@ -74,7 +79,7 @@ Place place_of(double cosine) {
 
 } // namespace
 
-LobeRays::LobeRays(const CoreMaterial& material) {
+LobeRays::LobeRays(const CoreMaterial& material, std::size_t more) {
     std::visit(
         [&](const auto& core) {
             using Core = std::decay_t<decltype(core)>;
@@ -83,19 +88,15 @@ LobeRays::LobeRays(const CoreMaterial& material) {
                 const glm::dvec3 reflectance = sampled(core, alpha, 1.0, many).sum;
                 const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
                 if (!(sampled(core, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
-                rays_ = rays_for(alpha, most);
-                // The peak of the density of reflected directions is 1/(4πα²).
-                spacing_ = static_cast<float>(
-                    std::sqrt(std::min(4.0 * std::numbers::pi * alpha * alpha, 2.0 * std::numbers::pi) /
-                              static_cast<double>(rays_)));
+                rays_ = rays_for(alpha, most) * (alpha > 0.003 ? more : 1);
                 for (std::size_t node = 0; node < nodes; ++node) {
                     const glm::dvec3 albedo = sampled(core, alpha, cosine_of(node), many).sum;
                     Sampled few = sampled(core, alpha, cosine_of(node), rays_);
-                    for (LobeRay& ray : few.rays)
+                    for (LobeRay& ray : few.facets)
                         for (int channel = 0; channel < 3; ++channel)
                             if (few.sum[channel] > 0.0)
                                 ray.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
-                    table_.insert(table_.end(), few.rays.begin(), few.rays.end());
+                    table_.insert(table_.end(), few.facets.begin(), few.facets.end());
                     albedo_.push_back(albedo);
                 }
             }
@@ -106,12 +107,16 @@ LobeRays::LobeRays(const CoreMaterial& material) {
 void LobeRays::at(double cosine, std::vector<LobeRay>& rays) const {
     const Place place = place_of(cosine);
     const auto share = static_cast<float>(place.share);
+    const auto z = static_cast<float>(std::clamp(cosine, 0.0, 1.0));
+    const glm::vec3 view(std::sqrt((1.0F - z) * (1.0F + z)), 0.0F, z);
     rays.resize(rays_);
     for (std::size_t i = 0; i < rays_; ++i) {
         const LobeRay& a = table_[place.node * rays_ + i];
         const LobeRay& b = table_[(place.node + 1) * rays_ + i];
-        rays[i].direction = (1.0F - share) * a.direction + share * b.direction;
+        const glm::vec3 facet = glm::normalize((1.0F - share) * a.direction + share * b.direction);
+        rays[i].direction = 2.0F * glm::dot(view, facet) * facet - view;
         rays[i].weight = (1.0F - share) * a.weight + share * b.weight;
+        rays[i].width = (1.0F - share) * a.width + share * b.width;
         if (!(rays[i].direction.z > 0.0F)) rays[i].weight = glm::vec3(0.0F);
     }
 }

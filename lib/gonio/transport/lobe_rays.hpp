@@ -14,6 +14,7 @@ namespace gonio::detail {
 struct LobeRay {
     glm::vec3 direction{0.0F}; // not quite unit
     glm::vec3 weight{0.0F};    // of the luminance in its direction, per channel
+    float width = 0.0F;        // roughly the angle to the rays beside it [rad]
 };
 
 // Visible normals of the GGX lobe of the material's α (E. Heitz, "Sampling the GGX Distribution of Visible Normals",
@@ -22,22 +23,22 @@ struct LobeRay {
 class LobeRays {
 public:
     LobeRays() = default;
-    explicit LobeRays(const CoreMaterial& material);
+    // `more` times as many rays: for skies, whose brightest parts lie beside the dark bodies that hide them.
+    explicit LobeRays(const CoreMaterial& material, std::size_t more = 1);
 
     bool empty() const { return rays_ == 0; }
     std::size_t count() const { return rays_; } // for each view
 
     // `rays` gets count() of them; those below the surface have the weight 0.
     void at(double cosine, std::vector<LobeRay>& rays) const;
-    // The angle between rays beside each other, roughly [rad].
-    float spacing() const { return spacing_; }
     // The directional albedo of the lobe alone, per channel.
     glm::dvec3 albedo(double cosine) const;
 
 private:
     std::size_t rays_ = 0;
-    float spacing_ = 0.0F;
-    std::vector<LobeRay> table_; // [node][ray], at the cosines (i/(n−1))²
+    // Of each ray the normal of the facet that reflects it, instead of its direction, which changes faster with the
+    // view; [node][ray], at the cosines (i/(n−1))².
+    std::vector<LobeRay> table_;
     std::vector<glm::dvec3> albedo_;
 };
 

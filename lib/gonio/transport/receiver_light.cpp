@@ -74,6 +74,7 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
             open_lx.push_back(unit_vector(receiver.normal).value_or(up));
         open_lx = scene_->options.sky.irradiance(open_lx);
     }
+    const BlurredSky sky(geometry_ != nullptr ? scene_->options.sky : Sky(), scene_->options.threads);
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
@@ -85,8 +86,8 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
         if (has_sky) {
             const glm::dvec3 lx = geometry_ == nullptr
                                       ? open_lx[i]
-                                      : detail::sky_light_at(scene_->options, *geometry_, receivers[i].position, normal,
-                                                             open_lx[i], ExchangeQuality().receiver_rays);
+                                      : detail::sky_light_at(sky, scene_->options, *geometry_, receivers[i].position,
+                                                             normal, open_lx[i], ExchangeQuality().receiver_rays);
             shares.sky_lx[i] = glm::dot(lx, rec709_luminance);
         }
         if (indirect_ != nullptr)

@@ -8,7 +8,7 @@
 
 namespace gonio::detail {
 
-ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const Sky* sky,
+ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const BlurredSky* sky,
                              simd::InstructionSet set)
     : geometry_(geometry), indirect_(indirect), sky_(sky), caster_(geometry.stage(), geometry.patches(), set) {
     for (const Chart& chart : geometry.patches().charts().all())
@@ -26,6 +26,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         for (std::vector<float>& axis : *axes)
             axis.resize(most);
     weight_.resize(most);
+    ray_width_.resize(most);
     of_sample_.resize(most);
     std::size_t rays = 0;
     const double lift_m = Patches::lift(geometry_.patches().square_m());
@@ -49,6 +50,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
                 direction_[static_cast<std::size_t>(axis)][rays] = direction[axis];
             }
             weight_[rays] = ray.weight;
+            ray_width_[rays] = ray.width;
             of_sample_[rays] = static_cast<std::uint32_t>(i);
             ++rays;
         }
@@ -65,10 +67,11 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
             kept_[sample] += weight_[i];
             if (sky_ != nullptr && ends_[i].chart == no_patch)
                 luminance_[sample] +=
-                    weight_[i] * glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]}));
+                    weight_[i] * glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]},
+                                                          1.5F * ray_width_[i]));
             continue;
         }
-        const float between_m = lobe.spacing() * ends_[i].distance_m;
+        const float between_m = ray_width_[i] * ends_[i].distance_m;
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         kept_[sample] += weight;

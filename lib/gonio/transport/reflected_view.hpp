@@ -1,6 +1,7 @@
 // What a glossy surface shows of the lit stage around it, and of the sky.
 #pragma once
 
+#include <gonio/sky/blurred_sky.hpp>
 #include <gonio/transport/bundle_caster.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/lobe_rays.hpp>
@@ -20,7 +21,7 @@ class ExchangeGeometry;
 class ReflectedView {
 public:
     // Without `indirect`, surfaces are black; without `sky`, what is around the stage is. They must outlive it.
-    ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const Sky* sky,
+    ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const BlurredSky* sky,
                   simd::InstructionSet set);
 
     // The luminance that the lobe of the samples' surface reflects [nt], for samples [first, first + count).
@@ -30,11 +31,12 @@ public:
 private:
     const ExchangeGeometry& geometry_;
     const Interreflection* indirect_;
-    const Sky* sky_;
+    const BlurredSky* sky_;
     ScatteredCaster caster_;
     std::vector<LobeRay> rays_;
     std::array<std::vector<float>, 3> origin_, direction_;
     std::vector<glm::vec3> weight_;
+    std::vector<float> ray_width_; // [rad]
     std::vector<std::uint32_t> of_sample_;
     std::vector<PatchPlace> ends_;
     std::vector<float> width_m_;        // of the surface of each chart, where it is thinnest

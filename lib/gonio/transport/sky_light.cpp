@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -18,13 +19,15 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr glm::dvec3 up{0.0, 0.0, 1.0};
 
-std::vector<glm::dvec3> luminance_along(const Sky& sky, std::span<const glm::dvec3> directions,
+std::vector<glm::dvec3> luminance_along(const BlurredSky& sky, std::span<const glm::dvec3> directions,
                                         const glm::dvec3& normal) {
     const Frame frame = frame_about(glm::dvec3(0.0), normal);
+    // Rays with the density cos θ/π see the same share of the plane's illuminance each.
+    const double width = std::sqrt(pi / static_cast<double>(directions.size()));
     std::vector<glm::dvec3> nt;
     nt.reserve(directions.size());
     for (const glm::dvec3& direction : directions)
-        nt.push_back(sky.radiance(frame.to_world(direction)));
+        nt.push_back(sky.radiance(frame.to_world(direction), width));
     return nt;
 }
 
@@ -45,8 +48,7 @@ void correct(std::vector<glm::dvec3>& nt, const glm::dvec3& open_lx) {
 } // namespace
 
 SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const ExchangeGeometry> geometry)
-    : geometry_(std::move(geometry)) {
-    const Sky& sky = options.sky;
+    : geometry_(std::move(geometry)), sky_(options.sky, options.threads) {
     const Bundles& bundles = geometry_->from_nodes();
     const std::vector<glm::dvec3> directions = cosine_directions(bundles.rays());
     const Charts& charts = geometry_->patches().charts();
@@ -55,11 +57,11 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     std::vector<glm::dvec3> normals;
     for (const Chart& chart : charts.all())
         normals.push_back(chart.kind == Chart::Kind::flat ? chart.frame.z : up);
-    const std::vector<glm::dvec3> open_lx = sky.irradiance(normals);
+    const std::vector<glm::dvec3> open_lx = options.sky.irradiance(normals);
     std::vector<std::vector<glm::dvec3>> of_charts(normals.size());
     parallel_for(of_charts.size(), options.threads, [&](std::size_t i) {
         if (charts.all()[i].kind != Chart::Kind::flat) return;
-        of_charts[i] = luminance_along(sky, directions, normals[i]);
+        of_charts[i] = luminance_along(sky_, directions, normals[i]);
         correct(of_charts[i], open_lx[i]);
     });
 
@@ -73,7 +75,7 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
             const int face = face_at(geometry_->stage().surfaces[node.surface].geometry, node.position);
             const std::vector<glm::dvec3>& flat = of_charts[charts.index_of(node.surface, face)];
             const std::vector<glm::dvec3> round =
-                flat.empty() ? luminance_along(sky, directions, node.normal) : std::vector<glm::dvec3>();
+                flat.empty() ? luminance_along(sky_, directions, node.normal) : std::vector<glm::dvec3>();
             const std::vector<glm::dvec3>& nt = flat.empty() ? round : flat;
             lx_[i] = pi * (options.shadows == Shadows::off ? mean_of(nt) : bundles.leaving(i, nt));
         }
@@ -100,10 +102,11 @@ glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3&
     return glm::max(lx, glm::dvec3(0.0));
 }
 
-glm::dvec3 sky_light_at(const LightingOptions& options, const ExchangeGeometry& geometry, const glm::dvec3& position,
-                        const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays) {
+glm::dvec3 sky_light_at(const BlurredSky& sky, const LightingOptions& options, const ExchangeGeometry& geometry,
+                        const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx,
+                        std::size_t rays) {
     if (options.shadows == Shadows::off) return open_lx;
-    std::vector<glm::dvec3> nt = luminance_along(options.sky, cosine_directions(rays), normal);
+    std::vector<glm::dvec3> nt = luminance_along(sky, cosine_directions(rays), normal);
     correct(nt, open_lx);
     const Receivers::Place place{position + Patches::lift(geometry.patches().square_m()) * normal, normal};
     const Bundles bundle(geometry.stage(), geometry.patches(), {&place, 1}, rays, 1, options.instruction_set);

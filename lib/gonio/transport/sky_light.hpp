@@ -7,6 +7,7 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/sky/blurred_sky.hpp>
 #include <gonio/transport/lighting_options.hpp>
 
 #include <glm/vec3.hpp>
@@ -39,15 +40,18 @@ public:
     glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
 
     const std::shared_ptr<const ExchangeGeometry>& geometry() const { return geometry_; }
+    const BlurredSky& sky() const { return sky_; }
 
 private:
     std::shared_ptr<const ExchangeGeometry> geometry_;
+    BlurredSky sky_;
     std::vector<glm::dvec3> lx_; // by node
 };
 
 // The same at any point, with `rays` rays of its own; `normal` is unit, and `open_lx` the illuminance of an open plane
-// with it. Uses these options: sky, shadows, instruction_set.
-glm::dvec3 sky_light_at(const LightingOptions& options, const ExchangeGeometry& geometry, const glm::dvec3& position,
-                        const glm::dvec3& normal, const glm::dvec3& open_lx, std::size_t rays);
+// with it. Uses these options: shadows, instruction_set.
+glm::dvec3 sky_light_at(const BlurredSky& sky, const LightingOptions& options, const ExchangeGeometry& geometry,
+                        const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& open_lx,
+                        std::size_t rays);
 
 } // namespace gonio::detail

@@ -72,9 +72,10 @@ TEST(SkyLight, IsExactWhereNothingHidesIt) {
         const LightingOptions options = under(text);
         EXPECT_NEAR(on(open, options).on_surface(0, 0, {1.0, 2.0, 0.0}).y, 10e3, 1e-3) << text;
         const SkyLight light = on(open, options);
-        EXPECT_NEAR(
-            detail::sky_light_at(options, *light.geometry(), {1.0, 2.0, 0.8}, {0.0, 0.0, 1.0}, Vec(10e3), 512).y, 10e3,
-            1e-3)
+        EXPECT_NEAR(detail::sky_light_at(light.sky(), options, *light.geometry(), {1.0, 2.0, 0.8}, {0.0, 0.0, 1.0},
+                                         Vec(10e3), 512)
+                        .y,
+                    10e3, 1e-3)
             << text;
     }
 }
@@ -112,7 +113,7 @@ TEST(SkyLight, ReceiversAgreeWithCountedDirections) {
             hit.position = {0.1, 0.2, 0.4};
             hit.normal = normal;
             const double expected = counted(stage, options.sky, hit, 100000).y;
-            EXPECT_NEAR(detail::sky_light_at(options, *light.geometry(), hit.position, normal,
+            EXPECT_NEAR(detail::sky_light_at(light.sky(), options, *light.geometry(), hit.position, normal,
                                              options.sky.irradiance(normal), 8192)
                             .y,
                         expected, 2e-3 * 10e3)
