@@ -26,6 +26,14 @@
 #include <gonio/color/chromaticity.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/ibl/environment_tree.hpp>
+#include <gonio/ibl/ggx_lobe.hpp>
+#include <gonio/ibl/irradiance_sh.hpp>
+#include <gonio/ibl/prefilter.hpp>
+#include <gonio/ibl/prefilter_methods.hpp>
+#include <gonio/ibl/roughness_mapping.hpp>
+#include <gonio/ibl/split_sum.hpp>
+#include <gonio/ibl/split_sum_table.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/photometric_value.hpp>

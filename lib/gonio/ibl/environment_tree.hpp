@@ -1,0 +1,65 @@
+// An environment as a tree of texels and blocks of texels, for sums of light weighted by a lobe.
+//
+// A block of 2×2 children has the sum of their light and its first moment, so a lobe that is nearly linear over a block
+// takes the whole block at once, with the second order of the lobe under uniform light. Where that is not good enough,
+// its children are taken, down to the texels and, for lobes narrower than a texel, parts of texels; texels are uniform
+// over the directions that they cover. Weights are summed alongside, so that a uniform environment stays uniform.
+#pragma once
+
+#include <gonio/ibl/ggx_lobe.hpp>
+#include <gonio/sky/environment_map.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gonio {
+
+class EnvironmentTree {
+public:
+    // About 96 bytes a texel. If the map has more than `most_texels`, the smallest blocks are not divided any further.
+    explicit EnvironmentTree(const EnvironmentMap& map, unsigned threads = 0);
+
+    static constexpr std::size_t most_texels = std::size_t{1} << 22;
+
+    // The weighted mean of the light, RGB [cd/m²], for a unit direction. A block is divided while its estimated error
+    // is greater than `tolerance` times the map's mean luminance; the sum is some times less exact (README.md).
+    [[nodiscard]] glm::dvec3 mean(const GgxLobe& lobe, const glm::dvec3& direction, double tolerance) const;
+
+    // The mean over all directions, RGB [cd/m²].
+    [[nodiscard]] const glm::dvec3& mean() const { return mean_; }
+
+    [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
+
+private:
+    struct Node {
+        std::array<float, 3> middle; // unit direction
+        float reach;                 // no direction of it is farther from the middle [rad]
+        float solid_angle;           // [sr]
+        float spread;                // half the mean square of the distance from the middle
+        std::array<float, 3> light;  // ∫ L dω
+        std::array<float, 9> moment; // ∫ L (ω − middle) dω, channel by channel
+    };
+    // Its children are up to 2×2 nodes, whose rows lie `row_length` apart; `across` is 0 if there are none.
+    struct Link {
+        std::int32_t first;
+        std::int32_t row_length;
+        std::int16_t across;
+        std::int16_t down;
+    };
+    struct Sum;
+
+    void add_part(Sum& sum, const EnvironmentGrid& grid, TexelIndex part, const glm::dvec3& light, int level) const;
+
+    EnvironmentGrid grid_;
+    std::vector<Node> nodes_; // blocks after their children
+    std::vector<Link> links_;
+    std::vector<std::int32_t> roots_;
+    std::vector<TexelIndex> places_; // of the first nodes, if these are texels
+    glm::dvec3 mean_{0.0};
+};
+
+} // namespace gonio
