@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/ibl/detail/lobe_over_texel.hpp>
 #include <gonio/ibl/environment_tree.hpp>
 #include <gonio/light/light_color.hpp>
 
@@ -32,28 +33,39 @@ std::vector<Chart> charts_of(const EnvironmentGrid& grid) {
     return charts;
 }
 
-// In double while the tree is built.
+// d dᵀ times a weight: xx yy zz xy xz yz.
+using Tensor = std::array<double, 6>;
+
+void add_square(Tensor& tensor, const glm::dvec3& d, double weight) {
+    tensor[0] += weight * d.x * d.x;
+    tensor[1] += weight * d.y * d.y;
+    tensor[2] += weight * d.z * d.z;
+    tensor[3] += weight * d.x * d.y;
+    tensor[4] += weight * d.x * d.z;
+    tensor[5] += weight * d.y * d.z;
+}
+
+void add(Tensor& tensor, const Tensor& other) {
+    for (std::size_t i = 0; i < tensor.size(); ++i)
+        tensor.at(i) += other.at(i);
+}
+
+// In double while the tree is built. Second moments are about the middle.
 struct Block {
     glm::dvec3 directions{0.0}; // ∫ ω dω
     double solid_angle = 0.0;
     glm::dvec3 middle{0.0};
     double reach = 0.0;
+    double square = 0.0; // ∫ Y² dω
+    double luminance = 0.0;
     glm::dvec3 light{0.0};
     std::array<glm::dvec3, 3> moment{}; // ∫ L ω dω, channel by channel
+    Tensor extent{};                    // ∫ d dᵀ dω, d = ω − middle
+    Tensor second{};                    // ∫ Y d dᵀ dω
 };
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return 2.0 * std::asin(std::min(1.0, 0.5 * glm::length(a - b)));
-}
-
-// How far the corners are from the middle.
-double reach_of(const EnvironmentGrid& grid, TexelIndex texel, const glm::dvec3& middle) {
-    constexpr double inwards = 1e-9; // of the same face
-    double most = 0.0;
-    for (const double right : {inwards, 1.0 - inwards})
-        for (const double below : {inwards, 1.0 - inwards})
-            most = std::max(most, angle_between(middle, grid.direction({texel.column + right, texel.row + below})));
-    return most;
 }
 
 Block block_of(const EnvironmentMap& map, TexelIndex texel) {
@@ -62,12 +74,45 @@ Block block_of(const EnvironmentMap& map, TexelIndex texel) {
     block.directions = grid.direction_integral(texel);
     block.solid_angle = grid.solid_angle(texel);
     block.middle = glm::normalize(block.directions);
-    block.reach = reach_of(grid, texel, block.middle);
+    constexpr double inwards = 1e-9; // of the same face
+    std::array<glm::dvec3, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double right = i % 2 == 0 ? inwards : 1.0 - inwards;
+        const double below = i < 2 ? inwards : 1.0 - inwards;
+        corners.at(i) = grid.direction({texel.column + right, texel.row + below});
+        block.reach = std::max(block.reach, angle_between(block.middle, corners.at(i)));
+    }
+    // As a parallelogram.
+    const glm::dvec3 across = 0.5 * (corners[1] - corners[0] + corners[3] - corners[2]);
+    const glm::dvec3 down = 0.5 * (corners[2] - corners[0] + corners[3] - corners[1]);
+    add_square(block.extent, across, block.solid_angle / 12.0);
+    add_square(block.extent, down, block.solid_angle / 12.0);
     const glm::dvec3 light = map.texel(texel);
+    const double luminance = glm::dot(light, rec709_luminance);
     block.light = light * block.solid_angle;
+    block.luminance = luminance * block.solid_angle;
+    block.square = luminance * luminance * block.solid_angle;
     for (int c = 0; c < 3; ++c)
         block.moment.at(static_cast<std::size_t>(c)) = light[c] * block.directions;
+    for (std::size_t i = 0; i < block.extent.size(); ++i)
+        block.second.at(i) = luminance * block.extent.at(i);
     return block;
+}
+
+// ∫ Y ω dω
+glm::dvec3 luminance_moment(const Block& block) {
+    glm::dvec3 moment(0.0);
+    for (int c = 0; c < 3; ++c)
+        moment += rec709_luminance[c] * block.moment.at(static_cast<std::size_t>(c));
+    return moment;
+}
+
+// Second moments about another middle: d' = d − by. `first` and `zeroth` are the lower moments.
+void add_moved(Tensor& to, const Tensor& from, const glm::dvec3& first, double zeroth, const glm::dvec3& by) {
+    add(to, from);
+    const glm::dvec3 mean = zeroth > 0.0 ? first / zeroth : glm::dvec3(0.0);
+    add_square(to, mean - by, zeroth);
+    add_square(to, mean, -zeroth);
 }
 
 Block joined(const Block* const* children, std::size_t count) {
@@ -77,21 +122,36 @@ Block joined(const Block* const* children, std::size_t count) {
         block.directions += child.directions;
         block.solid_angle += child.solid_angle;
         block.light += child.light;
+        block.luminance += child.luminance;
+        block.square += child.square;
         for (std::size_t c = 0; c < 3; ++c)
             block.moment.at(c) += child.moment.at(c);
     }
     // All columns of a lat-long may cancel.
     const double length = glm::length(block.directions);
     block.middle = length > 0.0 ? block.directions / length : children[0]->middle;
-    for (std::size_t i = 0; i < count; ++i)
-        block.reach =
-            std::max(block.reach, angle_between(block.middle, children[i]->middle) + children[i]->reach);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Block& child = *children[i];
+        const glm::dvec3 by = block.middle - child.middle;
+        add_moved(block.extent, child.extent, child.directions - child.solid_angle * child.middle, child.solid_angle,
+                  by);
+        add_moved(block.second, child.second, luminance_moment(child) - child.luminance * child.middle, child.luminance,
+                  by);
+        block.reach = std::max(block.reach, angle_between(block.middle, child.middle) + child.reach);
+    }
     block.reach = std::min(block.reach, std::numbers::pi);
     return block;
 }
 
-// Parts of a texel that lobes narrower than it are summed over: 2^k a side.
-constexpr int most_part_levels = 8;
+// The part of a block's variance of luminance that a linear slope over it does not explain, as a root over the mean.
+double unevenness_of(const Block& block, double spread) {
+    const double mean = block.luminance / block.solid_angle;
+    if (!(mean > 0.0)) return 0.0;
+    glm::dvec3 moment = luminance_moment(block) / block.solid_angle - mean * block.middle;
+    moment -= glm::dot(moment, block.middle) * block.middle;
+    const double slope = spread > 0.0 ? glm::dot(moment, moment) / spread : 0.0;
+    return std::sqrt(std::max(0.0, block.square / block.solid_angle - mean * mean - slope)) / mean;
+}
 
 } // namespace
 
@@ -118,25 +178,43 @@ struct EnvironmentTree::Sum {
         const double variation = reach * std::sqrt(sine_square) + 0.5 * reach * reach;
         return {u, sine_square, std::max(0.0, u - variation), u + variation > 1.0};
     }
-    // Of a block under uniform light, were the second order left out: light that varies within it errs by a part of
-    // that. Where the horizon crosses a block, its weight is that of its middle.
-    [[nodiscard]] bool is_good(const At& at, double reach, double spread, double solid_angle, double luminance) const {
-        double error = 0.5 * lobe.curvature(at.nearest) * (at.sine_square + spread) * spread;
-        if (at.is_clipped) error += 0.25 * lobe.slope(1.0 - 1e-15) * reach;
-        return error * 0.5 * (luminance + solid_angle * mean_luminance) <= most_error;
+    // What is left out: the lobe's third order where the luminance is uneven, else its fourth, as its second order
+    // times powers of the ratio of the block to the distance over which the lobe changes.
+    [[nodiscard]] bool is_good(const At& at, double reach, double spread, double solid_angle, double luminance,
+                               double unevenness) const {
+        const double second = 0.5 * lobe.curvature(at.nearest) * (at.sine_square + spread) * spread;
+        const double ratio = std::min(1.0, spread / (at.nearest + lobe.alpha() * lobe.alpha()));
+        double of_weight = second * ratio;
+        if (at.is_clipped) of_weight += at_horizon * lobe.slope(horizon) * reach;
+        const double of_light = of_weight + second * unevenness * std::sqrt(ratio);
+        return luminance * of_light + solid_angle * mean_luminance * of_weight <= 2.0 * most_error;
     }
-    // The factors of ∫ L dω, of R·∫ L (ω − middle) dω, and of ∫ dω.
-    struct Factors {
-        double light;
-        double moment;
-        double solid_angle;
+    static constexpr double horizon = 1.0 - 1e-15; // u just above it
+    static constexpr double at_horizon = 0.05;     // the greatest error of factors() there, of slope times reach
+
+    // The lobe at a block's middle: w, w' and w''/2. Across the horizon only w, the mean of max(0, c) for a c that is
+    // uniform within ± half, times the slope there.
+    struct Orders {
+        double zeroth;
+        double first;
+        double second;
     };
-    [[nodiscard]] Factors factors(const At& at, double spread) const {
-        const double plain = lobe.weight(at.u);
-        if (at.is_clipped) return {plain, 0.0, plain};
-        const double slope = lobe.slope(at.u);
-        const double even = plain + 0.5 * lobe.curvature(at.u) * at.sine_square * spread;
-        return {even, slope, even - slope * spread * (1.0 - at.u)};
+    [[nodiscard]] Orders orders(const At& at, double spread) const {
+        if (at.is_clipped) {
+            const double half = std::sqrt(3.0 * spread * at.sine_square);
+            const double c = 1.0 - at.u;
+            if (std::abs(c) >= half) return {lobe.weight(at.u), 0.0, 0.0};
+            return {lobe.slope(horizon) * (c + half) * (c + half) / (4.0 * half), 0.0, 0.0};
+        }
+        return {lobe.weight(at.u), lobe.slope(at.u), 0.5 * lobe.curvature(at.u)};
+    }
+    // dᵀ T d of the direction.
+    [[nodiscard]] double along(const std::array<float, 6>& t) const {
+        const glm::dvec3& d = direction;
+        return d.x * d.x * static_cast<double>(t[0]) + d.y * d.y * static_cast<double>(t[1]) +
+               d.z * d.z * static_cast<double>(t[2]) +
+               2.0 * (d.x * d.y * static_cast<double>(t[3]) + d.x * d.z * static_cast<double>(t[4]) +
+                      d.y * d.z * static_cast<double>(t[5]));
     }
 };
 
@@ -191,11 +269,18 @@ EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads) : 
         // The middle as it is stored, so that what is summed is consistent.
         const glm::dvec3 middle(static_cast<double>(node.middle[0]), static_cast<double>(node.middle[1]),
                                 static_cast<double>(node.middle[2]));
-        node.spread = static_cast<float>(1.0 - glm::dot(block.directions, block.middle) / block.solid_angle);
+        const double spread = std::max(0.0, 1.0 - glm::dot(block.directions, block.middle) / block.solid_angle);
+        node.spread = static_cast<float>(spread);
+        node.unevenness = static_cast<float>(unevenness_of(block, spread));
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::dvec3 moment = block.moment.at(c) - block.light[static_cast<int>(c)] * middle;
             for (int i = 0; i < 3; ++i)
                 node.moment.at(3 * c + static_cast<std::size_t>(i)) = static_cast<float>(moment[i]);
+        }
+        for (std::size_t i = 0; i < node.extent.size(); ++i) {
+            node.extent.at(i) = static_cast<float>(block.extent.at(i) / block.solid_angle);
+            node.second.at(i) =
+                block.luminance > 0.0 ? static_cast<float>(block.second.at(i) / block.luminance) : node.extent.at(i);
         }
         nodes_.push_back(node);
         links_.push_back(link);
@@ -205,9 +290,9 @@ EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads) : 
         level.first_node = static_cast<std::int32_t>(nodes_.size());
         for (int row = 0; row < level.height; ++row)
             for (int column = 0; column < level.width; ++column) {
-                const Block& block = level.blocks.at(static_cast<std::size_t>(row) *
-                                                         static_cast<std::size_t>(level.width) +
-                                                     static_cast<std::size_t>(column));
+                const Block& block =
+                    level.blocks.at(static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width) +
+                                    static_cast<std::size_t>(column));
                 light += block.light;
                 solid_angle += block.solid_angle;
                 push(block, {});
@@ -225,9 +310,9 @@ EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads) : 
                     std::size_t count = 0;
                     for (int y = 2 * row; y < std::min(2 * row + 2, level.height); ++y)
                         for (int x = 2 * column; x < std::min(2 * column + 2, level.width); ++x)
-                            children.at(count++) = &level.blocks.at(static_cast<std::size_t>(y) *
-                                                                        static_cast<std::size_t>(level.width) +
-                                                                    static_cast<std::size_t>(x));
+                            children.at(count++) =
+                                &level.blocks.at(static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
+                                                 static_cast<std::size_t>(x));
                     next.blocks.push_back(joined(children.data(), count));
                 }
             for (std::size_t i = 0; i < next.blocks.size(); ++i) {
@@ -245,35 +330,10 @@ EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads) : 
     }
 }
 
-void EnvironmentTree::add_part(Sum& sum, const EnvironmentGrid& grid, TexelIndex part, const glm::dvec3& light,
-                               int level) const {
-    const glm::dvec3 directions = grid.direction_integral(part);
-    const double solid_angle = grid.solid_angle(part);
-    if (!(solid_angle > 0.0)) return;
-    const glm::dvec3 middle = glm::normalize(directions);
-    const double spread = std::max(0.0, 1.0 - glm::length(directions) / solid_angle);
-    const double reach = reach_of(grid, part, middle);
-    const Sum::At at = sum.at(middle, reach);
-    if (at.nearest >= 1.0) return;
-    const bool is_good =
-        sum.is_good(at, reach, spread, solid_angle, glm::dot(light, rec709_luminance) * solid_angle);
-    if (!is_good && level < most_part_levels) {
-        const Result<EnvironmentGrid> finer =
-            EnvironmentGrid::create(grid.layout(), 2 * grid.width(), 2 * grid.height());
-        if (!finer) return;
-        for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 2; ++x)
-                add_part(sum, *finer, {2 * part.column + x, 2 * part.row + y}, light, level + 1);
-        return;
-    }
-    const double weight = sum.factors(at, spread).solid_angle * solid_angle;
-    sum.light += weight * light;
-    sum.weight += weight;
-}
-
 glm::dvec3 EnvironmentTree::mean(const GgxLobe& lobe, const glm::dvec3& direction, double tolerance) const {
     const double mean_luminance = glm::dot(mean_, rec709_luminance);
     Sum sum{lobe, direction, tolerance * lobe.whole() * mean_luminance, mean_luminance};
+    const detail::LobeOverTexel<5> over_texel(lobe, direction);
     std::vector<std::int32_t> open = roots_;
     while (!open.empty()) {
         const auto index = static_cast<std::size_t>(open.back());
@@ -286,7 +346,8 @@ glm::dvec3 EnvironmentTree::mean(const GgxLobe& lobe, const glm::dvec3& directio
         const auto spread = static_cast<double>(node.spread);
         const auto solid_angle = static_cast<double>(node.solid_angle);
         const glm::dvec3 light(node.light[0], node.light[1], node.light[2]);
-        if (!sum.is_good(at, reach, spread, solid_angle, glm::dot(light, rec709_luminance))) {
+        if (!sum.is_good(at, reach, spread, solid_angle, glm::dot(light, rec709_luminance),
+                         static_cast<double>(node.unevenness))) {
             const Link& link = links_[index];
             if (link.across > 0) {
                 for (int y = 0; y < link.down; ++y)
@@ -295,17 +356,21 @@ glm::dvec3 EnvironmentTree::mean(const GgxLobe& lobe, const glm::dvec3& directio
                 continue;
             }
             if (index < places_.size()) {
-                add_part(sum, grid_, places_[index], light / solid_angle, 0);
+                const double weight = over_texel(detail::outline_of(grid_, places_[index]), middle, reach);
+                sum.light += weight / solid_angle * light;
+                sum.weight += weight;
                 continue;
             }
         }
-        const Sum::Factors factors = sum.factors(at, spread);
+        const Sum::Orders orders = sum.orders(at, spread);
         const auto moment = [&](std::size_t channel) {
             const float* const m = node.moment.data() + 3 * channel;
             return glm::dot(direction, glm::dvec3(m[0], m[1], m[2]));
         };
-        sum.light += factors.light * light + factors.moment * glm::dvec3(moment(0), moment(1), moment(2));
-        sum.weight += factors.solid_angle * solid_angle;
+        sum.light += (orders.zeroth + orders.second * sum.along(node.second)) * light +
+                     orders.first * glm::dvec3(moment(0), moment(1), moment(2));
+        sum.weight += (orders.zeroth + orders.second * sum.along(node.extent) - orders.first * spread * (1.0 - at.u)) *
+                      solid_angle;
     }
     return sum.weight > 0.0 ? sum.light / sum.weight : glm::dvec3(0.0);
 }

@@ -1,9 +1,10 @@
 // An environment as a tree of texels and blocks of texels, for sums of light weighted by a lobe.
 //
-// A block of 2×2 children has the sum of their light and its first moment, so a lobe that is nearly linear over a block
-// takes the whole block at once, with the second order of the lobe under uniform light. Where that is not good enough,
-// its children are taken, down to the texels and, for lobes narrower than a texel, parts of texels; texels are uniform
-// over the directions that they cover. Weights are summed alongside, so that a uniform environment stays uniform.
+// A block of 2×2 children has the sum of their light and its moments up to the second, so a lobe that is nearly
+// quadratic over a block takes the whole block at once (the second moment is that of the luminance, for all channels).
+// Where that is not good enough, its children are taken, down to the texels, which are uniform over the directions that
+// they cover; a lobe that is narrow beside a texel is integrated along its outline. Weights are summed alongside, so
+// that a uniform environment stays uniform.
 #pragma once
 
 #include <gonio/ibl/ggx_lobe.hpp>
@@ -20,7 +21,7 @@ namespace gonio {
 
 class EnvironmentTree {
 public:
-    // About 96 bytes a texel. If the map has more than `most_texels`, the smallest blocks are not divided any further.
+    // About 180 bytes a texel. If the map has more than `most_texels`, the smallest blocks are not divided any further.
     explicit EnvironmentTree(const EnvironmentMap& map, unsigned threads = 0);
 
     static constexpr std::size_t most_texels = std::size_t{1} << 22;
@@ -40,8 +41,11 @@ private:
         float reach;                 // no direction of it is farther from the middle [rad]
         float solid_angle;           // [sr]
         float spread;                // half the mean square of the distance from the middle
+        float unevenness;            // root mean square of the luminance's difference from a linear one, over its mean
         std::array<float, 3> light;  // ∫ L dω
         std::array<float, 9> moment; // ∫ L (ω − middle) dω, channel by channel
+        std::array<float, 6> extent; // the mean of d dᵀ, d = ω − middle: xx yy zz xy xz yz
+        std::array<float, 6> second; // the same weighted by the luminance over its mean
     };
     // Its children are up to 2×2 nodes, whose rows lie `row_length` apart; `across` is 0 if there are none.
     struct Link {
@@ -51,8 +55,6 @@ private:
         std::int16_t down;
     };
     struct Sum;
-
-    void add_part(Sum& sum, const EnvironmentGrid& grid, TexelIndex part, const glm::dvec3& light, int level) const;
 
     EnvironmentGrid grid_;
     std::vector<Node> nodes_; // blocks after their children

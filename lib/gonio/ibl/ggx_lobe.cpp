@@ -40,6 +40,7 @@ double GgxLobe::integral(double u) const {
     u = std::clamp(u, 0.0, 1.0);
     // The closed form cancels in falloff² where the lobe is nearly Lambert's; there Gauss nodes have all digits.
     constexpr double nearly_flat = 0.3;
+    if (falloff_ == 0.0) return peak_ * u * (1.0 - 0.5 * u) / (offset_ * offset_);
     if (falloff_ < nearly_flat) {
         double sum = 0.0;
         for (const QuadratureNode& node : gauss_legendre<16>()) {
@@ -51,8 +52,7 @@ double GgxLobe::integral(double u) const {
     // ∫ c/x² dc = (ln x + (offset + falloff)/x)/falloff², taken as a difference.
     const double step = falloff_ * u;
     const double x = offset_ + step;
-    return peak_ / (falloff_ * falloff_) *
-           ((offset_ + falloff_) * step / (offset_ * x) - std::log1p(step / offset_));
+    return peak_ / (falloff_ * falloff_) * ((offset_ + falloff_) * step / (offset_ * x) - std::log1p(step / offset_));
 }
 
 } // namespace gonio

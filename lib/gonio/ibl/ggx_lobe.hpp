@@ -1,5 +1,5 @@
-// The lobe of a prefiltered environment: GGX with the eye, the normal and the mirrored direction in one (B. Karis, "Real
-// Shading in Unreal Engine 4", 2013).
+// The lobe of a prefiltered environment: GGX with the eye, the normal and the mirrored direction in one (B. Karis,
+// "Real Shading in Unreal Engine 4", 2013).
 //
 // The mirrored direction R then is the normal, the half vector lies at half the angle between R and l, and the density
 // of GGX samples is D/4. Weighted by n·l as Unreal Engine, Frostbite and Filament do, the radiance is
@@ -7,7 +7,8 @@
 //     L(R) = ∫ L(l) w(R·l) dω / ∫ w(R·l) dω,   w(c) = c D(√((1 + c)/2)) for c > 0, else 0
 //
 // with D(n·h) = α²/(π((α² − 1)(n·h)² + 1)²) and α = r². Then w = 4α²c/(π x²), x = (1 − c) + α²(1 + c): rational in c.
-// r = 1 is Lambert's cosine: the irradiance over π. Angles are given as u = 1 − R·l = |R − l|²/2, which does not cancel.
+// r = 1 is Lambert's cosine: the irradiance over π. Angles are given as u = 1 − R·l = |R − l|²/2, which does not
+// cancel.
 #pragma once
 
 namespace gonio {

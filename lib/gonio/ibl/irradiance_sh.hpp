@@ -3,8 +3,8 @@
 // Y(l, m) are orthonormal over the sphere, without the phase of Condon and Shortley, in the frame of skies (x east, y
 // north, z up), stored at l(l + 1) + m: Y(0,0) = 0.282095, Y(1,−1..1) = 0.488603 (y, z, x), Y(2,−2..2) = 1.092548 xy,
 // 1.092548 yz, 0.315392(3z² − 1), 1.092548 xz, 0.546274(x² − y²), and so on to l = 3. "Order 2" has the bands l ≤ 2, 9
-// coefficients for each channel; "order 3" l ≤ 3, 16. The illuminance of an open plane is Σ A(l) L(l,m) Y(l,m)(n) with A
-// = π, 2π/3, π/4, 0 (R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps",
+// coefficients for each channel; "order 3" l ≤ 3, 16. The illuminance of an open plane is Σ A(l) L(l,m) Y(l,m)(n) with
+// A = π, 2π/3, π/4, 0 (R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps",
 // 2001): band 3 adds nothing to it.
 #pragma once
 

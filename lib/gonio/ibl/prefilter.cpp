@@ -16,10 +16,10 @@ namespace {
 
 // Of each level, from the sharpest.
 Result<std::vector<EnvironmentGrid>> grids_of(const PrefilterOptions& options) {
-    if (options.levels < 1)
-        return fail("USE0106", "a prefiltered environment has at least one level", "for example 5");
+    if (options.levels < 1) return fail("USE0106", "a prefiltered environment has at least one level", "for example 5");
     // A lat-long's height and an octahedral's side are even.
-    const bool is_cube = options.layout != EnvironmentLayout::latlong && options.layout != EnvironmentLayout::octahedral;
+    const bool is_cube =
+        options.layout != EnvironmentLayout::latlong && options.layout != EnvironmentLayout::octahedral;
     const int least = is_cube ? 1 : 2;
     std::vector<EnvironmentGrid> grids;
     int side = options.side;

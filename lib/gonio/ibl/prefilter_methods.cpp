@@ -1,6 +1,5 @@
-#include <gonio/base/gauss_legendre.hpp>
 #include <gonio/base/parallel.hpp>
-#include <gonio/ibl/detail/texel_outline.hpp>
+#include <gonio/ibl/detail/lobe_over_texel.hpp>
 #include <gonio/ibl/ggx_lobe.hpp>
 #include <gonio/ibl/prefilter_methods.hpp>
 #include <gonio/sky/environment_resample.hpp>
@@ -20,60 +19,6 @@ namespace gonio {
 namespace {
 
 using std::numbers::pi;
-
-// ∫ w dω over texels, as ∮ F(u) (R × ω)·dω/(1 − c²) along their outlines with dF/du = w: Stokes' theorem for the part
-// of the sphere between a curve and R, or the curve and −R.
-class LobeOverTexel {
-public:
-    LobeOverTexel(const GgxLobe& lobe, const glm::dvec3& direction) : lobe_(lobe), direction_(direction) {}
-
-    [[nodiscard]] double operator()(const detail::TexelOutline& outline, const glm::dvec3& middle, double reach) const {
-        const double height = glm::dot(middle, direction_);
-        if (height < -reach) return 0.0;
-        // F(0) = 0 where R may be in the texel, F = 0 below the horizon where −R may be.
-        const double shift = height > 0.0 ? 0.0 : -lobe_.whole() / (2.0 * pi);
-        double sum = 0.0;
-        for (const detail::OutlineSide& side : outline)
-            if (side.arc != 0.0) sum += along(side, shift);
-        return sum;
-    }
-
-private:
-    [[nodiscard]] double along(const detail::OutlineSide& side, double shift) const {
-        const double length = std::abs(side.arc) * glm::length(side.f);
-        const double apart =
-            std::min(glm::length(side.at(0.0) - direction_), glm::length(side.at(1.0) - direction_)) - 0.5 * length;
-        const double scale = std::max(apart, 0.0) + lobe_.alpha();
-        constexpr double smooth = 0.15;
-        if (length < smooth * scale) return of_piece<3>(side, shift, 0.0, 1.0);
-        constexpr double most_pieces = 512.0;
-        const double pieces = std::clamp(std::ceil(2.0 * length / scale), 1.0, most_pieces);
-        double sum = 0.0;
-        for (double piece = 0.0; piece < pieces; ++piece)
-            sum += of_piece<8>(side, shift, piece / pieces, (piece + 1.0) / pieces);
-        return sum;
-    }
-
-    template<std::size_t count>
-    [[nodiscard]] double of_piece(const detail::OutlineSide& side, double shift, double from, double to) const {
-        static constexpr auto nodes = gauss_legendre<count>();
-        double sum = 0.0;
-        for (const QuadratureNode& node : nodes) {
-            const double t = 0.5 * (from + to + (to - from) * node.at);
-            const glm::dvec3 at = side.at(t);
-            const glm::dvec3 apart = direction_ - at;
-            const double u = 0.5 * glm::dot(apart, apart);
-            const double sine_square = u * (2.0 - u);
-            if (!(sine_square > 0.0)) continue;
-            sum += node.weight * (lobe_.integral(u) + shift) *
-                   glm::dot(glm::cross(direction_, at), side.step(t)) / sine_square;
-        }
-        return 0.5 * (to - from) * sum;
-    }
-
-    const GgxLobe& lobe_;
-    glm::dvec3 direction_;
-};
 
 // The base-2 radical inverse.
 double radical_inverse(std::uint32_t bits) {
@@ -150,7 +95,7 @@ std::vector<glm::dvec3> prefiltered_by_quadrature(const EnvironmentMap& map, std
             const detail::TexelOutline outline = detail::outline_of(grid, texel);
             const glm::dvec3 middle = grid.direction({column + 0.5, row + 0.5});
             for (std::size_t i = 0; i < sums.size(); ++i)
-                sums[i] += light * LobeOverTexel(lobes[i], queries[i].direction)(outline, middle, reach);
+                sums[i] += light * detail::LobeOverTexel<8>(lobes[i], queries[i].direction)(outline, middle, reach);
         }
         rows[at] = std::move(sums);
     });
@@ -175,8 +120,8 @@ EnvironmentMips::EnvironmentMips(const EnvironmentMap& map, unsigned threads) : 
     if (grid.layout() == EnvironmentLayout::cube_strip && grid.side() == side)
         levels_.push_back(map);
     else
-        levels_.push_back(resampled(map, *EnvironmentGrid::create(EnvironmentLayout::cube_strip, 6 * side, side), {},
-                                    threads));
+        levels_.push_back(
+            resampled(map, *EnvironmentGrid::create(EnvironmentLayout::cube_strip, 6 * side, side), {}, threads));
     while (levels_.back().grid().side() > 1)
         levels_.push_back(halved(levels_.back()));
     texel_solid_angle_ = 4.0 * pi / (6.0 * side * side);

@@ -34,10 +34,18 @@ Result<RoughnessMapping> parse_roughness_mapping(std::string_view text) {
 double level_of(RoughnessMapping mapping, double roughness, int last) {
     double level = 0.0;
     switch (mapping) {
-    case RoughnessMapping::linear: level = roughness * last; break;
-    case RoughnessMapping::filament: level = roughness * (2.0 - roughness) * last; break;
-    case RoughnessMapping::frostbite: level = std::sqrt(roughness) * last; break;
-    case RoughnessMapping::ue4: level = roughness > 0.0 ? last - 2.0 + 1.2 * std::log2(roughness) : 0.0; break;
+    case RoughnessMapping::linear:
+        level = roughness * last;
+        break;
+    case RoughnessMapping::filament:
+        level = roughness * (2.0 - roughness) * last;
+        break;
+    case RoughnessMapping::frostbite:
+        level = std::sqrt(roughness) * last;
+        break;
+    case RoughnessMapping::ue4:
+        level = roughness > 0.0 ? last - 2.0 + 1.2 * std::log2(roughness) : 0.0;
+        break;
     }
     return std::clamp(level, 0.0, static_cast<double>(last));
 }
@@ -46,10 +54,18 @@ double roughness_of(RoughnessMapping mapping, double level, int last) {
     const double share = last > 0 ? level / last : 0.0;
     double roughness = 0.0;
     switch (mapping) {
-    case RoughnessMapping::linear: roughness = share; break;
-    case RoughnessMapping::filament: roughness = 1.0 - std::sqrt(std::max(0.0, 1.0 - share)); break;
-    case RoughnessMapping::frostbite: roughness = share * share; break;
-    case RoughnessMapping::ue4: roughness = std::exp2((level - last + 2.0) / 1.2); break;
+    case RoughnessMapping::linear:
+        roughness = share;
+        break;
+    case RoughnessMapping::filament:
+        roughness = 1.0 - std::sqrt(std::max(0.0, 1.0 - share));
+        break;
+    case RoughnessMapping::frostbite:
+        roughness = share * share;
+        break;
+    case RoughnessMapping::ue4:
+        roughness = std::exp2((level - last + 2.0) / 1.2);
+        break;
     }
     return std::clamp(roughness, 0.0, 1.0);
 }

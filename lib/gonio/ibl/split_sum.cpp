@@ -68,19 +68,21 @@ auto gathered(double from, double to, const F& f) {
 class HalfVectors {
 public:
     HalfVectors(double n_dot_v, double alpha, SplitSumModel model)
-        : n_dot_v_(n_dot_v),
-          sine_v_(std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v))),
-          alpha_(alpha),
-          model_(model) {}
+        : n_dot_v_(n_dot_v), sine_v_(std::sqrt((1.0 - n_dot_v) * (1.0 + n_dot_v))), alpha_(alpha), model_(model) {}
 
     [[nodiscard]] glm::dvec2 sum() const {
         // Up to the first break all azimuths have n·l > 0, from the second on none.
         const double view = std::atan2(sine_v_, n_dot_v_);
-        const double first = place(std::tan(0.25 * pi - 0.5 * view));
-        const double second = place(std::tan(0.25 * pi + 0.5 * view));
-        const auto here = [this](double t) { return at(t); };
-        glm::dvec2 total = gathered<nodes>(0.0, first, here);
-        if (second > first) total += gathered<nodes>(first, second, here);
+        const double first = std::tan(0.25 * pi - 0.5 * view);
+        const double second = std::tan(0.25 * pi + 0.5 * view);
+        // In t up to where little of D lies; in the logarithm of the tangent from there on: D, the eye's height and the
+        // breaks each have their own scale.
+        constexpr double little = 0.02;
+        const double near = std::min(first, alpha_ * std::sqrt(little / (1.0 - little)));
+        glm::dvec2 total = gathered<nodes_of_panel>(0.0, place(near),
+                                                    [this](double t) { return at(alpha_ * std::sqrt(t / (1.0 - t))); });
+        total += in_panels(near, first);
+        total += in_panels(first, second);
         return total;
     }
 
@@ -90,10 +92,29 @@ private:
         return tangent * tangent / (alpha_ * alpha_ + tangent * tangent);
     }
 
-    [[nodiscard]] glm::dvec2 at(double t) const {
-        const double square = 1.0 - t + alpha_ * alpha_ * t;
-        const double cosine = std::sqrt((1.0 - t) / square);
-        const double sine = alpha_ * std::sqrt(t / square);
+    [[nodiscard]] glm::dvec2 in_panels(double from, double to) const {
+        constexpr double length = 2.0;
+        constexpr double far = 1e-9; // of D
+        to = std::min(to, alpha_ / std::sqrt(far));
+        if (!(to > from)) return glm::dvec2(0.0);
+        const double start = std::log(from);
+        const double whole = std::log(to / from);
+        const int panels = std::max(1, static_cast<int>(std::ceil(whole / length)));
+        glm::dvec2 total(0.0);
+        for (int i = 0; i < panels; ++i)
+            total += gathered<nodes_of_panel>(start + whole * i / panels, start + whole * (i + 1) / panels,
+                                              [this](double y) {
+                                                  const double tangent = std::exp(y);
+                                                  const double t = place(tangent);
+                                                  return 2.0 * t * (1.0 - t) * at(tangent);
+                                              });
+        return total;
+    }
+
+    // The factor of dt.
+    [[nodiscard]] glm::dvec2 at(double tangent) const {
+        const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+        const double sine = tangent * cosine;
         // n·l = n·v cos 2θh + sin θv sin 2θh cos φ
         const double even = n_dot_v_ * (cosine - sine) * (cosine + sine);
         const double swing = sine_v_ * 2.0 * sine * cosine;
@@ -102,17 +123,17 @@ private:
             if (even <= -swing) return glm::dvec2(0.0);
             most = std::acos(-even / swing);
         }
-        return gathered<nodes>(0.0, most, [&](double phi) {
+        return gathered<nodes_of_ring>(0.0, most, [&](double phi) {
             const double turned = std::cos(phi);
             const double n_dot_l = std::max(0.0, even + swing * turned);
             const double v_dot_h = n_dot_v_ * cosine + sine_v_ * sine * turned;
-            const double once =
-                4.0 * visibility(n_dot_l, n_dot_v_, alpha_, model_) * n_dot_l * v_dot_h / (cosine * pi);
+            const double once = 4.0 * visibility(n_dot_l, n_dot_v_, alpha_, model_) * n_dot_l * v_dot_h / (cosine * pi);
             return glm::dvec2(once, once * fifth_power(1.0 - v_dot_h));
         });
     }
 
-    static constexpr std::size_t nodes = 40;
+    static constexpr std::size_t nodes_of_panel = 12;
+    static constexpr std::size_t nodes_of_ring = 24;
 
     double n_dot_v_;
     double sine_v_;
@@ -205,8 +226,10 @@ double specular_albedo(double f0, const SplitSum& sum, double mean, MultipleScat
     const double lost = 1.0 - sum.albedo();
     const double mean_reflectance = f0 + (1.0 - f0) / 21.0; // of Schlick's F over uniform light
     switch (scheme) {
-    case MultipleScattering::none: return once;
-    case MultipleScattering::filament: return once * (1.0 + f0 * (1.0 / sum.albedo() - 1.0));
+    case MultipleScattering::none:
+        return once;
+    case MultipleScattering::filament:
+        return once * (1.0 + f0 * (1.0 / sum.albedo() - 1.0));
     case MultipleScattering::kulla_conty:
         return once + lost * mean_reflectance * mean_reflectance * mean / (1.0 - mean_reflectance * (1.0 - mean));
     case MultipleScattering::fdez_aguera:

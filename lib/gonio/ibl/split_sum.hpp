@@ -1,5 +1,5 @@
-// The second factor of the split sum (B. Karis, "Real Shading in Unreal Engine 4", 2013): what a glossy surface reflects
-// of uniform light, as A F0 + B F90 under Schlick's reflectance.
+// The second factor of the split sum (B. Karis, "Real Shading in Unreal Engine 4", 2013): what a glossy surface
+// reflects of uniform light, as A F0 + B F90 under Schlick's reflectance.
 //
 //     A = ∫ (1 − Fc) D G/(4 n·v) dω,  B = ∫ Fc D G/(4 n·v) dω,  Fc = (1 − v·h)⁵
 //

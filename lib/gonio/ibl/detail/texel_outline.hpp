@@ -22,13 +22,9 @@ struct OutlineSide {
     glm::dvec3 f;
     double arc = 0.0; // 0: no length
 
-    [[nodiscard]] glm::dvec3 at(double t) const {
-        return middle + std::cos(arc * t) * e + std::sin(arc * t) * f;
-    }
+    [[nodiscard]] glm::dvec3 at(double t) const { return middle + std::cos(arc * t) * e + std::sin(arc * t) * f; }
     // dω/dt
-    [[nodiscard]] glm::dvec3 step(double t) const {
-        return arc * (std::cos(arc * t) * f - std::sin(arc * t) * e);
-    }
+    [[nodiscard]] glm::dvec3 step(double t) const { return arc * (std::cos(arc * t) * f - std::sin(arc * t) * e); }
 };
 
 // Counter-clockwise as seen from outside the sphere.
