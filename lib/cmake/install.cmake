@@ -19,7 +19,7 @@ foreach(header IN LISTS gonio_public_headers)
 endforeach()
 
 # For editors, which complete and check JSON by it.
-foreach(schema scene/rig asset/asset asset/environment asset/manifest asset/texture)
+foreach(schema scene/rig asset/asset asset/environment asset/manifest asset/prefilter asset/texture)
     install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/${schema}.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/gonio"
             COMPONENT library)
 endforeach()

@@ -30,7 +30,9 @@
 #include <gonio/ibl/ggx_lobe.hpp>
 #include <gonio/ibl/irradiance_sh.hpp>
 #include <gonio/ibl/prefilter.hpp>
+#include <gonio/ibl/prefilter_error.hpp>
 #include <gonio/ibl/prefilter_methods.hpp>
+#include <gonio/ibl/prefilter_variant.hpp>
 #include <gonio/ibl/roughness_mapping.hpp>
 #include <gonio/ibl/split_sum.hpp>
 #include <gonio/ibl/split_sum_table.hpp>

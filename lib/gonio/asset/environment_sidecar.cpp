@@ -1,4 +1,5 @@
 #include <gonio/asset/detail/file_record_json.hpp>
+#include <gonio/asset/detail/sun_json.hpp>
 #include <gonio/asset/environment_sidecar.hpp>
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/version.hpp>
@@ -10,15 +11,6 @@ namespace gonio {
 namespace {
 
 using detail::Json;
-
-Json sun_json(const SunLight& sun) {
-    const SkyAngles at = sky_angles_of(sun.direction);
-    return {{"azimuth_deg", at.azimuth_deg},
-            {"elevation_deg", at.elevation_deg},
-            {"illuminance_lx", sun.illuminance.value},
-            {"diameter_deg", to_degrees(sun.diameter)},
-            {"color", Json::array({sun.color.x, sun.color.y, sun.color.z})}};
-}
 
 } // namespace
 
@@ -45,7 +37,7 @@ std::string environment_sidecar(const EnvironmentDescription& environment) {
         {"mean_nt", of.mean.value},
         {"zenith_nt", of.zenith.value},
         {"peak_nt", of.spot ? of.spot->luminance.value : of.zenith.value},
-        {"sun", environment.sun ? sun_json(*environment.sun) : Json()},
+        {"sun", detail::to_json(environment.sun)},
         {"source", {{"sky", environment.source}}},
         {"tool", std::string("gonio ") + version},
     };

@@ -1,6 +1,8 @@
 #include <gonio/ibl/environment_tree.hpp>
 #include <gonio/ibl/prefilter.hpp>
+#include <gonio/ibl/prefilter_error.hpp>
 #include <gonio/ibl/prefilter_methods.hpp>
+#include <gonio/ibl/prefilter_variant.hpp>
 #include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
@@ -243,6 +245,36 @@ TEST(Prefilter, RefusesSizesThatHaveNoSuchLevels) {
     EXPECT_TRUE(is_refused(EnvironmentLayout::cube_strip, 8, 0));
     EXPECT_TRUE(is_refused(EnvironmentLayout::cube_strip, 1 << 20, 1));
     EXPECT_FALSE(is_refused(EnvironmentLayout::cube_strip, 8, 4));
+}
+
+TEST(PrefilterErrors, AreWhatWasDoneToALevel) {
+    const EnvironmentMap map = speckled(EnvironmentLayout::cube_strip, 8);
+    PrefilterOptions options;
+    options.side = 8;
+    options.levels = 3;
+    options.tolerance = 1e-9;
+    const PrefilteredEnvironment exact = *prefilter(map, options);
+    std::vector<PrefilteredLevel> levels(exact.levels().begin(), exact.levels().end());
+    std::vector<PrefilterError> errors = prefilter_errors(map, levels, 20);
+    EXPECT_EQ(errors[0].texels, 0);
+    EXPECT_EQ(errors[1].texels, 20);
+    EXPECT_LT(errors[1].greatest, 1e-4);
+    EXPECT_LT(errors[2].greatest, 1e-4);
+    // All of a level brighter by a tenth of it.
+    levels[1].map.set_nits_per_unit(1.1);
+    errors = prefilter_errors(map, levels, 20);
+    EXPECT_GT(errors[1].rms, 0.09);
+    EXPECT_LT(errors[2].greatest, 1e-4);
+}
+
+TEST(PrefilterVariants, HaveTheirLevels) {
+    for (const PrefilterVariant& variant : prefilter_variants()) {
+        EXPECT_EQ(*parse_prefilter_variant(variant.name), &variant);
+        EXPECT_GE(variant.side >> (levels_of(variant, variant.side, 1) - 1), 1);
+    }
+    EXPECT_EQ(levels_of(**parse_prefilter_variant("ue4"), 128, 1), 8);
+    EXPECT_EQ(levels_of(**parse_prefilter_variant("ue4"), 96, 2), 6);
+    EXPECT_FALSE(parse_prefilter_variant("unreal"));
 }
 
 TEST(IrradianceMap, IsTheIrradianceOverPi) {
