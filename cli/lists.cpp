@@ -10,6 +10,7 @@
 #include <gonio/color/named_methods.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/ibl/prefilter_variant.hpp>
 #include <gonio/light/efficacy.hpp>
 #include <gonio/light/policy.hpp>
 #include <gonio/light/presets.hpp>
@@ -160,6 +161,13 @@ Entries efficacies() {
     Entries entries;
     for (const NamedEfficacy& known : named_efficacies())
         entries.push_back({std::string(known.name), fmt::format("{} lm/W, {}", known.lm_per_w, known.says)});
+    return entries;
+}
+
+Entries prefilters() {
+    Entries entries;
+    for (const PrefilterVariant& variant : prefilter_variants())
+        entries.push_back({std::string(variant.name), std::string(variant.summary)});
     return entries;
 }
 
@@ -325,6 +333,7 @@ constexpr std::array lists{
     NamedList{"normalizations", "meanings of a texel of 1", normalizations},
     NamedList{"palettes", "colours of false-colour pictures", palettes},
     NamedList{"policies", "how other programs read photometric numbers", policies},
+    NamedList{"prefilters", "programs of sky prefilter --for", prefilters},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
     NamedList{"scalings", "what bench --scaling measures", scalings},

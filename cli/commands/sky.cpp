@@ -7,12 +7,14 @@
 #include "../options/common.hpp"
 #include "../options/output.hpp"
 #include "../sky/convert.hpp"
+#include "../sky/prefilter.hpp"
 #include "../sky/request.hpp"
 #include "../sky/sky_report.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +23,12 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array groups{OptionGroup{"image", sky_image_options}, OptionGroup{"output", sky_output_options},
-                            json_group, threads_group, common_group};
+constexpr std::array groups{OptionGroup{"image", sky_image_options},
+                            OptionGroup{"output", sky_output_options},
+                            OptionGroup{"prefilter", sky_prefilter_options},
+                            json_group,
+                            threads_group,
+                            common_group};
 constexpr std::array examples{
     Example{"gonio sky info cie:12,sun=180/40,horizontal=20klx", "a clear sky: lux on the ground and on walls"},
     Example{"gonio sky info daylight:place=52.52/13.405,time=2024-06-21T12:00+02:00 --json",
@@ -31,10 +37,21 @@ constexpr std::array examples{
     Example{"gonio sky convert cie:1,horizontal=10klx -o sky.exr -s 1024", "a sky as a picture in cd/m2"},
     Example{"gonio sky convert outside.hdr --calibrate 80klx --cut-sun --layout cube-cross -o cross.exr",
             "a photograph without its sun, which the sidecar has as a light"},
+    Example{"gonio sky prefilter room.exr --for filament -o room.exr",
+            "what an engine needs to light with it: room.specular-0.exr and so on"},
 };
 
 constexpr std::array<std::string_view, 8> output_names{"--output", "--to",    "--with-sun", "--layout",
                                                        "--size",   "--pixel", "--sidecar",  "--no-sidecar"};
+
+// Fails (usage) on an option of the group, which another action takes.
+Result<void> refuse(const Arguments& arguments, std::span<const Option> options, std::string_view action) {
+    for (const Option& option : options)
+        if (arguments.has(option.names))
+            return fail("USE0107", fmt::format("{} is for sky prefilter, not for 'sky {}'", option.names, action),
+                        "gonio sky prefilter SKY -o FILE");
+    return {};
+}
 
 Outcome info(const std::string& text, const SkyRequest& request) {
     Outcome outcome;
@@ -59,6 +76,7 @@ Result<int> info_all(const Arguments& arguments, Console& console) {
         if (arguments.has(name))
             return fail("USE0107", fmt::format("'sky info' writes no file, but {} is given", name),
                         "gonio sky convert writes one");
+    if (Result<void> fine = refuse(arguments, sky_prefilter_options, "info"); !fine) return pass_on(fine);
     Result<SkyRequest> request = sky_request(arguments);
     if (!request) return pass_on(request);
     const ReportKind kind = report_kind(arguments);
@@ -69,25 +87,36 @@ Result<int> info_all(const Arguments& arguments, Console& console) {
     });
 }
 
-Result<int> convert_one(const Arguments& arguments, Console& console) {
+// One sky into files: what convert and prefilter share. `member` has the sidecar in the report.
+struct FileAction {
+    std::string_view name;
+    std::string_view made;
+    std::string_view schema;
+    std::string_view member;
+    Result<Json> (*write)(const std::string&, const LoadedSky&, const SkyRequest&, const Arguments&);
+};
+constexpr FileAction convert_action{"convert", "image", "gonio.sky-convert/1", "environment", convert_sky};
+constexpr FileAction prefilter_action{"prefilter", "images", "gonio.sky-prefilter/1", "prefilter", prefilter_sky};
+
+Result<int> write_one(const FileAction& action, const Arguments& arguments, Console& console) {
     const std::vector<std::string>& words = arguments.positional();
     if (words.size() != 2)
         return fail(words.size() < 2 ? Cause("USE0104") : Cause("USE0107"),
-                    fmt::format("'sky convert' takes one sky, not {}", words.size() - 1),
-                    "for example: gonio sky convert cie:1,horizontal=10klx -o sky.exr");
+                    fmt::format("'sky {}' takes one sky, not {}", action.name, words.size() - 1),
+                    fmt::format("for example: gonio sky {} cie:1,horizontal=10klx -o sky.exr", action.name));
     if (!arguments.has("--output")) return fail("USE0104", "there is no output", "add -o FILE, for example -o sky.exr");
     const ReportKind kind = report_kind(arguments);
-    if (arguments.value("--output") == "-" && kind != ReportKind::words) return both_to_standard_output("image");
+    if (arguments.value("--output") == "-" && kind != ReportKind::words) return both_to_standard_output(action.made);
     Result<SkyRequest> request = sky_request(arguments);
     if (!request) return pass_on(request);
     Result<LoadedSky> loaded = load_sky(words[1], *request);
     if (!loaded) return pass_on(loaded);
     console.say(loaded->diagnostics);
-    Result<Json> sidecar = convert_sky(words[1], *loaded, *request, arguments);
+    Result<Json> sidecar = action.write(words[1], *loaded, *request, arguments);
     if (!sidecar) return pass_on(sidecar);
     if (kind == ReportKind::words) return 0;
-    Json report{{"schema", "gonio.sky-convert/1"}, {"output", *arguments.value("--output")}};
-    report["environment"] = std::move(*sidecar);
+    Json report{{"schema", action.schema}, {"output", *arguments.value("--output")}};
+    report[std::string(action.member)] = std::move(*sidecar);
     report["diagnostics"] = diagnostics_json(loaded->diagnostics);
     console.print(dump(report, kind == ReportKind::jsonl ? -1 : 2));
     return 0;
@@ -96,12 +125,19 @@ Result<int> convert_one(const Arguments& arguments, Console& console) {
 Result<int> work(const Arguments& arguments, Console& console) {
     const std::vector<std::string>& words = arguments.positional();
     if (words.empty())
-        return fail("USE0104", "info or convert?",
-                    "gonio sky info SKY measures a sky, gonio sky convert SKY -o FILE writes it as an image");
+        return fail("USE0104", "info, convert or prefilter?",
+                    "gonio sky info SKY measures a sky, gonio sky convert SKY -o FILE writes it as an image, gonio sky "
+                    "prefilter SKY -o FILE writes what engines light with");
     if (words.front() == "info") return info_all(arguments, console);
-    if (words.front() == "convert") return convert_one(arguments, console);
+    if (words.front() == "convert") {
+        if (Result<void> fine = refuse(arguments, sky_prefilter_options, "convert"); !fine) return pass_on(fine);
+        return write_one(convert_action, arguments, console);
+    }
+    if (words.front() == "prefilter") return write_one(prefilter_action, arguments, console);
     return fail("USE0103", fmt::format("unknown action '{}'", words.front()),
-                fmt::format("write gonio sky info '{0}', or gonio sky convert '{0}' -o FILE", words.front()));
+                fmt::format("write gonio sky info '{0}', gonio sky convert '{0}' -o FILE, or gonio sky prefilter '{0}' "
+                            "-o FILE",
+                            words.front()));
 }
 
 int run(const Arguments& arguments, Console& console) {
@@ -115,7 +151,7 @@ extern const Command sky_command;
 const Command sky_command{
     "sky",
     "measure skies, daylight and environment images in lux, and convert them",
-    "info SKY… | convert SKY -o FILE",
+    "info SKY… | convert SKY -o FILE | prefilter SKY -o FILE",
     "SKY is an amount (500lx), KIND:key=value,… ('gonio list skies' shows the kinds) or the name of an\n"
     "image: EXR, HDR or float TIFF, as a latlong, a cube cross or strip, or octahedral. '-' is an image on\n"
     "stdin. Pixels are linear and in cd/m2 unless --calibrate or a key says what they give.\n"
@@ -123,7 +159,12 @@ const Command sky_command{
     "\n"
     "convert writes pixels in cd/m2, linear Rec.709: each is the mean over its solid angle, so the light of\n"
     "the whole image is kept in every layout and size. The sidecar says what they mean and has the sun of\n"
-    "daylight, or the one that --cut-sun took out of a photograph.",
+    "daylight, or the one that --cut-sun took out of a photograph.\n"
+    "\n"
+    "prefilter writes what engines light with. For -o room.exr: room.specular-0.exr and so on, what a surface\n"
+    "of each roughness mirrors (GGX, N = V = R); room.irradiance.exr, illuminance over pi; room.split-sum.exr,\n"
+    "the table of the split sum; room.json, which says what the numbers mean, with spherical harmonics and the\n"
+    "error of each image against quadrature. 'gonio list prefilters' has the programs of --for.",
     groups,
     examples,
     run};

@@ -10,7 +10,7 @@
 #include <gonio/sky/sky_measures.hpp>
 
 #include "../options/files_in_use.hpp"
-#include "../options/values.hpp"
+#include "environment_output.hpp"
 
 #include <fmt/format.h>
 
@@ -26,27 +26,6 @@ namespace {
 
 constexpr int usual_latlong_side = 512; // of skies by formula
 
-// "1024" as the side of the layout, or "1024x512".
-Result<EnvironmentGrid> grid_of(EnvironmentLayout layout, const std::string& size) {
-    const EnvironmentLayoutInfo& info = info_of(layout);
-    if (size.find('x') != std::string::npos) {
-        Result<PixelSize> whole = parse_size(size);
-        if (!whole) return pass_on(whole);
-        Result<EnvironmentGrid> grid = EnvironmentGrid::create(layout, whole->width, whole->height);
-        if (!grid)
-            return fail("USE0106", fmt::format("the layout {} has no images of {} pixels", info.name, size),
-                        fmt::format("it is {}:{}, for example {}x{}", info.across, info.down, 256 * info.across,
-                                    256 * info.down));
-        return environment_grid(layout, grid->side());
-    }
-    Result<std::uint64_t> number = whole_number(size, "--size");
-    if (!number) return pass_on(number);
-    const auto most = std::uint64_t{limit("environment-values").value};
-    const std::uint64_t sides = layout == EnvironmentLayout::latlong ? 2 : 1;
-    if (*number % sides != 0) return fail("USE0106", fmt::format("the width of a latlong is even, not {}", *number));
-    return environment_grid(layout, static_cast<int>(std::min(*number / sides, most)));
-}
-
 Result<EnvironmentGrid> target_grid(const LoadedSky& loaded, const Arguments& arguments) {
     const EnvironmentGrid* const source = loaded.image ? &loaded.image->map->grid() : nullptr;
     EnvironmentLayout layout = source != nullptr ? source->layout() : EnvironmentLayout::latlong;
@@ -55,47 +34,10 @@ Result<EnvironmentGrid> target_grid(const LoadedSky& loaded, const Arguments& ar
         if (!known) return pass_on(known);
         layout = *known;
     }
-    if (const auto size = arguments.value("--size")) return grid_of(layout, *size);
+    if (const auto size = arguments.value("--size")) return environment_size(layout, *size);
     return environment_grid(layout, source != nullptr
                                         ? side_like(source->layout(), source->side(), layout)
                                         : side_like(EnvironmentLayout::latlong, usual_latlong_side, layout));
-}
-
-struct Storage {
-    const media::ImageFormat* format;
-    media::Pixel pixel;
-};
-
-Result<Storage> storage_of(const Arguments& arguments, const std::string& output) {
-    Result<const media::ImageFormat*> format = picture_format(arguments.value("--to"), output);
-    if (!format) return pass_on(format);
-    if (!has_pixel(**format, media::Pixel::float32))
-        return fail("USE0107", fmt::format("{} holds values for a display, not light", (*format)->title),
-                    "write .exr, .hdr or .tif");
-    constexpr std::array kinds{Named{"float", media::Pixel::float32}, Named{"half", media::Pixel::half}};
-    Result<media::Pixel> pixel = find_value("pixel type", arguments.value("--pixel").value_or("float"), kinds);
-    if (!pixel) return pass_on(pixel);
-    if (!has_pixel(**format, *pixel))
-        return fail("USE0107", fmt::format("{} cannot store {} pixels", (*format)->title, media::to_text(*pixel)),
-                    "write .exr for half");
-    return Storage{*format, *pixel};
-}
-
-EnvironmentMap image_of(const LoadedSky& loaded, const EnvironmentGrid& grid, unsigned threads) {
-    if (!loaded.image) return rendered(loaded.sky, grid, threads);
-    const EnvironmentMap& map = *loaded.image->map;
-    const Radians rotation = loaded.sky.rotation();
-    const bool same = map.grid().layout() == grid.layout() && map.grid().side() == grid.side();
-    return same && rotation.value == 0.0 ? map : resampled(map, grid, rotation, threads);
-}
-
-// cd/m² of a pixel of 1 in the file: 1, or for half floats the power of two that makes all pixels fit.
-double nits_per_unit(const EnvironmentMap& map, media::Pixel pixel) {
-    if (pixel != media::Pixel::half) return 1.0;
-    constexpr double largest_half = 65504.0;
-    const std::vector<float>& values = map.image().pixels;
-    const double most = static_cast<double>(*std::max_element(values.begin(), values.end())) * map.nits_per_unit();
-    return most > largest_half ? std::exp2(std::ceil(std::log2(most / largest_half))) : 1.0;
 }
 
 // The sidecar's fields as attributes, but those that encode_environment() writes.
@@ -126,7 +68,7 @@ Result<std::optional<std::string>> sidecar_name(const Arguments& arguments, cons
 Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
                          const Arguments& arguments) {
     const std::string output = arguments.value("--output").value_or("");
-    Result<Storage> storage = storage_of(arguments, output);
+    Result<EnvironmentStorage> storage = environment_storage(arguments, output);
     if (!storage) return pass_on(storage);
     Result<std::optional<std::string>> sidecar = sidecar_name(arguments, output);
     if (!sidecar) return pass_on(sidecar);
@@ -143,7 +85,7 @@ Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const
                     request.cut_sun ? std::string("--cut-sun and --with-sun contradict each other")
                                     : fmt::format("'{}' has no sun beside it", loaded.kind),
                     "--with-sun is for daylight that is not overcast");
-    EnvironmentMap image = image_of(loaded, *grid, request.threads);
+    EnvironmentMap image = environment_image(loaded, *grid, request.threads);
     if (with_the_sun) image = with_sun(image, *loaded.sun);
     const double scale = nits_per_unit(image, storage->pixel);
     // As the file will hold it, so that the sidecar's lux are those that are read from the file.

@@ -15,9 +15,12 @@
 namespace gonio::cli {
 
 inline constexpr std::array sky_output_options{
-    Option{"-o,--output", "FILE", "convert: the image to write, .exr, .hdr or .tif; '-' is stdout (with --to)"},
+    Option{"-o,--output", "FILE",
+           "the image to write, .exr, .hdr or .tif, of prefilter what its files are named after; '-' is stdout (with "
+           "--to)"},
     Option{"--to", "FORMAT", "format of the image, if the file name does not show it", "images"},
-    Option{"--layout", "LAYOUT", "layout of the directions (that of the input, else latlong)", "sky-layouts"},
+    Option{"--layout", "LAYOUT", "layout of the directions (that of the input, else latlong; of prefilter cube-strip)",
+           "sky-layouts"},
     Option{"-s,--size", "N|WxH", "width of a latlong, side of a cube's face or of an octahedral; or the whole size"},
     Option{"--with-sun", "", "put the sun of daylight into the image; else it is a light in the sidecar"},
     Option{"--pixel", "KIND", "pixel type: float or half (float)"},

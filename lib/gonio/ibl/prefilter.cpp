@@ -74,10 +74,21 @@ EnvironmentMap irradiance_map(const EnvironmentTree& tree, const EnvironmentGrid
     return prefiltered(tree, to, 1.0, tolerance, threads);
 }
 
+Result<void> check_levels(const PrefilterOptions& options) {
+    Result<std::vector<EnvironmentGrid>> grids = grids_of(options);
+    if (!grids) return pass_on(grids);
+    return {};
+}
+
 Result<PrefilteredEnvironment> prefilter(const EnvironmentMap& source, const PrefilterOptions& options) {
-    const Result<std::vector<EnvironmentGrid>> grids = grids_of(options);
-    if (!grids) return Unexpected(grids.error());
-    const EnvironmentTree tree(source, options.threads);
+    if (Result<void> possible = check_levels(options); !possible) return pass_on(possible);
+    return prefilter(source, EnvironmentTree(source, options.threads), options);
+}
+
+Result<PrefilteredEnvironment> prefilter(const EnvironmentMap& source, const EnvironmentTree& tree,
+                                         const PrefilterOptions& options) {
+    Result<std::vector<EnvironmentGrid>> grids = grids_of(options);
+    if (!grids) return pass_on(grids);
     std::vector<PrefilteredLevel> levels;
     for (std::size_t level = 0; level < grids->size(); ++level) {
         const EnvironmentGrid& grid = (*grids)[level];

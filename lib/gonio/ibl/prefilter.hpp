@@ -52,7 +52,12 @@ struct PrefilterOptions {
 
 // Fails (usage) on a size that cannot be halved that often (at least 1 texel a side, 2 for an octahedral and a
 // lat-long), on fewer than 1 level, and above the limit environment-values.
+Result<void> check_levels(const PrefilterOptions& options);
+
+// Fails as check_levels(). The second form takes the tree of the source, which other levels may share.
 Result<PrefilteredEnvironment> prefilter(const EnvironmentMap& source, const PrefilterOptions& options);
+Result<PrefilteredEnvironment> prefilter(const EnvironmentMap& source, const EnvironmentTree& tree,
+                                         const PrefilterOptions& options);
 
 // One level: of a tree, so that several share it. Roughness in (0, 1].
 EnvironmentMap prefiltered(const EnvironmentTree& tree, const EnvironmentGrid& to, double roughness, double tolerance,
