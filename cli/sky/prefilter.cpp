@@ -133,7 +133,7 @@ Result<EnvironmentMap> source_of(const LoadedSky& loaded, const Wanted& want, bo
 int texels_to_check(const EnvironmentGrid& source, int levels) {
     constexpr double work = 3e7;
     const double texels = static_cast<double>(source.width()) * source.height();
-    return static_cast<int>(std::clamp(work / (texels * levels), 4.0, 48.0));
+    return static_cast<int>(std::clamp(work / (texels * levels), 4.0, 24.0));
 }
 
 } // namespace

@@ -26,15 +26,15 @@ Json error_json(const PrefilterError& error) {
             {"max_percent", 100.0 * error.greatest}};
 }
 
+Json rgb_json(const glm::dvec3& rgb) {
+    return Json::array({rgb.x, rgb.y, rgb.z});
+}
+
 Json coefficients_json(std::span<const glm::dvec3> coefficients) {
     Json rows = Json::array();
     for (const glm::dvec3& c : coefficients)
-        rows.push_back(Json::array({c.x, c.y, c.z}));
+        rows.push_back(rgb_json(c + 0.0)); // no -0
     return rows;
-}
-
-Json rgb_json(const glm::dvec3& rgb) {
-    return Json::array({rgb.x, rgb.y, rgb.z});
 }
 
 Json table_json(const PrefilterDescription& of, const SplitSumTable& table) {

@@ -1,6 +1,7 @@
 #include <gonio/base/named.hpp>
 #include <gonio/ibl/prefilter_variant.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace gonio {
@@ -33,11 +34,10 @@ Result<const PrefilterVariant*> parse_prefilter_variant(std::string_view text) {
 }
 
 int levels_of(const PrefilterVariant& variant, int side, int least) {
-    if (variant.levels > 0) return variant.levels;
     int levels = 1;
     for (; side % 2 == 0 && side / 2 >= least; side /= 2)
         ++levels;
-    return levels;
+    return variant.levels > 0 ? std::min(variant.levels, levels) : levels;
 }
 
 } // namespace gonio

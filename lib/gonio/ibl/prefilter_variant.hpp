@@ -27,7 +27,7 @@ std::span<const PrefilterVariant> prefilter_variants();
 // Fails (usage) on an unknown name.
 Result<const PrefilterVariant*> parse_prefilter_variant(std::string_view text);
 
-// Of a size: `levels`, or as many as halve `side` down to `least`.
+// Of a size: as many as halve `side` down to `least`, at most the variant's own number.
 int levels_of(const PrefilterVariant& variant, int side, int least);
 
 } // namespace gonio

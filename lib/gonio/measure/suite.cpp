@@ -22,6 +22,8 @@ constexpr std::array all_suites{
     Suite{"preview", "pictures under one light and under many", detail::preview_methods, detail::preview_contests},
     Suite{"indirect", "light that bounces between the surfaces of a stage", detail::indirect_methods,
           detail::indirect_contests},
+    Suite{"prefilter", "what glossy surfaces mirror of an environment", detail::prefilter_methods,
+          detail::prefilter_contests},
 };
 
 } // namespace
