@@ -18,24 +18,6 @@ GgxLobe::GgxLobe(double roughness)
     whole_ = 2.0 * pi * integral(1.0);
 }
 
-double GgxLobe::weight(double u) const {
-    if (u >= 1.0) return 0.0;
-    const double x = offset_ + falloff_ * u;
-    return peak_ * (1.0 - u) / (x * x);
-}
-
-double GgxLobe::slope(double u) const {
-    if (u >= 1.0) return 0.0;
-    const double x = offset_ + falloff_ * u;
-    return peak_ * (x + 2.0 * falloff_ * (1.0 - u)) / (x * x * x);
-}
-
-double GgxLobe::curvature(double u) const {
-    if (u >= 1.0) return 0.0;
-    const double x = offset_ + falloff_ * u;
-    return peak_ * falloff_ * (4.0 * x + 6.0 * falloff_ * (1.0 - u)) / (x * x * x * x);
-}
-
 double GgxLobe::integral(double u) const {
     u = std::clamp(u, 0.0, 1.0);
     // The closed form cancels in falloff² where the lobe is nearly Lambert's; there Gauss nodes have all digits.

@@ -24,9 +24,21 @@ public:
     [[nodiscard]] double alpha() const { return alpha_; }
 
     // w and its derivatives by c [1/sr], for u in [0, 1]; 0 beyond.
-    [[nodiscard]] double weight(double u) const;
-    [[nodiscard]] double slope(double u) const;
-    [[nodiscard]] double curvature(double u) const;
+    [[nodiscard]] double weight(double u) const {
+        if (u >= 1.0) return 0.0;
+        const double inverse = 1.0 / (offset_ + falloff_ * u);
+        return peak_ * (1.0 - u) * inverse * inverse;
+    }
+    [[nodiscard]] double slope(double u) const {
+        if (u >= 1.0) return 0.0;
+        const double inverse = 1.0 / (offset_ + falloff_ * u);
+        return peak_ * inverse * inverse * (1.0 + 2.0 * falloff_ * (1.0 - u) * inverse);
+    }
+    [[nodiscard]] double curvature(double u) const {
+        if (u >= 1.0) return 0.0;
+        const double inverse = 1.0 / (offset_ + falloff_ * u);
+        return peak_ * falloff_ * inverse * inverse * inverse * (4.0 + 6.0 * falloff_ * (1.0 - u) * inverse);
+    }
 
     // ∫ w dω.
     [[nodiscard]] double whole() const { return whole_; }
@@ -34,12 +46,8 @@ public:
     // ∫ w dc from 1 − u to 1, for u in [0, 1]; whole()/2π from there on.
     [[nodiscard]] double integral(double u) const;
 
-    // With x = offset + falloff·u: weight = peak·(1 − u)/x².
-    [[nodiscard]] double peak() const { return peak_; }
-    [[nodiscard]] double offset() const { return offset_; }
-    [[nodiscard]] double falloff() const { return falloff_; }
-
 private:
+    // x = offset + falloff·u, w = peak·(1 − u)/x²
     double alpha_;
     double peak_;
     double offset_;
