@@ -3,7 +3,7 @@
 // Roughness is linear: α = r². The engines' formulas, with last = the number of levels − 1:
 //
 //   linear     level = r·last
-//   filament   level = r(2 − r)·last (Filament's shaders since 1.4)
+//   filament   level = r(2 − r)·last (Filament's shaders)
 //   frostbite  level = √r·last (S. Lagarde and C. de Rousiers, 2014, listing 63)
 //   ue4        level = last − 1 − (1 − 1.2 log2 r): Unreal Engine's reflection captures. Roughness 1 is in the level of
 //              4×4 texels of a whole chain; level 0 is not a mirror but 2^((1 − (last − 1))/1.2)

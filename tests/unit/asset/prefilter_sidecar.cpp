@@ -20,13 +20,15 @@ TEST(PrefilterSidecar, FitsTheSchema) {
         PrefilterDescription of;
         of.variant = &variant;
         of.pixel = "float";
-        of.levels.push_back({0.0, EnvironmentGrid::create(EnvironmentLayout::cube_strip, 24, 4).value(), {}, {}});
+        of.levels.push_back(
+            {0.0, EnvironmentGrid::create(EnvironmentLayout::cube_strip, 24, 4).value(), {}, file_record("b.exr", "")});
         of.levels.push_back({0.5,
                              EnvironmentGrid::create(EnvironmentLayout::cube_strip, 12, 2).value(),
                              {200.0, 1e-4, 3e-4, 24},
                              file_record("a.exr", "abc")});
         of.irradiance = of.levels.back();
         of.harmonics = IrradianceSh(std::vector<glm::dvec3>(16, glm::dvec3(0.1, 0.2, 0.3)));
+        of.table_file = file_record("t.exr", "d");
         of.source = "a \xff.exr";
         auto json = nlohmann::json::parse(prefilter_sidecar(of, table));
         EXPECT_EQ(fits.complaint(json), "") << variant.name;
