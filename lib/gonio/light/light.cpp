@@ -63,6 +63,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     light.shape = std::move(description.shape);
     light.color = description.color;
     light.range = description.range;
+    light.emitted_by = description.emitted_by;
     light.frame = aimed_frame(description.position, description.direction, description.up);
     const double c = std::cos(description.rotation.value);
     const double s = std::sin(description.rotation.value);

@@ -9,10 +9,18 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 namespace gonio {
+
+// The face of a stage's surface that emits a light (gonio/scene/emissive_lights.hpp). The surface does not block this
+// light and receives nothing of it.
+struct EmittingFace {
+    std::size_t surface = 0; // its index on the stage
+    int face = 0;            // of a box; 0 for all others
+};
 
 // What a rig or a command line specifies for one light.
 struct LightDescription {
@@ -25,6 +33,7 @@ struct LightDescription {
     glm::dvec3 up{0.0, 1.0, 0.0};              // C90 of a web points there
     Radians rotation;                          // about the direction, seen along it: C0 towards C90
     std::optional<Meters> range;               // absent: no window
+    std::optional<EmittingFace> emitted_by{};  // absent: a light that is not a surface of the stage
 };
 
 struct Light {
@@ -38,6 +47,10 @@ struct Light {
     Lux illuminance;    // of the sun on a plane perpendicular to its direction, 0 for other shapes
     double web_scale = 1.0; // factor on the candela of a web (to the emitted ones) or of a mask (to 1 at its peak)
     std::optional<Meters> range;
+    std::optional<EmittingFace> emitted_by{};
+
+    // Whether the surface with this index on the stage emits it.
+    bool is_emitted_by(std::size_t surface) const { return emitted_by && emitted_by->surface == surface; }
 
     // Intensity towards a world direction (from the light to the receiver) of any length > 0. For a punctual shape it
     // includes lobe, mask and web; for an area shape it is the luminance times the area projected towards a distant

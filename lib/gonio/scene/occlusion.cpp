@@ -320,10 +320,10 @@ private:
     bool reaches(const std::optional<double>& hit) const { return hit && *hit < distance; }
 };
 
-double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
+double free_share(const Stage& stage, std::size_t own, const SeenLight& light, std::size_t emitter = no_surface) {
     double share = 1.0;
     for (std::size_t i = 0; i < stage.surfaces.size() && share > 0.0; ++i) {
-        if (i == own) continue;
+        if (i == own || i == emitter) continue;
         const Primitive& primitive = stage.surfaces[i].geometry;
         const std::optional<Ball> around = bounds(primitive);
         if (around && !light.may_be_met_by(*around)) continue;
@@ -336,10 +336,10 @@ double free_share(const Stage& stage, std::size_t own, const SeenLight& light) {
 } // namespace
 
 bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& direction,
-               double distance) {
+               double distance, std::size_t emitter) {
     const Ray ray{point, direction};
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
-        if (i != own && stops(stage.surfaces[i].geometry, ray, distance)) return true;
+        if (i != own && i != emitter && stops(stage.surfaces[i].geometry, ray, distance)) return true;
     return false;
 }
 
@@ -406,14 +406,14 @@ double polygon_overlap(double a, std::span<const glm::dvec2> corners) {
 }
 
 double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& light_center,
-                     double light_radius) {
+                     double light_radius, std::size_t emitter) {
     const glm::dvec3 to_light = light_center - point;
     const double distance = glm::length(to_light);
     if (!(distance > light_radius)) return 1.0;
     // Lights below 1e-7 rad have no visible penumbra.
     const double sine = light_radius / distance;
     const SeenLight light(point, to_light / distance, distance, sine > 1e-7 ? std::asin(sine) : 0.0);
-    return free_share(stage, own, light);
+    return free_share(stage, own, light, emitter);
 }
 
 double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,

@@ -23,10 +23,13 @@
 
 namespace gonio {
 
+inline constexpr std::size_t no_surface = static_cast<std::size_t>(-1);
+
 // The share, in [0, 1], of a spherical light (radius 0: a point) that the stage leaves free as seen from `point` on
-// surface `own`, which casts no shadow on itself. 1 inside the light.
+// surface `own`, which casts no shadow on itself. 1 inside the light. `emitter` is the surface that emits the light, if
+// one does, and does not block it.
 double visible_share(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& light_center,
-                     double light_radius);
+                     double light_radius, std::size_t emitter = no_surface);
 
 // The same for a light at infinity, in the unit direction `towards` it, with the half angle [rad] in [0, π/2).
 double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& towards,
@@ -36,9 +39,10 @@ double visible_share_of_sun(const Stage& stage, std::size_t own, const glm::dvec
 // surface; such surfaces are hit from both sides.
 bool stops(const Primitive& body, const Ray& ray, double distance);
 
-// Whether any object is within `distance` [m] (or infinity) of the point in a unit direction, tested with a ray.
+// Whether any object is within `distance` [m] (or infinity) of the point in a unit direction, tested with a ray; other
+// than `own` and `emitter`, as above.
 bool is_hidden(const Stage& stage, std::size_t own, const glm::dvec3& point, const glm::dvec3& direction,
-               double distance);
+               double distance, std::size_t emitter = no_surface);
 
 // Whether an object may block light on its way from one sphere to points in another; if false, every visible_share is
 // 1. May return true when in doubt.

@@ -36,7 +36,7 @@ using detail::type_of;
 using detail::unit_hint;
 
 constexpr std::string_view schema_name = "gonio.rig/1";
-constexpr std::array<std::string_view, 6> top_keys{"schema", "lights", "sky", "stage", "camera", "materials"};
+constexpr std::array<std::string_view, 7> top_keys{"schema", "lights", "sky", "stage", "camera", "materials", "emits"};
 constexpr std::array<std::string_view, 10> light_keys{"name",      "shape", "intensity", "color",  "position",
                                                       "direction", "up",    "rotate",    "smooth", "range"};
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
@@ -223,13 +223,15 @@ private:
             if (!sky) return placed(sky.error(), rig_.source, "sky");
             rig_.sky = std::move(*sky);
         } else if (key == "stage") {
-            Result<Stage> stage = detail::read_rig_stage(json, rig_.source);
+            Result<Stage> stage = detail::read_rig_stage(json, {rig_.source, files_, rig_.diagnostics});
             if (!stage) return pass_on(stage);
             rig_.stage = std::move(*stage);
         } else if (key == "camera") {
             return camera(json);
         } else if (key == "materials") {
             return materials(json);
+        } else if (key == "emits") {
+            return emits(json);
         } else if (!schema_seen_ && nearest(key, top_keys).empty()) {
             // This may be any JSON text: do not report its content.
             return refuse("RIG0101", {}, "not a rig: it begins with another key",
@@ -282,6 +284,19 @@ private:
         return {};
     }
 
+    Result<void> emits(const Json& json) {
+        if (!json.is_object())
+            return refuse("RIG0105", "emits", fmt::format("must be an object, not {}", type_of(json)),
+                          R"(for example { "sphere": "500nt" })");
+        for (const auto& [key, value] : json.items()) {
+            Result<SurfaceEmission> emission =
+                detail::read_emission(value, {rig_.source, files_, rig_.diagnostics}, fmt::format("emits.{}", key));
+            if (!emission) return pass_on(emission);
+            rig_.emits.push_back({key, *emission});
+        }
+        return {};
+    }
+
     // At the end, because the stage may follow its materials and camera.
     Result<void> check_stage() const {
         const Result<Stage> stage = rig_.stage ? Result<Stage>(*rig_.stage) : make_stage(stage_kinds().front().name);
@@ -291,6 +306,7 @@ private:
             if (std::find(names.begin(), names.end(), material.surface) == names.end())
                 return placed(unknown_name("surface", material.surface, names, stage->name).value(), rig_.source,
                               "materials");
+        if (const auto lights = emissive_lights(rig_); !lights) return Unexpected(lights.error());
         const Result<void> stands = check_camera(*stage, rig_.camera.value_or(stage->camera));
         if (!stands) return placed(stands.error(), rig_.source, "camera");
         return {};
@@ -332,8 +348,20 @@ std::span<const std::string_view> rig_camera_keys() {
     return camera_keys;
 }
 
+Result<std::vector<LightDescription>> emissive_lights(const Rig& rig) {
+    Result<Stage> stage = rig.stage ? Result<Stage>(*rig.stage) : make_stage(stage_kinds().front().name);
+    if (!stage) return pass_on(stage);
+    for (const NamedEmission& named : rig.emits)
+        if (Result<void> set = let_emit(*stage, named); !set)
+            return detail::placed(set.error(), rig.source, fmt::format("emits.{}", named.surface));
+    return emissive_lights(*stage);
+}
+
 Result<void> require_lights(const Rig& rig) {
     if (!rig.lights.empty()) return {};
+    Result<std::vector<LightDescription>> emitted = emissive_lights(rig);
+    if (!emitted) return pass_on(emitted);
+    if (!emitted->empty()) return {};
     return detail::rig_error("RIG0104", rig.source, "lights", "must be an array of at least one light here",
                              R"(for example [{"shape": "point", "intensity": "800lm"}])");
 }

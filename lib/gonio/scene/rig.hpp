@@ -8,7 +8,8 @@
 //     "sky": "cie:12,sun=180/40,horizontal=20klx",
 //     "stage": "floor",
 //     "camera": { "position": [0, -5, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "40deg" },
-//     "materials": { "floor": "lambert:albedo=0.5" } }
+//     "materials": { "floor": "lambert:albedo=0.5" },
+//     "emits": { "sphere": "500nt,color=3000K" } }
 //
 // `stage` is a name, or a custom stage, Z up:
 //
@@ -18,15 +19,15 @@
 //                                      "height": "1m" } },
 //       { "name": "table", "box": { "center": [0, 0, 0.7], "size": [1.6, 0.8, 0.04], "up": [0, 0, 1],
 //                                   "rotate": "30deg" } },
-//       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" } },
+//       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" }, "emits": "800lm" },
 //       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
 //
-// With a sky, `lights` may be an empty array. Only `shape` is required for a light; the defaults are those of
-// LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum are relative to the rig's folder
-// and must be regular files under it, symbolic links resolved, unless RigReadOptions allows others; a profile is read
-// once and shared by every light that names it. The JSON is read as a stream: memory grows only with the lights (about
-// 0.5 kB each, including resolving); nesting and the size of one light are limited. A million lights take 2.4 s.
-// rig.schema.json beside this file is the schema for editors.
+// With a sky or a surface that emits, `lights` may be an empty array. Only `shape` is required for a light; the
+// defaults are those of LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum are
+// relative to the rig's folder and must be regular files under it, symbolic links resolved, unless RigReadOptions
+// allows others; a profile is read once and shared by every light that names it. The JSON is read as a stream: memory
+// grows only with the lights (about 0.5 kB each, including resolving); nesting and the size of one light are limited. A
+// million lights take 2.4 s. rig.schema.json beside this file is the schema for editors.
 //
 // A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is invalid, else
 // "rig.json: error[RIG0106]: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a
@@ -36,6 +37,7 @@
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/sky/sky_description.hpp>
@@ -58,11 +60,12 @@ struct Rig {
     std::string source;                   // the name used in messages
     std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
     std::optional<SkyDescription> sky;    // an image is named and not read
-    std::optional<Stage> stage;           // as in the file: the materials are not applied
+    std::optional<Stage> stage;           // as in the file: `materials` and `emits` are not applied
     std::optional<Camera> camera;
     std::vector<SurfaceMaterial> materials;
-    std::vector<std::string> files; // all files read for it: profiles, masks, spectra; sorted, each once
-    Diagnostics diagnostics;        // of reading: anything unusual in a profile
+    std::vector<NamedEmission> emits; // of "emits"; what surfaces of a custom stage emit is in `stage`
+    std::vector<std::string> files;   // all files read for it: profiles, masks, spectra; sorted, each once
+    Diagnostics diagnostics;          // of reading: anything unusual in a profile
 };
 
 // Which files a rig may name. A rig from an untrusted source must not read arbitrary files.
@@ -78,7 +81,12 @@ Result<Rig> read_rig(std::string_view text, const std::string& source, const std
 // Reads the file at `path`. For "-", standard input, file names are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
 
-// Fails (malformed) on a rig without lights: there is nothing to export, and nothing to show unless it has a sky.
+// The lights that the rig's own stage emits; without a stage, those of the first of stage_kinds(). Fails (malformed) if
+// the stage has no surface of that name, or cannot emit the amount.
+Result<std::vector<LightDescription>> emissive_lights(const Rig& rig);
+
+// Fails (malformed) on a rig without lights and without surfaces that emit: there is nothing to export, and nothing to
+// show unless it has a sky.
 Result<void> require_lights(const Rig& rig);
 
 // Resolves every light, in order; runs on several threads. Fails as resolve_light does, with the light's JSON path.

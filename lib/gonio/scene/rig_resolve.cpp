@@ -62,6 +62,7 @@ Result<Light> like(const Light& prototype, LightDescription description, Diagnos
     light.frame = placement->frame;
     light.color = placement->color;
     light.range = placement->range;
+    light.emitted_by = placement->emitted_by;
     return light;
 }
 

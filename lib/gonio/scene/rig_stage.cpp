@@ -23,8 +23,8 @@ namespace {
 using Keys = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 3> stage_keys{"name", "surfaces", "figure"};
-constexpr std::array<std::string_view, 7> surface_keys{"name", "material", "plane",  "panel",
-                                                       "box",  "sphere",   "capsule"};
+constexpr std::array<std::string_view, 8> surface_keys{"name",  "material", "emits",  "plane",
+                                                       "panel", "box",      "sphere", "capsule"};
 constexpr std::array<std::string_view, 2> plane_keys{"point", "normal"};
 constexpr std::array<std::string_view, 5> panel_keys{"center", "normal", "up", "width", "height"};
 constexpr std::array<std::string_view, 4> box_keys{"center", "size", "up", "rotate"};
@@ -194,7 +194,8 @@ Result<std::string> name_of(const Json& json) {
     return text;
 }
 
-Result<Surface> read_surface(const Json& json, const std::string& source, const std::string& path) {
+Result<Surface> read_surface(const Json& json, const RigContext& rig, const std::string& path) {
+    const std::string& source = rig.source;
     Surface surface;
     Members members(json, surface_keys, source, path);
     members.required("name", surface.name, name_of);
@@ -215,6 +216,14 @@ Result<Surface> read_surface(const Json& json, const std::string& source, const 
     const Primitive geometry = shape.failure() ? Primitive() : found->read(shape);
     if (shape.failure()) return Unexpected(*shape.failure());
     surface.geometry = geometry;
+    if (const Json* const emits = json.find("emits")) {
+        const std::string at = fmt::format("{}.emits", path);
+        Result<SurfaceEmission> emission = read_emission(*emits, rig, at);
+        if (!emission) return pass_on(emission);
+        if (const Result<Nits> luminance = emitted_luminance(geometry, emission->amount); !luminance)
+            return placed(luminance.error(), source, at);
+        surface.emits = *emission;
+    }
     return surface;
 }
 
@@ -251,7 +260,22 @@ Camera camera_for(const Stage& stage) {
 
 } // namespace
 
-Result<Stage> read_rig_stage(const Json& json, const std::string& source) {
+Result<SurfaceEmission> read_emission(const Json& json, const RigContext& rig, const std::string& path) {
+    Result<std::string> text = text_of(json, unit_hint(json, "nt"));
+    Diagnostics said;
+    Result<SurfaceEmission> emission =
+        text ? parse_surface_emission(*text, &said, &rig.files) : Result<SurfaceEmission>(pass_on(text));
+    if (!emission) return placed(emission.error(), rig.source, path);
+    for (Diagnostic& diagnostic : said) {
+        diagnostic.location.file = rig.source;
+        diagnostic.message = fmt::format("{}: {}", path, diagnostic.message);
+        rig.diagnostics.push_back(std::move(diagnostic));
+    }
+    return emission;
+}
+
+Result<Stage> read_rig_stage(const Json& json, const RigContext& rig) {
+    const std::string& source = rig.source;
     if (json.is_string()) {
         Result<std::string> name = text_of(json);
         Result<Stage> stage = name ? make_stage(*name) : Result<Stage>(pass_on(name));
@@ -276,7 +300,7 @@ Result<Stage> read_rig_stage(const Json& json, const std::string& source) {
         return rig_error("RIG0108", source, "stage.surfaces",
                          fmt::format("holds more than {}", to_text(limit("stage-surfaces"))), std::string(limits_hint));
     for (std::size_t i = 0; i < surfaces->size(); ++i) {
-        Result<Surface> surface = read_surface((*surfaces)[i], source, fmt::format("stage.surfaces[{}]", i));
+        Result<Surface> surface = read_surface((*surfaces)[i], rig, fmt::format("stage.surfaces[{}]", i));
         if (!surface) return pass_on(surface);
         stage.surfaces.push_back(std::move(*surface));
     }

@@ -6,6 +6,7 @@
 #include <gonio/scene/camera.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/primitives.hpp>
+#include <gonio/scene/surface_emission.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -24,6 +25,7 @@ struct Surface {
     Primitive geometry;
     Material material;
     bool subject = false; // what the stage is meant to show: a material without a surface's name applies to these
+    std::optional<SurfaceEmission> emits = {}; // beside what it reflects, from its lit side; absent: nothing
 };
 
 // The default position and orientation of a light.
