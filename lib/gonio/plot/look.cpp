@@ -80,6 +80,7 @@ std::vector<std::int32_t> seen_surfaces(const Stage& stage, std::span<const Ligh
                 nearest = hit->distance;
             }
             for (std::size_t i = 0; i < lights.size(); ++i) {
+                if (lights[i].emitted_by) continue; // its surface
                 const auto distance = distance_to(lights[i], ray);
                 if (!distance || (what != nothing_seen && *distance >= nearest)) continue;
                 what = static_cast<std::int32_t>(stage.surfaces.size() + i);

@@ -1,5 +1,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
+#include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/interreflection.hpp>
@@ -49,6 +50,7 @@ void LitTile::light_up() {
             shade(light, group);
         shade_edges(light);
     }
+    complete_parts();
     stats_.not_converged += shader_.not_converged();
 }
 
@@ -59,7 +61,8 @@ void LitTile::show_emitters() {
         const double mask = mask_share(light, light.frame.origin + seen.view);
         picture_.shows_light[seen.pixel] = 1;
         add(seen.pixel, seen.share * mask * light.luminance.value * light.color);
-        if (seen.share < 1.0F) add_part(seen.pixel, seen.share, mask * light.luminance.value * light.color);
+        const std::size_t surface = light.emitted_by ? light.emitted_by->surface : no_surface;
+        if (seen.share < 1.0F) add_part(seen.pixel, surface, seen.share, mask * light.luminance.value * light.color);
     }
 }
 
@@ -86,12 +89,32 @@ void LitTile::add(std::uint32_t pixel, const glm::dvec3& nt) {
 }
 
 // The points of a pixel on one light come one after the other.
-void LitTile::add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb) {
+void LitTile::add_part(std::uint32_t pixel, std::size_t surface, float share, const glm::dvec3& rgb) {
     const std::array part{static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z)};
-    if (!partial_.empty() && partial_.back().pixel == pixel && partial_.back().rgb == part)
+    if (surface != no_surface) reflected_[{pixel, surface}].share += share;
+    if (!partial_.empty() && partial_.back().pixel == pixel && partial_.back().rgb == part &&
+        part_surfaces_.back() == surface) {
         partial_.back().share += share;
-    else
-        partial_.push_back({pixel, share, part});
+        return;
+    }
+    partial_.push_back({pixel, share, part});
+    part_surfaces_.push_back(surface);
+}
+
+void LitTile::add_to_part(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt) {
+    if (reflected_.empty() || !(samples.share[i] < 1.0F)) return;
+    const auto found = reflected_.find({samples.pixel[i], samples.surface});
+    if (found != reflected_.end()) found->second.nt += nt;
+}
+
+// A surface that emits shows what it reflects, too: of its part of a pixel, the mean.
+void LitTile::complete_parts() {
+    for (std::size_t i = 0; i < part_surfaces_.size(); ++i) {
+        if (part_surfaces_[i] == no_surface) continue;
+        const Reflected& reflected = reflected_[{partial_[i].pixel, part_surfaces_[i]}];
+        for (int channel = 0; channel < 3; ++channel)
+            partial_[i].rgb.at(static_cast<std::size_t>(channel)) += reflected.nt[channel] / reflected.share;
+    }
 }
 
 void LitTile::count_samples() {
@@ -138,6 +161,7 @@ void LitTile::add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3
     for (int channel = 0; channel < 3; ++channel)
         picture_.luminance_nt.pixels[std::size_t{samples.pixel[i]} * 3 + static_cast<std::size_t>(channel)] +=
             samples.share[i] * static_cast<float>(nt[channel]);
+    add_to_part(samples, i, samples.share[i] * glm::vec3(nt));
     if (options_.illuminance)
         picture_.illuminance_lx.pixels[samples.pixel[i]] +=
             samples.share[i] * static_cast<float>(glm::dot(lx, rec709_luminance));
@@ -166,6 +190,10 @@ bool LitTile::find_groups(const LitLight& light) {
         if (why == Unlit::below_horizon) stats_.below_horizon += evaluations;
     };
     for (const SurfaceSamples& samples : tile_.surfaces()) {
+        if (light.light.is_emitted_by(samples.surface)) {
+            count(Unlit::below_horizon, samples.size()); // it is convex
+            continue;
+        }
         const Unlit all = options_.skip ? light.reach.unlit(samples.bounds) : Unlit::no;
         if (all != Unlit::no) {
             count(all, samples.size());
@@ -212,7 +240,8 @@ void LitTile::find_shadows(const LitLight& light) {
     const std::vector<Seen>& centers = tile_.centers();
     center_visible_.assign(centers.size(), Visible());
     for (std::size_t i = 0; i < centers.size(); ++i)
-        if (centers[i].what == Seen::What::surface) center_visible_[i] = visible(light, place_of(centers[i]));
+        if (centers[i].what == Seen::What::surface && !light.light.is_emitted_by(centers[i].hit.surface))
+            center_visible_[i] = visible(light, place_of(centers[i]));
     find_edges();
 }
 
@@ -278,7 +307,7 @@ void LitTile::shade_edges(const LitLight& light) {
     std::vector<Edge> by_surface;
     for (const std::size_t center : edges_)
         for (const Seen& seen : tile_.fine(center)) {
-            if (seen.what != Seen::What::surface) continue;
+            if (seen.what != Seen::What::surface || light.light.is_emitted_by(seen.hit.surface)) continue;
             const Visible through = visible(light, place_of(seen));
             if (through.is_none()) continue;
             auto found = std::find_if(by_surface.begin(), by_surface.end(),
@@ -305,8 +334,12 @@ void LitTile::shade(const LitLight& light, const SurfaceSamples& samples, std::s
     for (std::size_t i = 0; i < count; ++i) {
         const Visible& through = visible == nullptr ? all : visible[i];
         float* const pixel = luminance.data() + std::size_t{samples.pixel[first + i]} * 3;
-        for (int channel = 0; channel < 3; ++channel)
-            pixel[channel] += weight[i] * through.rgb[channel] * shader_.rgb()[static_cast<std::size_t>(channel)][i];
+        glm::vec3 nt(0.0F);
+        for (int channel = 0; channel < 3; ++channel) {
+            nt[channel] = weight[i] * through.rgb[channel] * shader_.rgb()[static_cast<std::size_t>(channel)][i];
+            pixel[channel] += nt[channel];
+        }
+        add_to_part(samples, first + i, nt);
     }
     if (!options_.illuminance) return;
     for (std::size_t i = 0; i < count; ++i) {

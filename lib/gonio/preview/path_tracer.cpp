@@ -42,6 +42,7 @@ public:
 
     template<class Numbers>
     Shown of(const Light& light, const Numbers& numbers) const {
+        if (light.is_emitted_by(hit_.surface)) return {};
         return has_extent(light.shape) ? of_surface(light, numbers) : of_point(light);
     }
 
@@ -76,8 +77,9 @@ public:
     }
 
 private:
-    bool hidden(const glm::dvec3& direction, double distance) const {
-        return shadows_ && is_hidden(stage_, hit_.surface, hit_.position, direction, distance);
+    // Of the light that the surface `emitter` emits, if one does.
+    bool hidden(const glm::dvec3& direction, double distance, std::size_t emitter = no_surface) const {
+        return shadows_ && is_hidden(stage_, hit_.surface, hit_.position, direction, distance, emitter);
     }
     glm::dvec3 brdf(const glm::dvec3& l) const {
         return vec(shading::brdf(material_, vec(hit_.normal), vec(l), vec(view_)));
@@ -96,13 +98,14 @@ private:
     template<class Numbers>
     Shown of_surface(const Light& light, const Numbers& numbers) const {
         const LightSampler sampler(light, hit_.position);
+        const std::size_t emitter = light.emitted_by ? light.emitted_by->surface : no_surface;
         Shown shown;
         const auto add = [&](const glm::dvec3& l, double light_pdf, double own_pdf) {
             const double cosine = glm::dot(hit_.normal, l);
             const double both = light_pdf + own_pdf;
             if (!(cosine > 0.0) || !(both > 0.0)) return;
             const LightDirection seen = sampler.at(l);
-            if (!(seen.luminance_nt > 0.0) || hidden(l, seen.distance)) return;
+            if (!(seen.luminance_nt > 0.0) || hidden(l, seen.distance, emitter)) return;
             const double lx = seen.luminance_nt * cosine / both;
             shown.rgb += light.color * (lx * brdf(l));
             shown.lx += lx;

@@ -3,7 +3,7 @@
 // Each vertex of a path estimates direct light by multiple importance sampling between each light and the material
 // (balance heuristic, E. Veach and L. Guibas, SIGGRAPH 1995) and continues in a direction of its material. Russian
 // roulette ends paths without bias. Lights do not block paths, and the backs of one-sided surfaces absorb them, as in
-// direct light.
+// direct light. What a surface emits is a light: a path that arrives there adds what it reflects.
 #pragma once
 
 #include <gonio/light/light.hpp>

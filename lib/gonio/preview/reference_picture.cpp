@@ -19,6 +19,7 @@ ReferencePicture::ReferencePicture(const Stage& stage, std::span<const Light> li
       lights_(lights),
       options_(options),
       rays_(camera, options.width, options.height),
+      emitted_(stage, lights),
       pixels_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)),
       row_passes_(static_cast<std::size_t>(options.height)),
       tracer_(std::make_shared<detail::PathTracer>(
@@ -57,6 +58,7 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
     const Light* emitter = nullptr;
     double nearest = hit ? hit->distance : 0.0;
     for (const Light& light : lights_) {
+        if (light.emitted_by) continue; // shown by its surface
         const std::optional<double> distance = distance_to(light, ray);
         if (!distance || ((hit || emitter != nullptr) && *distance >= nearest)) continue;
         emitter = &light;
@@ -71,6 +73,11 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
     if (!hit) {
         if (options_.shows_sky) pixel.emitter += glm::vec3(options_.sky.radiance(ray.direction));
         return;
+    }
+    if (const std::optional<std::uint32_t> own = emitted_.at(*hit)) {
+        const Light& light = lights_[*own];
+        pixel.emitter += glm::vec3(light.luminance.value * light.color);
+        pixel.shows_light = true;
     }
     const detail::Shown shown = tracer_->at(*hit, -ray.direction, numbers);
     pixel.surface[pass % 2] += glm::vec3(shown.rgb);

@@ -12,6 +12,7 @@
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/preview/render.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,7 @@ private:
     std::span<const Light> lights_;
     RenderOptions options_;
     CameraRays rays_;
+    EmittedLights emitted_;
     std::vector<Pixel> pixels_;
     std::vector<std::size_t> row_passes_;
     std::shared_ptr<const detail::PathTracer> tracer_;

@@ -66,7 +66,7 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
         detail::SkyLight::on(stage, lights, options, picture.indirect.get());
     scene.sky = sky.get();
     const CameraRays rays(camera, options.width, options.height);
-    const detail::RayScene ray_scene{stage, lights, rays, scene.bodies, options.width, options.height};
+    const detail::RayScene ray_scene{stage, lights, rays, scene.bodies, scene.emitted, options.width, options.height};
     const int across = (options.width + detail::tile_size - 1) / detail::tile_size;
     const int down = (options.height + detail::tile_size - 1) / detail::tile_size;
     const std::size_t tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);

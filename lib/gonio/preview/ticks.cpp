@@ -33,6 +33,8 @@ public:
         const std::optional<Hit> hit = first_hit(stage_, ray);
         if (!hit || !is_sheet(stage_.surfaces[hit->surface].geometry)) return 1.0;
         for (const Light& light : lights_) {
+            if (light.is_emitted_by(hit->surface)) return 1.0;
+            if (light.emitted_by) continue; // not nearer than its surface
             const std::optional<double> distance = distance_to(light, ray);
             if (distance && *distance < hit->distance) return 1.0;
         }

@@ -116,6 +116,8 @@ void TileSamples::add(const Seen& seen, std::uint32_t pixel, double share, std::
         emitters_.push_back({pixel, seen.light, static_cast<float>(share), seen.view});
         return;
     }
+    if (const std::optional<std::uint32_t> own = scene_.emitted.at(seen.hit))
+        emitters_.push_back({pixel, *own, static_cast<float>(share), seen.view});
     auto of_surface = std::find_if(surfaces_.begin(), surfaces_.end(),
                                    [&](const SurfaceSamples& s) { return s.surface == seen.hit.surface; });
     if (of_surface == surfaces_.end()) {

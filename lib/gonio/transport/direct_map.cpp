@@ -78,7 +78,8 @@ public:
             bounds_.radius = std::max(bounds_.radius, glm::distance(patches_.middle(patch), bounds_.center) +
                                                           patches_.half_diagonal(patch));
         for (const std::uint32_t index : near)
-            if (scene_.lights[index].reach.unlit(few.chunks.front().bounds) == Unlit::no)
+            if (!scene_.lights[index].light.is_emitted_by(few.surface) &&
+                scene_.lights[index].reach.unlit(few.chunks.front().bounds) == Unlit::no)
                 add(scene_.lights[index], map);
     }
 

@@ -50,7 +50,7 @@ std::vector<LightSphere> reach_spheres(std::span<const LitLight> lights) {
 std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     std::vector<LightSphere> spheres;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (lights[i].reach.body_radius > 0.0)
+        if (lights[i].reach.body_radius > 0.0 && !lights[i].light.emitted_by)
             spheres.push_back(
                 {lights[i].reach.center, lights[i].reach.body_radius * (1.0 + 1e-9), static_cast<std::uint32_t>(i)});
     return spheres;
@@ -88,6 +88,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       kernels(shading::kernels(with_options.instruction_set)),
       intensity(transport::intensity_kernels(with_options.instruction_set)),
       lights(lit_lights(with_lights, with_options.method)),
+      emitted(on_stage, with_lights),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces) {
@@ -117,7 +118,7 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
     const Ball body = reach.at_infinity ? Ball{bounds.center + far * reach.toward, far * reach.angular_radius_sin}
                                         : Ball{reach.center, reach.body_radius};
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
-        if (i == surface) continue;
+        if (i == surface || light.light.is_emitted_by(i)) continue;
         const Primitive& primitive = stage.surfaces[i].geometry;
         // Visible points of a stage are in front of its planes: a plane can hide only a light that extends behind it.
         if (const auto* plane = std::get_if<Plane>(&primitive))
@@ -134,7 +135,10 @@ void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, c
 }
 
 double LitScene::visible_center(const LitLight& light, std::size_t surface, const glm::dvec3& position) const {
-    if (!light.reach.at_infinity) return visible_share(stage, surface, position, light.reach.center, 0.0);
+    if (!light.reach.at_infinity) {
+        const std::optional<EmittingFace>& from = light.light.emitted_by;
+        return visible_share(stage, surface, position, light.reach.center, 0.0, from ? from->surface : no_surface);
+    }
     const auto& sun = std::get<SunShape>(light.light.shape);
     // A disk cannot have the outline of a hemisphere, so its half angle stays below 90°.
     const double half_angle = options.shadows == Shadows::hard ? 0.0 : std::min(0.5 * sun.diameter.value, 1.57);

@@ -3,6 +3,7 @@
 
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/directional_albedo.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/transport/intensity_pattern.hpp>
@@ -39,7 +40,8 @@ struct LitLight {
 struct LitScene {
     LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options);
 
-    // Finds the surfaces that may be between the light and the points of `surface` within the bounds.
+    // Finds the surfaces that may be between the light and the points of `surface` within the bounds; not the one that
+    // emits it.
     void find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,
                         std::vector<std::uint32_t>& found) const;
 
@@ -60,8 +62,9 @@ struct LitScene {
     // Of light from all around, and the glossy lobe of each; both are empty without a sky and without bounces.
     std::vector<DirectionalAlbedo> albedos;
     std::vector<LobeRays> lobes;
+    EmittedLights emitted;         // what surfaces show as their own
     LightTree reaches;             // spheres by range, of the lights that are not dark
-    LightTree bodies;              // bounding spheres, of the lights with a surface
+    LightTree bodies;              // bounding spheres, of the lights with a surface that is not the stage's
     const SkyLight* sky = nullptr; // to be set by who has one; null without a sky
 };
 

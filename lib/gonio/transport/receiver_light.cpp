@@ -1,5 +1,6 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/occlusion.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/lit_scene.hpp>
 #include <gonio/transport/receiver_light.hpp>
@@ -20,12 +21,12 @@ constexpr double lift_m = 1e-6;
 
 double visible_share_of(const detail::LitScene& scene, const detail::LitLight& light, detail::SoftShadow& shadow,
                         const glm::dvec3& position, const glm::dvec3& normal) {
-    const std::size_t no_surface = scene.stage.surfaces.size();
     if (!scene.has_soft_shadow(light)) return scene.visible_center(light, no_surface, position);
     shadow.begin(light);
     std::vector<std::uint32_t>& bodies = shadow.bodies(0);
     bodies.resize(scene.stage.surfaces.size());
     std::iota(bodies.begin(), bodies.end(), 0U);
+    if (light.light.emitted_by) std::erase(bodies, static_cast<std::uint32_t>(light.light.emitted_by->surface));
     return shadow.visible(0, position, normal);
 }
 

@@ -7,7 +7,10 @@
 #include <gonio/transport/sample_shader.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace gonio::detail {
@@ -31,7 +34,10 @@ private:
     void show_sky();
     void show_subjects();
     void add(std::uint32_t pixel, const glm::dvec3& nt);
-    void add_part(std::uint32_t pixel, float share, const glm::dvec3& rgb);
+    // `surface` emits the light, or no_surface.
+    void add_part(std::uint32_t pixel, std::size_t surface, float share, const glm::dvec3& rgb);
+    void add_to_part(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt);
+    void complete_parts();
     void count_samples();
     void add_surroundings();
     void add(const SurfaceSamples& samples, std::size_t i, const glm::dvec3& nt, const glm::dvec3& lx);
@@ -69,6 +75,14 @@ private:
     RenderStats& stats_;
     std::vector<PartialLight>& partial_;
     SampleShader shader_;
+
+    // What a surface that emits a partial light reflects in that part of the pixel.
+    struct Reflected {
+        float share = 0.0F; // of the pixel
+        glm::vec3 nt{0.0F}; // its contribution to the pixel
+    };
+    std::map<std::pair<std::uint32_t, std::size_t>, Reflected> reflected_; // by pixel and surface
+    std::vector<std::size_t> part_surfaces_;                               // of each of partial_
 
     // For the light that is being added:
     std::vector<Group> groups_;

@@ -3,6 +3,7 @@
 
 #include <gonio/light/light.hpp>
 #include <gonio/scene/camera.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/surface_samples.hpp>
@@ -37,7 +38,8 @@ struct RayScene {
     const Stage& stage;
     std::span<const Light> lights;
     const CameraRays& rays;
-    const LightTree& bodies; // of the lights that have a surface
+    const LightTree& bodies;      // of the lights that have a surface which is not the stage's
+    const EmittedLights& emitted; // by surfaces of the stage
     int width = 0;
     int height = 0;
 };
@@ -54,7 +56,7 @@ public:
     // By surface; only the visible ones.
     const std::vector<SurfaceSamples>& surfaces() const { return surfaces_; }
 
-    // The share of a pixel that shows a light itself.
+    // The share of a pixel that shows a light itself, alone or as a surface of the stage.
     struct EmitterShare {
         std::uint32_t pixel;
         std::uint32_t light;
