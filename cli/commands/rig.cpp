@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -57,6 +58,7 @@ constexpr std::string_view skeleton =
   ],
   // "sky": "500lx",                  // light from all around, gonio list skies; a closed room keeps it out
   "stage": "room",                    // gonio list stages
+  // "emits": { "sphere": "500nt,color=3000K" },  // surfaces of the stage that emit light, beside what they reflect
   "camera": { "position": [0, -2.8, 1.5], "target": [0, 0, 1], "up": [0, 0, 1], "fov": "60deg" },
   "materials": { "floor": "lambert:albedo=0.3" }  // of surfaces of the stage; gonio list materials
 }
@@ -77,6 +79,12 @@ std::string counted(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// That emit these lights; a box emits six.
+std::size_t surfaces_of(const std::vector<LightDescription>& emitted) {
+    return static_cast<std::size_t>(std::count_if(
+        emitted.begin(), emitted.end(), [](const LightDescription& light) { return light.emitted_by->face == 0; }));
+}
+
 Outcome check(const std::string& file, const RigReadOptions& options, const SkyRequest& colors) {
     Outcome outcome;
     Result<Rig> rig = read_rig_file(file, options);
@@ -93,6 +101,17 @@ Outcome check(const std::string& file, const RigReadOptions& options, const SkyR
         }
         diagnostics = std::move(sky->diagnostics);
     }
+    Result<std::vector<LightDescription>> emitted = emissive_lights(*rig);
+    if (!emitted) {
+        outcome.error = std::move(emitted.error());
+        return outcome;
+    }
+    const std::size_t surfaces = surfaces_of(*emitted);
+    for (LightDescription& description : *emitted)
+        if (Result<Light> light = resolve_light(std::move(description), diagnostics); !light) {
+            outcome.error = std::move(light.error());
+            return outcome;
+        }
     const std::size_t files = rig->files.size();
     const std::string stage = rig->stage ? fmt::format(", stage '{}'", rig->stage->name) : std::string();
     Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), diagnostics, 1);
@@ -100,13 +119,14 @@ Outcome check(const std::string& file, const RigReadOptions& options, const SkyR
         outcome.error = std::move(lights.error());
         return outcome;
     }
-    outcome.words =
-        fmt::format("{}: {}, {}{}\n", file, counted(lights->size(), "light"), counted(files, "file"), stage);
-    outcome.report = {{"schema", "gonio.rig-check/1"},
-                      {"file", file},
-                      {"lights", lights->size()},
-                      {"files", files},
-                      {"diagnostics", diagnostics_json(diagnostics)}};
+    const std::string emitting =
+        surfaces > 0 ? fmt::format(", {} that emit{}", counted(surfaces, "surface"), surfaces == 1 ? "s" : "")
+                     : std::string();
+    outcome.words = fmt::format("{}: {}{}, {}{}\n", file, counted(lights->size(), "light"), emitting,
+                                counted(files, "file"), stage);
+    outcome.report = {
+        {"schema", "gonio.rig-check/1"}, {"file", file},   {"lights", lights->size()},
+        {"emitting_surfaces", surfaces}, {"files", files}, {"diagnostics", diagnostics_json(diagnostics)}};
     outcome.diagnostics = std::move(diagnostics);
     return outcome;
 }

@@ -19,7 +19,10 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::array unit_options{
-    Option{"--shape", "SHAPE", "shape of the light (point)", "shapes"},
+    Option{"--shape", "SHAPE",
+           "shape of the light (point), or of a surface that emits: box:w=20cm,h=10cm,d=5cm, panel:w=1m,h=50cm, "
+           "capsule:r=2cm,l=30cm",
+           "shapes"},
     Option{"--to", "UNIT,…",
            "units of the result: lm, cd, lx@DISTANCE, nt, ev, evlx@DISTANCE, fc@DISTANCE, fL, W@EFFICACY", "units"},
     Option{"--policy", "NAME,…", "read the value as this program does (physical); several, or 'all', are compared",

@@ -98,8 +98,11 @@ Result<Content> content_of_profile(const Source& source, const ImportRequest& re
 // Hashes a rig's bytes, its resolved colours and the bytes of all files that it names.
 Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
     std::string all = sha256(bytes);
-    for (const LightDescription& light : rig.lights)
-        all += fmt::format(" {} {} {}", light.color.x, light.color.y, light.color.z);
+    const Result<std::vector<LightDescription>> emitted = emissive_lights(rig);
+    if (!emitted) return Unexpected(emitted.error());
+    for (const auto* const lights : {&rig.lights, &*emitted})
+        for (const LightDescription& light : *lights)
+            all += fmt::format(" {} {} {}", light.color.x, light.color.y, light.color.z);
     for (const std::string& file : rig.files) {
         Result<ManifestFile> hash = hashed(file);
         if (!hash) return pass_on(hash);
@@ -113,9 +116,16 @@ Result<Content> content_of_rig(Rig rig, const std::string& name) {
     content.diagnostics = rig.diagnostics;
     if (rig.sky)
         content.diagnostics.push_back(result_diagnostic("RES0201", "the sky of the rig is left out", {}, rig.source));
+    Result<std::vector<LightDescription>> emitted = emissive_lights(rig);
+    if (!emitted) return pass_on(emitted);
     Result<std::vector<Light>> lights = resolve_lights(std::move(rig), content.diagnostics, 1);
     if (!lights) return pass_on(lights);
     content.lights = std::move(*lights);
+    for (LightDescription& description : *emitted) {
+        Result<Light> light = resolve_light(std::move(description), content.diagnostics);
+        if (!light) return pass_on(light);
+        content.lights.push_back(std::move(*light));
+    }
     content.description = fmt::format("{} lights", content.lights.size());
     content.report = {{"name", name}, {"lights", content.lights.size()}};
     return content;
@@ -146,7 +156,9 @@ Result<Rig> rig_of(const std::string& file, const std::string& bytes, const Impo
     Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
     if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
-    if (Result<void> fits = check_light_count(rig->lights.size()); !fits) {
+    Result<std::vector<LightDescription>> emitted = emissive_lights(*rig);
+    if (!emitted) return pass_on(emitted);
+    if (Result<void> fits = check_light_count(rig->lights.size() + emitted->size()); !fits) {
         fits.error().diagnostics.back().location.file = file;
         return pass_on(fits);
     }

@@ -28,7 +28,7 @@ RigReadOptions rig_read_options(const Arguments& arguments);
 struct LightsInput {
     std::string rig_file; // empty: the lights of options, alike but for their positions
     Rig rig;
-    std::vector<LightDescription> others; // beside them: the sun of a sky
+    std::vector<LightDescription> others; // beside them: surfaces that emit, the sun of a sky
     std::vector<std::string> files;       // every file that was read for the lights
 };
 

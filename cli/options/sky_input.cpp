@@ -49,8 +49,8 @@ Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlace
     LightsAndSky input;
     const bool asks_for_light =
         arguments.has("--rig") || !given_light_option(arguments).empty() || !arguments.positional().empty();
-    // A sky is light enough.
-    if (asks_for_light || !arguments.has("--sky")) {
+    // A sky is light enough, and so is a surface that emits.
+    if (asks_for_light || !(arguments.has("--sky") || arguments.has("--emits"))) {
         Result<LightsInput> lights = lights_input(arguments, placement, diagnostics);
         if (!lights) return pass_on(lights);
         input.lights = std::move(*lights);

@@ -33,7 +33,7 @@ Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDe
                            Diagnostics& diagnostics);
 
 struct LightsAndSky {
-    LightsInput lights; // the sun of the sky is among its others; none at all if only a sky is asked for
+    LightsInput lights; // the sun of the sky is among its others; none at all if only a sky or --emits is given
     SkyInput sky;
 };
 

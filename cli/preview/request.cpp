@@ -177,6 +177,9 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     if (read) read = read_method(arguments, request);
     if (read) read = read_output(arguments, request);
     if (!read) return pass_on(read);
+    if (arguments.has("--emits"))
+        return fail("USE0107", "sheets show the light of profiles, and surfaces that emit would add theirs",
+                    "leave --emits out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
     stage = stage_input(arguments, {}, *stage, request.diagnostics);
@@ -206,16 +209,18 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     Result<LightsAndSky> lit = lights_and_sky(arguments, stage->light, request.diagnostics);
     if (!lit) return pass_on(lit);
     request.lights = std::move(lit->lights);
-    if (!lit->sky.is_given)
-        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    const bool has_sky = lit->sky.is_given;
     if (read = add_sky(std::move(lit->sky), request); !read) return pass_on(read);
+    stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
+    if (!stage) return pass_on(stage);
+    if (read = read_emits(arguments, *stage, request.lights, request.diagnostics); !read) return pass_on(read);
+    if (!has_sky && request.lights.others.empty())
+        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
     if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
     std::vector<std::string> outputs;
     for (const std::string& output : {request.output, request.export_file})
         if (!output.empty()) outputs.push_back(output);
     if (read = check_outputs(request.lights.files, outputs); !read) return pass_on(read);
-    stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
-    if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
     return request;
 }

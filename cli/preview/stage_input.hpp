@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "../options/emits_input.hpp"
 
 #include <array>
 #include <string>
@@ -17,6 +18,7 @@ inline constexpr std::array preview_stage_options{
     Option{"--stage", "STAGE", "stage that the lights are shown on (that of the rig, else floor)", "stages"},
     Option{"--material", "[SURFACE=]MATERIAL", "material of a surface; without SURFACE, of what the stage shows",
            "materials", true},
+    emits_option,
     Option{"--camera", "X,Y,Z", "position of the camera in metres (frames the stage)"},
     Option{"--target", "X,Y,Z", "point that the camera looks at (what the stage shows)"},
     Option{"--fov", "ANGLE", "full vertical field of view of the camera"},

@@ -29,7 +29,7 @@ Result<bool> set_lights(const SweepAxis& axis, std::size_t value, std::vector<Li
                         Diagnostics& diagnostics) {
     if (lights.empty())
         return fail("USE0103", fmt::format("--sweep '{}': there is no light", axis.text),
-                    "a sky and its sun cannot be swept: add a light");
+                    "a sky, its sun and surfaces that emit cannot be swept: add a light");
     bool has_name = axis.target.empty();
     bool was_set = false;
     for (LightDescription& light : lights) {

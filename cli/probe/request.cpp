@@ -35,6 +35,19 @@ Result<void> fits_stage(const Arguments& arguments) {
     return {};
 }
 
+// Surfaces that emit are lights without --indirect and --sky, too.
+Result<void> read_lights_of_stage(const Arguments& arguments, LightsInput& input, ProbeRequest& request) {
+    if (request.stage) return read_emits(arguments, *request.stage, input, request.diagnostics);
+    if (arguments.has("--emits"))
+        return fail("USE0104", "--emits needs a stage with this surface", "add --stage room, or a stage to the rig");
+    if (input.rig.emits.empty()) return {};
+    Result<Stage> stage = make_stage(stage_kinds().front().name); // a rig's, if it names none
+    if (!stage) return pass_on(stage);
+    if (Result<void> read = read_emits(arguments, *stage, input, request.diagnostics); !read) return read;
+    request.stage = std::move(*stage);
+    return {};
+}
+
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
     LightPlacement placement{glm::dvec3(0.0)};
     if (const auto name = arguments.value("--stage")) {
@@ -53,12 +66,13 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
                                                      "it adds illuminance to one method: take \"sky\" out of the rig");
             !fits)
             return fits;
-    if (!request.indirect && !lit->sky.is_given && arguments.has("--stage"))
-        return fail("USE0104", "--stage needs --indirect or --sky",
-                    "without them, a stage neither reflects nor blocks light");
+    if (!request.indirect && !lit->sky.is_given && !arguments.has("--emits") && arguments.has("--stage"))
+        return fail("USE0104", "--stage needs --indirect, --sky or --emits",
+                    "without them, a stage neither reflects nor blocks light, nor emits any");
     request.sky = std::move(lit->sky.sky);
+    if (!request.stage) request.stage = input.rig.stage;
+    if (Result<void> read = read_lights_of_stage(arguments, input, request); !read) return read;
     if (request.indirect || lit->sky.is_given) {
-        if (!request.stage) request.stage = input.rig.stage;
         if (!request.stage && request.indirect)
             return fail("USE0104", "--indirect needs a stage that reflects the light",
                         "add --stage room, or a stage to the rig");
@@ -67,6 +81,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
             for (const SurfaceMaterial& material : input.rig.materials)
                 if (Result<void> given = give_material(*request.stage, material); !given) return given;
         if (!request.stage) request.stage = Stage();
+    } else {
+        request.stage.reset();
     }
     Result<std::vector<Light>> lights = resolve_input(std::move(input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);

@@ -8,6 +8,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "../options/emits_input.hpp"
 #include "../options/points_input.hpp"
 #include "../options/sky_input.hpp"
 
@@ -33,7 +34,8 @@ inline constexpr std::array probe_stage_options{
         "add the light that the surfaces of a stage reflect, and the shadows of what stands on it: that of the rig or "
         "of --stage"},
     sky_option,
-    Option{"--stage", "STAGE", "with --indirect or --sky: a stage by name (that of the rig)", "stages"},
+    Option{"--stage", "STAGE", "with --indirect, --sky or --emits: a stage by name (that of the rig)", "stages"},
+    emits_option,
 };
 inline constexpr std::array probe_report_options{
     Option{"--json", "", "one JSON object, with the share of each light"},

@@ -10,6 +10,7 @@ namespace gonio::cli {
 Result<ProgramTable> program_table(std::string_view row, const UnitsRequest& request) {
     Result<UnitsAnswer> question = read_question(row, request);
     if (!question) return pass_on(question);
+    if (Result<void> light = refuse_surface(*question, "--for"); !light) return pass_on(light);
     Result<Emission> emission = emission_of(question->shape, question->value);
     if (!emission) return pass_on(emission);
     ProgramTable table{std::move(*question), {}};

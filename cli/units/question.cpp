@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 namespace gonio::cli {
@@ -122,9 +123,18 @@ Result<UnitsAnswer> read_question(std::string_view row, const UnitsRequest& requ
     read.shape_text = comma == std::string_view::npos ? request.shape : std::string(trimmed(row.substr(comma + 1)));
     Result<PhotometricValue> value = parse_photometric_value(read.value_text);
     if (!value) return pass_on(value);
+    read.value = *value;
+    Result<std::optional<Primitive>> surface = parse_surface_size(read.shape_text);
+    if (!surface) return pass_on(surface);
+    if (*surface) {
+        if (const std::optional<Shape> light = light_shape(**surface))
+            read.shape = *light;
+        else
+            read.surface = *surface;
+        return read;
+    }
     Result<Shape> shape = parse_shape(read.shape_text);
     if (!shape) return pass_on(shape);
-    read.value = *value;
     read.shape = std::move(*shape);
     if (Result<void> loaded = load_profile(read.shape, read.diagnostics); !loaded) return pass_on(loaded);
     return read;
@@ -193,11 +203,40 @@ Result<bool> answer_without_shape(const UnitsRequest& request, UnitsAnswer& resu
     return true;
 }
 
+Result<void> refuse_surface(const UnitsAnswer& question, std::string_view asked) {
+    if (!question.surface) return {};
+    return fail("USE0107", fmt::format("{} is for lights, and a box is a surface of a stage that emits", asked),
+                "convert its amount with --to alone");
+}
+
+Result<void> answer_for_surface(const UnitsRequest& request, UnitsAnswer& result) {
+    Result<void> plain;
+    if (request.solve) plain = refuse_surface(result, "--solve");
+    if (request.policy != &policies().front()) plain = refuse_surface(result, "--policy");
+    if (!plain) return plain;
+    Result<Nits> luminance = emitted_luminance(*result.surface, result.value, &result.steps);
+    if (!luminance) return pass_on(luminance);
+    constexpr std::array usual{"lm", "nt", "ev"};
+    for (const std::string& text :
+         request.wanted.empty() ? std::vector<std::string>(usual.begin(), usual.end()) : request.wanted) {
+        Result<PhotometricUnit> unit = parse_photometric_unit(text);
+        if (!unit) return pass_on(unit);
+        Result<double> number = express_emission(*result.surface, *luminance, *unit, &result.steps);
+        if (!number) return pass_on(number);
+        result.answers.push_back({*unit, *number});
+    }
+    return {};
+}
+
 Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
     Result<UnitsAnswer> read = read_question(row, request);
     if (!read) return read;
     UnitsAnswer& result = *read;
     result.policy = request.policy;
+    if (result.surface) {
+        if (Result<void> answered = answer_for_surface(request, result); !answered) return pass_on(answered);
+        return read;
+    }
     Result<bool> answered = answer_without_shape(request, result);
     if (!answered) return pass_on(answered);
     if (*answered) return read;
@@ -229,6 +268,7 @@ Result<UnitsAnswer> answer(std::string_view row, const UnitsRequest& request) {
 Result<PolicyTable> policy_table(std::string_view row, const UnitsRequest& request) {
     Result<UnitsAnswer> read = read_question(row, request);
     if (!read) return pass_on(read);
+    if (Result<void> light = refuse_surface(*read, "--policy"); !light) return pass_on(light);
     PolicyTable table{std::move(*read), {}};
     const UnitsAnswer& question = table.question;
     Result<std::vector<PhotometricUnit>> units = wanted_units(request, question.shape);

@@ -3,6 +3,7 @@
 
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/policy.hpp>
+#include <gonio/scene/surface_emission.hpp>
 
 #include "../arguments.hpp"
 
@@ -38,6 +39,7 @@ struct UnitsAnswer {
     std::string shape_text;
     PhotometricValue value;
     Shape shape;
+    std::optional<Primitive> surface; // of a stage, instead of a shape: a box
     const Policy* policy = nullptr;
     std::vector<Answer> answers;
     ConversionSteps steps;
@@ -48,6 +50,10 @@ struct UnitsAnswer {
     std::optional<double> needed_lumens; // for the illuminance at the given distance
     std::optional<double> needed_factor; // to multiply the value by
 };
+
+// What one value and shape ask for besides other units, of which a surface of a stage has none: a box is no light of
+// other programs.
+Result<void> refuse_surface(const UnitsAnswer& question, std::string_view asked);
 
 // Reads a row, "800lm" or "800lm,sphere:r=3cm", and loads the files of its shape; there are no answers yet.
 Result<UnitsAnswer> read_question(std::string_view row, const UnitsRequest& request);

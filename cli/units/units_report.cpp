@@ -50,6 +50,11 @@ Json shape_json(const Shape& shape) {
     return json;
 }
 
+Json surface_json(const Primitive& surface) {
+    const glm::dvec3 size = 2.0 * std::get<Box>(surface).half_size;
+    return {{"kind", "box"}, {"w_m", size.x}, {"h_m", size.y}, {"d_m", size.z}};
+}
+
 std::string unit_text(const PhotometricUnit& unit) {
     std::string text(unit.unit->symbol);
     if (unit.distance) text += fmt::format("@{}m", shortest(unit.distance->value));
@@ -78,7 +83,7 @@ Json question_json(const UnitsAnswer& answer, std::string_view policy) {
     add_unit(input, answer.value.unit);
     return {{"schema", "gonio.units/1"},
             {"input", std::move(input)},
-            {"shape", shape_json(answer.shape)},
+            {"shape", answer.surface ? surface_json(*answer.surface) : shape_json(answer.shape)},
             {"policy", policy}};
 }
 

@@ -2,6 +2,7 @@
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/base/kind_text.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -121,8 +122,16 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     for (const SceneLight& light : built->content.lights)
         names.names.insert(light.name);
     StageBuilder builder(camera.position, format.target == "gltf", names, built->instead);
-    for (const Surface& surface : stage.surfaces)
-        builder.add(surface);
+    const EmittedLights emitted(stage, lights);
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
+        if (!emitted.emits(i)) {
+            builder.add(stage.surfaces[i]);
+            continue;
+        }
+        // The same surface twice, once as a light, would block itself.
+        built->instead.push_back(fmt::format("surface '{}' emits: it is written as its light alone, without a material",
+                                             stage.surfaces[i].name));
+    }
     SceneStage& made = builder.stage();
     made.camera = scene_camera(camera, options.width, options.height);
     const bool mixes = format.target == "pbrt" || format.target == "mitsuba";

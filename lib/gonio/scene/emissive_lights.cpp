@@ -33,7 +33,8 @@ struct Placed {
     void operator()(const Other& /*not a light*/) const {}
 };
 
-constexpr std::array<std::string_view, 6> face_names{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+// In the box's own frame, Z up and Y away.
+constexpr std::array<std::string_view, 6> face_names{"right", "left", "back", "front", "top", "bottom"};
 
 // The six rectangles of a box, of one luminance.
 void add_faces(const Box& box, const LightDescription& of_box, std::size_t surface,
@@ -41,7 +42,7 @@ void add_faces(const Box& box, const LightDescription& of_box, std::size_t surfa
     for (int i = 0; i < 6; ++i) {
         const Panel side = face(box, i);
         LightDescription& light = lights.emplace_back(of_box);
-        light.name += fmt::format(" {}", face_names.at(static_cast<std::size_t>(i)));
+        light.name += fmt::format("-{}", face_names.at(static_cast<std::size_t>(i)));
         light.shape = RectShape{Meters(side.width), Meters(side.height)};
         light.emitted_by = EmittingFace{surface, i};
         Placed{light}(side);

@@ -28,9 +28,9 @@ struct NamedEmission {
 // if the stage has none, and as emitted_luminance() does.
 Result<void> let_emit(Stage& stage, const NamedEmission& named);
 
-// In the order of the surfaces; a box is six rectangles, in the order of face(). A light has the name of its surface, a
-// face of a box with its axis ("crate +X"). Where several surfaces share the name, they are numbered: "lamp-1". Fails
-// as emitted_luminance() does.
+// In the order of the surfaces; a box is six rectangles, in the order of face(). A light has the name of its surface;
+// where several share it, they are numbered: "lamp-1". Faces of a box are called after the box's own axes, Z up and Y
+// away: "crate-right", "-left", "-back", "-front", "-top", "-bottom". Fails as emitted_luminance() does.
 Result<std::vector<LightDescription>> emissive_lights(const Stage& stage);
 
 // Which of the lights a point of a surface shows as its own.

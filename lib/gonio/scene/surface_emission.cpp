@@ -3,13 +3,16 @@
 #include <gonio/base/text.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/photometry.hpp>
+#include <gonio/light/shape_keys.hpp>
 #include <gonio/scene/surface_emission.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -18,6 +21,34 @@ namespace gonio {
 namespace {
 
 constexpr std::array<std::string_view, 1> emission_keys{"color"};
+
+struct SurfaceSize {
+    std::string_view kind;
+    std::array<std::string_view, 3> keys;
+    std::size_t count; // of the keys
+    Primitive (*made)(const std::array<double, 3>& lengths);
+};
+
+constexpr std::array sizes{
+    SurfaceSize{"box",
+                {"w", "h", "d"},
+                3,
+                [](const auto& l) -> Primitive {
+                    return Box{{}, 0.5 * glm::dvec3(l[0], l[1], l[2])};
+                }},
+    SurfaceSize{"panel",
+                {"w", "h"},
+                2,
+                [](const auto& l) -> Primitive {
+                    return Panel{{}, l[0], l[1]};
+                }},
+    SurfaceSize{"capsule",
+                {"r", "l"},
+                2,
+                [](const auto& l) -> Primitive {
+                    return Capsule{glm::dvec3(0.0), {0.0, 0.0, 1.0}, 0.5 * l[1], l[0]};
+                }},
+};
 
 struct LitArea {
     double operator()(const Plane& /*without end*/) const { return std::numeric_limits<double>::infinity(); }
@@ -138,6 +169,24 @@ std::optional<Shape> light_shape(const Primitive& geometry) {
     return std::visit(AsLight(), geometry);
 }
 
+Result<std::optional<Primitive>> parse_surface_size(std::string_view text) {
+    const std::string_view kind = text.substr(0, text.find(':'));
+    const auto found =
+        std::find_if(sizes.begin(), sizes.end(), [&](const SurfaceSize& size) { return size.kind == kind; });
+    if (found == sizes.end()) return std::optional<Primitive>();
+    Result<KindText> words = parse_kind_text(text);
+    if (!words) return pass_on(words);
+    const auto keys = std::span(found->keys).first(found->count);
+    if (Result<void> known = only_keys(*words, keys); !known) return pass_on(known);
+    std::array<double, 3> lengths{};
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        Result<Meters> length = read_length(*words, keys[i]);
+        if (!length) return pass_on(length);
+        lengths.at(i) = length->value;
+    }
+    return std::optional(found->made(lengths));
+}
+
 Result<Nits> emitted_luminance(const Primitive& geometry, const PhotometricValue& amount, ConversionSteps* steps) {
     if (std::holds_alternative<Plane>(geometry)) return plane_refused();
     const std::optional<Shape> shape = light_shape(geometry);
@@ -146,7 +195,7 @@ Result<Nits> emitted_luminance(const Primitive& geometry, const PhotometricValue
     if (!luminance) return pass_on(luminance);
     if (!(*luminance > 0.0))
         return fail("USE0106", "a surface that emits needs an amount greater than 0",
-                    "leave it out of the surfaces that emit");
+                    "a surface that only reflects needs none");
     if (!in_amount_range(*luminance))
         return fail("USE0106",
                     fmt::format("the surface has a luminance of {} cd/m2, above {} cd/m2", *luminance, greatest_amount),

@@ -40,6 +40,11 @@ double lit_area(const Primitive& geometry);
 // a plane.
 std::optional<Shape> light_shape(const Primitive& geometry);
 
+// A surface by its size alone, as conversions of amounts need it: "box:w=20cm,h=10cm,d=5cm", "panel:w=1m,h=50cm" or
+// "capsule:r=2cm,l=30cm" (l without the round ends). Nothing for other kinds. Fails (usage) on keys and lengths as
+// parse_shape() does.
+Result<std::optional<Primitive>> parse_surface_size(std::string_view text);
+
 // The luminance of a surface that emits this amount. `steps`, if given, receives the steps of the conversion. Fails
 // (usage) on a plane, on units that the surface does not have, on a luminance that is not greater than 0 and on one
 // above greatest_amount (base/amount_range.hpp).
