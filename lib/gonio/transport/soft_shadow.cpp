@@ -94,9 +94,10 @@ double SoftShadow::visible(std::size_t own, const glm::dvec3& point, const glm::
     const Ball light{light_->reach.center, light_->reach.body_radius};
     const glm::dvec3 to_light = light.center - point;
     const double distance = glm::length(to_light);
-    if (!(distance > light.radius)) return share_;
+    if (!(distance > 0.0)) return share_;
     const glm::dvec3 towards = to_light / distance;
-    const double half_angle = std::asin(light.radius / distance);
+    // Near a wide light, its bounding sphere is all around.
+    const double half_angle = distance > light.radius ? std::asin(light.radius / distance) : std::numbers::pi;
     ShadowEdge nearest;
     for (const std::uint32_t i : bodies_[own]) {
         const Primitive& body = scene_.stage.surfaces[i].geometry;
