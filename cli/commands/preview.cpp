@@ -254,7 +254,7 @@ const Command preview_command{
     "render how lights fall on a stage",
     "FILE | --rig RIG | --shape SHAPE … | --sheet FILE… -o OUT | -O DIR | --export SCENE",
     "FILE is an IES, EULUMDAT or TM-33 profile. A rig is a JSON file of schema gonio.rig/1, which\n"
-    "may also name the stage, camera and materials. Options override the rig.",
+    "may also name the stage, camera, materials and surfaces that emit. Options override the rig.",
     groups,
     examples,
     run,

@@ -129,7 +129,7 @@ const Command probe_command{
     "Prints lux in double precision. With --view and --material it also prints the luminance\n"
     "towards the eye in nits. Lights neither occlude nor reflect each other. --indirect adds the light\n"
     "that a stage reflects; --sky adds a sky and the sun of daylight. With either, what stands on a stage\n"
-    "hides lights.",
+    "hides lights. Surfaces that emit (--emits, or those of a rig) are lights.",
     groups,
     examples,
     run,

@@ -169,8 +169,9 @@ const Command rig_command{
     "rig",
     "start a rig, the JSON file of a scene's lights, or check one",
     "new [-o FILE] | check RIG…",
-    "A rig lists the lights of a scene, and if wanted its stage, camera and materials. preview, probe and import\n"
-    "take it. The smallest one is a shape and an amount:\n"
+    "A rig lists the lights of a scene, and if wanted its stage, camera, materials and the surfaces that emit. "
+    "preview,\n"
+    "probe and import take it. The smallest one is a shape and an amount:\n"
     "\n"
     "  { \"schema\": \"gonio.rig/1\",\n"
     "    \"lights\": [ { \"shape\": \"sphere:r=3cm\", \"intensity\": \"800lm\", \"position\": [0, 0, 2] } ] }\n"

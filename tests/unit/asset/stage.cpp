@@ -2,6 +2,7 @@
 #include <gonio/asset/detail/scene_stage.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/scene/core_material.hpp>
+#include <gonio/scene/emissive_lights.hpp>
 #include <gonio/scene/figure.hpp>
 
 #include <glm/geometric.hpp>
@@ -212,6 +213,29 @@ Stage bodies() {
         {"capsule", capsule_between({-0.2, 0.6, 0.1}, {0.3, 0.7, 0.9}, 0.12), LambertMaterial{}},
     };
     return stage;
+}
+
+// The surface would block the light that is in its place.
+TEST(StageScene, ASurfaceThatEmitsIsItsLight) {
+    Stage stage = bodies();
+    stage.surfaces[2].emits = parse_surface_emission("500nt").value();
+    const std::vector<LightDescription> emitted = emissive_lights(stage).value();
+    Diagnostics diagnostics;
+    const Light light = resolve_light(emitted.front(), diagnostics).value();
+    StageSceneOptions options;
+    options.name = "scene";
+    options.width = 64;
+    options.height = 48;
+    for (const StageFormat& format : stage_formats()) {
+        const LightScene scene = stage_scene(format, stage, stage.camera, {&light, 1}, options).value();
+        const std::string& text = scene.files[0].bytes;
+        EXPECT_NE(std::find(scene.instead.begin(), scene.instead.end(),
+                            "surface 'ball' emits: it is written as its light alone, without a material"),
+                  scene.instead.end())
+            << format.extension;
+        EXPECT_EQ(text.find("ball_material"), std::string::npos) << format.extension;
+        EXPECT_NE(text.find("capsule_material"), std::string::npos) << format.extension;
+    }
 }
 
 TEST(StageScene, MeshesAreClosedOutwardAndOfTheRightArea) {

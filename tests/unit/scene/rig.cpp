@@ -117,7 +117,7 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error[RIG0105]: lights: must be an array");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lihgts":1})"),
               "rig.json: error[RIG0103]: unknown key 'lihgts'\n"
-              "hint: did you mean 'lights'? there are: schema, lights, sky, stage, camera, materials");
+              "hint: did you mean 'lights'? there are: schema, lights, sky, stage, camera, materials, emits");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lights":[]})"),
               "rig.json: error[RIG0107]: the key 'lights' is given twice");
     EXPECT_EQ(light_refusal("7"), "rig.json: error[RIG0105]: lights[0]: must be an object, not a number");
@@ -459,6 +459,55 @@ TEST(Rig, ParallelResolveOfManyLights) {
     EXPECT_EQ(refusal(bad),
               "rig.json: error[RIG0104]: lights[100000]: a point light needs an intensity\nhint: for example "
               "800lm");
+}
+
+const std::string globe_stage = R"("stage": { "surfaces": [ { "name": "floor", "plane": {} }, { "name": "globe",
+    "sphere": { "center": [0, 0, 1], "radius": "10cm" })";
+
+std::string with_globe(const std::string& globe, const std::string& more = {}) {
+    return R"({"schema":"gonio.rig/1","lights":[],)" + globe_stage + globe + " } ] }" + more + "}";
+}
+
+TEST(Rig, SurfacesEmit) {
+    const Rig rig = read(with_globe(R"json(, "emits": "800lm,color=rgb(1,0,0)")json")).value();
+    const std::vector<LightDescription> lights = emissive_lights(rig).value();
+    ASSERT_EQ(lights.size(), 1U);
+    EXPECT_EQ(lights[0].name, "globe");
+    EXPECT_EQ(lights[0].emitted_by->surface, 1U);
+    EXPECT_EQ(lights[0].intensity->number, 800.0);
+    EXPECT_EQ(lights[0].color.y, 0.0);
+    EXPECT_TRUE(require_lights(rig));
+    // "emits" goes by name, and in place of what the surface says.
+    const Rig named = read(with_globe(R"(, "emits": "800lm")", R"(, "emits": { "globe": "500nt" })")).value();
+    ASSERT_EQ(named.emits.size(), 1U);
+    EXPECT_EQ(emissive_lights(named).value()[0].intensity->number, 500.0);
+    const Rig of_default = read(R"({"schema":"gonio.rig/1","lights":[],"emits":{"sphere":"500nt"}})").value();
+    EXPECT_EQ(emissive_lights(of_default).value().size(), 1U);
+    EXPECT_FALSE(require_lights(read(with_globe("")).value()));
+}
+
+TEST(Rig, RefusesEmissionThatASurfaceCannotHave) {
+    EXPECT_EQ(refusal(with_globe(R"(, "emits": "0nt")")),
+              "rig.json: error[RIG0106]: stage.surfaces[1].emits: a surface that emits needs an amount greater than 0\n"
+              "hint: a surface that only reflects needs none");
+    EXPECT_EQ(
+        refusal(with_globe(R"(, "emits": 500)")),
+        "rig.json: error[RIG0105]: stage.surfaces[1].emits: must be a string, not a number\nhint: write \"500nt\"");
+    EXPECT_EQ(refusal(with_globe(R"(, "emits": "500nt,colr=d65")")),
+              "rig.json: error[RIG0103]: stage.surfaces[1].emits: unknown key 'colr' of 'emits'\nhint: did you mean "
+              "'color'? there are: color");
+    EXPECT_EQ(refusal(with_globe("", R"(, "emits": { "globo": "500nt" })")),
+              "rig.json: error[RIG0103]: emits.globo: unknown surface 'globo' of 'custom'\nhint: did you mean 'globe'? "
+              "there are: floor, globe");
+    EXPECT_EQ(
+        refusal(with_globe("", R"(, "emits": { "floor": "500nt" })")),
+        "rig.json: error[RIG0107]: emits.floor: a plane cannot emit light: it has no end, so neither a flux nor a "
+        "light of its shape\nhint: use a panel, which has a width and a height");
+    EXPECT_EQ(refusal(with_globe("", R"(, "emits": "500nt")")),
+              "rig.json: error[RIG0105]: emits: must be an object, not a string\nhint: for example { \"sphere\": "
+              "\"500nt\" }");
+    // Files of colours must lie beside the rig, as those of lights.
+    EXPECT_NE(refusal(with_globe(R"(, "emits": "500nt,color=spectrum:/etc/passwd")"), Failure::io), "no failure");
 }
 
 TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {
