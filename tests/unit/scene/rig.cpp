@@ -490,9 +490,9 @@ TEST(Rig, RefusesEmissionThatASurfaceCannotHave) {
     EXPECT_EQ(refusal(with_globe(R"(, "emits": "0nt")")),
               "rig.json: error[RIG0106]: stage.surfaces[1].emits: a surface that emits needs an amount greater than 0\n"
               "hint: a surface that only reflects needs none");
-    EXPECT_EQ(
-        refusal(with_globe(R"(, "emits": 500)")),
-        "rig.json: error[RIG0105]: stage.surfaces[1].emits: must be a string, not a number\nhint: write \"500nt\"");
+    EXPECT_EQ(refusal(with_globe(R"(, "emits": 500)")),
+              "rig.json: error[RIG0105]: stage.surfaces[1].emits: must be a string, not a number\nhint: write it with "
+              "its unit, for example \"500nt\"");
     EXPECT_EQ(refusal(with_globe(R"(, "emits": "500nt,colr=d65")")),
               "rig.json: error[RIG0103]: stage.surfaces[1].emits: unknown key 'colr' of 'emits'\nhint: did you mean "
               "'color'? there are: color");
