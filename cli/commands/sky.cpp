@@ -6,6 +6,7 @@
 #include "../console.hpp"
 #include "../options/common.hpp"
 #include "../options/output.hpp"
+#include "../sky/capture.hpp"
 #include "../sky/convert.hpp"
 #include "../sky/prefilter.hpp"
 #include "../sky/request.hpp"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::array groups{OptionGroup{"image", sky_image_options},
                             OptionGroup{"output", sky_output_options},
                             OptionGroup{"prefilter", sky_prefilter_options},
+                            OptionGroup{"capture", sky_capture_options},
                             json_group,
                             threads_group,
                             common_group};
@@ -39,17 +41,34 @@ constexpr std::array examples{
             "a photograph without its sun, which the sidecar has as a light"},
     Example{"gonio sky prefilter room.exr --for filament -o room.exr",
             "what an engine needs to light with it: room.specular-0.exr and so on"},
+    Example{"gonio sky capture --stage room --emits ceiling=300nt --at 0,0,1.2 -o room.exr",
+            "a lit stage from one point, as an environment"},
 };
 
 constexpr std::array<std::string_view, 8> output_names{"--output", "--to",    "--with-sun", "--layout",
                                                        "--size",   "--pixel", "--sidecar",  "--no-sidecar"};
 
-// Fails (usage) on an option of the group, which another action takes.
-Result<void> refuse(const Arguments& arguments, std::span<const Option> options, std::string_view action) {
-    for (const Option& option : options)
-        if (arguments.has(option.names))
-            return fail("USE0107", fmt::format("{} is for sky prefilter, not for 'sky {}'", option.names, action),
-                        "gonio sky prefilter SKY -o FILE");
+struct OwnOptions {
+    std::string_view action;
+    std::span<const Option> options;
+    std::string_view hint;
+};
+constexpr std::array own_options{
+    OwnOptions{"prefilter", sky_prefilter_options, "gonio sky prefilter SKY -o FILE"},
+    OwnOptions{"capture", sky_capture_options, "gonio sky capture --rig RIG --at X,Y,Z -o FILE"},
+};
+
+// Fails (usage) on an option that only other actions take.
+Result<void> refuse_others(const Arguments& arguments, std::string_view action) {
+    for (const OwnOptions& own : own_options) {
+        if (own.action == action) continue;
+        for (const Option& option : own.options) {
+            const std::string_view name = option.names.substr(option.names.rfind(',') + 1);
+            if (arguments.has(name))
+                return fail("USE0107", fmt::format("{} is for sky {}, not for 'sky {}'", name, own.action, action),
+                            std::string(own.hint));
+        }
+    }
     return {};
 }
 
@@ -76,7 +95,6 @@ Result<int> info_all(const Arguments& arguments, Console& console) {
         if (arguments.has(name))
             return fail("USE0107", fmt::format("'sky info' writes no file, but {} is given", name),
                         "gonio sky convert writes one");
-    if (Result<void> fine = refuse(arguments, sky_prefilter_options, "info"); !fine) return pass_on(fine);
     Result<SkyRequest> request = sky_request(arguments);
     if (!request) return pass_on(request);
     const ReportKind kind = report_kind(arguments);
@@ -95,7 +113,12 @@ struct FileAction {
     std::string_view member;
     Result<Json> (*write)(const std::string&, const LoadedSky&, const SkyRequest&, const Arguments&);
 };
-constexpr FileAction convert_action{"convert", "image", "gonio.sky-convert/1", "environment", convert_sky};
+Result<Json> convert_named(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
+                           const Arguments& arguments) {
+    return convert_sky({text, {file_of_sky(text)}}, loaded, request, arguments);
+}
+
+constexpr FileAction convert_action{"convert", "image", "gonio.sky-convert/1", "environment", convert_named};
 constexpr FileAction prefilter_action{"prefilter", "images", "gonio.sky-prefilter/1", "prefilter", prefilter_sky};
 
 Result<int> write_one(const FileAction& action, const Arguments& arguments, Console& console) {
@@ -122,17 +145,43 @@ Result<int> write_one(const FileAction& action, const Arguments& arguments, Cons
     return 0;
 }
 
+Result<int> capture_one(const Arguments& arguments, Console& console) {
+    if (arguments.positional().size() != 1)
+        return fail("USE0107", fmt::format("'sky capture' takes no '{}'", arguments.positional()[1]),
+                    "the stage and its lights come from --rig, or --stage, --sky and --emits");
+    for (const Option& option : sky_image_options)
+        if (arguments.has(option.names) && option.names != "--ocio")
+            return fail("USE0107", fmt::format("{} is for images, not for 'sky capture'", option.names),
+                        "gonio sky info or convert takes the captured image");
+    if (!arguments.has("--output"))
+        return fail("USE0104", "there is no output", "add -o FILE, for example -o room.exr");
+    const ReportKind kind = report_kind(arguments);
+    if (arguments.value("--output") == "-" && kind != ReportKind::words) return both_to_standard_output("image");
+    Result<SkyRequest> request = sky_request(arguments);
+    if (!request) return pass_on(request);
+    Diagnostics diagnostics;
+    Result<Json> sidecar = capture_sky(*request, arguments, diagnostics);
+    console.say(diagnostics);
+    if (!sidecar) return pass_on(sidecar);
+    if (kind == ReportKind::words) return 0;
+    Json report{{"schema", "gonio.sky-capture/1"}, {"output", *arguments.value("--output")}};
+    report["environment"] = std::move(*sidecar);
+    report["diagnostics"] = diagnostics_json(diagnostics);
+    console.print(dump(report, kind == ReportKind::jsonl ? -1 : 2));
+    return 0;
+}
+
 Result<int> work(const Arguments& arguments, Console& console) {
     const std::vector<std::string>& words = arguments.positional();
     if (words.empty())
-        return fail("USE0104", "info, convert or prefilter?",
+        return fail("USE0104", "info, convert, prefilter or capture?",
                     "gonio sky info SKY measures a sky, gonio sky convert SKY -o FILE writes it as an image, gonio sky "
-                    "prefilter SKY -o FILE writes what engines light with");
+                    "prefilter SKY -o FILE writes what engines light with, gonio sky capture --rig RIG --at X,Y,Z -o "
+                    "FILE shows a lit stage from a point");
+    if (Result<void> fine = refuse_others(arguments, words.front()); !fine) return pass_on(fine);
     if (words.front() == "info") return info_all(arguments, console);
-    if (words.front() == "convert") {
-        if (Result<void> fine = refuse(arguments, sky_prefilter_options, "convert"); !fine) return pass_on(fine);
-        return write_one(convert_action, arguments, console);
-    }
+    if (words.front() == "convert") return write_one(convert_action, arguments, console);
+    if (words.front() == "capture") return capture_one(arguments, console);
     if (words.front() == "prefilter") return write_one(prefilter_action, arguments, console);
     return fail("USE0103", fmt::format("unknown action '{}'", words.front()),
                 fmt::format("write gonio sky info '{0}', gonio sky convert '{0}' -o FILE, or gonio sky prefilter '{0}' "
@@ -151,7 +200,7 @@ extern const Command sky_command;
 const Command sky_command{
     "sky",
     "measure skies, daylight and environment images in lux, and convert them",
-    "info SKY… | convert SKY -o FILE | prefilter SKY -o FILE",
+    "info SKY… | convert SKY -o FILE | prefilter SKY -o FILE | capture --rig RIG --at X,Y,Z -o FILE",
     "SKY is an amount (500lx), KIND:key=value,… ('gonio list skies' shows the kinds) or the name of an\n"
     "image: EXR, HDR or float TIFF, as a latlong, a cube cross or strip, or octahedral. '-' is an image on\n"
     "stdin. Pixels are linear and in cd/m2 unless --calibrate or a key says what they give.\n"
@@ -164,7 +213,10 @@ const Command sky_command{
     "prefilter writes what engines light with. For -o room.exr: room.specular-0.exr and so on, what a surface\n"
     "of each roughness mirrors (GGX, N = V = R); room.irradiance.exr, illuminance over pi; room.split-sum.exr,\n"
     "the table of the split sum; room.json, which says what the numbers mean, with spherical harmonics and the\n"
-    "error of each image against quadrature. 'gonio list prefilters' has the programs of --for.",
+    "error of each image against quadrature. 'gonio list prefilters' has the programs of --for.\n"
+    "\n"
+    "capture shows the stage of a rig, or of --stage, from the point --at, with all its light, as convert\n"
+    "writes an image: for local reflections. The frame is that of skies: z up, +Y north.",
     groups,
     examples,
     run};

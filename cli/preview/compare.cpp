@@ -37,7 +37,7 @@ constexpr std::size_t ramp_colors = 129;
 constexpr std::size_t most_methods = limit("compared-methods").value;
 
 struct Compared {
-    IrradianceMethod method = IrradianceMethod::exact;
+    PictureMethod method;
     Image rgb_nt;
     Image nt;
     Image difference_nt; // from the first method; empty for the first
@@ -96,10 +96,14 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
     std::vector<std::uint8_t> shows_light;
     std::shared_ptr<const Interreflection> known;
     Progress progress(request.compared.size(), console.shows_progress());
-    for (const IrradianceMethod method : request.compared) {
+    RenderOptions prepared = size;
+    if (Result<void> ready = prepare(prepared, request.compared, request.stage, lights, request.probe_at); !ready)
+        return pass_on(ready);
+    for (const PictureMethod& method : request.compared) {
         progress.show(comparison.methods.size(), to_text(method));
-        RenderOptions options = size;
-        options.method = method;
+        RenderOptions options = prepared;
+        options.method = method.light;
+        options.surroundings = method.surroundings;
         options.known = known;
         Result<Rendering> rendering = render(request.stage, lights, request.stage.camera, options);
         if (!rendering) return pass_on(rendering);

@@ -2,9 +2,9 @@
 
 #include <gonio/asset/stage_scene.hpp>
 
+#include "../options/bounces.hpp"
 #include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
-#include "../options/method_list.hpp"
 #include "../options/output.hpp"
 #include "../options/sky_input.hpp"
 #include "../options/values.hpp"
@@ -66,7 +66,7 @@ Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) 
     if (!text) return {};
     if (arguments.has("--method"))
         return fail("USE0107", "--method and --compare are both given", "name every method in --compare");
-    Result<std::vector<IrradianceMethod>> methods = method_list(*text);
+    Result<std::vector<PictureMethod>> methods = picture_methods(*text);
     if (!methods) return pass_on(methods);
     if (methods->size() < 2)
         return fail("USE0104", fmt::format("--compare {} names only one method", *text),
@@ -80,28 +80,28 @@ bool is_one_picture(const Arguments& arguments) {
                         [&](std::string_view option) { return arguments.has(option); });
 }
 
-Result<int> read_bounces(const Arguments& arguments) {
-    const auto text = arguments.value("--indirect");
-    if (!text || *text == "all") return all_bounces;
-    if (*text == "off") return 0;
-    const Result<std::uint64_t> bounces = whole_number(*text, "--indirect");
-    if (!bounces)
-        return fail("USE0105", fmt::format("--indirect takes all, off or a number of bounces, not '{}'", *text),
-                    "for example --indirect 2");
-    if (*bounces > max_bounces)
-        return fail("USE0106", fmt::format("--indirect {} is above {}", *bounces, max_bounces),
-                    "all is until the light is absorbed");
-    return static_cast<int>(*bounces);
-}
-
 Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
-    Result<IrradianceMethod> method = parse_irradiance_method(arguments.value("--method").value_or("exact"));
+    Result<PictureMethod> method = parse_picture_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
-    request.render.method = *method;
-    const bool by_reference =
-        *method == IrradianceMethod::reference ||
-        std::count(request.compared.begin(), request.compared.end(), IrradianceMethod::reference) != 0;
+    request.method = *method;
+    request.render.method = method->light;
+    request.render.surroundings = method->surroundings;
+    if (method->surroundings != SurroundingsMethod::exact)
+        for (const std::string_view option : {"--aov", "--sweep", "--sheet"})
+            if (arguments.has(option))
+                return fail("USE0107",
+                            fmt::format("the method {} is for one picture, not for {}", to_text(*method), option),
+                            "--compare shows it beside others");
+    if (const auto at = arguments.value("--probe-at")) {
+        Result<glm::dvec3> place = parse_vector(*at, "--probe-at");
+        if (!place) return pass_on(place);
+        request.probe_at = *place;
+    }
+    const bool by_reference = method->light == IrradianceMethod::reference ||
+                              std::any_of(request.compared.begin(), request.compared.end(), [](const PictureMethod& m) {
+                                  return m.light == IrradianceMethod::reference;
+                              });
     if (!is_one_picture(arguments)) {
         // Pictures that are compared, summed or shown side by side are computed by quadrature, without noise.
         Result<std::optional<double>> error = reference_error(arguments, by_reference);

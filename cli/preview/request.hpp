@@ -14,6 +14,7 @@
 #include "../options/rig_input.hpp"
 #include "../options/sky_input.hpp"
 #include "look_options.hpp"
+#include "picture_method.hpp"
 #include "refine.hpp"
 #include "stage_input.hpp"
 
@@ -38,9 +39,14 @@ inline constexpr std::array preview_picture_options{
 };
 
 inline constexpr std::array preview_method_options{
-    Option{"--method", "METHOD", "method for the light of each shape (exact)", "methods"},
+    Option{"--method", "METHOD", "method for the light of each shape, or of the sky and for reflections (exact)",
+           "picture-methods"},
     Option{"--compare", "M1,M2",
-           "show methods side by side, with their differences from the first in numbers and colours", "methods"},
+           "show methods side by side, with their differences from the first in numbers and colours",
+           "picture-methods"},
+    Option{"--probe-at", "X,Y,Z",
+           "where the methods parallax-box and parallax-sphere take their picture of the stage (halfway between the "
+           "camera and what it looks at)"},
     Option{"--error", "E",
            "relative tolerance of the method reference (1% for a picture; with --compare, --sweep and --aov 1e-6 for "
            "each value)"},
@@ -73,10 +79,12 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    std::vector<IrradianceMethod> compared; // of --compare, with the baseline first; else empty
-    std::string output;                     // empty: no picture, only an exported scene
-    std::string export_file;                // empty: none
-    bool bounces_given = false;             // by an option, not by default
+    PictureMethod method;
+    std::vector<PictureMethod> compared; // of --compare, with the baseline first; else empty
+    std::optional<glm::dvec3> probe_at;  // of --probe-at
+    std::string output;                  // empty: no picture, only an exported scene
+    std::string export_file;             // empty: none
+    bool bounces_given = false;          // by an option, not by default
     const media::ImageFormat* format = nullptr;
     Diagnostics diagnostics;
 };

@@ -72,14 +72,19 @@ Result<Stage> named_stage(const Arguments& arguments) {
     return make_stage(arguments.value("--stage").value_or(std::string(stage_kinds().front().name)));
 }
 
+Result<void> give_materials(const Arguments& arguments, const Rig& rig, Stage& stage, Diagnostics& diagnostics) {
+    Result<void> given;
+    for (const SurfaceMaterial& material : rig.materials)
+        if (given) given = give_material(stage, material);
+    for (const std::string& text : arguments.values("--material"))
+        if (given) given = apply_material(text, stage, diagnostics);
+    return given;
+}
+
 Result<Stage> stage_input(const Arguments& arguments, const Rig& rig, const Stage& named, Diagnostics& diagnostics) {
     Stage stage = rig.stage && !arguments.has("--stage") ? *rig.stage : named;
     if (rig.camera) stage.camera = *rig.camera;
-    Result<void> applied;
-    for (const SurfaceMaterial& material : rig.materials)
-        if (applied) applied = give_material(stage, material);
-    for (const std::string& text : arguments.values("--material"))
-        if (applied) applied = apply_material(text, stage, diagnostics);
+    Result<void> applied = give_materials(arguments, rig, stage, diagnostics);
     if (arguments.has("--figure")) add_figure(stage);
     if (applied) applied = apply_camera(arguments, stage.camera);
     if (applied) applied = check_camera(stage, stage.camera);

@@ -29,6 +29,9 @@ inline constexpr std::array preview_stage_options{
 // The full vertical angle. Fails (usage) unless it is an angle between 0 and 180 degrees.
 Result<void> read_field_of_view(const std::string& text, Camera& camera);
 
+// Those of the rig, then of --material. Remarks about materials go to `diagnostics`. Fails (usage) as give_material().
+Result<void> give_materials(const Arguments& arguments, const Rig& rig, Stage& stage, Diagnostics& diagnostics);
+
 // Gives the material to every surface of this name. Fails (usage) if the stage has none.
 Result<void> give_material(Stage& stage, const SurfaceMaterial& named);
 

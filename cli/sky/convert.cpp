@@ -65,7 +65,7 @@ Result<std::optional<std::string>> sidecar_name(const Arguments& arguments, cons
 
 } // namespace
 
-Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
+Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const SkyRequest& request,
                          const Arguments& arguments) {
     const std::string output = arguments.value("--output").value_or("");
     Result<EnvironmentStorage> storage = environment_storage(arguments, output);
@@ -74,7 +74,7 @@ Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const
     if (!sidecar) return pass_on(sidecar);
     Result<EnvironmentGrid> grid = target_grid(loaded, arguments);
     if (!grid) return pass_on(grid);
-    FilesInUse in_use(std::vector<std::string>{file_of_sky(text)});
+    FilesInUse in_use(source.files);
     for (const std::string& file : {output, sidecar->value_or(std::string())})
         if (!file.empty())
             if (Result<void> free = in_use.take(file); !free) return pass_on(free);
@@ -99,7 +99,7 @@ Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const
     description.pixel = media::to_text(storage->pixel);
     description.measures = measure(*as_written);
     if (!with_the_sun) description.sun = loaded.sun;
-    description.source = text;
+    description.source = source.text;
     if (loaded.image) description.source_sha256 = loaded.image->sha256;
     Result<std::string> bytes = media::encode_environment(*map, *storage->format, storage->pixel,
                                                           attributes_of(environment_sidecar(description)));

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -29,8 +30,14 @@ inline constexpr std::array sky_output_options{
     durable_option,
 };
 
-// Writes the image and its sidecar, both or neither; returns the report (schema gonio.sky/1 with the member "output").
-Result<Json> convert_sky(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
+// What an image was made from.
+struct SkySource {
+    std::string text;               // as the user named it
+    std::vector<std::string> files; // that were read, which no output may replace
+};
+
+// Writes the image and its sidecar, both or neither; returns the sidecar.
+Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const SkyRequest& request,
                          const Arguments& arguments);
 
 } // namespace gonio::cli

@@ -4,6 +4,7 @@
 #include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/named_surroundings.hpp>
 #include <gonio/transport/reflected_view.hpp>
 #include <gonio/transport/sky_light.hpp>
 
@@ -133,23 +134,30 @@ void LitTile::add_surroundings() {
     const SkyLight* const sky = scene_.sky;
     ReflectedView view(indirect != nullptr ? *indirect->geometry() : *sky->geometry(), indirect,
                        sky != nullptr ? &sky->sky() : nullptr, options_.instruction_set);
+    const NamedSurroundings* const named = scene_.named;
+    const bool named_sky = named != nullptr && named->has_diffuse();
+    const bool named_lobe = named != nullptr && named->has_glossy();
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
         const LobeRays& lobe = scene_.lobes[samples.surface];
         for (const SurfaceSamples::Chunk& chunk : samples.chunks) {
             const std::vector<glm::vec3>* const glossy =
-                lobe.empty() ? nullptr : &view.luminance(samples, chunk.first, chunk.count, lobe);
+                lobe.empty() || named_lobe ? nullptr : &view.luminance(samples, chunk.first, chunk.count, lobe);
             for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
                 const glm::dvec3 position = samples.position_of(i);
                 const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
                 const int face = face_at(geometry, position);
                 glm::dvec3 lx(0.0);
                 if (indirect != nullptr) lx += indirect->on_surface(samples.surface, face, position);
-                if (sky != nullptr) lx += sky->on_surface(samples.surface, face, position);
+                if (sky != nullptr)
+                    lx += named_sky ? named->sky_lx(normal) : sky->on_surface(samples.surface, face, position);
                 const double cosine = glm::dot(normal, samples.view_of(i));
                 const glm::dvec3 diffuse =
                     glm::max(scene_.albedos[samples.surface](cosine) - lobe.albedo(cosine), glm::dvec3(0.0));
                 glm::dvec3 rgb = std::numbers::inv_pi * lx * diffuse;
+                if (named_lobe && !lobe.empty())
+                    rgb += named->glossy(position, normal, samples.view_of(i),
+                                         {samples.surface, lobe.alpha(), lobe.albedo(cosine)});
                 if (glossy != nullptr) rgb += glm::dvec3((*glossy)[i - chunk.first]);
                 add(samples, i, rgb, lx);
             }

@@ -5,6 +5,7 @@
 #include <gonio/preview/detail/render_check.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/transport/interreflection.hpp>
+#include <gonio/transport/named_surroundings.hpp>
 #include <gonio/transport/sky_light.hpp>
 
 #include <fmt/format.h>
@@ -65,8 +66,19 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     const std::shared_ptr<const detail::SkyLight> sky =
         detail::SkyLight::on(stage, lights, options, picture.indirect.get());
     scene.sky = sky.get();
+    const std::shared_ptr<const detail::NamedSurroundings> named =
+        detail::NamedSurroundings::of(options, scene.core_materials);
+    scene.named = named.get();
     const CameraRays rays(camera, options.width, options.height);
-    const detail::RayScene ray_scene{stage, lights, rays, scene.bodies, scene.emitted, options.width, options.height};
+    const detail::LightTree no_bodies({});
+    const EmittedLights no_emitted;
+    const detail::RayScene ray_scene{stage,
+                                     lights,
+                                     rays,
+                                     options.shows_lights ? scene.bodies : no_bodies,
+                                     options.shows_lights ? scene.emitted : no_emitted,
+                                     options.width,
+                                     options.height};
     const int across = (options.width + detail::tile_size - 1) / detail::tile_size;
     const int down = (options.height + detail::tile_size - 1) / detail::tile_size;
     const std::size_t tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);

@@ -30,8 +30,9 @@ class Interreflection;
 struct RenderOptions : LightingOptions {
     int width = 512;
     int height = 512;
-    bool skip = true;       // false: evaluates every light at every point, even if it cannot reach the point
-    bool shows_sky = false; // where the camera sees nothing else; without its sun
+    bool skip = true;         // false: evaluates every light at every point, even if it cannot reach the point
+    bool shows_sky = false;   // where the camera sees nothing else; without its sun
+    bool shows_lights = true; // those with a size, themselves
     // Rendering::indirect of a picture of the same surfaces in any materials: what depends on these alone is not
     // computed again.
     std::shared_ptr<const Interreflection> known;

@@ -5,11 +5,15 @@
 #include <gonio/scene/probe.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/sky.hpp>
+#include <gonio/transport/surroundings_method.hpp>
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 namespace gonio {
+
+struct LocalProbe;
 
 enum class Shadows : std::uint8_t {
     off,
@@ -27,7 +31,9 @@ struct LightingOptions {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal; // of `reference`
     Shadows shadows = Shadows::soft;
-    Sky sky;                  // without its sun, which is a light
+    Sky sky; // without its sun, which is a light
+    SurroundingsMethod surroundings = SurroundingsMethod::exact;
+    std::shared_ptr<const LocalProbe> probe; // of the methods that need one (has_local_probe())
     int bounces = 0;          // between the surfaces of the stage: 0 = direct light alone, or all_bounces
     bool specular = true;     // false: only what the materials' diffuse parts scatter, and the lights themselves
     bool illuminance = false; // computes the illuminance of the surfaces too

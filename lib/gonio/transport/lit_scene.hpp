@@ -19,6 +19,7 @@
 
 namespace gonio::detail {
 
+class NamedSurroundings;
 class SkyLight;
 
 struct LitLight {
@@ -62,10 +63,12 @@ struct LitScene {
     // Of light from all around, and the glossy lobe of each; both are empty without a sky and without bounces.
     std::vector<DirectionalAlbedo> albedos;
     std::vector<LobeRays> lobes;
-    EmittedLights emitted;         // what surfaces show as their own
-    LightTree reaches;             // spheres by range, of the lights that are not dark
-    LightTree bodies;              // bounding spheres, of the lights with a surface that is not the stage's
-    const SkyLight* sky = nullptr; // to be set by who has one; null without a sky
+    EmittedLights emitted; // what surfaces show as their own
+    LightTree reaches;     // spheres by range, of the lights that are not dark
+    LightTree bodies;      // bounding spheres, of the lights with a surface that is not the stage's
+    // To be set by who has them.
+    const SkyLight* sky = nullptr;            // null without a sky
+    const NamedSurroundings* named = nullptr; // null for SurroundingsMethod::exact
 };
 
 } // namespace gonio::detail

@@ -88,6 +88,7 @@ LobeRays::LobeRays(const CoreMaterial& material, std::size_t more) {
                 const glm::dvec3 reflectance = sampled(core, alpha, 1.0, many).sum;
                 const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
                 if (!(sampled(core, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
+                alpha_ = alpha;
                 rays_ = rays_for(alpha, most) * (alpha > 0.003 ? more : 1);
                 for (std::size_t node = 0; node < nodes; ++node) {
                     const glm::dvec3 albedo = sampled(core, alpha, cosine_of(node), many).sum;

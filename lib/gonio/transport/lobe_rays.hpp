@@ -28,6 +28,7 @@ public:
 
     bool empty() const { return rays_ == 0; }
     std::size_t count() const { return rays_; } // for each view
+    double alpha() const { return alpha_; }     // of GGX
 
     // `rays` gets count() of them; those below the surface have the weight 0.
     void at(double cosine, std::vector<LobeRay>& rays) const;
@@ -36,6 +37,7 @@ public:
 
 private:
     std::size_t rays_ = 0;
+    double alpha_ = 0.0;
     // Of each ray the normal of the facet that reflects it, instead of its direction, which changes faster with the
     // view; [node][ray], at the cosines (i/(n−1))².
     std::vector<LobeRay> table_;

@@ -1,0 +1,93 @@
+#include "capture.hpp"
+
+#include <gonio/preview/capture.hpp>
+
+#include "../options/bounces.hpp"
+#include "../options/values.hpp"
+#include "../preview/stage_input.hpp"
+#include "convert.hpp"
+#include "environment_output.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gonio::cli {
+
+namespace {
+
+constexpr int usual_side = 256; // of a face
+
+// The side of the faces that are rendered: as fine as the image that is asked for.
+Result<int> face_side(const Arguments& arguments) {
+    const auto size = arguments.value("--size");
+    if (!size) return usual_side;
+    Result<EnvironmentLayout> layout =
+        parse_environment_layout(arguments.value("--layout").value_or(std::string("cube-strip")));
+    if (!layout) return pass_on(layout);
+    Result<EnvironmentGrid> grid = environment_size(*layout, *size);
+    if (!grid) return pass_on(grid);
+    return side_like(grid->layout(), grid->side(), EnvironmentLayout::cube_strip);
+}
+
+} // namespace
+
+Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, Diagnostics& diagnostics) {
+    const auto at = arguments.value("--at");
+    if (!at) return fail("USE0104", "no point is given", "add --at X,Y,Z, for example --at 0,0,1.2");
+    Result<glm::dvec3> position = parse_vector(*at, "--at");
+    if (!position) return pass_on(position);
+    Result<int> side = face_side(arguments);
+    if (!side) return pass_on(side);
+    RenderOptions options;
+    options.threads = request.threads;
+    options.shows_lights = !arguments.has("--hide-lights");
+    Result<int> bounces = read_bounces(arguments);
+    if (!bounces) return pass_on(bounces);
+    options.bounces = *bounces;
+
+    LightsInput input;
+    const auto rig_file = arguments.value("--rig");
+    if (rig_file) {
+        Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
+        if (!rig) return pass_on(rig);
+        input.rig_file = *rig_file;
+        input.rig = std::move(*rig);
+        input.files = input.rig.files;
+        input.files.push_back(*rig_file);
+    }
+    if (!input.rig.stage && !arguments.has("--stage"))
+        return fail("USE0104", rig_file ? "the rig has no stage" : "there is no stage to capture",
+                    "add --stage, for example --stage room");
+    Result<Stage> stage = arguments.has("--stage") ? make_stage(*arguments.value("--stage")) : *input.rig.stage;
+    if (!stage) return pass_on(stage);
+    if (Result<void> given = give_materials(arguments, input.rig, *stage, diagnostics); !given) return pass_on(given);
+    if (Result<void> emits = read_emits(arguments, *stage, input, diagnostics); !emits) return pass_on(emits);
+    Result<SkyInput> sky = sky_input(arguments, input.rig.sky, diagnostics);
+    if (!sky) return pass_on(sky);
+    if (sky->sun) input.others.push_back(*sky->sun);
+    if (!sky->is_given && input.rig.lights.empty() && input.others.empty())
+        return fail("USE0104", "nothing lights the stage", "add --rig FILE, --sky SKY or --emits SURFACE=AMOUNT");
+    options.sky = std::move(sky->sky);
+    std::vector<std::string> inputs = input.files;
+    inputs.insert(inputs.end(), sky->files.begin(), sky->files.end());
+    Result<std::vector<Light>> lights = resolve_input(std::move(input), diagnostics, options.threads);
+    if (!lights) return pass_on(lights);
+
+    Result<EnvironmentMap> map = capture(*stage, *lights, *position, *side, options);
+    if (!map) return pass_on(map);
+    LoadedSky loaded;
+    loaded.kind = "image";
+    loaded.image = LoadedImage{};
+    loaded.image->map = std::make_shared<const EnvironmentMap>(std::move(*map));
+    Result<Sky> as_sky = resolve_sky({ImageSkyKind{}, {}, glm::dvec3(1.0), {}, 0.0}, loaded.image->map);
+    if (!as_sky) return pass_on(as_sky);
+    loaded.sky = std::move(*as_sky);
+    const std::string source = fmt::format("{} from {}", rig_file.value_or("the stage " + stage->name), *at);
+    return convert_sky({source, std::move(inputs)}, loaded, request, arguments);
+}
+
+} // namespace gonio::cli
