@@ -8,6 +8,7 @@
 // The formulas are in shade.hpp, once for float, double and packs; the double versions are the reference for the tests.
 #pragma once
 
+#include <gonio/shading/coat_order.hpp>
 #include <gonio/shading/specular_method.hpp>
 #include <gonio/simd/dispatch.hpp>
 
@@ -46,7 +47,16 @@ struct LightConstants {
     bool two_sided = false;                        // flat lights: emit to both sides, the luminance on each
 };
 
-// A material of brdf.hpp, as constants_of() there creates it.
+// A coat of coat.hpp, as constants_of() of coated.hpp creates it.
+struct CoatConstants {
+    static constexpr std::size_t most_numbers = 33;
+
+    bool is_on = false;
+    CoatOrder order = CoatOrder::physical;
+    float numbers[most_numbers] = {};
+};
+
+// A material of brdf.hpp, as constants_of() there creates it, with the coat over it if there is one.
 struct MaterialConstants {
     static constexpr std::size_t most_numbers = 24;
 
@@ -54,6 +64,7 @@ struct MaterialConstants {
 
     Kind kind{};
     float numbers[most_numbers] = {}; // the numbers of its struct, in their order
+    CoatConstants coat;
 };
 
 // Methods of other renderers for the irradiance of area lights, kept for comparison (irradiance_sphere_named.hpp,

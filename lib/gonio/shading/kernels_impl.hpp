@@ -4,6 +4,7 @@
 // be a function that other files could call.
 #pragma once
 
+#include <gonio/shading/coat_area.hpp>
 #include <gonio/shading/irradiance_approximate.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
@@ -96,6 +97,24 @@ void shade_punctual(const Surfaces& surfaces, const LightConstants& light_consta
     });
 }
 
+template<class S, template<class> class Material>
+void shade_coated_punctual(const Surfaces& surfaces, const LightConstants& light_constants,
+                           const MaterialConstants& material_constants, float* const rgb[3]) {
+    PunctualLight<S> light;
+    constants(light_constants, light);
+    const auto material = material_of<Material, S>(material_constants);
+    const Coat<S> coat = coat_of<S>(material_constants.coat);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    packet.load(surfaces.view)};
+        light.intensity_cd = packet.load(light_constants.intensity_cd);
+        const Incidence<S> from = incidence(point, light);
+        const vec3<S> f = coated_diffuse_part(coat, material, point.normal, from.toward, point.view) +
+                          coated_specular_part(coat, material, point.normal, from.toward, point.view, S(0));
+        packet.store(finite(light.color * (f * from.lx)), rgb);
+    });
+}
+
 // The effect of an area light at the points of a part: illuminance [lx] and luminances of the glossy part, both for
 // 1 nt.
 template<class S>
@@ -106,6 +125,13 @@ struct PartUnderLight {
     float grazing[most];
 
     PartUnderLight() {} // NOLINT(*-member-init, *-use-equals-default): what is read is written first
+
+    void without_lobe(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            scale[i] = 0.0F;
+            grazing[i] = 0.0F;
+        }
+    }
 };
 
 // Lambert needs neither the view nor the direction of the light.
@@ -147,11 +173,39 @@ void glossy_under(const Surfaces& part, const LightConstants& light, const Cosin
     specular.specular_power(part, light, lobe.power, light.specular_method, &under.scale[0], &under.grazing[0]);
 }
 
+// The reflectance of a base's lobe; 0 without one.
+struct LobeReflectance {
+    float f0[3] = {};
+    float f90 = 0.0F, factor = 0.0F;
+};
+
+// Turns what a base scatters into what it shows through a coat, and adds both lobes.
+template<class S, class Light>
+void add_coat(const Surfaces& surfaces, const Light& light, const CoatConstants& coat_constants,
+              const LobeReflectance& lobe, const PartUnderLight<S>& base, const PartUnderLight<S>& top,
+              float* const rgb[3]) {
+    const Coat<S> coat = coat_of<S>(coat_constants);
+    const vec3<S> f0 = broadcast<S>(lobe.f0);
+    simd::for_each_packet<Packet<S>>(surfaces.count, [&](const Packet<S>& packet) {
+        const SurfacePoint<S> point{packet.load(surfaces.position), packet.load(surfaces.normal),
+                                    packet.load(surfaces.view)};
+        const SpecularTerms<S> of_base{packet.load(&base.scale[0]), packet.load(&base.grazing[0])};
+        const SpecularTerms<S> of_top{packet.load(&top.scale[0]), packet.load(&top.grazing[0])};
+        const CoatUnderLight<S> left = coat_under(point, light, coat, of_base.grazing);
+        const S shine = coat_reflected(coat, of_top);
+        const vec3<S> lobes =
+            left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
+        const vec3<S> color = light.luminance * faded(light, way_to(light, point.position));
+        packet.store(finite(packet.load(rgb) * left.scattered.scattered(coat) + color * lobes), rgb);
+    });
+}
+
 // The exact irradiance and the glossy luminance have separate kernels; here they are combined, part by part.
 template<class S, template<class> class Material, const SpecularKernels& specular>
 void shade_area(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material_constants,
                 float* const rgb[3]) {
     const auto material = material_of<Material, S>(material_constants);
+    const CoatConstants& coat = material_constants.coat;
     constexpr std::size_t most = PartUnderLight<S>::most;
     PartUnderLight<S> under;
     for (std::size_t first = 0; first < surfaces.count; first += most) {
@@ -159,12 +213,30 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
         irradiance_any<S>(part, light, &under.lx[0]);
-        if constexpr (Glossy<Material>)
-            glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe, under);
+        if constexpr (Glossy<Material>) {
+            if (coat.is_on)
+                under.without_lobe(part.count);
+            else
+                glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe,
+                                          under);
+        }
         if constexpr (__is_same(Material<S>, Lambert<S>))
             reflect_part<S>(part, light, material, under, to);
         else
             with_light<S>(light, [&](const auto& spread) { reflect_part<S>(part, spread, material, under, to); });
+        if (coat.is_on) {
+            PartUnderLight<S> top;
+            const float alpha = coat_alpha(coat_of<float>(coat));
+            specular.specular(part, light, alpha, light.specular_method, &top.scale[0], &top.grazing[0]);
+            under.without_lobe(part.count);
+            LobeReflectance lobe;
+            if constexpr (Glossy<Material>) {
+                const auto glossy = gloss(material_of<Material, float>(material_constants));
+                lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor};
+                glossy_under<S, specular>(part, light, glossy.lobe, under);
+            }
+            with_light<S>(light, [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
+        }
     }
 }
 
@@ -172,7 +244,9 @@ template<class S, const SpecularKernels& specular>
 void shade_any(const Surfaces& surfaces, const LightConstants& light, const MaterialConstants& material,
                float* const rgb[3]) {
     with_material(material.kind, [&]<template<class> class Material>() {
-        if (light.kind == LightConstants::Kind::punctual)
+        if (light.kind == LightConstants::Kind::punctual && material.coat.is_on)
+            shade_coated_punctual<S, Material>(surfaces, light, material, rgb);
+        else if (light.kind == LightConstants::Kind::punctual)
             shade_punctual<S, Material>(surfaces, light, material, rgb);
         else
             shade_area<S, Material, specular>(surfaces, light, material, rgb);
