@@ -125,6 +125,15 @@ Entries materials() {
     Entries entries;
     for (const MaterialKind& kind : material_kinds())
         entries.push_back({std::string(kind.grammar), std::string(kind.summary)});
+    entries.push_back({"MATERIAL,coat=1,coat-smoothness=0.9,coat-order=physical",
+                       "any of these below a clear coat; see: gonio list coats"});
+    return entries;
+}
+
+Entries coats() {
+    Entries entries;
+    for (const CoatOrderName& order : coat_orders())
+        entries.push_back({std::string(order.name), std::string(order.summary)});
     return entries;
 }
 
@@ -322,6 +331,7 @@ Entries targets() {
 
 constexpr std::array lists{
     NamedList{"cie-skies", "general skies of the CIE", cie_skies},
+    NamedList{"coats", "what a clear coat leaves of the material below", coats},
     NamedList{"color-methods", "formulas for the colour of a temperature", color_method_names},
     NamedList{"diagrams", "diagrams of plot", diagrams},
     NamedList{"dialects", "IES dialects that convert writes", dialects},

@@ -2,7 +2,8 @@
 //
 // A material with a Lambertian part is a dielectric; KHR_materials_specular gives its reflectance f0 as a factor on
 // 0.04 (0: no reflection at all, not even at grazing). A material without one is a metal. Roughness is the root of α.
-// Readers subtract the reflected share from the diffuse part; gonio does not. A glTF material is written as it is.
+// Readers subtract the reflected share from the diffuse part; gonio does not. A glTF material is written as it is. A coat
+// is KHR_materials_clearcoat, whose readers dim what is below by 1 − F(n·v).
 #include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
@@ -121,7 +122,12 @@ Json color_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z, 1.0};
 }
 
-Json material_json(const SceneMaterial& material, bool& uses_specular) {
+struct UsedExtensions {
+    bool specular = false;
+    bool clearcoat = false;
+};
+
+Json base_json(const SceneMaterial& material, UsedExtensions& uses) {
     if (const auto& own = material.gltf)
         return {{"name", material.name},
                 {"pbrMetallicRoughness",
@@ -133,10 +139,21 @@ Json material_json(const SceneMaterial& material, bool& uses_specular) {
                  {"roughnessFactor", std::sqrt(material.alpha)}};
     Json json{{"name", material.name}, {"pbrMetallicRoughness", std::move(surface)}};
     if (material.has_diffuse() || !material.has_lobe()) {
-        uses_specular = true;
+        uses.specular = true;
         json["extensions"]["KHR_materials_specular"] = material.has_lobe()
                                                            ? Json{{"specularColorFactor", numbers(material.f0 / 0.04)}}
                                                            : Json{{"specularFactor", 0.0}};
+    }
+    return json;
+}
+
+Json material_json(const SceneMaterial& material, UsedExtensions& uses) {
+    Json json = base_json(material, uses);
+    if (material.coat) {
+        uses.clearcoat = true;
+        json["extensions"]["KHR_materials_clearcoat"] = {
+            {"clearcoatFactor", material.coat->amount},
+            {"clearcoatRoughnessFactor", 1.0 - material.coat->smoothness}};
     }
     return json;
 }
@@ -247,9 +264,9 @@ private:
 GltfStage gltf_stage(const SceneStage& stage) {
     GltfStage made;
     GltfBuilder builder(made);
-    bool uses_specular = false;
+    UsedExtensions uses;
     for (const SceneMaterial& material : stage.materials)
-        made.materials.push_back(material_json(material, uses_specular));
+        made.materials.push_back(material_json(material, uses));
     for (const SceneSurface& surface : stage.surfaces)
         builder.add(surface);
     const SceneCamera& camera = stage.camera;
@@ -262,7 +279,8 @@ GltfStage gltf_stage(const SceneStage& stage) {
                           {"rotation", gltf_rotation(camera.frame)},
                           {"camera", 0},
                           {"extras", {{"width", camera.width}, {"height", camera.height}}}});
-    if (uses_specular) made.extensions_used.push_back("KHR_materials_specular");
+    if (uses.clearcoat) made.extensions_used.push_back("KHR_materials_clearcoat");
+    if (uses.specular) made.extensions_used.push_back("KHR_materials_specular");
     return made;
 }
 

@@ -30,6 +30,7 @@ struct SceneMaterial {
     glm::dvec3 f0{0.0};               // 0: no lobe
     double alpha = 1.0;               // the α in D and V; most targets take its root as roughness
     std::optional<GltfMaterial> gltf; // used instead by a target that has glTF's own material
+    std::optional<Coat> coat;         // only for a target that has coats
 
     bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
     bool has_lobe() const { return f0 != glm::dvec3(0.0); }

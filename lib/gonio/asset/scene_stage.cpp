@@ -98,7 +98,9 @@ SceneMaterial reduced(const M& material, std::vector<std::string>& losses) {
 } // namespace
 
 SceneMaterial scene_material(const Material& material, std::vector<std::string>& losses) {
-    return std::visit([&](const auto& kind) { return reduced(kind, losses); }, material);
+    SceneMaterial made = std::visit([&](const auto& kind) { return reduced(kind, losses); }, base_of(material));
+    if (const auto* coated = std::get_if<CoatedMaterial>(&material)) made.coat = coated->coat;
+    return made;
 }
 
 MixedMaterial mixed(const SceneMaterial& material) {

@@ -52,10 +52,10 @@ SceneCamera scene_camera(const Camera& camera, int width, int height) {
 
 class StageBuilder {
 public:
-    // `has_gltf`: the target's own material is glTF's.
-    StageBuilder(const glm::dvec3& eye, bool has_gltf, asset_detail::TakenNames& names,
+    // `has_gltf`: the target's own material is glTF's. `has_coats`: it stores a clear coat.
+    StageBuilder(const glm::dvec3& eye, bool has_gltf, bool has_coats, asset_detail::TakenNames& names,
                  std::vector<std::string>& instead)
-        : eye_(eye), has_gltf_(has_gltf), names_(names), instead_(instead) {}
+        : eye_(eye), has_gltf_(has_gltf), has_coats_(has_coats), names_(names), instead_(instead) {}
 
     void add(const Surface& surface) {
         const SceneShape shape = scene_shape(surface.geometry, eye_);
@@ -72,6 +72,10 @@ private:
         std::vector<std::string> losses;
         SceneMaterial material = scene_material(surface.material, losses);
         if (has_gltf_ && material.gltf) losses.clear();
+        if (material.coat && has_coats_)
+            losses.emplace_back("what its coat leaves of the material below follows the rule of the other program");
+        else if (std::exchange(material.coat, std::nullopt))
+            losses.emplace_back("its clear coat is left out");
         for (const std::string& loss : losses) {
             std::string line = fmt::format("surface '{}': {}", surface.name, loss);
             if (std::find(instead_.begin(), instead_.end(), line) == instead_.end())
@@ -80,7 +84,7 @@ private:
         for (std::size_t i = 0; i < stage_.materials.size(); ++i) {
             const SceneMaterial& other = stage_.materials[i];
             if (sources_[i] == surface.name && other.diffuse == material.diffuse && other.f0 == material.f0 &&
-                other.alpha == material.alpha && other.gltf == material.gltf)
+                other.alpha == material.alpha && other.gltf == material.gltf && other.coat == material.coat)
                 return i;
         }
         material.name = unique_name(surface.name + "_material", names_);
@@ -91,6 +95,7 @@ private:
 
     glm::dvec3 eye_;
     bool has_gltf_;
+    bool has_coats_;
     asset_detail::TakenNames& names_;
     std::vector<std::string>& instead_;
     SceneStage stage_;
@@ -121,7 +126,8 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     asset_detail::TakenNames names;
     for (const SceneLight& light : built->content.lights)
         names.names.insert(light.name);
-    StageBuilder builder(camera.position, format.target == "gltf", names, built->instead);
+    StageBuilder builder(camera.position, format.target == "gltf",
+                         format.target == "gltf" || format.target == "usd", names, built->instead);
     const EmittedLights emitted(stage, lights);
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
         if (!emitted.emits(i)) {

@@ -11,6 +11,10 @@ namespace gonio::asset_detail {
 namespace {
 
 std::string material_text(const SceneMaterial& material, std::string_view scope) {
+    const std::string coat = material.coat ? fmt::format("                float inputs:clearcoat = {}\n"
+                                                         "                float inputs:clearcoatRoughness = {}\n",
+                                                         material.coat->amount, 1.0 - material.coat->smoothness)
+                                           : std::string();
     return fmt::format("        def Material \"{0}\"\n"
                        "        {{\n"
                        "            token outputs:surface.connect = <{1}/{0}/surface.outputs:surface>\n"
@@ -20,11 +24,12 @@ std::string material_text(const SceneMaterial& material, std::string_view scope)
                        "                color3f inputs:diffuseColor = ({2})\n"
                        "                int inputs:useSpecularWorkflow = 1\n"
                        "                color3f inputs:specularColor = ({3})\n"
-                       "                float inputs:roughness = {4}\n"
+                       "                float inputs:roughness = {4}\n{5}"
                        "                token outputs:surface\n"
                        "            }}\n"
                        "        }}\n",
-                       material.name, scope, triple(material.diffuse), triple(material.f0), std::sqrt(material.alpha));
+                       material.name, scope, triple(material.diffuse), triple(material.f0), std::sqrt(material.alpha),
+                       coat);
 }
 
 std::string transform(const Frame& frame, const glm::dvec3& size = glm::dvec3(1.0)) {

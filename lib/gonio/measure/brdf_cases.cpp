@@ -82,6 +82,16 @@ BrdfParameters::BrdfParameters(Random& random, bool hostile) {
 }
 
 Material scene_material(std::size_t kind, const BrdfParameters& parameters) {
+    constexpr std::size_t bases = std::variant_size_v<BaseMaterial>;
+    if (kind >= bases) {
+        const auto& p = parameters.p;
+        const auto one_of = [](double number, std::size_t count) {
+            return std::min(static_cast<std::size_t>(number * static_cast<double>(count)), count - 1);
+        };
+        const std::size_t order = one_of(p[5], coat_orders().size());
+        return CoatedMaterial{base_of(scene_material(one_of(p[4], bases), parameters)),
+                              {p[7], p[6], coat_orders()[order].order}};
+    }
     Material made;
     std::size_t place = 0;
     for_each_material([&]<class M>() {

@@ -63,7 +63,8 @@ auto make(const BrdfParameters& from) {
         MaterialDescription<M>::keys);
 }
 
-// The same as a material of a scene; `kind` is the index among Material's alternatives.
+// The same as a material of a scene; `kind` is the index among Material's alternatives. The last one is a coat over one
+// of the others: it takes its own keys and the choice from the last of the numbers.
 Material scene_material(std::size_t kind, const BrdfParameters& parameters);
 
 // A material that should reflect all light: a white surface, or a mirror of f0 = 1, with that roughness and otherwise

@@ -1,4 +1,5 @@
 #include <gonio/measure/shade_in_double.hpp>
+#include <gonio/shading/coat_area.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_in_double.hpp>
@@ -42,6 +43,18 @@ requires(!IsSun<CoreLight>) SpecularLuminance<double> specular(SpecularMethod me
                               lobe.alpha);
 }
 
+// Attenuates the diffuse part and adds the coat's lobe.
+template<class CoreLight>
+[[gnu::noinline]] void add_coat(const Point& point, const CoreLight& light, SpecularMethod method,
+                                const CoatConstants& constants, Reflected<double>& parts) {
+    const Coat<double> coat = coat_of<double>(constants);
+    const SpecularLuminance<double> seen = specular(method, point, light, GgxLobe<double>{coat_alpha(coat)});
+    const double fade = shading::detail::faded(light, shading::detail::way_to(light, point.position));
+    const double shine = coat_reflected(coat, SpecularTerms<double>{seen.scale * fade, seen.grazing});
+    parts.diffuse = parts.diffuse * coat_under(point, light, coat, 0.0).scattered.scattered(coat);
+    parts.specular = parts.specular + vec3<double>{shine, shine, shine};
+}
+
 } // namespace
 
 Reflected<double> shade_parts_in_double(const Point& point, const LightConstants& light,
@@ -55,8 +68,16 @@ Reflected<double> shade_parts_in_double(const Point& point, const LightConstants
                 const auto glossy = gloss(core);
                 const SpecularLuminance<double> seen = specular(light.specular_method, point, typed, glossy.lobe);
                 const double fade = shading::detail::faded(typed, shading::detail::way_to(typed, point.position));
-                parts.specular = parts.specular + glossy({seen.scale * fade, seen.grazing});
+                const SpecularTerms<double> terms{seen.scale * fade, seen.grazing};
+                if (material.coat.is_on) {
+                    const auto left = coat_under(point, typed, coat_of<double>(material.coat), terms.grazing);
+                    parts.specular = parts.specular * left.scattered.scattered(coat_of<double>(material.coat)) +
+                                     left.lobe.reflected(glossy.f0, glossy.f90, glossy.factor, terms);
+                } else {
+                    parts.specular = parts.specular + glossy(terms);
+                }
             }
+            if (material.coat.is_on) add_coat(point, typed, light.specular_method, material.coat, parts);
             const vec3<double> color = shading::detail::color_of<double>(typed);
             result = {shading::detail::finite(color * parts.diffuse), shading::detail::finite(color * parts.specular)};
         });

@@ -121,7 +121,8 @@ void LitTile::complete_parts() {
 void LitTile::count_samples() {
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         stats_.samples += samples.size();
-        if (scene_.materials[samples.surface].kind == shading::kind_of<shading::Lambert>)
+        const shading::MaterialConstants& material = scene_.materials[samples.surface];
+        if (material.kind == shading::kind_of<shading::Lambert> && !material.coat.is_on)
             stats_.samples_without_specular += samples.size();
         stats_.pairs += scene_.lights.size();
         stats_.evaluations += scene_.lights.size() * samples.size();
@@ -139,10 +140,15 @@ void LitTile::add_surroundings() {
     const bool named_lobe = named != nullptr && named->has_glossy();
     for (const SurfaceSamples& samples : tile_.surfaces()) {
         const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
-        const LobeRays& lobe = scene_.lobes[samples.surface];
+        const std::vector<LobeRays>& lobes = scene_.lobes[samples.surface];
         for (const SurfaceSamples::Chunk& chunk : samples.chunks) {
-            const std::vector<glm::vec3>* const glossy =
-                lobe.empty() || named_lobe ? nullptr : &view.luminance(samples, chunk.first, chunk.count, lobe);
+            glossy_.assign(chunk.count, glm::vec3(0.0F));
+            for (const LobeRays& lobe : lobes) {
+                if (named_lobe) break;
+                const std::vector<glm::vec3>& shown = view.luminance(samples, chunk.first, chunk.count, lobe);
+                for (std::size_t i = 0; i < chunk.count; ++i)
+                    glossy_[i] += shown[i];
+            }
             for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
                 const glm::dvec3 position = samples.position_of(i);
                 const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
@@ -152,13 +158,16 @@ void LitTile::add_surroundings() {
                 if (sky != nullptr)
                     lx += named_sky ? named->sky_lx(normal) : sky->on_surface(samples.surface, face, position);
                 const double cosine = glm::dot(normal, samples.view_of(i));
-                const glm::dvec3 diffuse =
-                    glm::max(scene_.albedos[samples.surface](cosine) - lobe.albedo(cosine), glm::dvec3(0.0));
-                glm::dvec3 rgb = std::numbers::inv_pi * lx * diffuse;
-                if (named_lobe && !lobe.empty())
-                    rgb += named->glossy(position, normal, samples.view_of(i),
-                                         {samples.surface, lobe.alpha(), lobe.albedo(cosine)});
-                if (glossy != nullptr) rgb += glm::dvec3((*glossy)[i - chunk.first]);
+                glm::dvec3 diffuse = scene_.albedos[samples.surface](cosine);
+                glm::dvec3 rgb(glossy_[i - chunk.first]);
+                for (const LobeRays& lobe : lobes) {
+                    const glm::dvec3 albedo = lobe.albedo(cosine);
+                    diffuse -= albedo;
+                    if (named_lobe)
+                        rgb += named->glossy(position, normal, samples.view_of(i),
+                                             {samples.surface, lobe.alpha(), albedo});
+                }
+                rgb += std::numbers::inv_pi * lx * glm::max(diffuse, glm::dvec3(0.0));
                 add(samples, i, rgb, lx);
             }
         }

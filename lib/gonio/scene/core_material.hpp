@@ -4,11 +4,15 @@
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/material_description.hpp>
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/coated.hpp>
 
 #include <utility>
 #include <variant>
 
 namespace gonio {
+
+// Calls core_material() of the base and puts the coat on it.
+shading::Coated core_material(const CoatedMaterial& material);
 
 namespace detail {
 

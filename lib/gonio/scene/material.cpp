@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace gonio {
@@ -22,6 +25,12 @@ Result<void> all_have_values(const KindText& text) {
     return {};
 }
 
+constexpr std::array orders{
+    CoatOrderName{CoatOrder::physical, "physical", "by what the whole coat reflects: keeps the energy of every base"},
+    CoatOrderName{CoatOrder::ue4, "ue4", "(1 - F)^2 of one facet, of Unreal Engine 4: gains energy at grazing angles"},
+    CoatOrderName{CoatOrder::filament, "filament", "1 - F of one facet, of Filament: gains energy at grazing angles"},
+};
+
 template<class M>
 Result<Material> parse(const KindText& text) {
     std::vector<std::string_view> names;
@@ -29,12 +38,16 @@ Result<Material> parse(const KindText& text) {
         names.push_back(key.name);
         if (key.form == KeyForm::alpha) names.emplace_back("roughness");
     });
+    names.insert(names.end(), detail::coat_keys.begin(), detail::coat_keys.end());
     Result<void> read = only_keys(text, names);
     M material;
     for_each_key<M>([&](const auto& key) {
         if (read) read = detail::read_material_key(text, key, material);
     });
+    std::optional<Coat> coat;
+    if (read) read = detail::read_coat(text, coat);
     if (!read) return pass_on(read);
+    if (coat) return Material(CoatedMaterial{material, *coat});
     return Material(material);
 }
 
@@ -68,6 +81,21 @@ struct Kinds {
 };
 
 } // namespace
+
+BaseMaterial base_of(const Material& material) {
+    return std::visit(
+        []<class M>(const M& m) {
+            if constexpr (std::is_same_v<M, CoatedMaterial>)
+                return m.base;
+            else
+                return BaseMaterial(m);
+        },
+        material);
+}
+
+std::span<const CoatOrderName> coat_orders() {
+    return orders;
+}
 
 std::span<const MaterialKind> material_kinds() {
     static const Kinds all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/base/result.hpp>
+#include <gonio/shading/coat_order.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -70,8 +71,32 @@ struct EonMaterial {
 };
 
 // In the order in which they are listed. material_description.hpp describes each of them.
+using BaseMaterial = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, Ue4Material, GltfMaterial,
+                                  BlinnMaterial, GgxMaterial, KullaContyMaterial>;
+
+// How a coat attenuates what is below it: shading/coat.hpp.
+using shading::CoatOrder;
+
+// A clear coat without thickness and colour: a GGX lobe of f0 = 0.04 and α = (1 − smoothness)².
+struct Coat {
+    double amount = 1.0; // share of what a whole coat reflects
+    double smoothness = 0.9;
+    CoatOrder order = CoatOrder::physical;
+
+    friend bool operator==(const Coat&, const Coat&) = default;
+};
+
+struct CoatedMaterial {
+    BaseMaterial base;
+    Coat coat;
+};
+
+// One of the above, or one of them below a coat.
 using Material = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, Ue4Material, GltfMaterial, BlinnMaterial,
-                              GgxMaterial, KullaContyMaterial>;
+                              GgxMaterial, KullaContyMaterial, CoatedMaterial>;
+
+// The material without its coat.
+BaseMaterial base_of(const Material& material);
 
 struct MaterialKind {
     std::string_view kind;
@@ -81,8 +106,17 @@ struct MaterialKind {
 
 std::span<const MaterialKind> material_kinds();
 
-// "frostbite:base=rgb(0.9,0.7,0.3),metal=1"; `ggx` and `kulla-conty` take roughness instead of alpha, its root. Fails
-// (usage) on unknown kinds and keys and on values outside [0, 1].
+struct CoatOrderName {
+    CoatOrder order;
+    std::string_view name;
+    std::string_view summary;
+};
+
+std::span<const CoatOrderName> coat_orders();
+
+// "frostbite:base=rgb(0.9,0.7,0.3),metal=1"; `ggx` and `kulla-conty` take roughness instead of alpha, its root. Every
+// kind takes a coat: "lambert:coat=1,coat-smoothness=0.9,coat-order=physical". Fails (usage) on unknown kinds and keys,
+// on values outside [0, 1] and on the keys of a coat without `coat`.
 Result<Material> parse_material(std::string_view text);
 
 } // namespace gonio

@@ -90,7 +90,7 @@ Diagnostics check_charts(const Material& material) {
                     break;
                 }
         },
-        material);
+        base_of(material));
     return charts.take();
 }
 

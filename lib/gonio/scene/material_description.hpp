@@ -1,7 +1,7 @@
-// Each material of a scene, described once: its keys and the members that they set, its parameters, its BRDF, and what
+// Each material of a scene that can be below a coat, described once: its keys and the members that they set, its parameters, its BRDF, and what
 // charts and exports use of it.
 //
-// MaterialDescription<M> of an alternative M of Material has
+// MaterialDescription<M> of an alternative M of BaseMaterial has
 //
 //   kind, summary
 //       Its name in the grammar, and its text in `gonio list materials`.
@@ -230,10 +230,10 @@ void visit_types(const Visit& visit, std::type_identity<std::variant<M...>> /*of
 
 } // namespace detail
 
-// Calls visit.template operator()<M>() for each alternative of Material.
+// Calls visit.template operator()<M>() for each alternative of BaseMaterial.
 template<class Visit>
 void for_each_material(const Visit& visit) {
-    detail::visit_types(visit, std::type_identity<Material>());
+    detail::visit_types(visit, std::type_identity<BaseMaterial>());
 }
 
 // Calls visit(key) for each key of M.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -89,11 +90,19 @@ std::string summary(const NamedParameter& parameter) {
     return text;
 }
 
+constexpr std::array coat_parameters{
+    ParameterName{"coat", "1", "any material: a clear coat over it"},
+    ParameterName{"coat-smoothness", "0.9", "any material with a coat"},
+    ParameterName{"coat-order", "ue4", "any material with a coat: what it leaves of the base"},
+};
+static_assert(coat_parameters.size() == detail::coat_keys.size());
+
 struct Listed {
     std::array<std::string, parameters.size()> summaries;
-    std::array<ParameterName, parameters.size()> names;
+    std::array<ParameterName, parameters.size() + coat_parameters.size()> names;
 
     Listed() {
+        std::copy(coat_parameters.begin(), coat_parameters.end(), names.begin() + parameters.size());
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             summaries[i] = summary(parameters[i]);
             names[i] = {parameters[i].name, parameters[i].example, summaries[i]};
@@ -101,9 +110,26 @@ struct Listed {
     }
 };
 
+// False if the material has no coat that the name could change.
+Result<bool> set_coat(Material& material, std::string_view name, std::string_view value) {
+    const auto* const coated = std::get_if<CoatedMaterial>(&material);
+    if (coated == nullptr && name != detail::coat_keys.front()) return false;
+    std::optional<Coat> coat;
+    if (coated != nullptr) coat = coated->coat;
+    const BaseMaterial base = base_of(material);
+    const std::string_view kind = std::visit([]<class M>(const M&) { return MaterialDescription<M>::kind; }, base);
+    const KindText one{std::string(kind), {{std::string(name), std::string(value)}}};
+    if (Result<void> read = detail::read_coat(one, coat); !read) return pass_on(read);
+    material = CoatedMaterial{base, *coat};
+    return true;
+}
+
 struct Setting {
     std::string_view name;
     std::string value;
+
+    // Below the coat, if there is one.
+    Result<bool> operator()(CoatedMaterial& material) const { return std::visit(*this, material.base); }
 
     // Sets the material's key that matches; false if none does.
     template<class M>
@@ -139,6 +165,8 @@ std::span<const ParameterName> material_parameters() {
 }
 
 Result<bool> set_parameter(Material& material, std::string_view name, std::string_view value) {
+    if (std::find(detail::coat_keys.begin(), detail::coat_keys.end(), name) != detail::coat_keys.end())
+        return set_coat(material, name, value);
     return std::visit(Setting{name, std::string(value)}, material);
 }
 
@@ -151,7 +179,9 @@ std::vector<std::string_view> parameters_of(const Material& material) {
                     if (answer(key, parameter.name) != Answer::none) names.push_back(parameter.name);
                 });
             },
-            material);
+            base_of(material));
+    for (const std::string_view key : detail::coat_keys)
+        if (key == detail::coat_keys.front() || std::holds_alternative<CoatedMaterial>(material)) names.push_back(key);
     return names;
 }
 

@@ -3,6 +3,7 @@
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/probe_light.hpp>
+#include <gonio/shading/coat_area.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/shade.hpp>
 #include <gonio/shading/specular_in_double.hpp>
@@ -32,6 +33,13 @@ template<class CoreLight>
     return shading::diffuse_ltc(light, light.center, point.normal, point.view, linear_roughness);
 }
 
+template<class CoreLight>
+[[gnu::noinline]] shading::CoatUnderLight<double> under(const shading::SurfacePoint<double>& point,
+                                                        const CoreLight& light, const shading::Coat<double>& coat,
+                                                        double grazing) {
+    return shading::coat_under(point, light, coat, grazing);
+}
+
 // The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
 // the receiver.
 shading::SphereLight<double> as_sphere(const shading::SunLight<double>& sun) {
@@ -47,37 +55,68 @@ struct ByMethod {
     template<class CoreLight>
     NamedLuminance operator()(const CoreLight& core_light) const {
         return std::visit(
-            [&](const auto& m) {
-                const auto core = core_material(m);
+            [&]<class Core>(const Core& core) {
                 NamedLuminance nt;
-                nt.diffuse_nt = diffuse(core_light, core);
-                if constexpr (decltype(core)::lobe == shading::LobeKind::ggx) {
-                    const auto gloss = shading::gloss(core);
-                    const auto share =
-                        shading::specular_in_double(specular_method(method), core_light, core_light.center,
-                                                    point.normal, point.view, gloss.lobe.alpha);
-                    const auto channel = [&](double f0) {
-                        return gloss.factor * share.scale * (f0 + (gloss.f90 - f0) * share.grazing);
-                    };
-                    nt.specular_nt =
-                        y_of(core_light.luminance * Vec{channel(gloss.f0.x), channel(gloss.f0.y), channel(gloss.f0.z)});
+                if constexpr (std::is_same_v<Core, shading::Coated>) {
+                    nt = coated(core_light, core);
+                } else {
+                    nt.diffuse_nt = y_of(core_light.luminance * diffuse(core_light, core));
+                    if constexpr (Core::lobe == shading::LobeKind::ggx) {
+                        const auto gloss = shading::gloss(core);
+                        const auto share = specular(core_light, gloss.lobe.alpha);
+                        const auto channel = [&](double f0) {
+                            return gloss.factor * share.scale * (f0 + (gloss.f90 - f0) * share.grazing);
+                        };
+                        nt.specular_nt = y_of(core_light.luminance *
+                                              Vec{channel(gloss.f0.x), channel(gloss.f0.y), channel(gloss.f0.z)});
+                    }
                 }
                 return nt;
             },
-            material);
+            core_material(material));
     }
 
 private:
     static double y_of(Vec rgb) { return glm::dot(glm::dvec3(rgb.x, rgb.y, rgb.z), rec709_luminance); }
 
+    template<class CoreLight>
+    shading::SpecularLuminance<double> specular(const CoreLight& core_light, double alpha) const {
+        return shading::specular_in_double(specular_method(method), core_light, core_light.center, point.normal,
+                                           point.view, alpha);
+    }
+
+    // Per luminance of the light.
     template<class CoreLight, class Core>
-    double diffuse(const CoreLight& core_light, const Core& core) const {
+    Vec diffuse(const CoreLight& core_light, const Core& core) const {
         if constexpr (std::is_same_v<Core, shading::Frostbite<double>>)
             if (method == IrradianceMethod::ltc)
-                return y_of(core_light.luminance * core.albedo) *
-                       frostbite_diffuse(point, core_light, core.linear_roughness);
-        const Vec parts = shading::scattered_parts(point, core_light, core, illuminance(point, core_light)).diffuse;
-        return y_of(shading::detail::finite(core_light.luminance * parts));
+                return core.albedo * frostbite_diffuse(point, core_light, core.linear_roughness);
+        return shading::detail::finite(
+            shading::scattered_parts(point, core_light, core, illuminance(point, core_light)).diffuse);
+    }
+
+    template<class CoreLight>
+    NamedLuminance coated(const CoreLight& core_light, const shading::Coated& core) const {
+        const shading::Coat<double>& coat = core.coat;
+        const auto top = specular(core_light, shading::coat_alpha(coat));
+        const double shine = shading::coat_reflected(coat, shading::SpecularTerms<double>{top.scale, top.grazing});
+        Vec lobes{shine, shine, shine};
+        return std::visit(
+            [&]<class Base>(const Base& base) {
+                shading::SpecularTerms<double> terms{0.0, 0.0};
+                if constexpr (Base::lobe == shading::LobeKind::ggx) {
+                    const auto share = specular(core_light, shading::gloss(base).lobe.alpha);
+                    terms = {share.scale, share.grazing};
+                }
+                const auto left = under(point, core_light, coat, terms.grazing);
+                if constexpr (Base::lobe == shading::LobeKind::ggx) {
+                    const auto gloss = shading::gloss(base);
+                    lobes = lobes + left.lobe.reflected(gloss.f0, gloss.f90, gloss.factor, terms);
+                }
+                const Vec matte = diffuse(core_light, base) * left.scattered.scattered(coat);
+                return NamedLuminance{y_of(core_light.luminance * matte), y_of(core_light.luminance * lobes)};
+            },
+            core.base);
     }
 };
 
@@ -123,11 +162,11 @@ bool is_specular_method(IrradianceMethod method) {
 
 bool has_named_lobe(const Material& material) {
     return std::visit(
-        [](const auto& core) {
-            constexpr shading::LobeKind lobe = std::decay_t<decltype(core)>::lobe;
+        [](const auto& m) {
+            constexpr shading::LobeKind lobe = decltype(core_material(m))::lobe;
             return lobe == shading::LobeKind::none || lobe == shading::LobeKind::ggx;
         },
-        core_material(material));
+        base_of(material));
 }
 
 NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gonio::detail {
 
@@ -49,6 +50,32 @@ Result<void> read_alpha(const KindText& text, std::string_view key, double& targ
     Result<void> read = read_share(text, "roughness", roughness);
     if (read) target = roughness * roughness;
     return read;
+}
+
+Result<void> read_coat(const KindText& text, std::optional<Coat>& coat) {
+    const auto [amount, smoothness, order] = coat_keys;
+    for (const std::string_view key : {smoothness, order})
+        if (text.value(key) != nullptr && text.value(amount) == nullptr && !coat)
+            return fail("USE0104", fmt::format("{} of '{}' needs a coat", key, text.kind), "add coat=1");
+    if (text.value(amount) == nullptr && text.value(smoothness) == nullptr && text.value(order) == nullptr) return {};
+    Coat made = coat.value_or(Coat());
+    Result<void> read = read_share(text, amount, made.amount);
+    if (read) read = read_share(text, smoothness, made.smoothness);
+    if (!read) return read;
+    if (const std::string* name = text.value(order)) {
+        std::vector<std::string_view> names;
+        bool known = false;
+        for (const CoatOrderName& of : coat_orders()) {
+            names.push_back(of.name);
+            if (of.name == *name) {
+                made.order = of.order;
+                known = true;
+            }
+        }
+        if (!known) return unknown_name(order, *name, names, text.kind);
+    }
+    coat = made;
+    return {};
 }
 
 } // namespace gonio::detail

@@ -57,7 +57,7 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
 }
 
 shading::MaterialConstants constants(const CoreMaterial& material) {
-    return std::visit([](const auto& core) { return shading::constants_of(core); }, material);
+    return std::visit([](const auto& core) { return constants_of(core); }, material); // of shading, by argument
 }
 
 } // namespace
@@ -106,7 +106,7 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
     parallel_for(count, options.threads, [&](std::size_t i) {
         albedos[i] = DirectionalAlbedo(core_materials[i], !options.sky.is_dark() ? DirectionalAlbedo::Fineness::fine
                                                                                  : DirectionalAlbedo::Fineness::coarse);
-        lobes[i] = LobeRays(core_materials[i], !options.sky.is_dark() ? 4 : 1);
+        lobes[i] = lobe_rays(core_materials[i], !options.sky.is_dark() ? 4 : 1);
     });
 }
 

@@ -60,9 +60,9 @@ struct LitScene {
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
-    // Of light from all around, and the glossy lobe of each; both are empty without a sky and without bounces.
+    // Of light from all around, and the glossy lobes of each; both are empty without a sky and without bounces.
     std::vector<DirectionalAlbedo> albedos;
-    std::vector<LobeRays> lobes;
+    std::vector<std::vector<LobeRays>> lobes;
     EmittedLights emitted; // what surfaces show as their own
     LightTree reaches;     // spheres by range, of the lights that are not dark
     LightTree bodies;      // bounding spheres, of the lights with a surface that is not the stage's

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace gonio::detail {
@@ -36,8 +38,8 @@ struct Sampled {
     glm::dvec3 sum{0.0};
 };
 
-template<class Core>
-Sampled sampled(const Core& core, double alpha, double cosine, std::size_t count) {
+template<class Value>
+Sampled sampled(const Value& value, double alpha, double cosine, std::size_t count) {
     constexpr double g = 1.3247179572447460;
     const Vec n{0.0, 0.0, 1.0};
     const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
@@ -52,7 +54,7 @@ Sampled sampled(const Core& core, double alpha, double cosine, std::size_t count
             static_cast<float>(std::min(std::sqrt(1.0 / (std::max(pdf, 1e-3) * static_cast<double>(count))), widest));
         if (l.z > 0.0 && pdf > 0.0) {
             const glm::dvec3 weight =
-                l.z / (pdf * static_cast<double>(count)) * vec(shading::specular_part(core, n, l, v, 0.0));
+                l.z / (pdf * static_cast<double>(count)) * vec(value(n, l, v));
             facet.weight = glm::vec3(weight);
             result.sum += weight;
         }
@@ -79,30 +81,46 @@ Place place_of(double cosine) {
 
 } // namespace
 
-LobeRays::LobeRays(const CoreMaterial& material, std::size_t more) {
+template<class Value>
+LobeRays::LobeRays(double alpha, const Value& value, std::size_t more) : alpha_(alpha) {
+    const glm::dvec3 reflectance = sampled(value, alpha, 1.0, many).sum;
+    const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
+    if (!(sampled(value, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
+    rays_ = rays_for(alpha, most) * (alpha > 0.003 ? more : 1);
+    for (std::size_t node = 0; node < nodes; ++node) {
+        const glm::dvec3 albedo = sampled(value, alpha, cosine_of(node), many).sum;
+        Sampled few = sampled(value, alpha, cosine_of(node), rays_);
+        for (LobeRay& facet : few.facets)
+            for (int channel = 0; channel < 3; ++channel)
+                if (few.sum[channel] > 0.0)
+                    facet.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
+        table_.insert(table_.end(), few.facets.begin(), few.facets.end());
+        albedo_.push_back(albedo);
+    }
+}
+
+std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) {
+    std::vector<LobeRays> lobes;
+    const auto add = [&](double alpha, const auto& value) {
+        LobeRays lobe(alpha, value, more);
+        if (!lobe.empty()) lobes.push_back(std::move(lobe));
+    };
     std::visit(
-        [&](const auto& core) {
-            using Core = std::decay_t<decltype(core)>;
-            if constexpr (Core::lobe != shading::LobeKind::none) {
-                const double alpha = shading::lobe_alpha(core);
-                const glm::dvec3 reflectance = sampled(core, alpha, 1.0, many).sum;
-                const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
-                if (!(sampled(core, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
-                alpha_ = alpha;
-                rays_ = rays_for(alpha, most) * (alpha > 0.003 ? more : 1);
-                for (std::size_t node = 0; node < nodes; ++node) {
-                    const glm::dvec3 albedo = sampled(core, alpha, cosine_of(node), many).sum;
-                    Sampled few = sampled(core, alpha, cosine_of(node), rays_);
-                    for (LobeRay& ray : few.facets)
-                        for (int channel = 0; channel < 3; ++channel)
-                            if (few.sum[channel] > 0.0)
-                                ray.weight[channel] *= static_cast<float>(albedo[channel] / few.sum[channel]);
-                    table_.insert(table_.end(), few.facets.begin(), few.facets.end());
-                    albedo_.push_back(albedo);
-                }
+        [&]<class Core>(const Core& core) {
+            if constexpr (std::is_same_v<Core, shading::Coated>) {
+                add(shading::coat_alpha(core.coat),
+                    [&](const Vec& n, const Vec& l, const Vec& v) { return shading::coat_part(core, n, l, v); });
+                const double alpha = std::visit([](const auto& base) { return shading::lobe_alpha(base); }, core.base);
+                add(alpha,
+                    [&](const Vec& n, const Vec& l, const Vec& v) { return shading::base_specular_part(core, n, l, v); });
+            } else if constexpr (Core::lobe != shading::LobeKind::none) {
+                add(shading::lobe_alpha(core), [&](const Vec& n, const Vec& l, const Vec& v) {
+                    return shading::specular_part(core, n, l, v, 0.0);
+                });
             }
         },
         material);
+    return lobes;
 }
 
 void LobeRays::at(double cosine, std::vector<LobeRay>& rays) const {

@@ -1,4 +1,4 @@
-// The glossy lobe of a material as a few rays for each view, and as its share of uniform light.
+// A glossy lobe of a material as a few rays for each view, and as its share of uniform light.
 #pragma once
 
 #include <gonio/scene/core_material.hpp>
@@ -19,12 +19,12 @@ struct LobeRay {
 
 // Visible normals of the GGX lobe of the material's α (E. Heitz, "Sampling the GGX Distribution of Visible Normals",
 // 2018) at the points of a lattice, in a table over the cosine of the view. Weights are f ⟨n·l⟩/pdf, scaled so that
-// they add up to the lobe's directional albedo of many more samples. A material without a lobe has no rays.
+// they add up to the lobe's directional albedo of many more samples. A black lobe has no rays.
 class LobeRays {
 public:
-    LobeRays() = default;
-    // `more` times as many rays: for skies, whose brightest parts lie beside the dark bodies that hide them.
-    explicit LobeRays(const CoreMaterial& material, std::size_t more = 1);
+    // `value(n, l, v)` is the lobe [1/sr], of about the width α. `more` times as many rays as usual.
+    template<class Value>
+    LobeRays(double alpha, const Value& value, std::size_t more);
 
     bool empty() const { return rays_ == 0; }
     std::size_t count() const { return rays_; } // for each view
@@ -43,5 +43,9 @@ private:
     std::vector<LobeRay> table_;
     std::vector<glm::dvec3> albedo_;
 };
+
+// The lobes of a material that are not black: none, one, or that of a coat and the one below it.
+// `more` times as many rays: for skies, whose brightest parts lie beside the dark bodies that hide them.
+std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more = 1);
 
 } // namespace gonio::detail

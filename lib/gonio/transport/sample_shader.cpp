@@ -50,7 +50,7 @@ bool is_grey(const Material& material) {
                     grey = grey && value.x == value.y && value.y == value.z;
             });
         },
-        material);
+        base_of(material));
     return grey;
 }
 
@@ -143,7 +143,7 @@ void SampleShader::approximate(const LitLight& light, const shading::Surfaces& s
             approximate_lx_[i] += side_lx_[i];
     }
     const shading::MaterialConstants& diffuse = scene_.diffuse_materials[surface];
-    if (diffuse.kind == shading::kind_of<shading::Lambert>) {
+    if (diffuse.kind == shading::kind_of<shading::Lambert> && !diffuse.coat.is_on) {
         const auto albedo = shading::material_of<shading::Lambert, float>(diffuse).albedo;
         const float channels[3] = {albedo.x, albedo.y, albedo.z};
         for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -67,7 +67,7 @@ shading::LightConstants light_constants(const Light& light) {
 }
 
 shading::MaterialConstants material_constants(const Material& material) {
-    return std::visit([](const auto& core) { return shading::constants_of(core); }, core_material(material));
+    return std::visit([](const auto& core) { return constants_of(core); }, core_material(material));
 }
 
 } // namespace gonio

@@ -4,7 +4,18 @@
 #include <gonio/base/kind_text.hpp>
 #include <gonio/scene/material_description.hpp>
 
+#include <array>
+#include <optional>
+#include <string_view>
+
 namespace gonio::detail {
+
+// The keys of a coat; the others need the first.
+inline constexpr std::array<std::string_view, 3> coat_keys{"coat", "coat-smoothness", "coat-order"};
+
+// Reads the keys of a coat that are given; `coat` remains empty without any. Fails (usage) also if the coat to which a
+// key belongs is neither given nor in `coat`.
+Result<void> read_coat(const KindText& text, std::optional<Coat>& coat);
 
 // Reads into `target`, which does not change if the key is not given. Fail (usage) on a value that is not a number or
 // colour in [0, 1].
