@@ -51,7 +51,7 @@ template<class CoreLight>
     const SpecularLuminance<double> seen = specular(method, point, light, GgxLobe<double>{coat_alpha(coat)});
     const double fade = shading::detail::faded(light, shading::detail::way_to(light, point.position));
     const double shine = coat_reflected(coat, SpecularTerms<double>{seen.scale * fade, seen.grazing});
-    parts.diffuse = parts.diffuse * coat_under(point, light, coat, 0.0).scattered.scattered(coat);
+    parts.diffuse = parts.diffuse * coat_under(point, light, coat, BaseLobe<double>{1.0, false, {0.0, 0.0}}).scattered.scattered(coat);
     parts.specular = parts.specular + vec3<double>{shine, shine, shine};
 }
 
@@ -70,7 +70,9 @@ Reflected<double> shade_parts_in_double(const Point& point, const LightConstants
                 const double fade = shading::detail::faded(typed, shading::detail::way_to(typed, point.position));
                 const SpecularTerms<double> terms{seen.scale * fade, seen.grazing};
                 if (material.coat.is_on) {
-                    const auto left = coat_under(point, typed, coat_of<double>(material.coat), terms.grazing);
+                    const auto left = coat_under(
+                        point, typed, coat_of<double>(material.coat),
+                        BaseLobe<double>{glossy.lobe.alpha, glossy.factor > 0.0, {seen.scale, seen.grazing}});
                     parts.specular = parts.specular * left.scattered.scattered(coat_of<double>(material.coat)) +
                                      left.lobe.reflected(glossy.f0, glossy.f90, glossy.factor, terms);
                 } else {

@@ -36,8 +36,8 @@ template<class CoreLight>
 template<class CoreLight>
 [[gnu::noinline]] shading::CoatUnderLight<double> under(const shading::SurfacePoint<double>& point,
                                                         const CoreLight& light, const shading::Coat<double>& coat,
-                                                        double grazing) {
-    return shading::coat_under(point, light, coat, grazing);
+                                                        const shading::BaseLobe<double>& lobe) {
+    return shading::coat_under(point, light, coat, lobe);
 }
 
 // The sun as a sphere at distance 1 is the same cap; limited to less than a hemisphere, where that sphere would touch
@@ -103,15 +103,15 @@ private:
         Vec lobes{shine, shine, shine};
         return std::visit(
             [&]<class Base>(const Base& base) {
-                shading::SpecularTerms<double> terms{0.0, 0.0};
+                shading::BaseLobe<double> lobe{1.0, false, {0.0, 0.0}};
                 if constexpr (Base::lobe == shading::LobeKind::ggx) {
                     const auto share = specular(core_light, shading::gloss(base).lobe.alpha);
-                    terms = {share.scale, share.grazing};
+                    lobe = {shading::gloss(base).lobe.alpha, true, {share.scale, share.grazing}};
                 }
-                const auto left = under(point, core_light, coat, terms.grazing);
+                const auto left = under(point, core_light, coat, lobe);
                 if constexpr (Base::lobe == shading::LobeKind::ggx) {
                     const auto gloss = shading::gloss(base);
-                    lobes = lobes + left.lobe.reflected(gloss.f0, gloss.f90, gloss.factor, terms);
+                    lobes = lobes + left.lobe.reflected(gloss.f0, gloss.f90, gloss.factor, lobe.seen);
                 }
                 const Vec matte = diffuse(core_light, base) * left.scattered.scattered(coat);
                 return NamedLuminance{y_of(core_light.luminance * matte), y_of(core_light.luminance * lobes)};

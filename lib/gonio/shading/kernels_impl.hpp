@@ -173,10 +173,11 @@ void glossy_under(const Surfaces& part, const LightConstants& light, const Cosin
     specular.specular_power(part, light, lobe.power, light.specular_method, &under.scale[0], &under.grazing[0]);
 }
 
-// The reflectance of a base's lobe; 0 without one.
+// The reflectance of a base's lobe, 0 without one, and the α of its width.
 struct LobeReflectance {
     float f0[3] = {};
     float f90 = 0.0F, factor = 0.0F;
+    float alpha = 1.0F;
 };
 
 // Turns what a base scatters into what it shows through a coat, and adds both lobes.
@@ -191,7 +192,8 @@ void add_coat(const Surfaces& surfaces, const Light& light, const CoatConstants&
                                     packet.load(surfaces.view)};
         const SpecularTerms<S> of_base{packet.load(&base.scale[0]), packet.load(&base.grazing[0])};
         const SpecularTerms<S> of_top{packet.load(&top.scale[0]), packet.load(&top.grazing[0])};
-        const CoatUnderLight<S> left = coat_under(point, light, coat, of_base.grazing);
+        const CoatUnderLight<S> left = coat_under(
+            point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
         const S shine = coat_reflected(coat, of_top);
         const vec3<S> lobes =
             left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};
@@ -232,7 +234,7 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
             LobeReflectance lobe;
             if constexpr (Glossy<Material>) {
                 const auto glossy = gloss(material_of<Material, float>(material_constants));
-                lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor};
+                lobe = {{glossy.f0.x, glossy.f0.y, glossy.f0.z}, glossy.f90, glossy.factor, glossy.lobe.alpha};
                 glossy_under<S, specular>(part, light, glossy.lobe, under);
             }
             with_light<S>(light, [&](const auto& spread) { add_coat<S>(part, spread, coat, lobe, under, top, to); });
