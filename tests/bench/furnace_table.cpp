@@ -2,9 +2,12 @@
 //
 //   gonio-furnace-table
 //
-// Base colour and albedo are 1, f0 of dielectrics 0.04; the columns are n·v.
+// Base colour and albedo are 1, f0 of dielectrics 0.04; the columns are n·v. The last table is the error of the glossy
+// Fresnel of Remember Me.
 #include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/coated.hpp>
+#include <gonio/shading/ggx_albedo.hpp>
 
 #include <array>
 #include <cmath>
@@ -41,6 +44,28 @@ void table(const char* title, const char* parameter, const Make& make) {
     (void)std::printf("\nleast %.4f, most %.4f\n\n", least, most);
 }
 
+// By the roughness of the coat.
+void coats(const char* title, const shading::AnyMaterial& base, shading::CoatOrder order) {
+    table(title, "coat, 1 − smoothness",
+          [&](double r) { return shading::coated_material(base, 1.0, 1.0 - r, order); });
+}
+
+// F0 = 0.04: the published formula less the mean over the GGX lobe.
+void glossy_fresnel_errors() {
+    (void)std::printf("Glossy Fresnel of Remember Me, error\n\n| √α |");
+    for (const double mu : cosines)
+        (void)std::printf(" %g |", mu);
+    (void)std::printf("\n|---|---|---|---|---|---|---|---|\n");
+    for (const double roughness : {0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+        const auto albedo = shading::ggx_albedo(roughness * roughness);
+        (void)std::printf("| %g |", roughness);
+        for (const double mu : cosines)
+            (void)std::printf(" %+.3f |", shading::glossy_fresnel_remember_me(0.04, roughness, mu) -
+                                              shading::glossy_fresnel(albedo, 0.04, mu));
+        (void)std::printf("\n");
+    }
+}
+
 } // namespace
 
 int main() {
@@ -64,5 +89,14 @@ int main() {
     table("GGX, f0 = 1, scattered once", "√α", [](double r) { return shading::Ggx<double>{white, r * r}; });
     table("Kulla and Conty, f0 = 1", "√α", [](double r) { return shading::kulla_conty_material(white, r * r); });
     table("EON", "roughness", [](double r) { return shading::Eon<double>{white, r}; });
+    using Order = shading::CoatOrder;
+    coats("Lambert below a coat, physical", shading::Lambert<double>{white}, Order::physical);
+    coats("Lambert below a coat, ue4", shading::Lambert<double>{white}, Order::ue4);
+    coats("Lambert below a coat, filament", shading::Lambert<double>{white}, Order::filament);
+    coats("EON of roughness 1 below a coat", shading::Eon<double>{white, 1.0}, Order::physical);
+    coats("Kulla and Conty, f0 = 1, α = 0.25, below a coat", shading::kulla_conty_material(white, 0.25),
+          Order::physical);
+    coats("glTF of roughness 0.5 below a coat", shading::gltf_material(white, 0.0, 0.5), Order::physical);
+    glossy_fresnel_errors();
     return 0;
 }

@@ -91,7 +91,9 @@ void shape(std::string_view text) {
 // Each key holds a number or a colour in [0, 1].
 void require_sound(const Material& read) {
     std::visit([]<class M>(const M& m) { for_each_key<M>([&](const auto& key) { require(share(m.*key.member)); }); },
-               read);
+               base_of(read));
+    if (const auto* coated = std::get_if<CoatedMaterial>(&read))
+        require(share(coated->coat.amount) && share(coated->coat.smoothness));
 }
 
 // "KIND:key=value" and, after a blank, a parameter to set: "roughness=0.3".

@@ -400,6 +400,30 @@ TEST(StageMaterial, OfGltfIsWrittenAsItIs) {
     EXPECT_TRUE(losses.empty()); // a metal has only the GGX lobe
 }
 
+// A coat goes to the programs that have one, over the same base; the others say that it is left out.
+TEST(StageMaterial, CoatsAreWrittenWhereThereAreSome) {
+    Stage stage = bodies();
+    for (Surface& surface : stage.surfaces)
+        surface.material = CoatedMaterial{GltfMaterial{{0.9, 0.5, 0.25}, 0.25, 0.625}, {0.5, 0.75, CoatOrder::ue4}};
+    const LightScene gltf = exported(stage, "scene.gltf");
+    const json document = json::parse(gltf.files[0].bytes);
+    EXPECT_EQ(gltf.instead.size(), stage.surfaces.size());
+    for (const json& material : document["materials"]) {
+        EXPECT_EQ(material["pbrMetallicRoughness"]["metallicFactor"], 0.25);
+        EXPECT_EQ(material["extensions"]["KHR_materials_clearcoat"],
+                  (json{{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}}));
+    }
+    const auto& used = document["extensionsUsed"];
+    EXPECT_NE(std::find(used.begin(), used.end(), "KHR_materials_clearcoat"), used.end());
+    const LightScene usd = exported(stage, "scene.usda");
+    EXPECT_NE(usd.files[0].bytes.find("float inputs:clearcoat = 0.5\n"), std::string::npos);
+    EXPECT_NE(usd.files[0].bytes.find("float inputs:clearcoatRoughness = 0.25\n"), std::string::npos);
+    const LightScene pbrt = exported(stage, "scene.pbrt");
+    EXPECT_TRUE(std::any_of(pbrt.instead.begin(), pbrt.instead.end(), [](const std::string& line) {
+        return line.find("its clear coat is left out") != std::string::npos;
+    }));
+}
+
 TEST(StageMaterial, MixesGiveBackTheWhole) {
     std::vector<std::string> losses;
     for (const double metal : {0.0, 0.25, 0.5, 0.75, 1.0})

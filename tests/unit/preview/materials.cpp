@@ -7,6 +7,7 @@
 
 #include "../shading/poses.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,7 +103,7 @@ Vec truth_of(const LightConstants& light, const Points& points, std::size_t i, c
                 return shaded<shading::PunctualLight<double>>(light, points, i, core);
             }
         },
-        material);
+        base_of(material));
 }
 
 class MaterialKernels : public testing::TestWithParam<simd::InstructionSet> {
@@ -155,6 +156,38 @@ TEST_P(MaterialKernels, ShadeAsTheDoubleReference) {
     }
 }
 
+// Below a coat; shade_area_test.cpp has the lights with a size.
+TEST_P(MaterialKernels, CoatsUnderAPointAsTheDoubleReference) {
+    Random random(72);
+    Points points;
+    for (int i = 0; i < 501; ++i) {
+        const Vec n = poses::random_direction(random);
+        const Vec to_light = poses::tilted(n, random.uniform(0.1, 1.0), random);
+        const Vec v = poses::tilted(n, random.uniform(0.2, 1.0), random);
+        const Vec p = Vec{0.0, 0.0, 1.0} - to_light * 2.0;
+        const double values[9] = {p.x, p.y, p.z, n.x, n.y, n.z, v.x, v.y, v.z};
+        float rounded[9];
+        std::transform(std::begin(values), std::end(values), std::begin(rounded),
+                       [](double x) { return static_cast<float>(x); });
+        points.add(rounded, 400.0F);
+    }
+    for (const char* text : materials)
+        for (const CoatOrderName& order : coat_orders()) {
+            const Material material =
+                parse_material(fmt::format("{},coat=0.8,coat-smoothness=0.4,coat-order={}", text, order.name)).value();
+            const shading::Coated core = core_material(std::get<CoatedMaterial>(material));
+            const auto rgb = run(points, light_of(LightKind::punctual, points), material);
+            for (std::size_t i = 0; i < points.intensity_cd.size(); ++i) {
+                const Vec way = Vec{0.0, 0.0, 1.0} - points.at(0, i);
+                const Vec l = poses::unit(way);
+                const double lx = 400.0 * dot(points.at(3, i), l) / dot(way, way);
+                const Vec truth = shading::brdf(core, points.at(3, i), l, points.at(6, i)) * lx;
+                EXPECT_NEAR(rgb[0][i], truth.x, 2e-4 * truth.x + 1e-5) << text << ' ' << order.name;
+                EXPECT_NEAR(rgb[2][i], truth.z, 2e-4 * truth.z + 1e-5) << text << ' ' << order.name;
+            }
+        }
+}
+
 TEST_P(MaterialKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     Random random(73);
     Points points;
@@ -166,7 +199,8 @@ TEST_P(MaterialKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
     }
     for (const char* text : {"lambert", "eon:roughness=1", "frostbite:smoothness=1", "ue4:roughness=0",
                              "gltf:roughness=0", "blinn:smoothness=1", "blinn:smoothness=0,wet=1", "ggx:alpha=0",
-                             "kulla-conty:alpha=0", "kulla-conty:alpha=1"})
+                             "kulla-conty:alpha=0", "kulla-conty:alpha=1", "lambert:coat=1,coat-smoothness=1",
+                             "ggx:alpha=0,coat=1,coat-smoothness=0", "blinn:coat=1,coat-order=ue4"})
         for (const LightKind kind : kinds) {
             LightConstants light = light_of(kind, points);
             light.specular_method = shading::standard_specular_method;

@@ -121,7 +121,8 @@ TEST(PictureParts, OfEveryMaterialAddUpAndAreWhatTheyAreCalled) {
     for (const char* material :
          {"lambert:albedo=0.6", "eon:albedo=0.6,roughness=0.8", "frostbite:base=0.6,metal=0.3,smoothness=0.7",
           "ue4:base=0.6,metallic=0.3,cavity=0.7", "gltf:base=0.6,metallic=0.3",
-          "blinn:albedo=0.6,wet=0.7,smoothness=0.4", "ggx:f0=0.7,alpha=0.2", "kulla-conty:f0=0.7,alpha=0.4"}) {
+          "blinn:albedo=0.6,wet=0.7,smoothness=0.4", "ggx:f0=0.7,alpha=0.2", "kulla-conty:f0=0.7,alpha=0.4",
+          "gltf:base=0.6,coat=1", "ggx:f0=0.7,alpha=0.2,coat=0.5,coat-order=ue4"}) {
         for (Surface& surface : stage.surfaces)
             surface.material = parse_material(material).value();
         const Image picture = render(stage, all, stage.camera, options).value().luminance_nt;

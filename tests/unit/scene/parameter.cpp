@@ -141,7 +141,7 @@ TEST(Parameter, OfAMaterialIsThatOfItsGrammar) {
                     EXPECT_EQ(found.*key.member, wanted.*key.member) << c.after << ' ' << key.name;
                 });
             },
-            material);
+            base_of(material));
     }
 }
 
@@ -225,7 +225,24 @@ TEST(Parameter, ListsAreWhatThereIs) {
     for (const MaterialKind& kind : material_kinds())
         for (const std::string_view name : parameters_of(parse_material(kind.kind).value()))
             met.insert(name);
+    for (const std::string_view name : parameters_of(parse_material("lambert:coat=1").value()))
+        met.insert(name);
     EXPECT_EQ(met.size(), material_parameters().size());
+}
+
+TEST(Parameter, OfACoat) {
+    Material material = parse_material("ue4:roughness=0.2").value();
+    EXPECT_FALSE(set_parameter(material, "coat-smoothness", "0.5").value()); // there is none
+    EXPECT_TRUE(set_parameter(material, "coat", "0.5").value());
+    EXPECT_TRUE(set_parameter(material, "coat-smoothness", "0.25").value());
+    EXPECT_TRUE(set_parameter(material, "coat-order", "ue4").value());
+    EXPECT_TRUE(set_parameter(material, "roughness", "0.75").value()); // of the base
+    const auto& coated = std::get<CoatedMaterial>(material);
+    EXPECT_EQ(coated.coat, (Coat{0.5, 0.25, CoatOrder::ue4}));
+    EXPECT_EQ(std::get<Ue4Material>(coated.base).roughness, 0.75);
+    EXPECT_FALSE(set_parameter(material, "coat", "1.5").has_value());
+    EXPECT_FALSE(set_parameter(material, "coat-order", "unreal").has_value());
+    EXPECT_FALSE(set_parameter(material, "metal", "1").value());
 }
 
 } // namespace

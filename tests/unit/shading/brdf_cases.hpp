@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/coat.hpp>
 
 #include "poses.hpp"
 
@@ -18,6 +19,42 @@ using poses::Vec;
 template<class S>
 vec3<S> to(Vec a) {
     return {static_cast<S>(a.x), static_cast<S>(a.y), static_cast<S>(a.z)};
+}
+
+// A coat over one base, as a material of its own.
+template<class S, template<class> class Base>
+struct CoatOver {
+    Base<S> base;
+    gonio::shading::Coat<S> coat;
+};
+template<class S, template<class> class Base>
+vec3<S> diffuse_part(const CoatOver<S, Base>& m, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return coated_diffuse_part(m.coat, m.base, n, l, v);
+}
+template<class S, template<class> class Base>
+vec3<S> specular_part(const CoatOver<S, Base>& m, vec3<S> n, vec3<S> l, vec3<S> v, S widening) {
+    return coated_specular_part(m.coat, m.base, n, l, v, widening);
+}
+template<class S, template<class> class Base>
+vec3<S> brdf(const CoatOver<S, Base>& m, vec3<S> n, vec3<S> l, vec3<S> v) {
+    return diffuse_part(m, n, l, v) + specular_part(m, n, l, v, S(0));
+}
+template<class S, template<class> class Base>
+S lobe_alpha(const CoatOver<S, Base>& m) {
+    return gonio::simd::min(lobe_alpha(m.base), coat_alpha(m.coat));
+}
+template<class S, template<class> class Base>
+S pdf_brdf(const CoatOver<S, Base>& m, vec3<S> n, vec3<S> v, vec3<S> l) {
+    return coated_pdf(m.coat, m.base, n, v, l);
+}
+template<class S, template<class> class Base>
+auto sample_brdf(const CoatOver<S, Base>& m, vec3<S> n, vec3<S> v, vec3<S> u) {
+    return coated_sample(m.coat, m.base, n, v, u);
+}
+template<class S, template<class> class Base>
+CoatOver<S, Base> coated(const Base<S>& base, double amount, double smoothness,
+                         gonio::shading::CoatOrder order = gonio::shading::CoatOrder::physical) {
+    return {base, gonio::shading::coat_over(base, S(amount), S(smoothness), order)};
 }
 
 // Calls visit(name, make) for each case; make(S()) is the material with scalar S.
@@ -60,6 +97,26 @@ void each(const Visit& visit) {
         visit(fmt::format("eon {}", roughness), [=]<class S>(S) {
             return g::Eon<S>{{S(red.x), S(red.y), S(1)}, S(roughness)};
         });
+    using Order = g::CoatOrder;
+    for (const double smoothness : {0.0, 0.5, 0.9}) {
+        visit(fmt::format("lambert, coat {}", smoothness), [=]<class S>(S) {
+            return coated(g::Lambert<S>{{S(red.x), S(red.y), S(1)}}, 1.0, smoothness);
+        });
+        visit(fmt::format("frostbite, coat {}", smoothness), [=]<class S>(S) {
+            return coated(g::frostbite_material<S>({S(red.x), S(red.y), S(1)}, S(0.3), S(0.25), S(0.5)), 0.7,
+                          smoothness);
+        });
+        visit(fmt::format("kulla-conty, coat {}", smoothness), [=]<class S>(S) {
+            return coated(g::kulla_conty_material<S>({S(red.x), S(red.y), S(1)}, S(0.5)), 1.0, smoothness);
+        });
+    }
+    visit("eon, coat of ue4", []<class S>(S) {
+        return coated(g::Eon<S>{{S(0.8), S(0.4), S(1)}, S(0.5)}, 1.0, 0.4, Order::ue4);
+    });
+    visit("blinn, coat of filament", []<class S>(S) {
+        return coated(g::blinn_material<S>({S(0.8), S(0.4), S(0.2)}, {S(0.04), S(0.3), S(1)}, S(0.2), S(0)), 0.5, 0.4,
+                      Order::filament);
+    });
 }
 
 } // namespace brdf_cases

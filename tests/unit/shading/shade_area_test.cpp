@@ -2,6 +2,7 @@
 // formulas in double.
 #include <gonio/measure/shade_in_double.hpp>
 #include <gonio/measure/specular_cases.hpp>
+#include <gonio/shading/coated.hpp>
 #include <gonio/shading/kernels.hpp>
 #include <gonio/shading/packet.hpp>
 #include <gonio/shading/shade.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -64,6 +66,23 @@ std::vector<std::pair<std::string, MaterialConstants>> materials_of(float alpha)
             {"kulla-conty", constants_of(kulla_conty_material(f0, alpha))}};
 }
 
+// The same below a coat, whose α and order differ from one to the next.
+std::vector<std::pair<std::string, MaterialConstants>> coated_materials_of(float alpha) {
+    std::vector<std::pair<std::string, MaterialConstants>> made = materials_of(alpha);
+    std::size_t turn = 0;
+    for (auto& [name, constants] : made) {
+        constexpr CoatOrder orders[] = {CoatOrder::physical, CoatOrder::physical, CoatOrder::ue4, CoatOrder::filament};
+        with_material(constants.kind, [&, &constants = constants]<template<class> class Material>() {
+            const auto base = material_of<Material, double>(constants);
+            constants = constants_of(coated_material(base, 0.9, 0.3 + 0.05 * static_cast<double>(turn),
+                                                     orders[turn % std::size(orders)]));
+        });
+        name += " with a coat";
+        ++turn;
+    }
+    return made;
+}
+
 template<template<class> class... Material>
 constexpr std::size_t count_of(MaterialList<Material...> /*list*/) {
     return sizeof...(Material);
@@ -100,13 +119,19 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
     const Cases cases(kind, 2048);
     ASSERT_EQ(materials_of(0.5F).size(), count_of(Materials()));
+    const auto all_of = [](float alpha) {
+        auto all = materials_of(alpha);
+        const auto coated = coated_materials_of(alpha);
+        all.insert(all.end(), coated.begin(), coated.end());
+        return all;
+    };
     for (const SpecularMethod method : methods)
-        for (std::size_t m = 0; m < materials_of(0.5F).size(); ++m) {
+        for (std::size_t m = 0; m < all_of(0.5F).size(); ++m) {
             std::size_t off = 0;
             for (std::size_t g = 0; g < cases.lights.size(); ++g) {
                 LightConstants light = cases.lights[g];
                 light.specular_method = method;
-                const MaterialConstants material = materials_of(std::max(cases.all.alpha[g], 0.03F))[m].second;
+                const MaterialConstants material = all_of(std::max(cases.all.alpha[g], 0.03F))[m].second;
                 const Surfaces surfaces = cases.all.surfaces(g);
                 std::vector<float> rgb(3 * surfaces.count);
                 float* const out[3] = {rgb.data(), rgb.data() + surfaces.count, rgb.data() + 2 * surfaces.count};
@@ -124,7 +149,7 @@ TEST_P(ShadeKernels, EveryMethodOnEveryMaterialAsInDouble) {
                 }
             }
             EXPECT_LE(off, cases.all.size() / 50)
-                << "method " << static_cast<int>(method) << ' ' << materials_of(0.5F)[m].first;
+                << "method " << static_cast<int>(method) << ' ' << all_of(0.5F)[m].first;
         }
 }
 
