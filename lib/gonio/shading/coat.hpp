@@ -29,6 +29,7 @@
 #pragma once
 
 #include <gonio/shading/brdf_eon.hpp>
+#include <gonio/shading/brdf_frostbite.hpp>
 #include <gonio/shading/brdf_lobes.hpp>
 #include <gonio/shading/brdf_sample.hpp>
 #include <gonio/shading/coat_order.hpp>
@@ -120,12 +121,14 @@ GONIO_FORCE_INLINE vec3<S> matte_albedo(const Material<S>& base) {
     else
         return {S(0), S(0), S(0)};
 }
-// How much of Ē the coat throws back of what the matte part scatters, at least, over all views. A rough EON seen along the
-// normal scatters less towards grazing directions than Lambert.
+// How much of Ē the coat throws back of what the matte part scatters, at least, over all views. Seen along the normal, a
+// rough EON and a smooth Disney diffuse scatter less towards grazing directions than Lambert.
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE S least_return(const Material<S>& base) {
     if constexpr (__is_same(Material<S>, Eon<S>))
         return simd::mul_add(base.roughness, S(-0.09), S(1));
+    else if constexpr (__is_same(Material<S>, Frostbite<S>))
+        return simd::mul_add(base.linear_roughness, S(0.16), S(0.84));
     else
         return S(1);
 }

@@ -127,11 +127,11 @@ TEST(Material, GrammarAndItsErrors) {
 TEST(Material, EveryKindTakesACoat) {
     for (const MaterialKind& kind : material_kinds()) {
         const std::string name(kind.kind);
-        const auto coated = parsed<CoatedMaterial>(name + ":coat=0.5,coat-smoothness=0.7,coat-order=filament");
+        const auto coated = parsed<CoatedMaterial>((name + ":coat=0.5,coat-smoothness=0.7,coat-order=filament").c_str());
         EXPECT_EQ(coated.coat, (Coat{0.5, 0.7, CoatOrder::filament})) << name;
-        EXPECT_EQ(Material(coated.base).index(), parse_material(name)->index()) << name;
+        EXPECT_EQ(coated.base.index(), parse_material(name)->index()) << name;
         EXPECT_EQ(base_of(Material(coated)).index(), coated.base.index()) << name;
-        EXPECT_EQ(parsed<CoatedMaterial>(std::string(kind.grammar) + ",coat=1").coat, Coat()) << name;
+        EXPECT_EQ(parsed<CoatedMaterial>((std::string(kind.grammar) + ",coat=1").c_str()).coat, Coat()) << name;
         for (const char* keys : {":coat", ":coat=1.1", ":coat=x", ":coat-smoothness=0.5", ":coat-order=ue4",
                                  ":coat=1,coat-order=unreal", ":coat=1,coat-smoothness=-1", ":coat=1,coat=1"})
             EXPECT_FALSE(parse_material(name + keys)) << name << keys;

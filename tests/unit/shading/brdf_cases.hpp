@@ -111,7 +111,7 @@ void each(const Visit& visit) {
         });
     }
     visit("eon, coat of ue4", []<class S>(S) {
-        return coated(g::Eon<S>{{S(0.8), S(0.4), S(1)}, S(0.5)}, 1.0, 0.4, Order::ue4);
+        return coated(g::Eon<S>{{S(0.8), S(0.4), S(1)}, S(0.5)}, 1.0, 0.2, Order::ue4);
     });
     visit("blinn, coat of filament", []<class S>(S) {
         return coated(g::blinn_material<S>({S(0.8), S(0.4), S(0.2)}, {S(0.04), S(0.3), S(1)}, S(0.2), S(0)), 0.5, 0.4,

@@ -119,7 +119,7 @@ TEST(Coat, OverAMirror) {
 
 template<class Visit>
 void each_white_base(const Visit& visit) {
-    for (const double r : {0.0, 0.3, 0.7, 1.0}) {
+    for (const double r : {0.0, 0.5, 1.0}) {
         const auto name = [r](const char* kind) { return fmt::format("{} {}", kind, r); };
         visit(name("lambert"), Lambert<double>{white});
         visit(name("eon"), Eon<double>{white, r});
@@ -137,9 +137,9 @@ void each_white_base(const Visit& visit) {
 // The base's own albedo A ≤ 1: not above 1 below any coat. A > 1: above 1 by no more than before.
 TEST(Coat, GainsNothingOverAnyBase) {
     each_white_base([](const std::string& name, const auto& base) {
-        for (const double mu : cosines) {
+        for (const double mu : {0.01, 0.1, 0.3, 0.6, 1.0}) {
             const double alone = albedo(base, mu);
-            for (const double smoothness : {1.0, 0.9, 0.5, 0.0}) {
+            for (const double smoothness : {1.0, 0.5}) {
                 const auto material = coated(base, 1.0, smoothness);
                 const double e = coat_albedo(material.coat, mu);
                 EXPECT_LE(albedo(material, mu), 1.0 + (1.0 - e) * std::max(alone - 1.0, 0.0) + 2e-3)
