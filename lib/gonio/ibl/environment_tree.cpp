@@ -218,12 +218,12 @@ struct EnvironmentTree::Sum {
     }
 };
 
-EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads) : grid_(map.grid()) {
+EnvironmentTree::EnvironmentTree(const EnvironmentMap& map, unsigned threads, std::size_t leaves) : grid_(map.grid()) {
     // The size of the smallest blocks.
     int least = 1;
     while (static_cast<std::size_t>(grid_.width()) * static_cast<std::size_t>(grid_.height()) /
                static_cast<std::size_t>(least) / static_cast<std::size_t>(least) >
-           most_texels)
+           leaves)
         least *= 2;
 
     struct Level {

@@ -21,10 +21,11 @@ namespace gonio {
 
 class EnvironmentTree {
 public:
-    // About 180 bytes a texel. If the map has more than `most_texels`, the smallest blocks are not divided any further.
-    explicit EnvironmentTree(const EnvironmentMap& map, unsigned threads = 0);
+    static constexpr std::size_t most_leaves = std::size_t{1} << 21;
 
-    static constexpr std::size_t most_texels = std::size_t{1} << 22;
+    // About 180 bytes a texel, and 450 while it is made. If the map has more texels than `leaves`, the leaves are
+    // blocks of them, which have exact moments but are not divided for a narrow lobe.
+    explicit EnvironmentTree(const EnvironmentMap& map, unsigned threads = 0, std::size_t leaves = most_leaves);
 
     // The weighted mean of the light, RGB [cd/m²], for a unit direction. A block is divided while its estimated error
     // is greater than `tolerance` times the map's mean luminance; the sum is some times less exact (README.md).

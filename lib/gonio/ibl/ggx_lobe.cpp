@@ -13,8 +13,7 @@ GgxLobe::GgxLobe(double roughness)
     : alpha_(std::pow(std::max(roughness, least_roughness), 2.0)),
       peak_(4.0 * alpha_ * alpha_ / pi),
       offset_(2.0 * alpha_ * alpha_),
-      falloff_((1.0 - alpha_) * (1.0 + alpha_)),
-      whole_(0.0) {
+      falloff_((1.0 - alpha_) * (1.0 + alpha_)) {
     whole_ = 2.0 * pi * integral(1.0);
 }
 

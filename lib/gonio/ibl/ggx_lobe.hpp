@@ -52,7 +52,7 @@ private:
     double peak_;
     double offset_;
     double falloff_;
-    double whole_;
+    double whole_ = 0.0;
 };
 
 } // namespace gonio

@@ -116,7 +116,7 @@ double cosine_factor(int band) {
     return factors.at(static_cast<std::size_t>(band));
 }
 
-IrradianceSh::IrradianceSh(std::vector<glm::dvec3> radiance) : order_(0), radiance_(std::move(radiance)) {
+IrradianceSh::IrradianceSh(std::vector<glm::dvec3> radiance) : radiance_(std::move(radiance)) {
     while (static_cast<std::size_t>(order_ + 1) * static_cast<std::size_t>(order_ + 1) < radiance_.size())
         ++order_;
 }

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] glm::dvec3 least() const;
 
 private:
-    int order_;
+    int order_ = 0;
     std::vector<glm::dvec3> radiance_;
 };
 

@@ -113,7 +113,7 @@ glm::dvec3 prefiltered_by_samples(const EnvironmentMap& map, const LobeQuery& qu
                            [&](const glm::dvec3& l, double) { return map.texel(map.grid().texel_at(l)); });
 }
 
-EnvironmentMips::EnvironmentMips(const EnvironmentMap& map, unsigned threads) : texel_solid_angle_(0.0) {
+EnvironmentMips::EnvironmentMips(const EnvironmentMap& map, unsigned threads) {
     const EnvironmentGrid& grid = map.grid();
     const int like = side_like(grid.layout(), grid.side(), EnvironmentLayout::cube_strip);
     const int side = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(1, like))));

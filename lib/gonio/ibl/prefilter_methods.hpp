@@ -36,7 +36,7 @@ public:
 
 private:
     std::vector<EnvironmentMap> levels_;
-    double texel_solid_angle_; // of level 0, on average
+    double texel_solid_angle_ = 0.0; // of level 0, on average
 };
 
 // Filtered importance sampling (J. Křivánek and M. Colbert, "Real-time Shading with Filtered Importance Sampling",

@@ -153,6 +153,21 @@ TEST(EnvironmentTree, IsAsGoodAsItsTolerance) {
     }
 }
 
+// Leaves of 4×4 texels keep the light and its moments: wide lobes do not notice, and narrow ones see a blurred image.
+TEST(EnvironmentTree, MayEndAtBlocksOfTexels) {
+    const EnvironmentMap map =
+        sky_map("cie:12,sun=180/40,horizontal=20klx,ground=0.2", EnvironmentLayout::cube_strip, 32);
+    const EnvironmentTree whole(map);
+    const EnvironmentTree blocks(map, 0, 6 * 32 * 32 / 16);
+    EXPECT_LT(blocks.nodes(), whole.nodes() / 12);
+    EXPECT_NEAR(blocks.mean().g, whole.mean().g, 1e-12 * whole.mean().g);
+    for (const double roughness : {0.5, 0.75, 1.0})
+        for (const glm::dvec3& d : directions(15))
+            EXPECT_NEAR(blocks.mean(GgxLobe(roughness), d, 1e-6).g, whole.mean(GgxLobe(roughness), d, 1e-6).g,
+                        4e-3 * whole.mean().g)
+                << roughness;
+}
+
 TEST(EnvironmentTree, OfBlackIsBlack) {
     const EnvironmentTree tree(filled(*environment_grid(EnvironmentLayout::cube_strip, 4), 0.0F));
     EXPECT_EQ(tree.mean(GgxLobe(0.3), {0.0, 0.0, 1.0}, 1e-5), glm::dvec3(0.0));
