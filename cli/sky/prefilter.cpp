@@ -152,10 +152,10 @@ Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, con
         return fail("USE0106", "the sky is dark: there is nothing to prefilter",
                     "give it an amount, for example 500lx");
     // What can be refused is, before the work.
-    Result<SplitSumTable> table = SplitSumTable::create(want->table_size, want->variant->split_sum, request.threads);
-    if (!table) return pass_on(table);
     if (Result<void> possible = check_levels(want->levels); !possible) return pass_on(possible);
     if (Result<void> free = take_files(text, *want); !free) return pass_on(free);
+    Result<SplitSumTable> table = SplitSumTable::create(want->table_size, want->variant->split_sum, request.threads);
+    if (!table) return pass_on(table);
 
     Result<EnvironmentMap> source = source_of(loaded, *want, with_the_sun, request.threads);
     if (!source) return pass_on(source);
