@@ -46,8 +46,7 @@ void table(const char* title, const char* parameter, const Make& make) {
 
 // By the roughness of the coat.
 void coats(const char* title, const shading::AnyMaterial& base, shading::CoatOrder order) {
-    table(title, "coat, 1 − smoothness",
-          [&](double r) { return shading::coated_material(base, 1.0, 1.0 - r, order); });
+    table(title, "coat, 1 − smoothness", [&](double r) { return shading::coated_material(base, 1.0, 1.0 - r, order); });
 }
 
 // F0 = 0.04: the published formula less the mean over the GGX lobe.

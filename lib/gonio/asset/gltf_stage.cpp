@@ -2,8 +2,8 @@
 //
 // A material with a Lambertian part is a dielectric; KHR_materials_specular gives its reflectance f0 as a factor on
 // 0.04 (0: no reflection at all, not even at grazing). A material without one is a metal. Roughness is the root of α.
-// Readers subtract the reflected share from the diffuse part; gonio does not. A glTF material is written as it is. A coat
-// is KHR_materials_clearcoat, whose readers dim what is below by 1 − F(n·v).
+// Readers subtract the reflected share from the diffuse part; gonio does not. A glTF material is written as it is. A
+// coat is KHR_materials_clearcoat, whose readers dim what is below by 1 − F(n·v).
 #include <gonio/asset/detail/gltf_stage.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
@@ -151,9 +151,8 @@ Json material_json(const SceneMaterial& material, UsedExtensions& uses) {
     Json json = base_json(material, uses);
     if (material.coat) {
         uses.clearcoat = true;
-        json["extensions"]["KHR_materials_clearcoat"] = {
-            {"clearcoatFactor", material.coat->amount},
-            {"clearcoatRoughnessFactor", 1.0 - material.coat->smoothness}};
+        json["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", material.coat->amount},
+                                                         {"clearcoatRoughnessFactor", 1.0 - material.coat->smoothness}};
     }
     return json;
 }

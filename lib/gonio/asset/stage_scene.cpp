@@ -126,8 +126,8 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     asset_detail::TakenNames names;
     for (const SceneLight& light : built->content.lights)
         names.names.insert(light.name);
-    StageBuilder builder(camera.position, format.target == "gltf",
-                         format.target == "gltf" || format.target == "usd", names, built->instead);
+    StageBuilder builder(camera.position, format.target == "gltf", format.target == "gltf" || format.target == "usd",
+                         names, built->instead);
     const EmittedLights emitted(stage, lights);
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
         if (!emitted.emits(i)) {

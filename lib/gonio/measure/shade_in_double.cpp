@@ -51,7 +51,8 @@ template<class CoreLight>
     const SpecularLuminance<double> seen = specular(method, point, light, GgxLobe<double>{coat_alpha(coat)});
     const double fade = shading::detail::faded(light, shading::detail::way_to(light, point.position));
     const double shine = coat_reflected(coat, SpecularTerms<double>{seen.scale * fade, seen.grazing});
-    parts.diffuse = parts.diffuse * coat_under(point, light, coat, BaseLobe<double>{1.0, false, {0.0, 0.0}}).scattered.scattered(coat);
+    parts.diffuse = parts.diffuse *
+                    coat_under(point, light, coat, BaseLobe<double>{1.0, false, {0.0, 0.0}}).scattered.scattered(coat);
     parts.specular = parts.specular + vec3<double>{shine, shine, shine};
 }
 

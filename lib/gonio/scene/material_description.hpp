@@ -1,5 +1,5 @@
-// Each material of a scene that can be below a coat, described once: its keys and the members that they set, its parameters, its BRDF, and what
-// charts and exports use of it.
+// Each material of a scene that can be below a coat, described once: its keys and the members that they set, its
+// parameters, its BRDF, and what charts and exports use of it.
 //
 // MaterialDescription<M> of an alternative M of BaseMaterial has
 //

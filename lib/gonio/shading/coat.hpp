@@ -1,29 +1,29 @@
-// A clear coat over any material: one GGX lobe with f0 = 0.04 on top (an index of refraction of 1.5), and what it leaves
-// of the material below. It has no thickness: nothing is refracted sideways or absorbed.
+// A clear coat over any material: one GGX lobe with f0 = 0.04 on top (an index of refraction of 1.5), and what it
+// leaves of the material below. It has no thickness: nothing is refracted sideways or absorbed.
 //
 //     f = f_coat + T(l, v) f_base
 //
 // E(μ) is the directional albedo of the coat (ggx_albedo.hpp), Ē its mean over the hemisphere. Light from l passes the
-// coat with 1 − E(l), and leaves it towards v with 1 − E(v). Of what the base scatters inside, the coat throws a share e
-// back, of which the base reflects R, and so on:
+// coat with 1 − E(l), and leaves it towards v with 1 − E(v). Of what the base scatters inside, the coat throws a share
+// e back, of which the base reflects R, and so on:
 //
-//     T = (1 − E(l))(1 − E(v)) Σ (R e)ⁿ = (1 − E(l))(1 − E(v))/(1 − R e).                                     (physical)
+//     T = (1 − E(l))(1 − E(v)) Σ (R e)ⁿ = (1 − E(l))(1 − E(v))/(1 − R e). (physical)
 //
 // A matte base forgets the direction, so e = Ē and R is its albedo. This is the albedo scaling of Kulla and Conty
-// (2017) for a coat. A white Lambertian base reflects exactly all light. A base with a lobe keeps the direction: a mirror
-// has l and v at the same angle, e = E(l) = E(v) and R = F. Between the two e = min(E(l), E(v)). Then
-// T ≤ min(1 − E(l), 1 − E(v)), since (1 − m)/(1 − R m) ≤ 1, and so for every base with an albedo A(v) ≤ 1
+// (2017) for a coat. A white Lambertian base reflects exactly all light. A base with a lobe keeps the direction: a
+// mirror has l and v at the same angle, e = E(l) = E(v) and R = F. Between the two e = min(E(l), E(v)). Then T ≤ min(1
+// − E(l), 1 − E(v)), since (1 − m)/(1 − R m) ≤ 1, and so for every base with an albedo A(v) ≤ 1
 //
 //     E(v) + ∫ T f_base n·l dl ≤ E(v) + (1 − E(v)) A(v) ≤ 1.
 //
 // No reciprocal T that depends on l and v alone can be greater for all bases, as one of them reflects all light from l
-// to v. A coated mirror has the exact E + (1 − E)² F/(1 − F E). All of this is reciprocal. A base that reflects more than
-// it gets, as some of the list do at grazing angles, remains above 1 by no more than (1 − E) times as much.
+// to v. A coated mirror has the exact E + (1 − E)² F/(1 − F E). All of this is reciprocal. A base that reflects more
+// than it gets, as some of the list do at grazing angles, remains above 1 by no more than (1 − E) times as much.
 //
 // The other two orders take Fresnel's reflectance of one microfacet for that of the coat, F = Schlick's at l·h:
 //
-//     T = (1 − F)²    Unreal Engine 4 (B. Karis, from 2014 on)                                                     (ue4)
-//     T = 1 − F       Filament, "Physically Based Rendering in Filament" (Guy and Agopian 2018)               (filament)
+//     T = (1 − F)²    Unreal Engine 4 (B. Karis, from 2014 on) (ue4) T = 1 − F       Filament, "Physically Based
+//     Rendering in Filament" (Guy and Agopian 2018)               (filament)
 //
 // Both are reciprocal and reflect more light than they get at grazing angles: README.md. They are kept for comparison.
 #pragma once
@@ -62,9 +62,7 @@ struct CoatPass {
     S both;
     S least; // e
 
-    GONIO_FORCE_INLINE S lobe(S reflectance) const {
-        return both / (S(1) - simd::min(reflectance, S(1)) * least);
-    }
+    GONIO_FORCE_INLINE S lobe(S reflectance) const { return both / (S(1) - simd::min(reflectance, S(1)) * least); }
     // Of the part without a lobe.
     GONIO_FORCE_INLINE vec3<S> scattered(const Coat<S>& coat) const {
         return {coat.gain.x * lobe(coat.wide.x), coat.gain.y * lobe(coat.wide.y), coat.gain.z * lobe(coat.wide.z)};
@@ -121,8 +119,8 @@ GONIO_FORCE_INLINE vec3<S> matte_albedo(const Material<S>& base) {
     else
         return {S(0), S(0), S(0)};
 }
-// How much of Ē the coat throws back of what the matte part scatters, at least, over all views. Seen along the normal, a
-// rough EON and a smooth Disney diffuse scatter less towards grazing directions than Lambert.
+// How much of Ē the coat throws back of what the matte part scatters, at least, over all views. Seen along the normal,
+// a rough EON and a smooth Disney diffuse scatter less towards grazing directions than Lambert.
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE S least_return(const Material<S>& base) {
     if constexpr (__is_same(Material<S>, Eon<S>))
@@ -212,8 +210,7 @@ GONIO_FORCE_INLINE S coat_share(const Coat<S>& coat, const Material<S>& base, S 
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE S coated_pdf(const Coat<S>& coat, const Material<S>& base, vec3<S> n, vec3<S> v, vec3<S> l) {
     const S share = detail::coat_share(coat, base, dot(n, v));
-    return simd::mul_add(share, pdf_reflected_ggx(n, v, l, coat_alpha(coat)),
-                         (S(1) - share) * pdf_brdf(base, n, v, l));
+    return simd::mul_add(share, pdf_reflected_ggx(n, v, l, coat_alpha(coat)), (S(1) - share) * pdf_brdf(base, n, v, l));
 }
 template<class S, template<class> class Material>
 GONIO_FORCE_INLINE BrdfSample<S> coated_sample(const Coat<S>& coat, const Material<S>& base, vec3<S> n, vec3<S> v,

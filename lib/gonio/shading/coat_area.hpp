@@ -1,9 +1,9 @@
 // A coat under a light with a size, for any base: what it leaves of the base's parts, and its own lobe.
 //
 // The part of the base without a lobe is attenuated by the mean of T over a few points of the light (light_points.hpp),
-// each weighted by its irradiance. A base's lobe is attenuated by T towards the same points, weighted by the lobe there;
-// what they do not show of the lobe counts at the light's point nearest to the mirrored ray. The coat's lobe is that of
-// any GGX material, by the selected method. So the kernels need no code for each pair of coat and base.
+// each weighted by its irradiance. A base's lobe is attenuated by T towards the same points, weighted by the lobe
+// there; what they do not show of the lobe counts at the light's point nearest to the mirrored ray. The coat's lobe is
+// that of any GGX material, by the selected method. So the kernels need no code for each pair of coat and base.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>
@@ -42,8 +42,8 @@ struct CoatUnderLight {
 namespace detail {
 
 // Of the coat's albedo towards the light, or of T for the orders of one facet: the mean over the points of the light
-// above the horizon weighted by their irradiance, and the sums over them of the base's lobe. Where no point is above it,
-// the mean is the value at the horizon.
+// above the horizon weighted by their irradiance, and the sums over them of the base's lobe. Where no point is above
+// it, the mean is the value at the horizon.
 template<class S>
 struct OverLight {
     S mean;
@@ -65,8 +65,8 @@ GONIO_FORCE_INLINE OverLight<S> over_light(const SurfacePoint<S>& point, const L
             const vec3<S> l = p * inverse;
             const S cosine = simd::max(dot(n, l), S(0));
             const S weight = strength * inverse * inverse * (inverse * cosine);
-            const S value = physical ? coat_albedo(coat, cosine)
-                                     : coat_pass_of_facet(coat, facet_weight(l, point.view)).both;
+            const S value =
+                physical ? coat_albedo(coat, cosine) : coat_pass_of_facet(coat, facet_weight(l, point.view)).both;
             sum = simd::mul_add(weight, value, sum);
             weights = weights + weight;
             if (physical && has_lobe) {

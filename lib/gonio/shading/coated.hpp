@@ -1,5 +1,5 @@
-// A coated material in double, its base named at run time. Compiled once, for path tracers, references and probes: a type
-// for each base would double what they compile.
+// A coated material in double, its base named at run time. Compiled once, for path tracers, references and probes: a
+// type for each base would double what they compile.
 #pragma once
 
 #include <gonio/shading/brdf.hpp>

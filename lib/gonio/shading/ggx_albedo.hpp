@@ -1,7 +1,7 @@
 // The directional albedo of single-scattering GGX facets with Schlick's reflectance, by the cosine of the view.
 //
-// E(μ) = ∫ f n·l dl = S (f0 + (f90 − f0)(1 − μ̂)⁵): S = 1 − L is the albedo for a reflectance of 1 (GgxLoss), and μ̂ is the
-// cosine at which Schlick's weight has its mean over the lobe; smooth facets have μ̂ = μ. fit/ggx_mean_cosine.cpp
+// E(μ) = ∫ f n·l dl = S (f0 + (f90 − f0)(1 − μ̂)⁵): S = 1 − L is the albedo for a reflectance of 1 (GgxLoss), and μ̂ is
+// the cosine at which Schlick's weight has its mean over the lobe; smooth facets have μ̂ = μ. fit/ggx_mean_cosine.cpp
 // integrates it and prints the polynomial. E is within 1.3e-3 of the integral for α ≥ 1e-4 and μ ≥ 1e-5, with f0 = 0.04
 // and f90 = 1.
 #pragma once
@@ -56,8 +56,8 @@ GONIO_FORCE_INLINE GgxAlbedo<S> ggx_albedo(S alpha) {
     return albedo;
 }
 
-// Fresnel's reflectance averaged over a glossy lobe, as "The Art of Remember Me" (S. Lagarde and L. Harduin, 2013) takes
-// it for light from all around: F0 + (max(1 − r, F0) − F0)(1 − n·v)⁵, with r = √α in [0, 1].
+// Fresnel's reflectance averaged over a glossy lobe, as "The Art of Remember Me" (S. Lagarde and L. Harduin, 2013)
+// takes it for light from all around: F0 + (max(1 − r, F0) − F0)(1 − n·v)⁵, with r = √α in [0, 1].
 template<class S>
 GONIO_FORCE_INLINE S glossy_fresnel_remember_me(S f0, S linear_roughness, S n_dot_v) {
     const S f90 = simd::max(S(1) - linear_roughness, f0);

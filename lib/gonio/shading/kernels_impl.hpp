@@ -192,8 +192,8 @@ void add_coat(const Surfaces& surfaces, const Light& light, const CoatConstants&
                                     packet.load(surfaces.view)};
         const SpecularTerms<S> of_base{packet.load(&base.scale[0]), packet.load(&base.grazing[0])};
         const SpecularTerms<S> of_top{packet.load(&top.scale[0]), packet.load(&top.grazing[0])};
-        const CoatUnderLight<S> left = coat_under(
-            point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
+        const CoatUnderLight<S> left =
+            coat_under(point, light, coat, BaseLobe<S>{S(lobe.alpha), lobe.factor > 0.0F, of_base});
         const S shine = coat_reflected(coat, of_top);
         const vec3<S> lobes =
             left.lobe.reflected(f0, S(lobe.f90), S(lobe.factor), of_base) + vec3<S>{shine, shine, shine};

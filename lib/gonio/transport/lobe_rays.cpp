@@ -53,8 +53,7 @@ Sampled sampled(const Value& value, double alpha, double cosine, std::size_t cou
         facet.width =
             static_cast<float>(std::min(std::sqrt(1.0 / (std::max(pdf, 1e-3) * static_cast<double>(count))), widest));
         if (l.z > 0.0 && pdf > 0.0) {
-            const glm::dvec3 weight =
-                l.z / (pdf * static_cast<double>(count)) * vec(value(n, l, v));
+            const glm::dvec3 weight = l.z / (pdf * static_cast<double>(count)) * vec(value(n, l, v));
             facet.weight = glm::vec3(weight);
             result.sum += weight;
         }
@@ -111,8 +110,9 @@ std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) 
                 add(shading::coat_alpha(core.coat),
                     [&](const Vec& n, const Vec& l, const Vec& v) { return shading::coat_part(core, n, l, v); });
                 const double alpha = std::visit([](const auto& base) { return shading::lobe_alpha(base); }, core.base);
-                add(alpha,
-                    [&](const Vec& n, const Vec& l, const Vec& v) { return shading::base_specular_part(core, n, l, v); });
+                add(alpha, [&](const Vec& n, const Vec& l, const Vec& v) {
+                    return shading::base_specular_part(core, n, l, v);
+                });
             } else if constexpr (Core::lobe != shading::LobeKind::none) {
                 add(shading::lobe_alpha(core), [&](const Vec& n, const Vec& l, const Vec& v) {
                     return shading::specular_part(core, n, l, v, 0.0);

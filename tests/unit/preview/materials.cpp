@@ -197,10 +197,10 @@ TEST_P(MaterialKernels, HostileInputGivesFiniteNumbersThatAreNotNegative) {
             value = static_cast<float>(poses::hostile(random));
         points.add(values, static_cast<float>(std::fabs(poses::hostile(random))));
     }
-    for (const char* text : {"lambert", "eon:roughness=1", "frostbite:smoothness=1", "ue4:roughness=0",
-                             "gltf:roughness=0", "blinn:smoothness=1", "blinn:smoothness=0,wet=1", "ggx:alpha=0",
-                             "kulla-conty:alpha=0", "kulla-conty:alpha=1", "lambert:coat=1,coat-smoothness=1",
-                             "ggx:alpha=0,coat=1,coat-smoothness=0", "blinn:coat=1,coat-order=ue4"})
+    for (const char* text :
+         {"lambert", "eon:roughness=1", "frostbite:smoothness=1", "ue4:roughness=0", "gltf:roughness=0",
+          "blinn:smoothness=1", "blinn:smoothness=0,wet=1", "ggx:alpha=0", "kulla-conty:alpha=0", "kulla-conty:alpha=1",
+          "lambert:coat=1,coat-smoothness=1", "ggx:alpha=0,coat=1,coat-smoothness=0", "blinn:coat=1,coat-order=ue4"})
         for (const LightKind kind : kinds) {
             LightConstants light = light_of(kind, points);
             light.specular_method = shading::standard_specular_method;

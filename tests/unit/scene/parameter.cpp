@@ -187,7 +187,8 @@ TEST(Parameter, OfEveryKeyIsListed) {
             for (const ParameterName& parameter : material_parameters())
                 if (parameter.name == name) {
                     EXPECT_TRUE(parameter.summary.starts_with("any material") ||
-                                parameter.summary.find(MaterialDescription<M>::kind) != std::string_view::npos) << name;
+                                parameter.summary.find(MaterialDescription<M>::kind) != std::string_view::npos)
+                        << name;
                     Material material = M();
                     EXPECT_TRUE(set_parameter(material, name, parameter.example).value()) << name;
                 }

@@ -127,7 +127,8 @@ TEST(Material, GrammarAndItsErrors) {
 TEST(Material, EveryKindTakesACoat) {
     for (const MaterialKind& kind : material_kinds()) {
         const std::string name(kind.kind);
-        const auto coated = parsed<CoatedMaterial>((name + ":coat=0.5,coat-smoothness=0.7,coat-order=filament").c_str());
+        const auto coated =
+            parsed<CoatedMaterial>((name + ":coat=0.5,coat-smoothness=0.7,coat-order=filament").c_str());
         EXPECT_EQ(coated.coat, (Coat{0.5, 0.7, CoatOrder::filament})) << name;
         EXPECT_EQ(coated.base.index(), parse_material(name)->index()) << name;
         EXPECT_EQ(base_of(Material(coated)).index(), coated.base.index()) << name;

@@ -43,14 +43,18 @@ TEST(GgxAlbedo, IsTheIntegral) {
     }
 }
 
-// A = ∫ (1 − Fc) and B = ∫ Fc, Fc = (1 − v·h)⁵, integrated over h in polar coordinates by adaptive quadrature in Python.
+// A = ∫ (1 − Fc) and B = ∫ Fc, Fc = (1 − v·h)⁵, integrated over h in polar coordinates by adaptive quadrature in
+// Python.
 TEST(GgxAlbedo, OfTheDfgTable) {
     struct Row {
         double r, mu, a, b;
     };
-    for (const Row& row : {Row{0.1, 0.05, 0.242548, 0.733660}, {0.1, 0.5, 0.968339, 0.031403},
-                           {0.25, 0.2, 0.681494, 0.264780}, {0.5, 0.2, 0.749895, 0.098265},
-                           {0.75, 0.05, 0.839807, 0.065119}, {1.0, 0.5, 0.447705, 0.002989}}) {
+    for (const Row& row : {Row{0.1, 0.05, 0.242548, 0.733660},
+                           {0.1, 0.5, 0.968339, 0.031403},
+                           {0.25, 0.2, 0.681494, 0.264780},
+                           {0.5, 0.2, 0.749895, 0.098265},
+                           {0.75, 0.05, 0.839807, 0.065119},
+                           {1.0, 0.5, 0.447705, 0.002989}}) {
         const GgxAlbedo<double> table = ggx_albedo(row.r * row.r);
         EXPECT_NEAR(table(row.mu, 0.0, 1.0), row.b, polynomial) << row.r << ' ' << row.mu;
         EXPECT_NEAR(table(row.mu, 1.0, 1.0), row.a + row.b, 6e-5) << row.r << ' ' << row.mu;
@@ -168,8 +172,8 @@ TEST(Coat, OrdersOfOneFacetGainEnergy) {
         CoatOrder order;
         double expected[3];
     };
-    for (const Row& row : {Row{CoatOrder::filament, {0.999917, 1.025378, 1.534820}},
-                           {CoatOrder::ue4, {0.961445, 0.982827, 1.481031}}}) {
+    for (const Row& row :
+         {Row{CoatOrder::filament, {0.999917, 1.025378, 1.534820}}, {CoatOrder::ue4, {0.961445, 0.982827, 1.481031}}}) {
         const auto material = coated(Lambert<double>{white}, 1.0, 0.9, row.order);
         EXPECT_NEAR(albedo(material, 1.0), row.expected[0], 1e-4);
         EXPECT_NEAR(albedo(material, 0.5), row.expected[1], 1e-4);

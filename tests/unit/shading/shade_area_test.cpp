@@ -74,8 +74,8 @@ std::vector<std::pair<std::string, MaterialConstants>> coated_materials_of(float
         constexpr CoatOrder orders[] = {CoatOrder::physical, CoatOrder::physical, CoatOrder::ue4, CoatOrder::filament};
         with_material(constants.kind, [&, &constants = constants]<template<class> class Material>() {
             const auto base = material_of<Material, double>(constants);
-            constants = constants_of(coated_material(base, 0.9, 0.3 + 0.05 * static_cast<double>(turn),
-                                                     orders[turn % std::size(orders)]));
+            constants = constants_of(
+                coated_material(base, 0.9, 0.3 + 0.05 * static_cast<double>(turn), orders[turn % std::size(orders)]));
         });
         name += " with a coat";
         ++turn;

@@ -176,7 +176,8 @@ int main(int count, char** arguments) {
         return 0;
     }
     const Fit fit(of_z, of_root, data);
-    std::puts("// Printed by fit/ggx_mean_cosine.cpp: where Schlick's weight has its mean over what GGX facets reflect.");
+    std::puts(
+        "// Printed by fit/ggx_mean_cosine.cpp: where Schlick's weight has its mean over what GGX facets reflect.");
     std::puts("#pragma once\n\n#include <cstddef>\n\n// clang-format off\nnamespace gonio::shading::detail {\n");
     std::printf("inline constexpr std::size_t ggx_mean_cosine_of_z = %zu;\n", of_z);
     std::printf("inline constexpr std::size_t ggx_mean_cosine_of_root = %zu;\n\n", of_root);
