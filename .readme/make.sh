@@ -34,6 +34,10 @@ stage room --shape tube:r=2cm,l=1.2m --intensity 2500lm --color 4000K
 day=daylight:place=52.52/13.405,time=2026-06-21T10:00+02:00
 "$gonio" preview --sky $day --stage street --show-sky -s 320x240 -o $here/day.png
 "$gonio" preview --sky $day,weather=overcast --stage spheres -s 320x240 -o $here/overcast.png
+"$gonio" preview --sky cie:12,sun=120/25,horizontal=20klx --stage spheres --camera 0,-3,1.4 --target 0,0,0.3 \
+    --material ue4:base=0.9,metallic=1,roughness=0.4 --compare exact,split-sum -s 220x165 -o $here/sky-methods.png > /dev/null
+"$gonio" preview --stage room --emits sphere=800lm,color=2700K --material 'box=lambert:albedo=rgb(0.4,0.03,0.03),coat=1' \
+    -s 320x240 -o $here/globe.png
 "$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
     -o $here/sheet.png
 "$gonio" preview --shape tube:r=2cm,l=1.2m --intensity 2500lm --fov 26deg --target 0.2,0,0.6 \

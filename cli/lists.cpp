@@ -28,9 +28,9 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/sky_description.hpp>
-#include <gonio/transport/surroundings_method.hpp>
 
 #include "preview/layers.hpp"
+#include "preview/picture_method.hpp"
 #include "preview/sweep_axis.hpp"
 
 #include <fmt/format.h>
@@ -153,10 +153,10 @@ Entries methods() {
     return entries;
 }
 
-Entries picture_methods() {
-    Entries entries = methods();
-    for (const SurroundingsMethodInfo& method : surroundings_methods())
-        entries.push_back({std::string(method.name), std::string(method.summary)});
+Entries picture_method_names() {
+    Entries entries;
+    for (const PictureMethodInfo& method : cli::picture_methods())
+        entries.push_back({std::string(method.name), method.summary});
     return entries;
 }
 
@@ -350,7 +350,7 @@ constexpr std::array lists{
     NamedList{"methods", "how the light of a shape is computed", methods},
     NamedList{"normalizations", "meanings of a texel of 1", normalizations},
     NamedList{"palettes", "colours of false-colour pictures", palettes},
-    NamedList{"picture-methods", "methods of preview: for shapes, and for sky and reflections", picture_methods},
+    NamedList{"picture-methods", "methods of preview: for shapes, and for sky and reflections", picture_method_names},
     NamedList{"policies", "how other programs read photometric numbers", policies},
     NamedList{"prefilters", "programs of sky prefilter --for", prefilters},
     NamedList{"presets", "everyday sources", presets},

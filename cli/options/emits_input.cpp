@@ -19,10 +19,15 @@ namespace {
 Result<NamedEmission> read_one(const std::string& text, const Stage& stage, FileScope& files,
                                Diagnostics& diagnostics) {
     const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const auto names = surface_names(stage);
+    if (std::find(names.begin(), names.end(), name) != names.end() &&
+        (equals == std::string::npos || equals + 1 == text.size()))
+        return fail("USE0104", fmt::format("--emits {} has no amount", name), fmt::format("write {}=500nt", name));
     if (equals == std::string::npos || equals == 0)
         return fail("USE0104", fmt::format("--emits '{}' names no surface", text),
-                    fmt::format("write SURFACE=AMOUNT, for example {}=500nt; there are: {}",
-                                surface_names(stage).back(), fmt::join(surface_names(stage), ", ")));
+                    fmt::format("write SURFACE=AMOUNT, for example {}=500nt; there are: {}", names.back(),
+                                fmt::join(names, ", ")));
     Result<SurfaceEmission> emission =
         parse_surface_emission(std::string_view(text).substr(equals + 1), &diagnostics, &files);
     if (!emission) return pass_on(emission);
@@ -50,6 +55,14 @@ Result<void> read_emits(const Arguments& arguments, Stage& stage, LightsInput& i
     input.others.insert(input.others.begin(), std::make_move_iterator(lights->begin()),
                         std::make_move_iterator(lights->end()));
     return {};
+}
+
+Result<void> require_any_light(const LightsInput& input, const Stage& stage, bool has_sky) {
+    if (has_sky || !input.others.empty() || !input.rig.lights.empty()) return {};
+    if (Result<void> own = require_lights(input.rig); !own) return own;
+    return fail("USE0104", fmt::format("nothing lights the stage '{}'", stage.name),
+                "the rig's surfaces that emit are those of its own stage: leave --stage out, or add a light",
+                input.rig_file);
 }
 
 } // namespace gonio::cli

@@ -21,4 +21,8 @@ inline constexpr Option emits_option{
 // parse_surface_emission() and let_emit() do.
 Result<void> read_emits(const Arguments& arguments, Stage& stage, LightsInput& input, Diagnostics& diagnostics);
 
+// Fails if nothing gives light: no light, no surface of the stage in use that emits, no sky. Call it after
+// read_emits().
+Result<void> require_any_light(const LightsInput& input, const Stage& stage, bool has_sky);
+
 } // namespace gonio::cli

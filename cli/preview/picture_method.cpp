@@ -16,20 +16,29 @@ std::string_view to_text(const PictureMethod& method) {
     return method.surroundings == SurroundingsMethod::exact ? to_text(method.light) : to_text(method.surroundings);
 }
 
-Result<PictureMethod> parse_picture_method(std::string_view name) {
-    struct Row {
-        std::string_view name;
-        PictureMethod method;
-    };
-    std::vector<Row> rows;
+std::vector<PictureMethodInfo> picture_methods() {
+    std::vector<PictureMethodInfo> infos;
     for (const IrradianceMethodName& known : irradiance_methods())
-        rows.push_back({known.name, {known.method, SurroundingsMethod::exact}});
-    for (const SurroundingsMethodInfo& known : surroundings_methods())
-        rows.push_back({known.name, {IrradianceMethod::exact, known.method}});
-    return find_named("method", name, rows).map([](const Row* row) { return row->method; });
+        infos.push_back({known.name, std::string(known.summary), {known.method, SurroundingsMethod::exact}});
+    for (const SurroundingsMethodInfo& known : surroundings_methods()) {
+        const auto same = std::find_if(infos.begin(), infos.end(),
+                                       [&](const PictureMethodInfo& info) { return info.name == known.name; });
+        if (same == infos.end()) {
+            infos.push_back({known.name, std::string(known.summary), {IrradianceMethod::exact, known.method}});
+            continue;
+        }
+        same->method.surroundings = known.method;
+        same->summary += fmt::format("; {}", known.summary);
+    }
+    return infos;
 }
 
-Result<std::vector<PictureMethod>> picture_methods(std::string_view list) {
+Result<PictureMethod> parse_picture_method(std::string_view name) {
+    const std::vector<PictureMethodInfo> infos = picture_methods();
+    return find_named("method", name, infos).map([](const PictureMethodInfo* info) { return info->method; });
+}
+
+Result<std::vector<PictureMethod>> parse_picture_methods(std::string_view list) {
     std::vector<PictureMethod> methods;
     for (bool more = true; more;) {
         const std::size_t comma = list.find(',');
@@ -42,21 +51,20 @@ Result<std::vector<PictureMethod>> picture_methods(std::string_view list) {
     return methods;
 }
 
-Result<void> prepare(RenderOptions& options, std::span<const PictureMethod> methods, const Stage& stage,
-                     std::span<const Light> lights, const std::optional<glm::dvec3>& probe_at) {
-    bool needs_probe = false;
-    for (const PictureMethod& method : methods) {
-        needs_probe = needs_probe || has_local_probe(method.surroundings);
-        if (is_of_open_sky(method.surroundings) && options.sky.is_dark())
+Result<void> check_sky(std::span<const PictureMethod> methods, const Sky& sky) {
+    for (const PictureMethod& method : methods)
+        if (is_of_open_sky(method.surroundings) && method.light == IrradianceMethod::exact && sky.is_dark())
             return fail("USE0104", fmt::format("the method {} is about the light of a sky", to_text(method)),
                         "add --sky, for example --sky cie:12,sun=180/40,horizontal=20klx");
-    }
-    if (!needs_probe) {
-        if (probe_at)
-            return fail("USE0107", "--probe-at is for the methods parallax-box and parallax-sphere",
-                        "add one of them to --method or --compare, or leave --probe-at out");
-        return {};
-    }
+    return {};
+}
+
+Result<void> prepare(RenderOptions& options, std::span<const PictureMethod> methods, const Stage& stage,
+                     std::span<const Light> lights, const std::optional<glm::dvec3>& probe_at) {
+    const bool needs_probe = std::any_of(methods.begin(), methods.end(), [](const PictureMethod& method) {
+        return has_local_probe(method.surroundings);
+    });
+    if (!needs_probe) return {};
     Result<LocalProbe> probe =
         local_probe(stage, lights, probe_at.value_or(0.5 * (stage.camera.position + stage.camera.target)), options);
     if (!probe) return pass_on(probe);

@@ -10,12 +10,14 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace gonio::cli {
 
-// One of the two is `exact`.
+// One of the two is `exact`, or both have the same name: Frostbite's dominant direction is one for highlights of lights
+// and one for skies.
 struct PictureMethod {
     IrradianceMethod light = IrradianceMethod::exact;
     SurroundingsMethod surroundings = SurroundingsMethod::exact;
@@ -25,15 +27,26 @@ struct PictureMethod {
 
 std::string_view to_text(const PictureMethod& method);
 
+struct PictureMethodInfo {
+    std::string_view name;
+    std::string summary;
+    PictureMethod method;
+};
+
+// Those for lights, then those for surroundings; each name once.
+std::vector<PictureMethodInfo> picture_methods();
+
 // Fails (usage) on an unknown name.
 Result<PictureMethod> parse_picture_method(std::string_view name);
 
 // "exact,split-sum": each once, in their order. Fails (usage) on an unknown name.
-Result<std::vector<PictureMethod>> picture_methods(std::string_view list);
+Result<std::vector<PictureMethod>> parse_picture_methods(std::string_view list);
+
+// Fails (usage) if a method is about the light of a sky alone and there is none.
+Result<void> check_sky(std::span<const PictureMethod> methods, const Sky& sky);
 
 // Gives the options the local probe that one of the methods needs: at `probe_at`, else halfway between the camera and
-// what it looks at. Nothing if none does. Fails (usage) as local_probe(); and if a method is about a sky and there is
-// none.
+// what it looks at. Nothing if none does. Fails (usage) as local_probe().
 Result<void> prepare(RenderOptions& options, std::span<const PictureMethod> methods, const Stage& stage,
                      std::span<const Light> lights, const std::optional<glm::dvec3>& probe_at);
 

@@ -66,7 +66,7 @@ Result<void> read_compared(const Arguments& arguments, PreviewRequest& request) 
     if (!text) return {};
     if (arguments.has("--method"))
         return fail("USE0107", "--method and --compare are both given", "name every method in --compare");
-    Result<std::vector<PictureMethod>> methods = picture_methods(*text);
+    Result<std::vector<PictureMethod>> methods = parse_picture_methods(*text);
     if (!methods) return pass_on(methods);
     if (methods->size() < 2)
         return fail("USE0104", fmt::format("--compare {} names only one method", *text),
@@ -87,13 +87,17 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     request.method = *method;
     request.render.method = method->light;
     request.render.surroundings = method->surroundings;
-    if (method->surroundings != SurroundingsMethod::exact)
+    if (has_local_probe(method->surroundings))
         for (const std::string_view option : {"--aov", "--sweep", "--sheet"})
             if (arguments.has(option))
                 return fail("USE0107",
                             fmt::format("the method {} is for one picture, not for {}", to_text(*method), option),
                             "--compare shows it beside others");
     if (const auto at = arguments.value("--probe-at")) {
+        const auto needs_it = [](const PictureMethod& m) { return has_local_probe(m.surroundings); };
+        if (!needs_it(*method) && std::none_of(request.compared.begin(), request.compared.end(), needs_it))
+            return fail("USE0107", "--probe-at is for the methods parallax-box and parallax-sphere",
+                        "add one of them to --method or --compare, or leave --probe-at out");
         Result<glm::dvec3> place = parse_vector(*at, "--probe-at");
         if (!place) return pass_on(place);
         request.probe_at = *place;
@@ -166,7 +170,16 @@ Result<void> add_sky(SkyInput sky, PreviewRequest& request) {
     if (request.render.shows_sky && !sky.is_given)
         return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     request.render.sky = std::move(sky.sky);
-    return {};
+    const std::vector<PictureMethod> methods =
+        request.compared.empty() ? std::vector<PictureMethod>{request.method} : request.compared;
+    if (request.render.bounces == 0 && request.render.sky.is_dark())
+        for (const PictureMethod& method : methods)
+            if (has_local_probe(method.surroundings))
+                return fail("USE0107",
+                            fmt::format("the method {} is about reflections, and --indirect off leaves them out",
+                                        to_text(method)),
+                            "leave --indirect off out, or add a sky");
+    return check_sky(methods, request.render.sky);
 }
 
 } // namespace
@@ -214,8 +227,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
     stage = stage_input(arguments, request.lights.rig, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     if (read = read_emits(arguments, *stage, request.lights, request.diagnostics); !read) return pass_on(read);
-    if (!has_sky && request.lights.others.empty())
-        if (read = require_lights(request.lights.rig); !read) return pass_on(read);
+    if (read = require_any_light(request.lights, *stage, has_sky); !read) return pass_on(read);
     if (const auto ocio = arguments.value("--ocio")) request.lights.files.push_back(*ocio);
     std::vector<std::string> outputs;
     for (const std::string& output : {request.output, request.export_file})

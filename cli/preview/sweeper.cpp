@@ -84,9 +84,16 @@ Result<bool> set_view(const SweepAxis& axis, std::size_t value, PreviewRequest& 
     } else if (axis.key == "fov") {
         set = read_field_of_view(text, request.stage.camera);
     } else {
-        Result<IrradianceMethod> method = parse_irradiance_method(text);
+        Result<PictureMethod> method = parse_picture_method(text);
+        if (method && has_local_probe(method->surroundings))
+            method = fail("USE0107", fmt::format("the method {} is for one picture", text),
+                          "--compare shows it beside others");
+        if (method)
+            if (Result<void> lit = check_sky({&*method, 1}, request.render.sky); !lit) method = pass_on(lit);
         if (!method) return refused_value(axis, value, method.error());
-        request.render.method = *method;
+        request.method = *method;
+        request.render.method = method->light;
+        request.render.surroundings = method->surroundings;
     }
     if (!set) return refused_value(axis, value, set.error());
     return true;

@@ -66,7 +66,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
                                                      "it adds illuminance to one method: take \"sky\" out of the rig");
             !fits)
             return fits;
-    if (!request.indirect && !lit->sky.is_given && !arguments.has("--emits") && arguments.has("--stage"))
+    if (!request.indirect && !lit->sky.is_given && !arguments.has("--emits") && input.rig.emits.empty() &&
+        arguments.has("--stage"))
         return fail("USE0104", "--stage needs --indirect, --sky or --emits",
                     "without them, a stage neither reflects nor blocks light, nor emits any");
     request.sky = std::move(lit->sky.sky);

@@ -36,6 +36,13 @@ Result<int> face_side(const Arguments& arguments) {
 } // namespace
 
 Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, Diagnostics& diagnostics) {
+    // Before the stage is rendered, which takes longer.
+    if (Result<EnvironmentStorage> storage = environment_storage(arguments, arguments.value("--output").value_or(""));
+        !storage)
+        return pass_on(storage);
+    if (arguments.has("--with-sun"))
+        return fail("USE0107", "--with-sun is for the sun of daylight, not for 'sky capture'",
+                    "the sun lights the stage, and is too small to be seen");
     const auto at = arguments.value("--at");
     if (!at) return fail("USE0104", "no point is given", "add --at X,Y,Z, for example --at 0,0,1.2");
     Result<glm::dvec3> position = parse_vector(*at, "--at");
@@ -59,6 +66,12 @@ Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, 
         input.files = input.rig.files;
         input.files.push_back(*rig_file);
     }
+    // As everywhere: surfaces that emit without a stage of the rig are those of the first stage.
+    if (!input.rig.stage && !input.rig.emits.empty()) {
+        Result<Stage> first = make_stage(stage_kinds().front().name);
+        if (!first) return pass_on(first);
+        input.rig.stage = std::move(*first);
+    }
     if (!input.rig.stage && !arguments.has("--stage"))
         return fail("USE0104", rig_file ? "the rig has no stage" : "there is no stage to capture",
                     "add --stage, for example --stage room");
@@ -69,7 +82,7 @@ Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, 
     Result<SkyInput> sky = sky_input(arguments, input.rig.sky, diagnostics);
     if (!sky) return pass_on(sky);
     if (sky->sun) input.others.push_back(*sky->sun);
-    if (!sky->is_given && input.rig.lights.empty() && input.others.empty())
+    if (sky->sky.is_dark() && input.rig.lights.empty() && input.others.empty())
         return fail("USE0104", "nothing lights the stage", "add --rig FILE, --sky SKY or --emits SURFACE=AMOUNT");
     options.sky = std::move(sky->sky);
     std::vector<std::string> inputs = input.files;
@@ -79,6 +92,9 @@ Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, 
 
     Result<EnvironmentMap> map = capture(*stage, *lights, *position, *side, options);
     if (!map) return pass_on(map);
+    if (map->light(options.threads) == glm::dvec3(0.0))
+        return fail("USE0106", fmt::format("no light reaches the point {} of the stage '{}'", *at, stage->name),
+                    "choose a point that the lit surfaces can be seen from");
     LoadedSky loaded;
     loaded.kind = "image";
     loaded.image = LoadedImage{};

@@ -148,7 +148,9 @@ Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, con
                     request.cut_sun ? std::string("--cut-sun and --with-sun contradict each other")
                                     : fmt::format("'{}' has no sun beside it", loaded.kind),
                     "--with-sun is for daylight that is not overcast");
-    if (loaded.sky.is_dark() && !with_the_sun)
+    const bool is_black =
+        loaded.sky.is_dark() || (loaded.image && loaded.image->map->light(request.threads) == glm::dvec3(0.0));
+    if (is_black && !with_the_sun)
         return fail("USE0106", "the sky is dark: there is nothing to prefilter",
                     "give it an amount, for example 500lx");
     // What can be refused is, before the work.

@@ -29,6 +29,7 @@
 #include <gonio/ibl/environment_tree.hpp>
 #include <gonio/ibl/ggx_lobe.hpp>
 #include <gonio/ibl/irradiance_sh.hpp>
+#include <gonio/ibl/parallax.hpp>
 #include <gonio/ibl/prefilter.hpp>
 #include <gonio/ibl/prefilter_error.hpp>
 #include <gonio/ibl/prefilter_methods.hpp>
@@ -49,6 +50,7 @@
 #include <gonio/media/module.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/drawing.hpp>
+#include <gonio/preview/capture.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/partial_light.hpp>
 #include <gonio/preview/render.hpp>
@@ -68,6 +70,7 @@
 #include <gonio/scene/reference.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/shading/coat_order.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/cie_sky.hpp>
 #include <gonio/sky/daylight_availability.hpp>
@@ -82,6 +85,8 @@
 #include <gonio/sky/sun_extraction.hpp>
 #include <gonio/sky/sun_light.hpp>
 #include <gonio/transport/lighting_options.hpp>
+#include <gonio/transport/local_probe.hpp>
+#include <gonio/transport/surroundings_method.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
 #include <gonio/web/profile_header.hpp>

@@ -1,3 +1,4 @@
+#include <gonio/base/amount_range.hpp>
 #include <gonio/ibl/prefilter.hpp>
 #include <gonio/preview/capture.hpp>
 #include <gonio/scene/camera.hpp>
@@ -40,6 +41,11 @@ int axis_of(const glm::dvec3& direction) {
 }
 
 Result<void> check_place(const Stage& stage, const glm::dvec3& position) {
+    const double farthest = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+    if (!(farthest <= greatest_amount))
+        return fail("USE0106",
+                    fmt::format("the point {:.6g},{:.6g},{:.6g} is out of range", position.x, position.y, position.z),
+                    fmt::format("coordinates reach to {} m", greatest_amount));
     for (const Surface& surface : stage.surfaces)
         if (hides(surface.geometry, position))
             return fail("USE0106",
@@ -73,14 +79,15 @@ Result<EnvironmentMap> capture(const Stage& stage, std::span<const Light> lights
         if (!face) return pass_on(face);
         faces[static_cast<std::size_t>(axis)] = std::move(face->luminance_nt);
         face_options.known = std::move(face->indirect);
-        rays.emplace_back(camera, side, side);
+        // At the origin: far from it a direction is lost beside a position.
+        rays.emplace_back(camera_along(glm::dvec3(0.0), axis), side, side);
     }
     Image picture(grid->width(), grid->height(), 3);
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column) {
             const glm::dvec3 direction = grid->direction({column + 0.5, row + 0.5});
             const auto axis = static_cast<std::size_t>(axis_of(direction));
-            const glm::dvec2 place = rays[axis].place_of(position + direction).value_or(glm::dvec2(0.0));
+            const glm::dvec2 place = rays[axis].place_of(direction).value_or(glm::dvec2(0.0));
             const auto pixel = [&](double along) { return std::clamp(static_cast<int>(along), 0, side - 1); };
             std::copy_n(faces[axis].at(pixel(place.x), pixel(place.y)), 3, picture.at(column, row));
         }

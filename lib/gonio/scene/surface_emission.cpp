@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -184,7 +185,11 @@ Result<std::optional<Primitive>> parse_surface_size(std::string_view text) {
         if (!length) return pass_on(length);
         lengths.at(i) = length->value;
     }
-    return std::optional(found->made(lengths));
+    const Primitive made = found->made(lengths);
+    const double area = lit_area(made);
+    if (!(area > 0.0) || !std::isfinite(area))
+        return fail("USE0106", fmt::format("the size of this {} is out of the range of a number", kind));
+    return std::optional(made);
 }
 
 Result<Nits> emitted_luminance(const Primitive& geometry, const PhotometricValue& amount, ConversionSteps* steps) {

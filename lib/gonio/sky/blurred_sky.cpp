@@ -24,7 +24,12 @@ double texel_width(int side) {
 }
 
 std::size_t texel_count(int side) {
-    return static_cast<std::size_t>(faces * side * side);
+    return faces * static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+}
+
+std::size_t texel_of(int side, int face, int row, int column) {
+    const auto sides = static_cast<std::size_t>(face) * static_cast<std::size_t>(side) + static_cast<std::size_t>(row);
+    return sides * static_cast<std::size_t>(side) + static_cast<std::size_t>(column);
 }
 
 struct FacePoint {
@@ -54,7 +59,7 @@ std::size_t texel_of(int side, const glm::dvec3& direction) {
     const auto index = [&](double value) {
         return std::clamp(static_cast<int>(0.5 * (value + 1.0) * side), 0, side - 1);
     };
-    return static_cast<std::size_t>((at.face * side + index(at.t)) * side + index(at.s));
+    return texel_of(side, at.face, index(at.t), index(at.s));
 }
 
 // Σ L Ω and Σ Ω of the parts of the image's texels that lie in each texel of the cube.
@@ -92,7 +97,7 @@ std::vector<glm::dvec4> sums_over_cube(const EnvironmentMap& image, int side, un
     for (int face = 0; face < faces; ++face)
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column) {
-                glm::dvec4& sum = sums[static_cast<std::size_t>((face * side + row) * side + column)];
+                glm::dvec4& sum = sums[texel_of(side, face, row, column)];
                 if (sum.w > 0.0) continue;
                 const glm::dvec3 middle =
                     direction_of(face, 2.0 * (column + 0.5) / side - 1.0, 2.0 * (row + 0.5) / side - 1.0);
@@ -107,8 +112,7 @@ std::vector<glm::dvec4> halved(const std::vector<glm::dvec4>& sums, int side) {
     for (int face = 0; face < faces; ++face)
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column)
-                result[static_cast<std::size_t>((face * half + row / 2) * half + column / 2)] +=
-                    sums[static_cast<std::size_t>((face * side + row) * side + column)];
+                result[texel_of(half, face, row / 2, column / 2)] += sums[texel_of(side, face, row, column)];
     return result;
 }
 
@@ -159,8 +163,9 @@ glm::dvec3 BlurredSky::Level::at(const glm::dvec3& direction) const {
     const int stride = side + 2;
     const glm::vec3* const texel =
         texels.data() + static_cast<std::ptrdiff_t>((point.face * stride + row) * stride + column);
-    return glm::dvec3((1.0F - below) * ((1.0F - right) * texel[0] + right * texel[1]) +
-                      below * ((1.0F - right) * texel[stride] + right * texel[stride + 1]));
+    const glm::vec3 nt = (1.0F - below) * ((1.0F - right) * texel[0] + right * texel[1]) +
+                         below * ((1.0F - right) * texel[stride] + right * texel[stride + 1]);
+    return nt;
 }
 
 glm::dvec3 BlurredSky::radiance(const glm::dvec3& direction, double width) const {

@@ -13,7 +13,7 @@ constexpr std::array methods{
     SurroundingsMethodInfo{"split-sum", SurroundingsMethod::split_sum,
                            "sky: Unreal Engine 4's prefiltered levels and table, nothing in the way; else exact"},
     SurroundingsMethodInfo{"dominant-direction", SurroundingsMethod::dominant_direction,
-                           "sky: as Frostbite looks up prefiltered levels, nothing in the way; else exact"},
+                           "sky: as Frostbite looks up prefiltered levels, nothing in the way"},
     SurroundingsMethodInfo{"prefiltered", SurroundingsMethod::prefiltered,
                            "sky: prefiltered levels and the exact albedo, nothing in the way; else exact"},
     SurroundingsMethodInfo{"parallax-box", SurroundingsMethod::parallax_box,

