@@ -76,7 +76,8 @@ TEST(SurfaceEmission, NearAWallThatEmitsThereIsShadow) {
     const std::vector<Light> lights = emitted_by(stage);
     const std::array behind{Receiver{{0.0, 0.0, 0.7}, {0, 0, -1}}};
     const std::array open{Receiver{{0.0, 0.0, 0.3}, {0, 0, -1}}};
-    const ReceiverLight light = ReceiverLight::on(stage, lights, LightingOptions()).value();
+    const LightingOptions options;
+    const ReceiverLight light = ReceiverLight::on(stage, lights, options).value();
     EXPECT_LT(light.at(behind).visible[0], 0.2);
     EXPECT_EQ(light.at(open).visible[0], 1.0);
 }
