@@ -36,7 +36,10 @@ constexpr glm::dvec3 up{0.0, 0.0, 1.0};
 
 ReceiverLight::ReceiverLight(std::unique_ptr<detail::LitScene> scene, std::unique_ptr<Interreflection> indirect,
                              std::shared_ptr<const detail::ExchangeGeometry> geometry)
-    : scene_(std::move(scene)), indirect_(std::move(indirect)), geometry_(std::move(geometry)) {}
+    : scene_(std::move(scene)),
+      indirect_(std::move(indirect)),
+      geometry_(std::move(geometry)),
+      sky_(geometry_ != nullptr ? scene_->options.sky : Sky(), scene_->options.threads) {}
 ReceiverLight::ReceiverLight(ReceiverLight&& other) noexcept = default;
 ReceiverLight& ReceiverLight::operator=(ReceiverLight&& other) noexcept = default;
 ReceiverLight::~ReceiverLight() = default;
@@ -75,7 +78,6 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
             open_lx.push_back(unit_vector(receiver.normal).value_or(up));
         open_lx = scene_->options.sky.irradiance(open_lx);
     }
-    const BlurredSky sky(geometry_ != nullptr ? scene_->options.sky : Sky(), scene_->options.threads);
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
@@ -87,7 +89,7 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
         if (has_sky) {
             const glm::dvec3 lx = geometry_ == nullptr
                                       ? open_lx[i]
-                                      : detail::sky_light_at(sky, scene_->options, *geometry_, receivers[i].position,
+                                      : detail::sky_light_at(sky_, scene_->options, *geometry_, receivers[i].position,
                                                              normal, open_lx[i], ExchangeQuality().receiver_rays);
             shares.sky_lx[i] = glm::dot(lx, rec709_luminance);
         }

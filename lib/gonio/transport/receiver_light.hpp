@@ -6,6 +6,7 @@
 #include <gonio/light/light.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/stage.hpp>
+#include <gonio/sky/blurred_sky.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/lighting_options.hpp>
 
@@ -46,6 +47,7 @@ private:
     std::unique_ptr<Interreflection> indirect_; // null without bounces
     // Null where there is neither light that bounced nor a sky that something may hide.
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
+    BlurredSky sky_; // none without a geometry
 };
 
 } // namespace gonio
