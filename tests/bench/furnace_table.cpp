@@ -4,9 +4,9 @@
 //
 // Base colour and albedo are 1, f0 of dielectrics 0.04; the columns are n·v. The last table is the error of the glossy
 // Fresnel of Remember Me.
-#include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/coated.hpp>
+#include <gonio/shading/furnace.hpp>
 #include <gonio/shading/ggx_albedo.hpp>
 
 #include <array>
@@ -34,7 +34,7 @@ void table(const char* title, const char* parameter, const Make& make) {
         const auto material = make(roughness);
         (void)std::printf("| %g |", roughness);
         for (const double mu : cosines) {
-            const double albedo = measure::directional_albedo(material, mu, lobe_alpha(material), 800, 400).x;
+            const double albedo = shading::directional_albedo(material, mu, lobe_alpha(material), 800, 400).x;
             least = std::fmin(least, albedo);
             most = std::fmax(most, albedo);
             (void)std::printf(" %.4f |", albedo);

@@ -7,6 +7,7 @@
 //   gonio-indirect-truth-table [PATHS [diffuse|luminance]]    paths for each half (8000)
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/measure/stage_lamp.hpp>
 #include <gonio/preview/path_tracer.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/camera.hpp>
@@ -34,20 +35,11 @@ using namespace gonio::bench;
 
 constexpr int side = 24; // points
 
-std::vector<Light> lamp_over(const Stage& stage) {
-    LightDescription description;
-    description.shape = parse_shape("disk:r=15cm").value();
-    description.intensity = {1000.0, parse_photometric_unit("lm").value()};
-    hang(description, stage.light);
-    Diagnostics ignored;
-    return {resolve_light(std::move(description), ignored).value()};
-}
-
 void print_diffuse(const StageKind& kind, std::size_t paths) {
     Stage stage = make_stage(kind.name).value();
     for (Surface& surface : stage.surfaces)
         surface.material = LambertMaterial{hemispherical_albedo(surface.material)};
-    const std::vector<Light> lights = lamp_over(stage);
+    const std::vector<Light> lights{measure::lamp_over(stage)};
 
     std::vector<Hit> points;
     const CameraRays rays(stage.camera, side, side);
@@ -80,7 +72,7 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
     Stage stage = make_stage(kind.name).value();
     const std::vector<std::uint8_t> counts = put_on_subjects(stage, material);
     if (std::find(counts.begin(), counts.end(), 1) == counts.end()) return;
-    const std::vector<Light> lights = lamp_over(stage);
+    const std::vector<Light> lights{measure::lamp_over(stage)};
     RenderOptions options;
     options.width = options.height = pixels;
     const Image direct = render(stage, lights, stage.camera, options).value().luminance_nt;

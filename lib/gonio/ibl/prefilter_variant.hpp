@@ -21,7 +21,7 @@ struct PrefilterVariant {
     std::string_view lookup;                // the direction that the program looks up
 };
 
-// The first is for programs of one's own.
+// The first is for your own programs.
 std::span<const PrefilterVariant> prefilter_variants();
 
 // Fails (usage) on an unknown name.

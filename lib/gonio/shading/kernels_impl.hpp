@@ -215,13 +215,11 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
         const Surfaces part = seen_part_of<S>(surfaces, first, rest < most ? rest : most);
         float* const to[3] = {rgb[0] + first, rgb[1] + first, rgb[2] + first};
         irradiance_any<S>(part, light, &under.lx[0]);
-        if constexpr (Glossy<Material>) {
-            if (coat.is_on)
-                under.without_lobe(part.count);
-            else
-                glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe,
-                                          under);
-        }
+        // Through a coat the base shows its lobe in another way: it is added with the coat's.
+        if (coat.is_on)
+            under.without_lobe(part.count);
+        else if constexpr (Glossy<Material>)
+            glossy_under<S, specular>(part, light, gloss(material_of<Material, float>(material_constants)).lobe, under);
         if constexpr (__is_same(Material<S>, Lambert<S>))
             reflect_part<S>(part, light, material, under, to);
         else
@@ -230,7 +228,6 @@ void shade_area(const Surfaces& surfaces, const LightConstants& light, const Mat
             PartUnderLight<S> top;
             const float alpha = coat_alpha(coat_of<float>(coat));
             specular.specular(part, light, alpha, light.specular_method, &top.scale[0], &top.grazing[0]);
-            under.without_lobe(part.count);
             LobeReflectance lobe;
             if constexpr (Glossy<Material>) {
                 const auto glossy = gloss(material_of<Material, float>(material_constants));

@@ -3,6 +3,8 @@
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
 
+#include "../environments.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -16,31 +18,14 @@
 namespace gonio {
 namespace {
 
+using test::directions;
+using test::filled;
+using test::sky_map;
+
 using std::numbers::pi;
 
 EnvironmentGrid grid_of(EnvironmentLayout layout, int side) {
     return *environment_grid(layout, side);
-}
-
-EnvironmentMap filled(const EnvironmentGrid& grid, float value) {
-    Image image(grid.width(), grid.height(), 3);
-    std::fill(image.pixels.begin(), image.pixels.end(), value);
-    return EnvironmentMap::of_valid(grid, std::move(image), 1.0);
-}
-
-EnvironmentMap sky_map(const std::string& text, EnvironmentLayout layout, int side) {
-    return rendered(*resolve_sky(*parse_sky_description(text)), grid_of(layout, side));
-}
-
-// On a spiral of the golden angle.
-std::vector<glm::dvec3> directions(int count) {
-    std::vector<glm::dvec3> all;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double r = std::sqrt((1.0 - z) * (1.0 + z));
-        all.emplace_back(r * std::cos(2.399963229728653 * i), r * std::sin(2.399963229728653 * i), z);
-    }
-    return all;
 }
 
 TEST(SphericalHarmonics, AreOrthonormal) {

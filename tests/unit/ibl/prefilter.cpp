@@ -7,6 +7,8 @@
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
 
+#include "../environments.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -20,19 +22,13 @@
 namespace gonio {
 namespace {
 
+using test::directions;
+using test::filled;
+using test::sky_map;
+
 using std::numbers::pi;
 
 constexpr std::array roughnesses{0.02, 0.1, 0.25, 0.5, 0.75, 1.0};
-
-EnvironmentMap filled(const EnvironmentGrid& grid, float value) {
-    Image image(grid.width(), grid.height(), 3);
-    std::fill(image.pixels.begin(), image.pixels.end(), value);
-    return EnvironmentMap::of_valid(grid, std::move(image), 1.0);
-}
-
-EnvironmentMap sky_map(const std::string& text, EnvironmentLayout layout, int side) {
-    return rendered(*resolve_sky(*parse_sky_description(text)), *environment_grid(layout, side));
-}
 
 // Every texel another colour: the roughest of all images, from a fixed sequence.
 EnvironmentMap speckled(EnvironmentLayout layout, int side) {
@@ -45,16 +41,6 @@ EnvironmentMap speckled(EnvironmentLayout layout, int side) {
         value *= value * 100.0F;
     }
     return EnvironmentMap::of_valid(grid, std::move(image), 1.0);
-}
-
-std::vector<glm::dvec3> directions(int count) {
-    std::vector<glm::dvec3> all;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double r = std::sqrt((1.0 - z) * (1.0 + z));
-        all.emplace_back(r * std::cos(2.399963229728653 * i), r * std::sin(2.399963229728653 * i), z);
-    }
-    return all;
 }
 
 double greatest_difference(std::span<const glm::dvec3> a, std::span<const glm::dvec3> b) {

@@ -1,5 +1,6 @@
 // Captures of a lit stage, and the methods of engines for sky and reflections.
 #include <gonio/light/light_color.hpp>
+#include <gonio/measure/stage_lamp.hpp>
 #include <gonio/preview/capture.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/stage.hpp>
@@ -24,15 +25,6 @@ Sky sky_of(const char* text) {
     return resolve_sky(parse_sky_description(text).value()).value();
 }
 
-std::vector<Light> lamp_over(const Stage& stage) {
-    LightDescription description;
-    description.shape = parse_shape("disk:r=15cm").value();
-    description.intensity = {1000.0, parse_photometric_unit("lm").value()};
-    hang(description, stage.light);
-    Diagnostics ignored;
-    return {resolve_light(std::move(description), ignored).value()};
-}
-
 double lx_of(const Vec& rgb) {
     return glm::dot(rgb, rec709_luminance);
 }
@@ -40,7 +32,7 @@ double lx_of(const Vec& rgb) {
 // The captured picture gives a plane the illuminance that a receiver has at the same place.
 TEST(Capture, GivesTheIlluminanceOfAProbe) {
     const Stage stage = make_stage("room").value();
-    const std::vector<Light> lights = lamp_over(stage);
+    const std::vector<Light> lights{measure::lamp_over(stage)};
     const Vec place(0.4, 0.3, 1.1);
     RenderOptions options;
     options.bounces = all_bounces;
@@ -65,7 +57,7 @@ TEST(Capture, HasAllThatBounces) {
     Stage stage = make_stage("room").value();
     for (Surface& surface : stage.surfaces)
         surface.material = LambertMaterial{Vec(0.5)};
-    const std::vector<Light> lights = lamp_over(stage);
+    const std::vector<Light> lights{measure::lamp_over(stage)};
     const Vec place(0.4, 0.3, 1.1);
     RenderOptions options;
     options.bounces = all_bounces;
@@ -172,7 +164,7 @@ TEST(SurroundingsMethods, ParallaxBoxShowsTheRoom) {
                                                : Material(LambertMaterial{Vec(0.5)});
         return room;
     }();
-    const std::vector<Light> lights = lamp_over(stage);
+    const std::vector<Light> lights{measure::lamp_over(stage)};
     RenderOptions options;
     options.width = options.height = 64;
     options.bounces = all_bounces;

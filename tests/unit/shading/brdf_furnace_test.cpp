@@ -1,6 +1,6 @@
 // The albedo of each material, bounded from both sides.
-#include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/furnace.hpp>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace {
 
 using namespace gonio::shading;
-using gonio::measure::directional_albedo;
+using gonio::shading::directional_albedo;
 using Vec = vec3<double>;
 
 constexpr double cosines[] = {1e-3, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};

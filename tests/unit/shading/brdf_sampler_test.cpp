@@ -1,6 +1,6 @@
 // The samplers of the materials against their stated densities.
-#include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
+#include <gonio/shading/furnace.hpp>
 
 #include "brdf_cases.hpp"
 #include "chi_square.hpp"
@@ -102,7 +102,7 @@ TEST(BrdfSampler, WeightsMeanTheAlbedo) {
                 squares += weight * weight;
             }
             const double mean = sum / count;
-            const double truth = gonio::measure::directional_albedo(material, mu, lobe_alpha(material)).z;
+            const double truth = gonio::shading::directional_albedo(material, mu, lobe_alpha(material)).z;
             const double deviation = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
             EXPECT_LE(std::fabs(mean - truth), 4.5 * deviation + 1e-4) << name << " at n·v " << mu;
             scores.emplace_back(name, deviation);

@@ -1,8 +1,8 @@
 // A clear coat over every base: its albedo from both sides, and what it leaves of what is below.
-#include <gonio/measure/furnace.hpp>
 #include <gonio/shading/brdf.hpp>
 #include <gonio/shading/coat.hpp>
 #include <gonio/shading/coated.hpp>
+#include <gonio/shading/furnace.hpp>
 
 #include "brdf_cases.hpp"
 #include "poses.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 using namespace gonio::shading;
 using brdf_cases::coated;
-using gonio::measure::directional_albedo;
+using gonio::shading::directional_albedo;
 using Vec = vec3<double>;
 
 constexpr double cosines[] = {1e-3, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};

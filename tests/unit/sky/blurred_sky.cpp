@@ -3,6 +3,8 @@
 #include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky_direction.hpp>
 
+#include "../environments.hpp"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -14,6 +16,8 @@
 
 namespace gonio {
 namespace {
+
+using test::directions;
 
 using Vec = glm::dvec3;
 using std::numbers::pi;
@@ -33,18 +37,6 @@ Sky painted(EnvironmentLayout layout, int side, const std::function<double(const
         }
     auto map = std::make_shared<const EnvironmentMap>(EnvironmentMap::of_valid(grid, std::move(image), 1.0));
     return resolve_sky(parse_sky_description(std::string("image:painted") + keys).value(), std::move(map)).value();
-}
-
-// Points of the sphere with equal shares: a spiral of the golden angle.
-std::vector<Vec> directions(int count) {
-    std::vector<Vec> found;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double azimuth = i * pi * (3.0 - std::sqrt(5.0));
-        const double across = std::sqrt(1.0 - z * z);
-        found.emplace_back(across * std::cos(azimuth), across * std::sin(azimuth), z);
-    }
-    return found;
 }
 
 constexpr EnvironmentLayout all_layouts[] = {EnvironmentLayout::latlong, EnvironmentLayout::cube_cross,

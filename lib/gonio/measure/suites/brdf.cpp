@@ -1,8 +1,8 @@
 // Reflectances: each material's codes against its formula in double, and the share of light that each material
 // reflects.
 #include <gonio/measure/brdf_cases.hpp>
-#include <gonio/measure/furnace.hpp>
 #include <gonio/measure/suites/suites.hpp>
+#include <gonio/shading/furnace.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/transport/shading_constants.hpp>
 

@@ -1,5 +1,6 @@
 // Light that bounces: interreflection in several finenesses, and paths, against a much finer solution.
 #include <gonio/base/parallel.hpp>
+#include <gonio/measure/stage_lamp.hpp>
 #include <gonio/measure/suites/suites.hpp>
 #include <gonio/preview/path_tracer.hpp>
 #include <gonio/scene/camera.hpp>
@@ -29,12 +30,7 @@ Scene scene_of(std::string_view name, int size) {
     Scene scene{make_stage(name).value(), {}, {}};
     for (Surface& surface : scene.stage.surfaces)
         surface.material = LambertMaterial{hemispherical_albedo(surface.material)};
-    LightDescription description;
-    description.shape = parse_shape("disk:r=15cm").value();
-    description.intensity = {1000.0, parse_photometric_unit("lm").value()};
-    hang(description, scene.stage.light);
-    Diagnostics ignored;
-    scene.lights.push_back(resolve_light(std::move(description), ignored).value());
+    scene.lights.push_back(lamp_over(scene.stage));
     const CameraRays rays(scene.stage.camera, size, size);
     for (int j = 0; j < size; ++j)
         for (int i = 0; i < size; ++i)

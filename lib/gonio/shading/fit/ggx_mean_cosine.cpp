@@ -8,6 +8,7 @@
 // μ̂ = μ. Around μ = α it changes on the scale of α, so μ̂ = μ + α z P(z, √α) with z = α/(μ + α), and P is a sum of
 // products of Chebyshev's polynomials. P is fitted by least squares of B, with the derivative of B by P as the weight.
 #include <gonio/shading/brdf_ggx.hpp>
+#include <gonio/shading/furnace.hpp>
 
 #include <algorithm>
 #include <array>
@@ -30,37 +31,6 @@ struct Point {
     [[nodiscard]] double z() const { return alpha / (mu + alpha); }
     [[nodiscard]] double cosine() const { return 1.0 - std::pow(std::fmax(grazing / sum, 0.0), 0.2); }
 };
-
-// ∫ f n·l dω over a lattice of half vectors: the logarithm of their slope, and their azimuth. Error below 3e-5.
-gonio::shading::vec3<double> directional_albedo(const gonio::shading::Ggx<double>& material, double mu,
-                                                double narrowest, int slopes, int azimuths) {
-    using gonio::shading::vec3;
-    const vec3<double> n{0.0, 0.0, 1.0};
-    const vec3<double> v{std::sqrt((1.0 - mu) * (1.0 + mu)), 0.0, mu};
-    const double low = std::log(std::clamp(narrowest, 1e-4, 1.0) * 3e-4);
-    // A light on the same side as the view has half vectors as steep as the view is shallow.
-    const double step = (std::log(3e3 / mu) - low) / slopes;
-    vec3<double> sum{0.0, 0.0, 0.0};
-    for (int k = 0; k < azimuths; ++k) {
-        const double phi = std::numbers::pi * (k + 0.5) / azimuths;
-        const double along = std::cos(phi);
-        const double across = std::sin(phi);
-        const double turns = (k + 0.5) / std::numbers::phi;
-        for (int i = 0; i < slopes; ++i) {
-            const double slope = std::exp(low + (i + turns - std::floor(turns)) * step);
-            const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
-            const double sine = slope * cosine;
-            const double measure = sine * sine * cosine * step * (2.0 * std::numbers::pi / azimuths);
-            const vec3<double> h{sine * along, sine * across, cosine};
-            const double v_dot_h = dot(v, h);
-            if (!(v_dot_h > 0.0)) continue;
-            const vec3<double> l = h * (2.0 * v_dot_h) - v;
-            if (!(l.z > 0.0)) continue;
-            sum = sum + brdf(material, n, l, v) * (l.z * 4.0 * v_dot_h * measure);
-        }
-    }
-    return sum;
-}
 
 Point point(double mu, double alpha) {
     const gonio::shading::Ggx<double> facets{{0.0, 1.0, 0.0}, alpha};

@@ -8,15 +8,14 @@
 #include <cmath>
 #include <numbers>
 
-namespace gonio::measure {
+namespace gonio::shading {
 
 // ∫ f n·l dω of the three channels for a view at n·v = mu, in (0, 1]. `narrowest` is the α of the material's narrowest
 // lobe; 1 for none. Shares no code with the samplers: the logarithm of the half vector's slope and its azimuth are
 // sampled uniformly on a lattice, which covers lobes of any width. Errors are below 3e-5.
 template<class Material>
-shading::vec3<double> directional_albedo(const Material& material, double mu, double narrowest, int slopes = 500,
-                                         int azimuths = 200) {
-    using shading::vec3;
+vec3<double> directional_albedo(const Material& material, double mu, double narrowest, int slopes = 500,
+                                int azimuths = 200) {
     const vec3<double> n{0.0, 0.0, 1.0};
     const vec3<double> v{std::sqrt((1.0 - mu) * (1.0 + mu)), 0.0, mu};
     const double low = std::log(std::clamp(narrowest, 1e-4, 1.0) * 3e-4);
@@ -44,4 +43,4 @@ shading::vec3<double> directional_albedo(const Material& material, double mu, do
     return sum;
 }
 
-} // namespace gonio::measure
+} // namespace gonio::shading
