@@ -103,7 +103,7 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
     report["exposure"] = {{"mode", to_text(request.exposure.mode)},
                           {"white_nt", white_luminance(picture.exposure).value},
                           {"card_lx", card_illuminance(picture.exposure).value}};
-    report["method"] = to_text(request.method);
+    report["method"] = to_text(method_of(request.render));
     report["tone_map"] = to_text(request.exposure.tone_map);
     if (const std::optional<Eye>& eye = request.exposure.glare)
         report["glare"] = {{"age_years", eye->age_years}, {"pigment", eye->pigment}};
@@ -124,7 +124,8 @@ Result<RefinedPicture> picture_of(const PreviewRequest& request, std::span<const
                                   const Console& console) {
     if (request.render.method == IrradianceMethod::reference) return refine(request, lights, console);
     RenderOptions options = request.render;
-    if (Result<void> ready = prepare(options, {&request.method, 1}, request.stage, lights, request.probe_at); !ready)
+    const PictureMethod method = method_of(options);
+    if (Result<void> ready = prepare(options, {&method, 1}, request.stage, lights, request.probe_at); !ready)
         return pass_on(ready);
     Result<Rendering> rendered = render(request.stage, lights, request.stage.camera, options);
     if (!rendered) return pass_on(rendered);

@@ -107,11 +107,11 @@ Outcome check(const std::string& file, const RigReadOptions& options, const SkyR
         return outcome;
     }
     const std::size_t surfaces = surfaces_of(*emitted);
-    for (LightDescription& description : *emitted)
-        if (Result<Light> light = resolve_light(std::move(description), diagnostics); !light) {
-            outcome.error = std::move(light.error());
-            return outcome;
-        }
+    std::vector<Light> of_surfaces;
+    if (Result<void> added = add_resolved(std::move(*emitted), of_surfaces, diagnostics); !added) {
+        outcome.error = std::move(added.error());
+        return outcome;
+    }
     const std::size_t files = rig->files.size();
     const std::string stage = rig->stage ? fmt::format(", stage '{}'", rig->stage->name) : std::string();
     Result<std::vector<Light>> lights = resolve_lights(std::move(*rig), diagnostics, 1);

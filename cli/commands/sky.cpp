@@ -105,44 +105,56 @@ Result<int> info_all(const Arguments& arguments, Console& console) {
     });
 }
 
-// One sky into files: what convert and prefilter share. `member` has the sidecar in the report.
+// An action that writes files and returns their sidecar, which is `member` of the report.
 struct FileAction {
     std::string_view name;
     std::string_view made;
     std::string_view schema;
     std::string_view member;
-    Result<Json> (*write)(const std::string&, const LoadedSky&, const SkyRequest&, const Arguments&);
 };
-Result<Json> convert_named(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
-                           const Arguments& arguments) {
-    return convert_sky({text, {file_of_sky(text)}}, loaded, request, arguments);
+
+constexpr FileAction convert_action{"convert", "image", "gonio.sky-convert/1", "environment"};
+constexpr FileAction prefilter_action{"prefilter", "images", "gonio.sky-prefilter/1", "prefilter"};
+constexpr FileAction capture_action{"capture", "image", "gonio.sky-capture/1", "environment"};
+
+// `write` gets the request, and diagnostics that it adds to and has said.
+template<class Write>
+Result<int> write_files(const FileAction& action, const char* example, const Arguments& arguments, Console& console,
+                        const Write& write) {
+    const auto output = arguments.value("--output");
+    if (!output) return fail("USE0104", "there is no output", fmt::format("add -o FILE, for example -o {}", example));
+    const ReportKind kind = report_kind(arguments);
+    if (*output == "-" && kind != ReportKind::words) return both_to_standard_output(action.made);
+    Result<SkyRequest> request = sky_request(arguments);
+    if (!request) return pass_on(request);
+    Diagnostics diagnostics;
+    Result<Json> sidecar = write(*request, diagnostics);
+    if (!sidecar) return pass_on(sidecar);
+    if (kind == ReportKind::words) return 0;
+    Json report{{"schema", action.schema}, {"output", *output}};
+    report[std::string(action.member)] = std::move(*sidecar);
+    report["diagnostics"] = diagnostics_json(diagnostics);
+    console.print(dump(report, kind == ReportKind::jsonl ? -1 : 2));
+    return 0;
 }
 
-constexpr FileAction convert_action{"convert", "image", "gonio.sky-convert/1", "environment", convert_named};
-constexpr FileAction prefilter_action{"prefilter", "images", "gonio.sky-prefilter/1", "prefilter", prefilter_sky};
+using WriteSky = Result<Json> (*)(const SkySource&, const LoadedSky&, const SkyRequest&, const Arguments&);
 
-Result<int> write_one(const FileAction& action, const Arguments& arguments, Console& console) {
+// One sky into files.
+Result<int> write_sky(const FileAction& action, WriteSky write, const Arguments& arguments, Console& console) {
     const std::vector<std::string>& words = arguments.positional();
     if (words.size() != 2)
         return fail(words.size() < 2 ? Cause("USE0104") : Cause("USE0107"),
                     fmt::format("'sky {}' takes one sky, not {}", action.name, words.size() - 1),
                     fmt::format("for example: gonio sky {} cie:1,horizontal=10klx -o sky.exr", action.name));
-    if (!arguments.has("--output")) return fail("USE0104", "there is no output", "add -o FILE, for example -o sky.exr");
-    const ReportKind kind = report_kind(arguments);
-    if (arguments.value("--output") == "-" && kind != ReportKind::words) return both_to_standard_output(action.made);
-    Result<SkyRequest> request = sky_request(arguments);
-    if (!request) return pass_on(request);
-    Result<LoadedSky> loaded = load_sky(words[1], *request);
-    if (!loaded) return pass_on(loaded);
-    console.say(loaded->diagnostics);
-    Result<Json> sidecar = action.write(words[1], *loaded, *request, arguments);
-    if (!sidecar) return pass_on(sidecar);
-    if (kind == ReportKind::words) return 0;
-    Json report{{"schema", action.schema}, {"output", *arguments.value("--output")}};
-    report[std::string(action.member)] = std::move(*sidecar);
-    report["diagnostics"] = diagnostics_json(loaded->diagnostics);
-    console.print(dump(report, kind == ReportKind::jsonl ? -1 : 2));
-    return 0;
+    return write_files(action, "sky.exr", arguments, console,
+                       [&](const SkyRequest& request, Diagnostics& diagnostics) -> Result<Json> {
+                           Result<LoadedSky> loaded = load_sky(words[1], request);
+                           if (!loaded) return pass_on(loaded);
+                           diagnostics = loaded->diagnostics;
+                           console.say(diagnostics);
+                           return write({words[1], {file_of_sky(words[1])}}, *loaded, request, arguments);
+                       });
 }
 
 Result<int> capture_one(const Arguments& arguments, Console& console) {
@@ -153,22 +165,12 @@ Result<int> capture_one(const Arguments& arguments, Console& console) {
         if (arguments.has(option.names) && option.names != "--ocio")
             return fail("USE0107", fmt::format("{} is for images, not for 'sky capture'", option.names),
                         "gonio sky info or convert takes the captured image");
-    if (!arguments.has("--output"))
-        return fail("USE0104", "there is no output", "add -o FILE, for example -o room.exr");
-    const ReportKind kind = report_kind(arguments);
-    if (arguments.value("--output") == "-" && kind != ReportKind::words) return both_to_standard_output("image");
-    Result<SkyRequest> request = sky_request(arguments);
-    if (!request) return pass_on(request);
-    Diagnostics diagnostics;
-    Result<Json> sidecar = capture_sky(*request, arguments, diagnostics);
-    console.say(diagnostics);
-    if (!sidecar) return pass_on(sidecar);
-    if (kind == ReportKind::words) return 0;
-    Json report{{"schema", "gonio.sky-capture/1"}, {"output", *arguments.value("--output")}};
-    report["environment"] = std::move(*sidecar);
-    report["diagnostics"] = diagnostics_json(diagnostics);
-    console.print(dump(report, kind == ReportKind::jsonl ? -1 : 2));
-    return 0;
+    return write_files(capture_action, "room.exr", arguments, console,
+                       [&](const SkyRequest& request, Diagnostics& diagnostics) {
+                           Result<Json> sidecar = capture_sky(request, arguments, diagnostics);
+                           console.say(diagnostics);
+                           return sidecar;
+                       });
 }
 
 Result<int> work(const Arguments& arguments, Console& console) {
@@ -180,9 +182,9 @@ Result<int> work(const Arguments& arguments, Console& console) {
                     "FILE shows a lit stage from a point");
     if (Result<void> fine = refuse_others(arguments, words.front()); !fine) return pass_on(fine);
     if (words.front() == "info") return info_all(arguments, console);
-    if (words.front() == "convert") return write_one(convert_action, arguments, console);
+    if (words.front() == "convert") return write_sky(convert_action, convert_sky, arguments, console);
     if (words.front() == "capture") return capture_one(arguments, console);
-    if (words.front() == "prefilter") return write_one(prefilter_action, arguments, console);
+    if (words.front() == "prefilter") return write_sky(prefilter_action, prefilter_sky, arguments, console);
     return fail("USE0103", fmt::format("unknown action '{}'", words.front()),
                 fmt::format("write gonio sky info '{0}', gonio sky convert '{0}' -o FILE, or gonio sky prefilter '{0}' "
                             "-o FILE",

@@ -121,11 +121,8 @@ Result<Content> content_of_rig(Rig rig, const std::string& name) {
     Result<std::vector<Light>> lights = resolve_lights(std::move(rig), content.diagnostics, 1);
     if (!lights) return pass_on(lights);
     content.lights = std::move(*lights);
-    for (LightDescription& description : *emitted) {
-        Result<Light> light = resolve_light(std::move(description), content.diagnostics);
-        if (!light) return pass_on(light);
-        content.lights.push_back(std::move(*light));
-    }
+    if (Result<void> added = add_resolved(std::move(*emitted), content.lights, content.diagnostics); !added)
+        return pass_on(added);
     content.description = fmt::format("{} lights", content.lights.size());
     content.report = {{"name", name}, {"lights", content.lights.size()}};
     return content;

@@ -12,6 +12,17 @@ RigReadOptions rig_read_options(const Arguments& arguments) {
     return {arguments.has("--allow-outside"), "add --allow-outside if you trust the rig"};
 }
 
+Result<LightsInput> rig_input(const std::string& rig_file, const Arguments& arguments) {
+    Result<Rig> rig = read_rig_file(rig_file, rig_read_options(arguments));
+    if (!rig) return pass_on(rig);
+    LightsInput input;
+    input.rig_file = rig_file;
+    input.rig = std::move(*rig);
+    input.files = input.rig.files;
+    input.files.push_back(rig_file);
+    return input;
+}
+
 Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacement& placement,
                                  Diagnostics& diagnostics) {
     LightsInput input;
@@ -29,13 +40,7 @@ Result<LightsInput> lights_input(const Arguments& arguments, const LightPlacemen
         return fail("USE0107", fmt::format("--rig and {} are both given", option), "a rig describes all of its lights");
     if (!arguments.positional().empty())
         return fail("USE0107", "--rig and a profile are both given", "name the profile in the rig");
-    input.rig_file = *rig_file;
-    Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
-    if (!rig) return pass_on(rig);
-    input.rig = std::move(*rig);
-    input.files = input.rig.files;
-    input.files.push_back(*rig_file);
-    return input;
+    return rig_input(*rig_file, arguments);
 }
 
 Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnostics, unsigned threads) {
@@ -53,11 +58,7 @@ Result<std::vector<Light>> resolve_input(LightsInput input, Diagnostics& diagnos
         if (!light) return pass_on(light);
         lights.push_back(std::move(*light));
     }
-    for (LightDescription& description : others) {
-        Result<Light> light = resolve_light(std::move(description), diagnostics);
-        if (!light) return pass_on(light);
-        lights.push_back(std::move(*light));
-    }
+    if (Result<void> added = add_resolved(std::move(others), lights, diagnostics); !added) return pass_on(added);
     return lights;
 }
 

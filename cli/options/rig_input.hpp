@@ -32,6 +32,9 @@ struct LightsInput {
     std::vector<std::string> files;       // every file that was read for the lights
 };
 
+// Those of a rig file, with the files that were read for them. Fails as read_rig_file() does.
+Result<LightsInput> rig_input(const std::string& rig_file, const Arguments& arguments);
+
 // The lights of --rig, or the positional FILE or --shape at `placement` or at each --position. Reads the rig
 // and its profiles, but not the profile of a single light. Fails (usage) if a rig and a light are both given, and as
 // read_rig_file and light_input do.

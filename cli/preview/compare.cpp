@@ -102,8 +102,7 @@ Result<Comparison> compare(const PreviewRequest& request, std::span<const Light>
     for (const PictureMethod& method : request.compared) {
         progress.show(comparison.methods.size(), to_text(method));
         RenderOptions options = prepared;
-        options.method = method.light;
-        options.surroundings = method.surroundings;
+        set_method(options, method);
         options.known = known;
         Result<Rendering> rendering = render(request.stage, lights, request.stage.camera, options);
         if (!rendering) return pass_on(rendering);

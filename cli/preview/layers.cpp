@@ -268,11 +268,16 @@ Result<int> preview_layers(const Arguments& arguments, Console& console) {
     fine = write_output(request->output, *bytes);
     if (!fine) return Unexpected(fine.error());
     if (!arguments.has("--json") && !arguments.has("--jsonl")) return 0;
-    Json report{{"schema", "gonio.preview/1"},        {"output", request->output},
-                {"width", request->render.width},     {"height", request->render.height},
-                {"stage", request->stage.name},       {"exposure_ev100", maker.exposure().value},
-                {"method", to_text(request->method)}, {"layers", maker.layers_json()},
-                {"lights", lights->size()},           {"diagnostics", diagnostics_json(diagnostics)}};
+    Json report{{"schema", "gonio.preview/1"},
+                {"output", request->output},
+                {"width", request->render.width},
+                {"height", request->render.height},
+                {"stage", request->stage.name},
+                {"exposure_ev100", maker.exposure().value},
+                {"method", to_text(method_of(request->render))},
+                {"layers", maker.layers_json()},
+                {"lights", lights->size()},
+                {"diagnostics", diagnostics_json(diagnostics)}};
     console.print(dump(report, arguments.has("--jsonl") ? -1 : 2));
     return 0;
 }

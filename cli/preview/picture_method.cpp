@@ -16,6 +16,15 @@ std::string_view to_text(const PictureMethod& method) {
     return method.surroundings == SurroundingsMethod::exact ? to_text(method.light) : to_text(method.surroundings);
 }
 
+PictureMethod method_of(const RenderOptions& options) {
+    return {options.method, options.surroundings};
+}
+
+void set_method(RenderOptions& options, const PictureMethod& method) {
+    options.method = method.light;
+    options.surroundings = method.surroundings;
+}
+
 std::vector<PictureMethodInfo> picture_methods() {
     std::vector<PictureMethodInfo> infos;
     for (const IrradianceMethodName& known : irradiance_methods())
@@ -39,15 +48,12 @@ Result<PictureMethod> parse_picture_method(std::string_view name) {
 }
 
 Result<std::vector<PictureMethod>> parse_picture_methods(std::string_view list) {
+    const std::vector<PictureMethodInfo> infos = picture_methods();
+    auto named = find_all_named("method", list, infos);
+    if (!named) return pass_on(named);
     std::vector<PictureMethod> methods;
-    for (bool more = true; more;) {
-        const std::size_t comma = list.find(',');
-        Result<PictureMethod> parsed = parse_picture_method(list.substr(0, comma));
-        if (!parsed) return pass_on(parsed);
-        if (std::find(methods.begin(), methods.end(), *parsed) == methods.end()) methods.push_back(*parsed);
-        more = comma != std::string_view::npos;
-        if (more) list.remove_prefix(comma + 1);
-    }
+    for (const auto* const info : *named)
+        methods.push_back(info->method);
     return methods;
 }
 

@@ -27,6 +27,10 @@ struct PictureMethod {
 
 std::string_view to_text(const PictureMethod& method);
 
+// The method of these options, and the options with that method.
+PictureMethod method_of(const RenderOptions& options);
+void set_method(RenderOptions& options, const PictureMethod& method);
+
 struct PictureMethodInfo {
     std::string_view name;
     std::string summary;

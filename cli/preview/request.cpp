@@ -84,9 +84,7 @@ Result<void> read_method(const Arguments& arguments, PreviewRequest& request) {
     if (Result<void> compared = read_compared(arguments, request); !compared) return compared;
     Result<PictureMethod> method = parse_picture_method(arguments.value("--method").value_or("exact"));
     if (!method) return pass_on(method);
-    request.method = *method;
-    request.render.method = method->light;
-    request.render.surroundings = method->surroundings;
+    set_method(request.render, *method);
     if (has_local_probe(method->surroundings))
         for (const std::string_view option : {"--aov", "--sweep", "--sheet"})
             if (arguments.has(option))
@@ -171,7 +169,7 @@ Result<void> add_sky(SkyInput sky, PreviewRequest& request) {
         return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     request.render.sky = std::move(sky.sky);
     const std::vector<PictureMethod> methods =
-        request.compared.empty() ? std::vector<PictureMethod>{request.method} : request.compared;
+        request.compared.empty() ? std::vector<PictureMethod>{method_of(request.render)} : request.compared;
     if (request.render.bounces == 0 && request.render.sky.is_dark())
         for (const PictureMethod& method : methods)
             if (has_local_probe(method.surroundings))

@@ -79,7 +79,6 @@ struct PreviewRequest {
     LookRequest look;
     ExposureRequest exposure;
     media::DisplayOptions display;
-    PictureMethod method;
     std::vector<PictureMethod> compared; // of --compare, with the baseline first; else empty
     std::optional<glm::dvec3> probe_at;  // of --probe-at
     std::string output;                  // empty: no picture, only an exported scene

@@ -91,9 +91,7 @@ Result<bool> set_view(const SweepAxis& axis, std::size_t value, PreviewRequest& 
         if (method)
             if (Result<void> lit = check_sky({&*method, 1}, request.render.sky); !lit) method = pass_on(lit);
         if (!method) return refused_value(axis, value, method.error());
-        request.method = *method;
-        request.render.method = method->light;
-        request.render.surroundings = method->surroundings;
+        set_method(request.render, *method);
     }
     if (!set) return refused_value(axis, value, set.error());
     return true;

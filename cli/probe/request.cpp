@@ -41,7 +41,7 @@ Result<void> read_lights_of_stage(const Arguments& arguments, LightsInput& input
     if (arguments.has("--emits"))
         return fail("USE0104", "--emits needs a stage with this surface", "add --stage room, or a stage to the rig");
     if (input.rig.emits.empty()) return {};
-    Result<Stage> stage = make_stage(stage_kinds().front().name); // a rig's, if it names none
+    Result<Stage> stage = stage_of(input.rig);
     if (!stage) return pass_on(stage);
     if (Result<void> read = read_emits(arguments, *stage, input, request.diagnostics); !read) return read;
     request.stage = std::move(*stage);

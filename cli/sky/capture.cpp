@@ -25,8 +25,7 @@ constexpr int usual_side = 256; // of a face
 Result<int> face_side(const Arguments& arguments) {
     const auto size = arguments.value("--size");
     if (!size) return usual_side;
-    Result<EnvironmentLayout> layout =
-        parse_environment_layout(arguments.value("--layout").value_or(std::string("cube-strip")));
+    Result<EnvironmentLayout> layout = output_layout(arguments, EnvironmentLayout::cube_strip);
     if (!layout) return pass_on(layout);
     Result<EnvironmentGrid> grid = environment_size(*layout, *size);
     if (!grid) return pass_on(grid);
@@ -59,23 +58,15 @@ Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, 
     LightsInput input;
     const auto rig_file = arguments.value("--rig");
     if (rig_file) {
-        Result<Rig> rig = read_rig_file(*rig_file, rig_read_options(arguments));
-        if (!rig) return pass_on(rig);
-        input.rig_file = *rig_file;
-        input.rig = std::move(*rig);
-        input.files = input.rig.files;
-        input.files.push_back(*rig_file);
+        Result<LightsInput> of_rig = rig_input(*rig_file, arguments);
+        if (!of_rig) return pass_on(of_rig);
+        input = std::move(*of_rig);
     }
-    // As everywhere: surfaces that emit without a stage of the rig are those of the first stage.
-    if (!input.rig.stage && !input.rig.emits.empty()) {
-        Result<Stage> first = make_stage(stage_kinds().front().name);
-        if (!first) return pass_on(first);
-        input.rig.stage = std::move(*first);
-    }
-    if (!input.rig.stage && !arguments.has("--stage"))
+    const auto named = arguments.value("--stage");
+    if (!named && !input.rig.stage && input.rig.emits.empty())
         return fail("USE0104", rig_file ? "the rig has no stage" : "there is no stage to capture",
                     "add --stage, for example --stage room");
-    Result<Stage> stage = arguments.has("--stage") ? make_stage(*arguments.value("--stage")) : *input.rig.stage;
+    Result<Stage> stage = named ? make_stage(*named) : stage_of(input.rig);
     if (!stage) return pass_on(stage);
     if (Result<void> given = give_materials(arguments, input.rig, *stage, diagnostics); !given) return pass_on(given);
     if (Result<void> emits = read_emits(arguments, *stage, input, diagnostics); !emits) return pass_on(emits);

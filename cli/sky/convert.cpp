@@ -28,16 +28,13 @@ constexpr int usual_latlong_side = 512; // of skies by formula
 
 Result<EnvironmentGrid> target_grid(const LoadedSky& loaded, const Arguments& arguments) {
     const EnvironmentGrid* const source = loaded.image ? &loaded.image->map->grid() : nullptr;
-    EnvironmentLayout layout = source != nullptr ? source->layout() : EnvironmentLayout::latlong;
-    if (const auto named = arguments.value("--layout")) {
-        Result<EnvironmentLayout> known = parse_environment_layout(*named);
-        if (!known) return pass_on(known);
-        layout = *known;
-    }
-    if (const auto size = arguments.value("--size")) return environment_size(layout, *size);
-    return environment_grid(layout, source != nullptr
-                                        ? side_like(source->layout(), source->side(), layout)
-                                        : side_like(EnvironmentLayout::latlong, usual_latlong_side, layout));
+    Result<EnvironmentLayout> layout =
+        output_layout(arguments, source != nullptr ? source->layout() : EnvironmentLayout::latlong);
+    if (!layout) return pass_on(layout);
+    if (const auto size = arguments.value("--size")) return environment_size(*layout, *size);
+    return environment_grid(*layout, source != nullptr
+                                         ? side_like(source->layout(), source->side(), *layout)
+                                         : side_like(EnvironmentLayout::latlong, usual_latlong_side, *layout));
 }
 
 // The sidecar's fields as attributes, but those that encode_environment() writes.
@@ -54,15 +51,6 @@ std::vector<media::ImageAttribute> attributes_of(const std::string& sidecar) {
     return attributes;
 }
 
-Result<std::optional<std::string>> sidecar_name(const Arguments& arguments, const std::string& output) {
-    const auto named = arguments.value("--sidecar");
-    if (named && arguments.has("--no-sidecar"))
-        return fail("USE0107", "--sidecar and --no-sidecar contradict each other", "leave one of them out");
-    if (named) return named;
-    if (output == "-" || arguments.has("--no-sidecar")) return std::optional<std::string>();
-    return std::optional(output + ".json");
-}
-
 } // namespace
 
 Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const SkyRequest& request,
@@ -70,7 +58,8 @@ Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const
     const std::string output = arguments.value("--output").value_or("");
     Result<EnvironmentStorage> storage = environment_storage(arguments, output);
     if (!storage) return pass_on(storage);
-    Result<std::optional<std::string>> sidecar = sidecar_name(arguments, output);
+    Result<std::optional<std::string>> sidecar =
+        sidecar_file(arguments, output == "-" ? std::string() : output + ".json");
     if (!sidecar) return pass_on(sidecar);
     Result<EnvironmentGrid> grid = target_grid(loaded, arguments);
     if (!grid) return pass_on(grid);
@@ -79,12 +68,9 @@ Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const
         if (!file.empty())
             if (Result<void> free = in_use.take(file); !free) return pass_on(free);
 
-    const bool with_the_sun = arguments.has("--with-sun");
-    if (with_the_sun && (request.cut_sun || !loaded.sun))
-        return fail("USE0107",
-                    request.cut_sun ? std::string("--cut-sun and --with-sun contradict each other")
-                                    : fmt::format("'{}' has no sun beside it", loaded.kind),
-                    "--with-sun is for daylight that is not overcast");
+    Result<bool> asked_for = with_sun_in_pixels(arguments, loaded, request);
+    if (!asked_for) return pass_on(asked_for);
+    const bool with_the_sun = *asked_for;
     EnvironmentMap image = environment_image(loaded, *grid, request.threads);
     if (with_the_sun) image = with_sun(image, *loaded.sun);
     const double scale = nits_per_unit(image, storage->pixel);

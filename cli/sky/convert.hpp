@@ -7,11 +7,10 @@
 #include "../command.hpp"
 #include "../json_text.hpp"
 #include "../options/output.hpp"
+#include "environment_output.hpp"
 #include "request.hpp"
 
 #include <array>
-#include <string>
-#include <vector>
 
 namespace gonio::cli {
 
@@ -28,12 +27,6 @@ inline constexpr std::array sky_output_options{
     Option{"--sidecar", "FILE", "write the JSON sidecar to this file (OUTPUT.json; prefilter: STEM.json)"},
     Option{"--no-sidecar", "", "write no sidecar"},
     durable_option,
-};
-
-// What an image was made from.
-struct SkySource {
-    std::string text;               // as the user named it
-    std::vector<std::string> files; // that were read, which no output may replace
 };
 
 // Writes the image and its sidecar, both or neither; returns the sidecar.

@@ -52,6 +52,29 @@ Result<EnvironmentStorage> environment_storage(const Arguments& arguments, const
     return EnvironmentStorage{*format, *pixel};
 }
 
+Result<EnvironmentLayout> output_layout(const Arguments& arguments, EnvironmentLayout otherwise) {
+    const auto named = arguments.value("--layout");
+    return named ? parse_environment_layout(*named) : otherwise;
+}
+
+Result<std::optional<std::string>> sidecar_file(const Arguments& arguments, const std::string& usual) {
+    const auto named = arguments.value("--sidecar");
+    if (named && arguments.has("--no-sidecar"))
+        return fail("USE0107", "--sidecar and --no-sidecar contradict each other", "leave one of them out");
+    if (named) return named;
+    return usual.empty() || arguments.has("--no-sidecar") ? std::nullopt : std::optional(usual);
+}
+
+Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loaded, const SkyRequest& request) {
+    const bool with_the_sun = arguments.has("--with-sun");
+    if (with_the_sun && (request.cut_sun || !loaded.sun))
+        return fail("USE0107",
+                    request.cut_sun ? std::string("--cut-sun and --with-sun contradict each other")
+                                    : fmt::format("'{}' has no sun beside it", loaded.kind),
+                    "--with-sun is for daylight that is not overcast");
+    return with_the_sun;
+}
+
 EnvironmentMap environment_image(const LoadedSky& loaded, const EnvironmentGrid& grid, unsigned threads) {
     if (!loaded.image) return rendered(loaded.sky, grid, threads);
     const EnvironmentMap& map = *loaded.image->map;

@@ -8,7 +8,9 @@
 #include "../arguments.hpp"
 #include "request.hpp"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -22,6 +24,21 @@ struct EnvironmentStorage {
 
 // --to or the output's ending, and --pixel. Fails (usage) on formats that hold values for a display.
 Result<EnvironmentStorage> environment_storage(const Arguments& arguments, const std::string& output);
+
+// What files are made from.
+struct SkySource {
+    std::string text;               // as the user named it
+    std::vector<std::string> files; // that were read, which no output may replace
+};
+
+// That of --layout, else `otherwise`. Fails (usage) on an unknown name.
+Result<EnvironmentLayout> output_layout(const Arguments& arguments, EnvironmentLayout otherwise);
+
+// The file of --sidecar, else `usual`; nothing with --no-sidecar or if `usual` is empty. Fails (usage) on both options.
+Result<std::optional<std::string>> sidecar_file(const Arguments& arguments, const std::string& usual);
+
+// Whether --with-sun puts the sun beside the sky into its pixels. Fails (usage) if there is none.
+Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loaded, const SkyRequest& request);
 
 // The sky's pixels on this grid, without the sun beside it.
 EnvironmentMap environment_image(const LoadedSky& loaded, const EnvironmentGrid& grid, unsigned threads);

@@ -70,16 +70,13 @@ Result<Wanted> wanted(const Arguments& arguments, unsigned threads) {
     const bool has_ending = point != std::string::npos && output.find('/', point) == std::string::npos;
     want.stem = has_ending ? output.substr(0, point) : output;
     want.ending = has_ending ? output.substr(point) : "." + std::string(storage->format->extensions.front());
-    if (arguments.has("--sidecar") && arguments.has("--no-sidecar"))
-        return fail("USE0107", "--sidecar and --no-sidecar contradict each other", "leave one of them out");
-    if (!arguments.has("--no-sidecar")) want.sidecar = arguments.value("--sidecar").value_or(want.stem + ".json");
+    Result<std::optional<std::string>> sidecar = sidecar_file(arguments, want.stem + ".json");
+    if (!sidecar) return pass_on(sidecar);
+    want.sidecar = std::move(*sidecar);
 
-    EnvironmentLayout layout = EnvironmentLayout::cube_strip;
-    if (const auto named = arguments.value("--layout")) {
-        Result<EnvironmentLayout> known = parse_environment_layout(*named);
-        if (!known) return pass_on(known);
-        layout = *known;
-    }
+    Result<EnvironmentLayout> named = output_layout(arguments, EnvironmentLayout::cube_strip);
+    if (!named) return pass_on(named);
+    const EnvironmentLayout layout = *named;
     Result<EnvironmentGrid> sharpest =
         arguments.has("--size")
             ? environment_size(layout, *arguments.value("--size"))
@@ -105,8 +102,8 @@ Result<Wanted> wanted(const Arguments& arguments, unsigned threads) {
     return want;
 }
 
-Result<void> take_files(const std::string& text, const Wanted& want) {
-    FilesInUse in_use(std::vector<std::string>{file_of_sky(text)});
+Result<void> take_files(const SkySource& source, const Wanted& want) {
+    FilesInUse in_use(source.files);
     std::vector<std::string> files{want.irradiance_file(), want.table_file()};
     for (int level = 0; level < want.levels.levels; ++level)
         files.push_back(want.level_file(static_cast<std::size_t>(level)));
@@ -138,16 +135,13 @@ int texels_to_check(const EnvironmentGrid& source, int levels) {
 
 } // namespace
 
-Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
+Result<Json> prefilter_sky(const SkySource& from, const LoadedSky& loaded, const SkyRequest& request,
                            const Arguments& arguments) {
     Result<Wanted> want = wanted(arguments, request.threads);
     if (!want) return pass_on(want);
-    const bool with_the_sun = arguments.has("--with-sun");
-    if (with_the_sun && (request.cut_sun || !loaded.sun))
-        return fail("USE0107",
-                    request.cut_sun ? std::string("--cut-sun and --with-sun contradict each other")
-                                    : fmt::format("'{}' has no sun beside it", loaded.kind),
-                    "--with-sun is for daylight that is not overcast");
+    Result<bool> asked_for = with_sun_in_pixels(arguments, loaded, request);
+    if (!asked_for) return pass_on(asked_for);
+    const bool with_the_sun = *asked_for;
     const bool is_black =
         loaded.sky.is_dark() || (loaded.image && loaded.image->map->light(request.threads) == glm::dvec3(0.0));
     if (is_black && !with_the_sun)
@@ -155,7 +149,7 @@ Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, con
                     "give it an amount, for example 500lx");
     // What can be refused is, before the work.
     if (Result<void> possible = check_levels(want->levels); !possible) return pass_on(possible);
-    if (Result<void> free = take_files(text, *want); !free) return pass_on(free);
+    if (Result<void> free = take_files(from, *want); !free) return pass_on(free);
     Result<SplitSumTable> table = SplitSumTable::create(want->table_size, want->variant->split_sum, request.threads);
     if (!table) return pass_on(table);
 
@@ -172,7 +166,7 @@ Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, con
     description.harmonics = irradiance_sh(*source, most_sh_order, request.threads);
     description.source_grid = source->grid();
     if (!with_the_sun) description.sun = loaded.sun;
-    description.source = text;
+    description.source = from.text;
     if (loaded.image) description.source_sha256 = loaded.image->sha256;
 
     // As the files will hold them, so that the errors are those of the files. The irradiance is the last one.

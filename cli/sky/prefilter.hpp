@@ -6,6 +6,7 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../json_text.hpp"
+#include "environment_output.hpp"
 #include "request.hpp"
 
 #include <array>
@@ -22,7 +23,7 @@ inline constexpr std::array sky_prefilter_options{
 
 // Writes the levels, the irradiance, the table and the sidecar, all or none; returns the sidecar. Fails (usage) on a
 // sky without light.
-Result<Json> prefilter_sky(const std::string& text, const LoadedSky& loaded, const SkyRequest& request,
+Result<Json> prefilter_sky(const SkySource& from, const LoadedSky& loaded, const SkyRequest& request,
                            const Arguments& arguments);
 
 } // namespace gonio::cli

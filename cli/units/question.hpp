@@ -51,7 +51,7 @@ struct UnitsAnswer {
     std::optional<double> needed_factor; // to multiply the value by
 };
 
-// What one value and shape ask for besides other units, of which a surface of a stage has none: a box is no light of
+// What one value and shape ask for besides other units, of which a surface of a stage has none: a box is not a light of
 // other programs.
 Result<void> refuse_surface(const UnitsAnswer& question, std::string_view asked);
 

@@ -91,4 +91,14 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     return light;
 }
 
+Result<void> add_resolved(std::vector<LightDescription> descriptions, std::vector<Light>& lights,
+                          Diagnostics& diagnostics) {
+    for (LightDescription& description : descriptions) {
+        Result<Light> light = resolve_light(std::move(description), diagnostics);
+        if (!light) return pass_on(light);
+        lights.push_back(std::move(*light));
+    }
+    return {};
+}
+
 } // namespace gonio

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gonio {
 
@@ -62,5 +63,9 @@ struct Light {
 // load_profile and emission_of do, and (usage) on a position that is not finite, a zero direction, a range that is not
 // greater than 0, or a shape without an intensity.
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics);
+
+// Resolves each, in order, and adds it to the lights. Fails as resolve_light().
+Result<void> add_resolved(std::vector<LightDescription> descriptions, std::vector<Light>& lights,
+                          Diagnostics& diagnostics);
 
 } // namespace gonio

@@ -348,8 +348,13 @@ std::span<const std::string_view> rig_camera_keys() {
     return camera_keys;
 }
 
+Result<Stage> stage_of(const Rig& rig) {
+    if (rig.stage) return *rig.stage;
+    return make_stage(stage_kinds().front().name);
+}
+
 Result<std::vector<LightDescription>> emissive_lights(const Rig& rig) {
-    Result<Stage> stage = rig.stage ? Result<Stage>(*rig.stage) : make_stage(stage_kinds().front().name);
+    Result<Stage> stage = stage_of(rig);
     if (!stage) return pass_on(stage);
     for (const NamedEmission& named : rig.emits)
         if (Result<void> set = let_emit(*stage, named); !set)

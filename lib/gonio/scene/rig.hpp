@@ -81,7 +81,10 @@ Result<Rig> read_rig(std::string_view text, const std::string& source, const std
 // Reads the file at `path`. For "-", standard input, file names are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
 
-// The lights that the rig's own stage emits; without a stage, those of the first of stage_kinds(). Fails (malformed) if
+// The stage that a rig's surfaces are those of: its own, else the first of stage_kinds(); as in the file.
+Result<Stage> stage_of(const Rig& rig);
+
+// The lights that the surfaces of stage_of() emit. Fails (malformed) if
 // the stage has no surface of that name, or cannot emit the amount.
 Result<std::vector<LightDescription>> emissive_lights(const Rig& rig);
 

@@ -26,7 +26,7 @@ struct SurroundingsMethodInfo {
     std::string_view summary;
 };
 
-// All but `exact`, which is a method for everything.
+// All except `exact`, which is a method for everything.
 std::span<const SurroundingsMethodInfo> surroundings_methods();
 std::string_view to_text(SurroundingsMethod method);
 
