@@ -37,8 +37,11 @@
 #include <gonio/ibl/roughness_mapping.hpp>
 #include <gonio/ibl/split_sum.hpp>
 #include <gonio/ibl/split_sum_table.hpp>
+#include <gonio/light/far_field.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/luminous_body.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/policy.hpp>

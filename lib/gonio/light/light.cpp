@@ -1,5 +1,6 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/web/metrics.hpp>
@@ -45,8 +46,24 @@ Candelas Light::intensity_towards(const glm::dvec3& direction) const {
     if (const auto* profile = std::get_if<ProfileShape>(&shape))
         return Candelas(web_scale * profile->web->candela(local));
     const double share = with_traits(shape, [&](const auto& kind, auto traits) { return traits.shown(kind, local); });
-    const Web* const mask = share > 0.0 ? mask_of(shape).web : nullptr;
+    if (!(share > 0.0)) return Candelas();
+    if (emission != nullptr) return intensity * (share * luminance_share(direction));
+    const Web* const mask = mask_of(shape).web;
     return intensity * (mask != nullptr ? share * web_scale * mask->candela(local) : share);
+}
+
+double Light::luminance_share(const glm::dvec3& direction) const {
+    if (emission != nullptr) {
+        const glm::dvec3 local = emission->luminaire.to_local(direction);
+        const double projected_m2 = emission->body->projected_area_m2(local);
+        return projected_m2 > 0.0 ? std::fmax(web_scale * emission->web->candela(local) / projected_m2, 0.0) : 0.0;
+    }
+    const Web* const mask = mask_of(shape).web;
+    return mask != nullptr ? std::fmax(web_scale * mask->candela(frame.to_local(direction)), 0.0) : 1.0;
+}
+
+bool Light::has_pattern() const {
+    return emission != nullptr || mask_of(shape).web != nullptr;
 }
 
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics) {
@@ -78,6 +95,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
             return fail("USE0104", std::string("a ") + kind_of(light.shape) + " light needs an intensity",
                         class_of(light.shape) == ShapeClass::sun ? "for example 100klx" : "for example 800lm");
         light.intensity = peak(*profile->web).intensity;
+        give_body(light, diagnostics);
         return light;
     }
     Result<Emission> emission = emission_of(light.shape, *description.intensity);
@@ -88,6 +106,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (profile != nullptr) light.web_scale = light.intensity / peak(*profile->web).intensity;
     if (const Web* mask = mask_of(light.shape).web) light.web_scale = 1.0 / peak(*mask).intensity.value;
     if (Result<void> checked = check_amount(light); !checked) return pass_on(checked);
+    give_body(light, diagnostics);
     return light;
 }
 

@@ -10,11 +10,15 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace gonio {
+
+class LuminousBody;
+struct FaceEmission;
 
 // The face of a stage's surface that emits a light (gonio/scene/emissive_lights.hpp). The surface does not block this
 // light and receives nothing of it.
@@ -49,13 +53,24 @@ struct Light {
     double web_scale = 1.0; // factor on the candela of a web (to the emitted ones) or of a mask (to 1 at its peak)
     std::optional<Meters> range;
     std::optional<EmittingFace> emitted_by{};
+    // Of a profile with a luminous opening: its faces, whose light together is that of this light (luminaire.hpp).
+    std::shared_ptr<const LuminousBody> body{};
+    std::shared_ptr<const std::vector<Light>> faces{};
+    std::shared_ptr<const FaceEmission> emission{}; // of such a face
 
     // Whether the surface with this index on the stage emits it.
     bool is_emitted_by(std::size_t surface) const { return emitted_by && emitted_by->surface == surface; }
 
+    // The luminance of an area light towards a world direction (from the light to the receiver) of any length > 0, over
+    // `luminance`: what its mask lets through, or what the profile of a face emits; 1 without either. Not negative.
+    double luminance_share(const glm::dvec3& direction) const;
+    // Whether that depends on the direction.
+    bool has_pattern() const;
+
     // Intensity towards a world direction (from the light to the receiver) of any length > 0. For a punctual shape it
     // includes lobe, mask and web; for an area shape it is the luminance times the area projected towards a distant
-    // receiver; for the sun it is 0. A disk and a rectangle emit backwards only when two-sided.
+    // receiver; for a profile with an opening it is that of the profile, as from far away; for the sun it is 0. A disk
+    // and a rectangle emit backwards only when two-sided.
     Candelas intensity_towards(const glm::dvec3& direction) const;
 };
 

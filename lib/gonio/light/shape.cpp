@@ -1,4 +1,5 @@
 #include <gonio/base/named.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/light/shape_keys.hpp>
 #include <gonio/light/shape_traits.hpp>
@@ -104,17 +105,49 @@ Result<Shape> parse_as(ShapeTraits<Kind> traits, KindText& text) {
     }
 }
 
-Result<std::shared_ptr<const Web>> read_web(const std::string& file, Diagnostics& diagnostics) {
+// A file name may hold anything, so it is not cut at other commas than that before the opening.
+Result<Shape> parse_profile_shape(std::string_view text) {
+    constexpr std::string_view key = ",opening";
+    ProfileShape shape;
+    const std::size_t comma = text.rfind(key);
+    const std::string_view rest = comma == text.npos ? std::string_view() : text.substr(comma + key.size());
+    if (comma != text.npos && (rest.empty() || rest.front() == '=')) {
+        text = text.substr(0, comma);
+        shape.size = ProfileSize::opening;
+        if (!rest.empty()) {
+            const std::string_view value = rest.substr(1);
+            if (value == "off") {
+                shape.size = ProfileSize::point;
+            } else if (value != "on") {
+                Result<Opening> opening = parse_opening(value);
+                if (!opening) return pass_on(opening);
+                shape.given = std::make_shared<const Opening>(*opening);
+                if (opening->shape == OpeningShape::point) shape.size = ProfileSize::point;
+            }
+        }
+    }
+    if (text.empty()) return fail("USE0104", "'ies:' needs a file", "write ies:lamp.ies");
+    shape.file = text;
+    return Shape(std::move(shape));
+}
+
+struct MeasuredLight {
+    std::shared_ptr<const Web> web;
+    std::shared_ptr<const Opening> opening;
+};
+
+Result<MeasuredLight> read_web(const std::string& file, Diagnostics& diagnostics) {
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
     Result<void> photometric = require_candela(
         *profile, "if its numbers are meant as candela, make a profile of that: gonio edit FILE --as-candela -o NEW");
     if (!photometric) return pass_on(photometric);
     std::move(profile->diagnostics.begin(), profile->diagnostics.end(), std::back_inserter(diagnostics));
+    auto opening = std::make_shared<const Opening>(opening_of(*profile));
     Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);
     std::move(resolved->diagnostics.begin(), resolved->diagnostics.end(), std::back_inserter(diagnostics));
-    return std::make_shared<const Web>(std::move(resolved->web));
+    return MeasuredLight{std::make_shared<const Web>(std::move(resolved->web)), std::move(opening)};
 }
 
 // The file of a shape and where its web is stored; empty for shapes that read no file.
@@ -172,12 +205,7 @@ std::span<const ShapeKind> shape_kinds() {
 }
 
 Result<Shape> parse_shape(std::string_view text) {
-    // A file name may hold anything, so it is not cut at commas.
-    if (text.starts_with("ies:")) {
-        const std::string_view file = text.substr(4);
-        if (file.empty()) return fail("USE0104", "'ies:' needs a file", "write ies:lamp.ies");
-        return Shape(ProfileShape{std::string(file), nullptr});
-    }
+    if (text.starts_with("ies:")) return parse_profile_shape(text.substr(4));
     Result<KindText> parsed = parse_kind_text(text);
     if (!parsed) return pass_on(parsed);
     std::optional<Result<Shape>> made;
@@ -193,9 +221,10 @@ Result<Shape> parse_shape(std::string_view text) {
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics) {
     const WebSlot slot = web_slot(shape);
     if (slot.web == nullptr || slot.file->empty() || *slot.web) return {};
-    Result<std::shared_ptr<const Web>> web = read_web(*slot.file, diagnostics);
-    if (!web) return pass_on(web);
-    *slot.web = std::move(*web);
+    Result<MeasuredLight> read = read_web(*slot.file, diagnostics);
+    if (!read) return pass_on(read);
+    *slot.web = std::move(read->web);
+    if (auto* const profile = std::get_if<ProfileShape>(&shape)) profile->declared = std::move(read->opening);
     return {};
 }
 

@@ -14,6 +14,7 @@
 namespace gonio {
 
 class Web;
+struct Opening;
 
 // Punctual shapes emit from a point and have no luminance. A mask multiplies their intensity by a web over its peak.
 
@@ -57,10 +58,27 @@ struct FrustumShape {
     std::shared_ptr<const Web> mask;
 };
 
-// A measured luminaire: a point that emits according to its web.
+// Where the light of a measured luminaire leaves it.
+enum class ProfileSize {
+    unsaid, // a point, unless the user of the shape prefers the opening
+    point,
+    opening,  // the luminous opening that the file declares, or another one (gonio/light/luminous_body.hpp)
+    declared, // the same, and no remark if there is none
+};
+
+// A measured luminaire: emits according to its web, from a point or from its luminous opening.
 struct ProfileShape {
     std::string file;
     std::shared_ptr<const Web> web; // nullptr until load_profile() has read the file
+    ProfileSize size = ProfileSize::unsaid;
+    std::shared_ptr<const Opening> given = {};    // "opening=rect:w=1.2m,h=0.3m"; nullptr: the declared one
+    std::shared_ptr<const Opening> declared = {}; // read with the web
+
+    // The opening if `size` asks for it; nullptr: a point, or not loaded.
+    const Opening* opening() const {
+        if (size != ProfileSize::opening && size != ProfileSize::declared) return nullptr;
+        return given != nullptr ? given.get() : declared.get();
+    }
 };
 
 // Area shapes are Lambertian: the same luminance in every direction that they emit to. A mask multiplies the luminance
@@ -133,7 +151,8 @@ std::span<const ShapeKind> shape_kinds();
 
 // Angles and lengths need units; "cone", the full outer angle of a spot, may replace "outer". Fails (usage) on an
 // unknown kind, key or falloff, a missing key, or a length or an angle outside the range of its shape. Reads no file.
-// The file name of a mask ends at a comma; the file name of "ies:FILE" does not.
+// The file name of a mask ends at a comma; the file name of "ies:FILE" does not, but for ",opening" and
+// ",opening=OPENING" at its end (parse_opening(); "opening=off" is a point).
 Result<Shape> parse_shape(std::string_view text);
 
 // Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are already loaded,

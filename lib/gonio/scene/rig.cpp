@@ -48,6 +48,12 @@ struct FileOfShape {
     std::shared_ptr<const Web>* web = nullptr;
 };
 
+// What a file gave: a mask has no opening.
+struct FileRead {
+    std::shared_ptr<const Web> web;
+    std::shared_ptr<const Opening> declared;
+};
+
 FileOfShape file_of(Shape& shape) {
     return std::visit(
         [](auto& kind) -> FileOfShape {
@@ -192,13 +198,16 @@ private:
         // A mask may be stored in another form than a profile of the same file.
         const bool mask = !std::holds_alternative<ProfileShape>(shape);
         const auto key = std::pair(mask, *of.file);
+        auto* const profile = std::get_if<ProfileShape>(&shape);
         if (const auto known = webs_.find(key); known != webs_.end()) {
-            *of.web = known->second;
+            *of.web = known->second.web;
+            if (profile != nullptr) profile->declared = known->second.declared;
             return {};
         }
         if (Result<void> loaded = load_profile(shape, rig_.diagnostics); !loaded) return pass_on(loaded);
         const FileOfShape read = file_of(shape);
-        if (webs_.size() < most_remembered) webs_.emplace(key, *read.web);
+        if (webs_.size() < most_remembered)
+            webs_.emplace(key, FileRead{*read.web, profile != nullptr ? profile->declared : nullptr});
         return {};
     }
 
@@ -317,7 +326,7 @@ private:
     bool schema_seen_ = false;
     std::map<std::string, glm::dvec3> colors_;
     std::map<std::string, Shape> shapes_;
-    std::map<std::pair<bool, std::string>, std::shared_ptr<const Web>> webs_;
+    std::map<std::pair<bool, std::string>, FileRead> webs_;
     std::map<std::pair<std::shared_ptr<const Web>, double>, std::shared_ptr<const Web>> smooth_; // by table and step
     std::size_t smooth_intensities_ = 0;
 };

@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/rig.hpp>
 
@@ -20,7 +21,7 @@ constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // Everything that determines how much a light with a web emits.
-using Emitter = std::tuple<std::size_t, std::vector<double>, const Web*, std::string_view, double, double, double>;
+using Emitter = std::tuple<std::size_t, std::vector<double>, const Web*, const Opening*, std::string_view, double, double, double>;
 
 // The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
@@ -45,6 +46,7 @@ std::optional<Emitter> emitter_of(const LightDescription& light) {
     return Emitter{light.shape.index(),
                    numbers_of(light.shape),
                    web,
+                   profile != nullptr ? profile->opening() : nullptr,
                    value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
                    value.number,
                    value.unit.distance.value_or(Meters()).value,
@@ -63,6 +65,7 @@ Result<Light> like(const Light& prototype, LightDescription description, Diagnos
     light.color = placement->color;
     light.range = placement->range;
     light.emitted_by = placement->emitted_by;
+    place_faces(light);
     return light;
 }
 

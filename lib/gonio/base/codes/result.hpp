@@ -64,6 +64,16 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "The point is inside a luminous solid, which lights it from all sides."},
     {"RES0403", Severity::note, Strict::same, "surface seen from below",
      "The view comes from below the surface, where its luminance is 0."},
+    {"RES0404", Severity::note, Strict::same, "luminaire without an opening",
+     "You asked for the luminous opening of a profile that declares none, or one of size zero. The light is a point."},
+    {"RES0405", Severity::warning, Strict::same, "opening of an implausible size",
+     "The luminous opening is larger than luminaires are. Its sizes may be written in another unit."},
+    {"RES0406", Severity::warning, Strict::same, "light through the back of an opening",
+     "The opening is flat, and the profile has light on both of its sides. So both sides emit, each with the "
+     "intensities of its own hemisphere."},
+    {"RES0407", Severity::warning, Strict::same, "point near a luminaire",
+     "A profile is measured from far away. Nearer than five times the size of its luminous opening, a point with its "
+     "intensities is several per cent off, and within its size by a factor of two and more."},
 
     {"RES0501", Severity::warning, Strict::same, "pixels that cannot be light",
      "The image has pixels that are negative, infinite or not a number. You asked to go on: they are black."},

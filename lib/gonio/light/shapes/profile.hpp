@@ -11,7 +11,7 @@ struct ShapeTraits<ProfileShape> {
     static constexpr ShapeClass shape_class = ShapeClass::punctual;
     static constexpr std::string_view kind = "ies";
     static constexpr std::string_view summary = "a measured luminaire: an IES or EULUMDAT profile";
-    static constexpr std::string_view grammar = "ies:FILE";
+    static constexpr std::string_view grammar = "ies:FILE[,opening[=OPENING]]";
     static constexpr std::tuple<> keys{};
 
     // Called for "ies" without a colon; with a colon, the rest is the file (parse_shape).
