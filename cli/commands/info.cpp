@@ -1,4 +1,6 @@
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/far_field.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/profile/luminous_opening.hpp>
 #include <gonio/profile/text_encoding.hpp>
 #include <gonio/profile/tm33_light.hpp>
@@ -74,6 +76,7 @@ struct Facts {
     std::optional<double> field_c90_deg;
     std::optional<double> input_w;
     LuminousOpening opening;
+    std::optional<double> point_distance_m; // from which on a point is within 1 %
     Candelas center_beam;
     std::optional<double> cie_beam_deg;
     std::optional<double> cie_beam_c90_deg;
@@ -198,6 +201,8 @@ Facts facts_of(const std::string& file, const LoadedProfile& loaded, const Resol
     facts.beam_c90_deg = in_degrees(spread_angle(web, 90.0, 0.5));
     facts.field_c90_deg = in_degrees(spread_angle(web, 90.0, 0.1));
     facts.opening = luminous_opening(loaded.profile);
+    if (const auto body = LuminousBody::of(opening_of(loaded.profile), web))
+        facts.point_distance_m = point_distance(*body, web, 0.01).value;
     facts.nema_horizontal = nema_of(facts.field_deg);
     facts.nema_vertical = nema_of(facts.field_c90_deg);
     facts.zones = ten_degree_zones(web);
@@ -297,6 +302,7 @@ Json to_json(const Facts& facts, const Diagnostics& diagnostics) {
               {"width_m", facts.opening.width_m},
               {"length_m", facts.opening.length_m},
               {"height_m", facts.opening.height_m}}},
+            {"point_distance_m", number_or_null(facts.point_distance_m)},
             {"center_beam_cd", facts.center_beam.value},
             {"beam_angle_cie_deg", number_or_null(facts.cie_beam_deg)},
             {"beam_angle_cie_c90_deg", number_or_null(facts.cie_beam_c90_deg)},
@@ -376,6 +382,8 @@ std::string to_text(const Facts& facts) {
     else if (facts.input_w)
         line("input", fmt::format("{} W", rounded(*facts.input_w)));
     line("opening", opening_text(facts.opening));
+    if (facts.point_distance_m)
+        line("far field", fmt::format("a point is within 1 % from {} m on", rounded(*facts.point_distance_m, 2)));
     return text;
 }
 

@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
+                            OptionGroup{"profiles", probe_profile_options},
                             points_group,
                             OptionGroup{"evaluation", probe_options},
                             OptionGroup{"surroundings", probe_stage_options},

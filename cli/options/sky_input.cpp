@@ -2,6 +2,7 @@
 
 #include "../sky/request.hpp"
 #include "light_input.hpp"
+#include "profile_size.hpp"
 
 #include <utility>
 
@@ -44,7 +45,7 @@ Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDe
     return input;
 }
 
-Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement,
+Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement, ProfileSize usual,
                                     Diagnostics& diagnostics) {
     LightsAndSky input;
     const bool asks_for_light =
@@ -54,6 +55,8 @@ Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlace
         Result<LightsInput> lights = lights_input(arguments, placement, diagnostics);
         if (!lights) return pass_on(lights);
         input.lights = std::move(*lights);
+        if (Result<void> sized = set_profile_sizes(arguments, usual, input.lights.rig.lights); !sized)
+            return pass_on(sized);
     }
     Result<SkyInput> sky = sky_input(arguments, input.lights.rig.sky, diagnostics);
     if (!sky) return pass_on(sky);

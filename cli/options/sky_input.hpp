@@ -37,8 +37,9 @@ struct LightsAndSky {
     SkyInput sky;
 };
 
-// The lights of lights_input() under the sky of sky_input(). Fails as these do.
-Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement,
+// The lights of lights_input() under the sky of sky_input(); profiles have the size of --profile-size, else, where they
+// leave it unsaid, `usual`. Fails as these do.
+Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlacement& placement, ProfileSize usual,
                                     Diagnostics& diagnostics);
 
 } // namespace gonio::cli

@@ -57,7 +57,7 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
         request.stage = std::move(*stage);
     }
     request.indirect = arguments.has("--indirect");
-    Result<LightsAndSky> lit = lights_and_sky(arguments, placement, request.diagnostics);
+    Result<LightsAndSky> lit = lights_and_sky(arguments, placement, ProfileSize::unsaid, request.diagnostics);
     if (!lit) return pass_on(lit);
     LightsInput& input = lit->lights;
     request.rig = input.rig_file;

@@ -10,6 +10,7 @@
 #include "../command.hpp"
 #include "../options/emits_input.hpp"
 #include "../options/points_input.hpp"
+#include "../options/profile_size.hpp"
 #include "../options/sky_input.hpp"
 
 #include <array>
@@ -28,6 +29,7 @@ inline constexpr std::array probe_options{
     Option{"--material", "MATERIAL", "material of the surface, for the luminance", "materials"},
     Option{"-j,--jobs", "N", "number of threads (all processors)"},
 };
+inline constexpr std::array probe_profile_options{profile_size_option};
 inline constexpr std::array probe_stage_options{
     Option{
         "--indirect", "",

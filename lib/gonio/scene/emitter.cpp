@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gonio {
@@ -90,10 +91,26 @@ struct Reach {
 } // namespace
 
 double reach_along(const Light& light, const glm::dvec3& direction) {
+    if (light.faces != nullptr) {
+        double most = 0.0;
+        for (const Light& face : *light.faces) {
+            const double from = glm::dot(face.frame.origin - light.frame.origin, direction) / glm::length(direction);
+            most = std::max(most, from + reach_along(face, direction));
+        }
+        return most;
+    }
     return std::visit(Reach{light.frame, direction}, light.shape);
 }
 
 std::optional<double> distance_to(const Light& light, const Ray& ray) {
+    if (light.faces != nullptr) {
+        std::optional<double> nearest;
+        for (const Light& face : *light.faces) {
+            const std::optional<double> distance = distance_to(face, ray);
+            if (distance && !(nearest && *nearest <= *distance)) nearest = distance;
+        }
+        return nearest;
+    }
     return std::visit(Distance{light, ray}, light.shape);
 }
 

@@ -4,7 +4,6 @@
 #include <gonio/scene/light_sampler.hpp>
 #include <gonio/shading/falloff.hpp>
 #include <gonio/shading/seen_from.hpp>
-#include <gonio/web/web.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -53,7 +52,6 @@ LightSampler::Seen LightSampler::seen_from(const Light& light, const glm::dvec3&
 
 LightSampler::LightSampler(const Light& light, const glm::dvec3& receiver)
     : light_(light),
-      mask_(mask_of(light.shape).web),
       receiver_(receiver),
       seen_(seen_from(light, light.frame.origin - receiver)) {
     if (!seen_.shines) return;
@@ -74,14 +72,13 @@ double LightSampler::pdf(Vec direction) const {
 }
 
 LightDirection LightSampler::at(const glm::dvec3& direction) const {
-    const double mask =
-        mask_ == nullptr ? 1.0 : std::max(light_.web_scale * mask_->candela(light_.frame.to_local(-direction)), 0.0);
+    const double luminance_nt = luminance_nt_ * light_.luminance_share(-direction);
     if (class_of(light_.shape) == ShapeClass::sun)
-        return {luminance_nt_ * mask, std::numeric_limits<double>::infinity()};
+        return {luminance_nt, std::numeric_limits<double>::infinity()};
     // A ray along a direction on the outline may miss because of rounding; from inside nothing is in between.
     const std::optional<double> distance = distance_to(light_, {receiver_, direction});
     const glm::dvec3 to_center = light_.frame.origin - receiver_;
-    return {luminance_nt_ * mask, distance.value_or(std::max(glm::dot(direction, to_center), 0.0))};
+    return {luminance_nt, distance.value_or(std::max(glm::dot(direction, to_center), 0.0))};
 }
 
 } // namespace gonio::detail

@@ -12,7 +12,7 @@
 namespace gonio::detail {
 
 struct LightDirection {
-    double luminance_nt = 0.0; // towards the receiver; includes mask and range
+    double luminance_nt = 0.0; // towards the receiver; includes mask or pattern and range
     double distance = 0.0;     // to the light's surface [m], infinite to the sun
 };
 
@@ -40,9 +40,8 @@ private:
     static Seen seen_from(const Light& light, const glm::dvec3& to_center);
 
     const Light& light_;
-    const Web* mask_;
     glm::dvec3 receiver_;
-    double luminance_nt_ = 0.0; // without a mask, 0 on the dark side
+    double luminance_nt_ = 0.0; // Light::luminance in range, 0 on the dark side
     Seen seen_;
 };
 

@@ -1,6 +1,7 @@
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/shading/lights.hpp>
@@ -89,6 +90,14 @@ Result<std::vector<glm::dvec3>> views_of(const ProbeView& view, std::span<const 
     return views;
 }
 
+// Whether a profile that is a point without being meant as one is nearer than five times its luminous opening.
+bool is_near_opening(const Light& light, const glm::dvec3& position) {
+    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
+    if (profile == nullptr || profile->size != ProfileSize::unsaid || profile->declared == nullptr) return false;
+    const double size_m = profile->declared->largest_m();
+    return size_m > 0.0 && glm::distance(position, light.frame.origin) < 5.0 * size_m;
+}
+
 // Each share is limited to the ceiling separately.
 bool at_ceiling(double value) {
     return value >= shading::illuminance_ceiling;
@@ -127,6 +136,7 @@ void ProbeRemarks::add(const ProbeRemarks& others, std::size_t offset) {
     on_light.add(others.on_light, offset);
     inside.add(others.inside, offset);
     unseen.add(others.unseen, offset);
+    near_point.add(others.near_point, offset);
     at_ceiling.add(others.at_ceiling, offset);
     not_converged.add(others.not_converged, offset);
 }
@@ -200,6 +210,7 @@ Result<ProbeResult> probe(std::span<const Light> lights, std::span<const Receive
                 if (surface && options.parts) result.parts_nt[r * lights.size() + l] = shine.luminance;
                 if (share.remark == detail::ProbeRemark::at_light) remarks[task].on_light.add({1, r, l});
                 if (share.remark == detail::ProbeRemark::inside) remarks[task].inside.add({1, r, l});
+                if (is_near_opening(lights[l], receivers[r].position)) remarks[task].near_point.add({1, r, l});
                 if (at_ceiling(share.illuminance_lx) || at_ceiling(shine.luminance.diffuse.value) ||
                     at_ceiling(shine.luminance.specular.value))
                     remarks[task].at_ceiling.add({1, r, l});
@@ -245,6 +256,16 @@ Diagnostics to_diagnostics(const ProbeRemarks& remarks, std::span<const Light> l
                         remarks.unseen.count > 1 ? fmt::format("; {} such points in total", remarks.unseen.count)
                                                  : std::string()),
             "the view points from the surface to the eye");
+    if (remarks.near_point.count > 0) {
+        const Light& light = lights[remarks.near_point.light];
+        say("RES0407",
+            fmt::format("point {} is nearer to '{}' than five times its luminous opening ({}), and the light counts as "
+                        "a point{}",
+                        remarks.near_point.receiver + 1, light.name,
+                        to_text(*std::get<ProfileShape>(light.shape).declared), others(remarks.near_point.count)),
+            "--profile-size opening, or ies:FILE,opening in a rig, lets it emit from there; off says that a point is "
+            "meant");
+    }
     if (remarks.at_ceiling.count > 0)
         say("RES0203",
             fmt::format("the light of '{}' at point {} is limited to {} lx or cd/m2{}",

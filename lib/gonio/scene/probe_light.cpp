@@ -157,17 +157,32 @@ ProbeLuminance of_punctual(const Light& light, const glm::dvec3& position, const
 
 } // namespace
 
+bool takes_points(IrradianceMethod method) {
+    return method == IrradianceMethod::frostbite || method == IrradianceMethod::ue4 ||
+           method == IrradianceMethod::point;
+}
+
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way) {
     const IrradianceMethod method = illuminance_method(way.method);
+    if (light.faces != nullptr && !takes_points(method)) {
+        ProbeShare sum;
+        for (const Light& face : *light.faces) {
+            const ProbeShare share = illuminance_of(face, position, normal, way);
+            sum.illuminance_lx = bounded(sum.illuminance_lx + share.illuminance_lx);
+            sum.error_lx += share.error_lx;
+            sum.converged = sum.converged && share.converged;
+            if (share.remark != ProbeRemark::none) sum.remark = share.remark;
+        }
+        return sum;
+    }
     const glm::dvec3 to_center = light.frame.origin - position;
     const bool inside = with_core_light(light.shape, light.frame, light.color, false,
                                         [&](const auto& core) { return is_within(core, to_center); });
     const ProbeRemark remark = inside ? ProbeRemark::inside : ProbeRemark::none;
-    const bool masked_area = has_extent(light.shape) && mask_of(light.shape).web != nullptr;
-    // There is no closed form behind a mask.
+    // There is no closed form for a luminance that depends on the direction.
     const bool integrated =
-        way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && masked_area);
+        way.method == IrradianceMethod::reference || (way.method == IrradianceMethod::exact && light.has_pattern());
     if (integrated && has_extent(light.shape)) {
         const ReferenceValue e = reference_illuminance(light, position, normal, goal_of(way));
         return {bounded(e.value), e.error_estimate, remark, e.converged};
@@ -182,15 +197,15 @@ ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const 
                                 ? std::numbers::pi
                                 : with_core_light(light.shape, light.frame, light.color, 0.0,
                                                   AreaIrradiance{vec(to_center), vec(normal), method});
-    return {bounded(light.luminance.value * e_over_l * window(light, vec(to_center)) * mask_share(light, position)),
-            0.0, remark};
+    return {
+        bounded(light.luminance.value * e_over_l * window(light, vec(to_center)) * share_from_center(light, position)),
+        0.0, remark};
 }
 
-double mask_share(const Light& light, const glm::dvec3& position) {
-    const Web* const mask = mask_of(light.shape).web;
+double share_from_center(const Light& light, const glm::dvec3& position) {
     const glm::dvec3 way = position - light.frame.origin;
-    if (mask == nullptr || !has_extent(light.shape) || way == glm::dvec3(0.0)) return 1.0;
-    return std::max(light.web_scale * mask->candela(light.frame.to_local(way)), 0.0);
+    if (!has_extent(light.shape) || way == glm::dvec3(0.0)) return 1.0;
+    return light.luminance_share(way);
 }
 
 bool has_luminance(const Material& material, IrradianceMethod method) {
@@ -202,6 +217,18 @@ bool has_luminance(const Material& material, IrradianceMethod method) {
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                         const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way) {
     if (!(glm::dot(normal, surface.view) > 0.0)) return {};
+    if (light.faces != nullptr && !takes_points(way.method)) {
+        ProbeShine sum;
+        for (const Light& face : *light.faces) {
+            const ProbeShare of_face = illuminance_of(face, position, normal, way);
+            const ProbeShine shine = luminance_of(face, position, normal, surface, of_face, way);
+            sum.luminance.diffuse = sum.luminance.diffuse + shine.luminance.diffuse;
+            sum.luminance.specular = sum.luminance.specular + shine.luminance.specular;
+            sum.luminance.error_estimate = sum.luminance.error_estimate + shine.luminance.error_estimate;
+            sum.converged = sum.converged && shine.converged;
+        }
+        return sum;
+    }
     if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
         const double y = luminance_y(lambert->albedo * light.color) * std::numbers::inv_pi;
         return {{Nits(bounded(share.illuminance_lx * y)), Nits(), Nits(bounded(share.error_lx * y))}, share.converged};

@@ -21,6 +21,9 @@ struct ProbeWay {
     ReferenceGoal goal;
 };
 
+// Whether these methods take a profile as a point though it has an opening.
+bool takes_points(IrradianceMethod method);
+
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]
@@ -33,9 +36,9 @@ struct ProbeShare {
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way);
 
-// The transmission of an area light's mask from its centre towards the receiver, the fast approximation; 1 without a
-// mask.
-double mask_share(const Light& light, const glm::dvec3& position);
+// The luminance of an area light towards the receiver over its mean, as if all of it were in its centre: the
+// approximation of engines.
+double share_from_center(const Light& light, const glm::dvec3& position);
 
 // A material in the form that the shading core uses, and the view of it.
 struct ProbeSurface {

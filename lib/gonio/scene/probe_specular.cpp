@@ -177,7 +177,7 @@ NamedLuminance named_luminance(const Light& light, const glm::dvec3& position, c
     from_here.origin -= position;
     NamedLuminance nt = with_core_light(light.shape, from_here, light.color * light.luminance.value, NamedLuminance(),
                                         ByMethod{point, surface.material, method});
-    const double masked = mask_share(light, position);
+    const double masked = share_from_center(light, position);
     nt.diffuse_nt *= masked;
     nt.specular_nt *= masked;
     if (light.range && class_of(light.shape) != ShapeClass::sun) {

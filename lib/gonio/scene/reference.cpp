@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
@@ -51,20 +52,18 @@ LightRegion region_of(const shading::SunLight<double>& light, Vec /*center*/, Ve
     return LightRegion::cap(light.toward, light.sine, light.cosine, normal);
 }
 
-// The light's luminance towards the receiver from the direction ω, relative to its brightest direction.
+// The light's luminance towards the receiver from the direction ω, over Light::luminance.
 class EmissionByDirection {
 public:
-    explicit EmissionByDirection(const Light& light) : light_(light), mask_(mask_of(light.shape).web) {}
+    explicit EmissionByDirection(const Light& light) : light_(light), has_pattern_(light.has_pattern()) {}
 
     double operator()(Vec toward) const {
-        if (mask_ == nullptr) return 1.0;
-        const glm::dvec3 local = light_.frame.to_local(-glm::dvec3(toward.x, toward.y, toward.z));
-        return std::max(light_.web_scale * mask_->candela(local), 0.0);
+        return has_pattern_ ? light_.luminance_share(-glm::dvec3(toward.x, toward.y, toward.z)) : 1.0;
     }
 
 private:
     const Light& light_;
-    const Web* mask_;
+    bool has_pattern_;
 };
 
 // For a function without a peak: the pole is in the light's middle.
@@ -101,11 +100,12 @@ std::vector<double> plane_azimuths(const Web& mask) {
     return degrees;
 }
 
-// Behind a mask of type C the pole is that of its angles, so that its grid consists of lines of the polar coordinates.
+// With a web of type C the pole is that of its angles, so that its grid consists of lines of the polar coordinates.
 // Not if the cells would take more than half of the evaluations, nor for a rough goal, which a few cells across the
 // grid reach sooner.
 SmoothWay way_of(const Light& light, const LightRegion& region, Vec normal, const ReferenceGoal& goal) {
-    const Web* const mask = mask_of(light.shape).web;
+    const Web* const mask = light.emission != nullptr ? light.emission->web.get() : mask_of(light.shape).web;
+    const Frame& frame = light.emission != nullptr ? light.emission->luminaire : light.frame;
     SmoothWay way{smooth(region, normal), {}};
     constexpr double rough = 1e-5;
     if (mask == nullptr || mask->photometry() != Photometry::c || goal.relative_error > rough) return way;
@@ -118,7 +118,7 @@ SmoothWay way_of(const Light& light, const LightRegion& region, Vec normal, cons
         (edges.azimuths.size() + 1) * (edges.angles.size() + 1) > goal.most_evaluations / (2 * evaluations_in_cell))
         return way;
     // The light reaches the receiver in the opposite direction: γ = 0 is −Z, C0 is +X.
-    return {{vec(light.frame.z), vec(light.frame.x) * -1.0, 1.0, 1.0}, std::move(edges)};
+    return {{vec(frame.z), vec(frame.x) * -1.0, 1.0, 1.0}, std::move(edges)};
 }
 
 // For a lobe of normals of the width α: about the mirrored view the light's direction moves by 2 in the plane of
@@ -187,9 +187,10 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges&
             result.converged};
 }
 
-// The closed form, without the mask.
+// The closed form, without the mask or the pattern of a face.
 double closed_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
     Light bare = light;
+    bare.emission.reset();
     std::visit(
         [](auto& shape) {
             if constexpr (requires { shape.mask; }) shape.mask.reset();
