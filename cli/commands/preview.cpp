@@ -39,6 +39,7 @@ namespace {
 
 constexpr std::array groups{OptionGroup{"lights", rig_options},
                             light_group,
+                            OptionGroup{"profiles", preview_profile_options},
                             OptionGroup{"stage", preview_stage_options},
                             OptionGroup{"picture", preview_picture_options},
                             OptionGroup{"evaluation", preview_method_options},

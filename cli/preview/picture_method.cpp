@@ -3,6 +3,8 @@
 #include <gonio/base/named.hpp>
 #include <gonio/preview/capture.hpp>
 
+#include "../options/method_list.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,12 +46,14 @@ std::vector<PictureMethodInfo> picture_methods() {
 
 Result<PictureMethod> parse_picture_method(std::string_view name) {
     const std::vector<PictureMethodInfo> infos = picture_methods();
-    return find_named("method", name, infos).map([](const PictureMethodInfo* info) { return info->method; });
+    return find_named("method", without_aliases(name), infos).map([](const PictureMethodInfo* info) {
+        return info->method;
+    });
 }
 
 Result<std::vector<PictureMethod>> parse_picture_methods(std::string_view list) {
     const std::vector<PictureMethodInfo> infos = picture_methods();
-    auto named = find_all_named("method", list, infos);
+    auto named = find_all_named("method", without_aliases(list), infos);
     if (!named) return pass_on(named);
     std::vector<PictureMethod> methods;
     for (const auto* const info : *named)

@@ -2,6 +2,7 @@
 
 #include <gonio/base/path.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/plot/sheet.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/web/integrate.hpp>
@@ -26,6 +27,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace gonio::cli {
@@ -105,9 +107,10 @@ private:
     std::map<const Stage*, std::shared_ptr<const Interreflection>> known_;
 };
 
-// Renders one profile at the position of the stage's light.
-Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& request, const SheetOptions& options,
-                               bool stage_is_chosen, KnownStages& known, Outcome& outcome) {
+// Renders one profile, of the size that `size` says, at the position of the stage's light.
+Result<Thumbnail> thumbnail_of(const std::string& file, const ProfileShape& size, const PreviewRequest& request,
+                               const SheetOptions& options, bool stage_is_chosen, KnownStages& known,
+                               Outcome& outcome) {
     Result<LoadedProfile> loaded = load(file, {});
     if (!loaded) return pass_on(loaded);
     outcome.diagnostics = std::move(loaded->diagnostics);
@@ -121,7 +124,8 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const PreviewRequest& re
     outcome.report = {{"schema", "gonio.preview/1"}, {"file", file}, {"flux_lm", flux_lm}, {"peak_cd", peak_cd}};
     LightDescription description;
     description.name = file;
-    description.shape = ProfileShape{file, web};
+    description.shape =
+        ProfileShape{file, web, size.size, size.given, std::make_shared<const Opening>(opening_of(loaded->profile))};
     const Stage& stage = !stage_is_chosen && is_uplight(*web) ? room_for_uplights() : request.stage;
     hang(description, stage.light);
     Result<Light> light = resolve_light(std::move(description), outcome.diagnostics);
@@ -167,6 +171,10 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     }
     const bool stage_is_chosen = std::any_of(preview_stage_options.begin(), preview_stage_options.end(),
                                              [&](const Option& option) { return arguments.has(option.names); });
+    LightDescription sized;
+    sized.shape = ProfileShape{};
+    fine = set_profile_sizes(arguments, ProfileSize::declared, {&sized, 1});
+    if (!fine) return Unexpected(fine.error());
     KnownStages known;
     std::vector<SheetTile> tiles(files->size());
     const ReportKind kind = report_kind(arguments);
@@ -175,7 +183,8 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
             const std::string& file = (*files)[index];
             Outcome outcome;
             tiles[index].fault = "not shown"; // kept if thumbnail_of throws
-            Result<Thumbnail> thumbnail = thumbnail_of(file, *request, *options, stage_is_chosen, known, outcome);
+            Result<Thumbnail> thumbnail = thumbnail_of(file, std::get<ProfileShape>(sized.shape), *request, *options,
+                                                       stage_is_chosen, known, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);
             } else {

@@ -217,7 +217,7 @@ Result<PreviewRequest> parse_preview(const Arguments& arguments) {
                     "add --look isolux, or leave --look out");
     Result<Stage> stage = named_stage(arguments);
     if (!stage) return pass_on(stage);
-    Result<LightsAndSky> lit = lights_and_sky(arguments, stage->light, request.diagnostics);
+    Result<LightsAndSky> lit = lights_and_sky(arguments, stage->light, ProfileSize::declared, request.diagnostics);
     if (!lit) return pass_on(lit);
     request.lights = std::move(lit->lights);
     const bool has_sky = lit->sky.is_given;

@@ -11,6 +11,7 @@
 #include "../arguments.hpp"
 #include "../command.hpp"
 #include "../options/output.hpp"
+#include "../options/profile_size.hpp"
 #include "../options/rig_input.hpp"
 #include "../options/sky_input.hpp"
 #include "look_options.hpp"
@@ -24,6 +25,7 @@
 
 namespace gonio::cli {
 
+inline constexpr std::array preview_profile_options{profile_size_option};
 inline constexpr std::array preview_picture_options{
     Option{"-s,--size", "WxH", "width and height in pixels (512x512)"},
     Option{"--shadows", "KIND",

@@ -59,7 +59,7 @@ void LitTile::show_emitters() {
     for (const TileSamples::EmitterShare& seen : tile_.emitters()) {
         const Light& light = scene_.lights[seen.light].light;
         // Towards the eye the mask is the same from every point of the light, except for the effect of its width.
-        const double mask = mask_share(light, light.frame.origin + seen.view);
+        const double mask = share_from_center(light, light.frame.origin + seen.view);
         picture_.shows_light[seen.pixel] = 1;
         add(seen.pixel, seen.share * mask * light.luminance.value * light.color);
         const std::size_t surface = light.emitted_by ? light.emitted_by->surface : no_surface;

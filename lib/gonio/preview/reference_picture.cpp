@@ -16,14 +16,15 @@ namespace gonio {
 ReferencePicture::ReferencePicture(const Stage& stage, std::span<const Light> lights, const Camera& camera,
                                    const RenderOptions& options)
     : stage_(&stage),
-      lights_(lights),
+      shining_(std::make_shared<const ShiningLights>(lights)),
+      lights_(shining_->all()),
       options_(options),
       rays_(camera, options.width, options.height),
-      emitted_(stage, lights),
+      emitted_(stage, lights_),
       pixels_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)),
       row_passes_(static_cast<std::size_t>(options.height)),
       tracer_(std::make_shared<detail::PathTracer>(
-          stage, lights,
+          stage, lights_,
           detail::PathTracer::Options{options.shadows != Shadows::off, options.specular,
                                       options.sky.is_dark() ? nullptr : std::make_shared<const Sky>(options.sky),
                                       options.bounces, options.illuminance})) {}
@@ -65,7 +66,7 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
         nearest = *distance;
     }
     if (emitter != nullptr) {
-        const double mask = detail::mask_share(*emitter, emitter->frame.origin - ray.direction);
+        const double mask = detail::share_from_center(*emitter, emitter->frame.origin - ray.direction);
         pixel.emitter += glm::vec3(mask * emitter->luminance.value * emitter->color);
         pixel.shows_light = true;
         return;

@@ -5,12 +5,13 @@
 // the material, weighted by the balance heuristic (E. Veach and L. Guibas, SIGGRAPH 1995); a ray decides whether the
 // light is visible. So each pass is an unbiased picture, anti-aliased and with shadows, that shares neither the closed
 // forms nor the shadows of render(). Lights without size and their shadows are exact at each point, and so are masks on
-// lights with a size. With bounces each pass also follows a path over the stage (path_tracer.hpp). The bytes after a
-// pass do not depend on the number of threads.
+// lights with a size and the profiles of luminous openings. With bounces each pass also follows a path over the stage
+// (path_tracer.hpp). The bytes after a pass do not depend on the number of threads.
 #pragma once
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/emissive_lights.hpp>
 
@@ -63,7 +64,8 @@ private:
     std::vector<std::uint8_t> subjects() const; // Rendering::shows_subject
 
     const Stage* stage_;
-    std::span<const Light> lights_;
+    std::shared_ptr<const ShiningLights> shining_;
+    std::span<const Light> lights_; // of `shining_`
     RenderOptions options_;
     CameraRays rays_;
     EmittedLights emitted_;

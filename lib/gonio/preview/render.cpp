@@ -73,7 +73,7 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     const detail::LightTree no_bodies({});
     const EmittedLights no_emitted;
     const detail::RayScene ray_scene{stage,
-                                     lights,
+                                     scene.all_lights,
                                      rays,
                                      options.shows_lights ? scene.bodies : no_bodies,
                                      options.shows_lights ? scene.emitted : no_emitted,

@@ -140,13 +140,16 @@ WebConstants WebTable::constants(double scale) const {
 }
 
 IntensityPattern::IntensityPattern(const Light& light, WebTables& tables, bool as_point)
-    : light_(light), as_point_(as_point) {
+    : light_(light), as_point_(as_point), is_share_(!as_point && has_extent(light.shape)) {
     if (as_point) return;
+    if (light.emission != nullptr) { // from its centre
+        as_point_ = true;
+        return;
+    }
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
-    const bool is_share = has_extent(light.shape);
-    along_axis_ = is_share || profile != nullptr ? 1.0 : light.intensity.value;
-    if (!is_share) lobe_ = lobe_of(light.shape);
+    along_axis_ = is_share_ || profile != nullptr ? 1.0 : light.intensity.value;
+    if (!is_share_) lobe_ = lobe_of(light.shape);
     if (web == nullptr) return;
     web_scale_ = light.web_scale;
     std::shared_ptr<const WebTable>& table = tables[web];
@@ -164,7 +167,8 @@ void IntensityPattern::evaluate(const transport::Points& points, const glm::dvec
         for (std::size_t i = 0; i < points.count; ++i) {
             const glm::dvec3 at =
                 anchor + glm::dvec3(points.position[0][i], points.position[1][i], points.position[2][i]);
-            const double value = light_.intensity_towards(at - light_.frame.origin).value;
+            const glm::dvec3 towards = at - light_.frame.origin;
+            const double value = is_share_ ? light_.luminance_share(towards) : light_.intensity_towards(towards).value;
             cd[i] = value > 0.0 ? static_cast<float>(value) : 0.0F; // 0 at the position of the light itself
         }
         return;

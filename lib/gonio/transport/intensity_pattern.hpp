@@ -42,7 +42,8 @@ private:
 // Web tables shared by lights; each is made once.
 using WebTables = std::map<const Web*, std::shared_ptr<const WebTable>>;
 
-// What a punctual light sends towards points; for a light with a size, what its mask transmits from its centre.
+// What a punctual light sends towards points; for a light with a size, its luminance by direction as seen from its
+// centre: the approximation of engines.
 class IntensityPattern {
 public:
     // The light must outlive the pattern. `as_point`: for a light with a size, its intensity towards distant points,
@@ -62,6 +63,7 @@ private:
     std::shared_ptr<const WebTable> table_;
     double web_scale_ = 1.0;
     bool as_point_ = false;
+    bool is_share_ = false; // what evaluate() gives is a factor
 };
 
 } // namespace gonio::detail

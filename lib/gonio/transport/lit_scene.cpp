@@ -33,8 +33,9 @@ std::vector<LitLight> lit_lights(std::span<const Light> lights, IrradianceMethod
     std::vector<LitLight> lit;
     lit.reserve(lights.size());
     WebTables tables;
+    ColumnPatterns patterns;
     for (const Light& light : lights)
-        lit.emplace_back(light, method, tables);
+        lit.emplace_back(light, method, tables, patterns);
     return lit;
 }
 
@@ -62,17 +63,19 @@ shading::MaterialConstants constants(const CoreMaterial& material) {
 
 } // namespace
 
-LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables)
+LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables, ColumnPatterns& patterns)
     : light(of_light),
       is_dark(detail::is_dark(of_light)),
       constants(light_constants(of_light)),
       pattern(of_light, tables, becomes_point(of_light.shape, method)),
-      reach(reach_of(of_light, method != IrradianceMethod::reference)),
+      reach(reach_of(of_light, detail::approximation(method).has_value())),
       has_surface(class_of(of_light.shape) == ShapeClass::area) {
     const bool as_point = becomes_point(light.shape, method);
     is_punctual = as_point || !has_extent(light.shape);
-    const bool is_masked = mask_of(light.shape).web != nullptr;
-    has_pattern = is_punctual || (is_masked && method != IrradianceMethod::reference);
+    const bool by_direction = !is_punctual && light.has_pattern() && method != IrradianceMethod::reference;
+    const bool from_center = by_direction && detail::approximation(method).has_value();
+    has_pattern = is_punctual || from_center;
+    if (by_direction && !from_center) luminance.emplace(light, patterns, tables);
     constants.specular_method = specular_method(method);
     if (!is_punctual) approximation = detail::approximation(method);
     if (!as_point) return;
@@ -83,12 +86,14 @@ LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& ta
 
 LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options)
     : stage(on_stage),
-      all_lights(with_lights),
+      shining(with_lights, !takes_points(with_options.method)),
+      all_lights(shining.all()),
       options(with_options),
       kernels(shading::kernels(with_options.instruction_set)),
       intensity(transport::intensity_kernels(with_options.instruction_set)),
-      lights(lit_lights(with_lights, with_options.method)),
-      emitted(on_stage, with_lights),
+      luminance(transport::luminance_kernels(with_options.instruction_set)),
+      lights(lit_lights(all_lights, with_options.method)),
+      emitted(on_stage, all_lights),
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces) {

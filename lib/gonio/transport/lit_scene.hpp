@@ -1,6 +1,7 @@
 // A stage and its lights as the tiles of a picture need them: made once, then read by all threads.
 #pragma once
 
+#include <gonio/light/luminaire.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/directional_albedo.hpp>
 #include <gonio/scene/emissive_lights.hpp>
@@ -11,6 +12,7 @@
 #include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/lighting_options.hpp>
 #include <gonio/transport/lobe_rays.hpp>
+#include <gonio/transport/luminance_pattern.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -24,13 +26,14 @@ class SkyLight;
 
 struct LitLight {
     // The light must outlive this.
-    LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables);
+    LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables, ColumnPatterns& patterns);
 
     const Light& light;
     bool is_dark = false;
     shading::LightConstants constants; // the position is set for each group of points
     IntensityPattern pattern;
-    bool has_pattern = false;                            // if true, `pattern` is used: the light is punctual or masked
+    bool has_pattern = false; // if true, `pattern` is used: the light is punctual, or masked and the method takes it so
+    std::optional<LuminancePattern> luminance;           // of an area light by direction, for all other methods
     bool is_punctual = false;                            // or treated as a point
     std::optional<shading::Approximation> approximation; // of the irradiance, for the methods that use one
     LightReach reach;
@@ -52,10 +55,12 @@ struct LitScene {
     double visible_center(const LitLight& light, std::size_t surface, const glm::dvec3& position) const;
 
     const Stage& stage;
-    std::span<const Light> all_lights;
+    ShiningLights shining;             // of the lights that are given: the faces of luminaires in their place
+    std::span<const Light> all_lights; // these
     const LightingOptions& options;
     const shading::Kernels& kernels;
     const transport::IntensityKernels& intensity;
+    const transport::LuminanceKernels& luminance;
     std::vector<LitLight> lights;                              // one for each of all_lights
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes

@@ -1,6 +1,7 @@
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/lit_scene.hpp>
 #include <gonio/transport/receiver_light.hpp>
@@ -28,6 +29,24 @@ double visible_share_of(const detail::LitScene& scene, const detail::LitLight& l
     std::iota(bodies.begin(), bodies.end(), 0U);
     if (light.light.emitted_by) std::erase(bodies, static_cast<std::uint32_t>(light.light.emitted_by->surface));
     return shadow.visible(0, position, normal);
+}
+
+// The mean over the faces of a luminaire, weighted by their illuminance.
+double visible_share_of(const detail::LitScene& scene, std::span<const detail::LitLight> faces,
+                        detail::SoftShadow& shadow, const glm::dvec3& position, const glm::dvec3& normal) {
+    if (faces.size() == 1) return visible_share_of(scene, faces.front(), shadow, position, normal);
+    constexpr double fine_enough = 1e-3; // of a weight
+    double all = 0.0;
+    double seen = 0.0;
+    for (const detail::LitLight& face : faces) {
+        const double lx = detail::illuminance_of(face.light, position, normal,
+                                                 {IrradianceMethod::reference, ReferenceGoal{fine_enough}})
+                              .illuminance_lx;
+        if (!(lx > 0.0)) continue;
+        all += lx;
+        seen += lx * visible_share_of(scene, face, shadow, position, normal);
+    }
+    return all > 0.0 ? seen / all : 1.0;
 }
 
 constexpr glm::dvec3 up{0.0, 0.0, 1.0};
@@ -61,12 +80,15 @@ Result<ReceiverLight> ReceiverLight::on(const Stage& stage, std::span<const Ligh
         geometry = std::make_shared<const detail::ExchangeGeometry>(stage, lights, quality, options.threads,
                                                                     options.instruction_set);
     }
-    return ReceiverLight(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect),
-                         std::move(geometry));
+    ReceiverLight made(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect),
+                       std::move(geometry));
+    for (const Light& light : lights)
+        made.faces_.push_back(light.faces != nullptr ? light.faces->size() : 1);
+    return made;
 }
 
 ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) const {
-    const std::size_t lights = scene_->lights.size();
+    const std::size_t lights = faces_.size();
     Shares shares;
     shares.visible.assign(receivers.size() * lights, 1.0);
     shares.sky_lx.assign(receivers.size(), 0.0);
@@ -83,9 +105,12 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
         const glm::dvec3 position = receivers[i].position + lift_m * normal;
         detail::SoftShadow shadow(*scene_);
-        for (std::size_t light = 0; shadows && light < lights; ++light)
-            shares.visible[i * lights + light] =
-                visible_share_of(*scene_, scene_->lights[light], shadow, position, normal);
+        std::size_t first = 0;
+        for (std::size_t light = 0; shadows && light < lights; ++light) {
+            const std::span<const detail::LitLight> faces(scene_->lights.data() + first, faces_[light]);
+            first += faces_[light];
+            shares.visible[i * lights + light] = visible_share_of(*scene_, faces, shadow, position, normal);
+        }
         if (has_sky) {
             const glm::dvec3 lx = geometry_ == nullptr
                                       ? open_lx[i]

@@ -44,6 +44,7 @@ private:
                   std::shared_ptr<const detail::ExchangeGeometry> geometry);
 
     std::unique_ptr<detail::LitScene> scene_;
+    std::vector<std::size_t> faces_;            // of each light: how many of the scene's lights are its faces, or 1
     std::unique_ptr<Interreflection> indirect_; // null without bounces
     // Null where there is neither light that bounced nor a sky that something may hide.
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <type_traits>
 #include <variant>
 
@@ -38,6 +39,26 @@ void guard(IrradianceMethod method, const shading::Surfaces& surfaces, const sha
         }
         cd[i] *= method == IrradianceMethod::frostbite ? d2 / std::max(d2, square_cm) : d2 / (d2 + square_cm);
     }
+}
+
+transport::Receivers receivers(const shading::Surfaces& surfaces) {
+    return {{surfaces.position[0], surfaces.position[1], surfaces.position[2]},
+            {surfaces.normal[0], surfaces.normal[1], surfaces.normal[2]},
+            surfaces.count};
+}
+
+// Of the material's lobe, the narrower one if it has a coat; nothing for a material without a lobe.
+std::optional<double> lobe_alpha(const CoreMaterial& material) {
+    return std::visit(
+        []<class Core>(const Core& core) -> std::optional<double> {
+            if constexpr (std::is_same_v<Core, shading::Coated>)
+                return shading::lobe_alpha(core);
+            else if constexpr (Core::lobe != shading::LobeKind::none)
+                return shading::lobe_alpha(core);
+            else
+                return std::nullopt;
+        },
+        material);
 }
 
 bool is_grey(const Material& material) {
@@ -89,6 +110,7 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     }
     if (approximated) approximate(light, surfaces, constants, samples.surface);
     if (light.is_punctual) return;
+    if (light.luminance) apply_luminance(light, surfaces, constants, samples);
     const auto luminance_nt = static_cast<float>(light.light.luminance.value);
     if (options.illuminance)
         for (std::size_t i = 0; i < count; ++i)
@@ -121,9 +143,38 @@ void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& sampl
     lx_.resize(count);
     scene_.kernels.irradiance(surfaces, constants, lx_.data());
     if (light.is_punctual) return;
+    if (light.luminance) {
+        light.luminance->evaluate(receivers(surfaces), samples.anchor, scene_.luminance, scene_.intensity, share_);
+        for (std::size_t i = 0; i < count; ++i)
+            lx_[i] *= share_[i];
+    }
     const auto luminance_nt = static_cast<float>(light.light.luminance.value);
     for (std::size_t i = 0; i < count; ++i)
         lx_[i] *= luminance_nt * (light.has_pattern ? intensity_[i] : 1.0F);
+}
+
+void SampleShader::apply_luminance(const LitLight& light, const shading::Surfaces& surfaces,
+                                   const shading::LightConstants& constants, const SurfaceSamples& samples) {
+    const std::size_t count = surfaces.count;
+    light.luminance->evaluate(receivers(surfaces), samples.anchor, scene_.luminance, scene_.intensity, share_);
+    if (scene_.options.illuminance)
+        for (std::size_t i = 0; i < count; ++i)
+            lx_[i] *= share_[i];
+    const std::optional<double> alpha = lobe_alpha(scene_.core_materials[samples.surface]);
+    if (!alpha) {
+        for (std::vector<float>& channel : rgb_)
+            for (std::size_t i = 0; i < count; ++i)
+                channel[i] *= share_[i];
+        return;
+    }
+    light.luminance->along_lobes(surfaces, samples.anchor, *alpha, share_, glossy_share_);
+    scene_.kernels.shade(surfaces, constants, scene_.diffuse_materials[samples.surface],
+                         pointers(diffuse_, count).data());
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        for (std::size_t i = 0; i < count; ++i) {
+            const float glossy = std::max(rgb_[channel][i] - diffuse_[channel][i], 0.0F);
+            rgb_[channel][i] = glossy_share_[i] * glossy + share_[i] * diffuse_[channel][i];
+        }
 }
 
 // Replaces the exact irradiance by the approximated one, in the diffuse part and in `lx_`.

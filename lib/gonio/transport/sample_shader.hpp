@@ -34,6 +34,9 @@ public:
     std::size_t not_converged() const { return not_converged_; }
 
 private:
+    // Multiplies the results of the kernels by the light's mean luminance, in the diffuse and the glossy part.
+    void apply_luminance(const LitLight& light, const shading::Surfaces& surfaces,
+                         const shading::LightConstants& constants, const SurfaceSamples& samples);
     void integrate(const LitLight& light, const SurfaceSamples& samples, std::size_t first, const float* weight);
     void approximate(const LitLight& light, const shading::Surfaces& surfaces, const shading::LightConstants& constants,
                      std::size_t surface);
@@ -45,6 +48,8 @@ private:
     std::vector<float> lx_;
     std::vector<float> approximate_lx_;
     std::vector<float> side_lx_;
+    std::vector<float> share_;
+    std::vector<float> glossy_share_;
     std::size_t not_converged_ = 0;
 };
 

@@ -151,6 +151,11 @@ void SoftShadow::find_hidden() {
     }
 }
 
+// Of the light towards the point from a unit direction, over its mean.
+double SoftShadow::luminance_from(const glm::dvec3& direction) const {
+    return light_->luminance ? light_->light.luminance_share(-direction) : 1.0;
+}
+
 // The share of the illuminance that the lines let through.
 double SoftShadow::integrated() const {
     double all = 0.0;
@@ -162,7 +167,8 @@ double SoftShadow::integrated() const {
         const double solid_angle = line.turn * (line.high - line.low);
         for (std::size_t cell = 0; cell < cell_count; ++cell) {
             const glm::dvec3 l = lines_.direction(line, cell_middle(line, cell, cell_count));
-            const double weight = solid_angle * std::max(glm::dot(normal_, l), 0.0);
+            const double light = solid_angle * luminance_from(l);
+            const double weight = light * std::max(glm::dot(normal_, l), 0.0);
             const double share = seen_[i * cell_count + cell];
             all += solid_angle;
             seen += solid_angle * share;
@@ -174,9 +180,9 @@ double SoftShadow::integrated() const {
     return all > 0.0 ? std::min(seen / all, 1.0) : 1.0; // a sliver above the horizon that contains no cell's middle
 }
 
-// A sphere light behind a sphere or a capsule: the light wholly above the horizon, the occluder in front of it.
+// A uniform sphere light behind a sphere or a capsule: the light wholly above the horizon, the occluder in front of it.
 std::optional<double> SoftShadow::closed_form(const Primitive& body) const {
-    const auto* const light = std::get_if<SphereShape>(&light_->light.shape);
+    const auto* const light = light_->luminance ? nullptr : std::get_if<SphereShape>(&light_->light.shape);
     const auto* const ball = std::get_if<Ball>(&body);
     const auto* const capsule = std::get_if<Capsule>(&body);
     if (light == nullptr || (ball == nullptr && capsule == nullptr) || hides(body, point_)) return std::nullopt;
@@ -218,10 +224,11 @@ glm::vec3 SoftShadow::visible_luminance(const glm::dvec3& view) const {
                 const LightLine& line = lines_.lines[i];
                 const double solid_angle = line.turn * (line.high - line.low);
                 for (std::size_t cell = 0; cell < cell_count; ++cell) {
-                    const Vec l = vec(lines_.direction(line, cell_middle(line, cell, cell_count)));
+                    const glm::dvec3 towards = lines_.direction(line, cell_middle(line, cell, cell_count));
+                    const Vec l = vec(towards);
                     const double cosine = dot(n, l);
                     if (!(cosine > 0.0)) continue;
-                    const Vec f = shading::brdf(core, n, l, v) * (solid_angle * cosine);
+                    const Vec f = shading::brdf(core, n, l, v) * (solid_angle * cosine * luminance_from(towards));
                     const glm::dvec3 value(f.x, f.y, f.z);
                     all += value;
                     seen += value * seen_[i * cell_count + cell];

@@ -48,6 +48,7 @@ private:
     // The share of illuminance behind a single solid, if it has a closed form.
     std::optional<double> closed_form(const Primitive& body) const;
     double integrated() const;
+    double luminance_from(const glm::dvec3& direction) const;
 
     const LitScene& scene_;
     const LitLight* light_ = nullptr;

@@ -1,0 +1,57 @@
+// The mean luminance of flat lights whose luminance depends on the direction, as many receivers see it.
+//
+// In the light's frame (emission along −z, the receiver at p, depth −p_z > 0) the plane of the light is divided into
+// columns: φ = atan((x − p_x)/depth), and along a column ψ = atan((y − p_y) cosφ/depth). Then dω = cosψ dψ dφ, and with
+// T(φ, ψ) = L cosφ cosψ, the intensity of an element over its area,
+//
+//   E = ∫ dφ/cosφ [(n_x sinφ + n_z cosφ) ∫ T cosψ dψ + n_y ∫ T sinψ dψ].
+//
+// Both inner integrals are differences of a table of running integrals, cut in closed form where the column leaves the
+// outline or passes below the receiver's horizon; the outer one is a Gauss–Legendre rule. What is returned is E over
+// the same sum for L = 1, so that a Lambertian light has no error, and E itself is that ratio times its closed form.
+//
+// Floats in structures of arrays, metres, one common frame. Results are finite and ≥ 0; nothing fails or allocates.
+#pragma once
+
+#include <gonio/simd/dispatch.hpp>
+
+#include <cstddef>
+
+namespace gonio::transport {
+
+struct Receivers {
+    const float* position[3] = {}; // [m]
+    const float* normal[3] = {};   // unit
+    std::size_t count = 0;
+};
+
+// T over a uniform grid of φ (rows) and ψ (nodes), both from −90° to 90°, linear along a row between its nodes and
+// between rows. For each node: ∫ T cosψ, T cosψ, ∫ T sinψ, T sinψ, the integrals from −90° on.
+struct ColumnTable {
+    const float* nodes = nullptr; // [row][node][4]
+    std::size_t count = 0;        // of rows, and of the nodes of each
+    float step_rad = 0.0F;
+};
+
+struct ColumnLight {
+    float origin[3] = {};            // [m]
+    float x[3] = {1.0F, 0.0F, 0.0F}; // across the columns
+    float y[3] = {0.0F, 1.0F, 0.0F}; // along them
+    float z[3] = {0.0F, 0.0F, 1.0F}; // against the emission
+    float half_x = 0.0F;             // [m]
+    float half_y = 0.0F;
+    bool is_round = false;   // an ellipse with these half axes, or a rectangle
+    float column_rad = 0.0F; // the angle for which one column is enough
+    ColumnTable table;
+};
+
+struct LuminanceKernels {
+    simd::InstructionSet set;
+    // Adds to `share`; 0 behind the light and where it is below the horizon.
+    void (*columns)(const Receivers&, const ColumnLight&, float* share);
+};
+
+// The kernels of `set`, or the scalar ones where simd::available(set) is false.
+const LuminanceKernels& luminance_kernels(simd::InstructionSet set);
+
+} // namespace gonio::transport

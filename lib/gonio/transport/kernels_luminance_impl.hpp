@@ -1,0 +1,284 @@
+// The bodies of kernels_luminance.hpp, for one scalar. Included only by kernels_luminance_<set>.cpp; the rule of
+// shading/kernels_impl.hpp applies here too.
+#pragma once
+
+#include <gonio/shading/vec3.hpp>
+#include <gonio/simd/math.hpp>
+#include <gonio/simd/packet.hpp>
+#include <gonio/transport/kernels_luminance.hpp>
+
+#include <cstddef>
+
+namespace gonio::transport::detail {
+
+using shading::vec3;
+
+inline constexpr std::size_t most_columns = 24;
+
+// Nodes in (−1, 1) and weights of the Gauss–Legendre rules with 2 to 24 columns; a rule is symmetric, so
+// only its positive half is listed.
+struct ColumnRule {
+    std::size_t columns;
+    float node[most_columns / 2];
+    float weight[most_columns / 2];
+};
+
+inline constexpr ColumnRule column_rules[] = {
+    {2, {0.577350269F}, {1.0F}},
+    {4, {0.339981044F, 0.861136312F}, {0.652145155F, 0.347854845F}},
+    {6, {0.238619186F, 0.661209386F, 0.932469514F}, {0.467913935F, 0.360761573F, 0.171324492F}},
+    {8,
+     {0.183434642F, 0.52553241F, 0.796666477F, 0.960289856F},
+     {0.362683783F, 0.313706646F, 0.222381034F, 0.101228536F}},
+    {12,
+     {0.125233409F, 0.367831499F, 0.587317954F, 0.769902674F, 0.904117256F, 0.981560634F},
+     {0.249147046F, 0.233492537F, 0.203167427F, 0.160078329F, 0.106939326F, 0.0471753364F}},
+    {16,
+     {0.0950125098F, 0.281603551F, 0.458016778F, 0.617876244F, 0.755404408F, 0.865631202F, 0.944575023F, 0.989400935F},
+     {0.18945061F, 0.182603415F, 0.169156519F, 0.149595989F, 0.124628971F, 0.0951585117F, 0.0622535239F,
+      0.0271524594F}},
+    {24,
+     {0.0640568929F, 0.191118867F, 0.31504268F, 0.433793508F, 0.545421471F, 0.648093652F, 0.740124192F, 0.820001986F,
+      0.886415527F, 0.938274552F, 0.974728556F, 0.99518722F},
+     {0.127938195F, 0.125837456F, 0.121670473F, 0.115505668F, 0.10744427F, 0.0976186521F, 0.0861901615F, 0.0733464814F,
+      0.0592985849F, 0.0442774388F, 0.0285313886F, 0.0123412298F}},
+};
+
+// The smallest rule with at least that many columns, or the largest.
+GONIO_FORCE_INLINE const ColumnRule& column_rule(float columns) {
+    for (const ColumnRule& rule : column_rules)
+        if (static_cast<float>(rule.columns) >= columns) return rule;
+    return column_rules[sizeof(column_rules) / sizeof(column_rules[0]) - 1];
+}
+
+// ∫ T cosψ dψ and ∫ T sinψ dψ over an interval.
+template<class S>
+struct ColumnIntegrals {
+    S cosine, sine;
+};
+
+// A place on an axis of the table.
+struct TablePlace {
+    std::size_t index; // of the lower end
+    float along;       // [0, 1]
+};
+
+template<class S> // determines the instruction set
+GONIO_FORCE_INLINE TablePlace place_of(float angle, const ColumnTable& table, float per_step) {
+    const float steps =
+        simd::min(simd::max((angle + 1.57079633F) * per_step, 0.0F), static_cast<float>(table.count - 1) * 0.9999999F);
+    const auto index = static_cast<std::size_t>(steps);
+    return {index, steps - static_cast<float>(index)};
+}
+
+// The running integrals at a place of a row: exact for values that are linear between the nodes.
+template<class S>
+GONIO_FORCE_INLINE void running(const float* row, const TablePlace& at, float step, float weight, float (&sums)[2]) {
+    const float* const node = row + 4 * at.index;
+    for (std::size_t part = 0; part < 2; ++part) {
+        const float low = node[2 * part + 1];
+        const float high = node[2 * part + 5];
+        sums[part] += weight * (node[2 * part] + step * at.along * (low + 0.5F * at.along * (high - low)));
+    }
+}
+
+template<class S>
+GONIO_FORCE_INLINE void value(const float* row, const TablePlace& at, float weight, float (&values)[2]) {
+    const float* const node = row + 4 * at.index;
+    for (std::size_t part = 0; part < 2; ++part)
+        values[part] += weight * (node[2 * part + 1] + at.along * (node[2 * part + 5] - node[2 * part + 1]));
+}
+
+// Over [low, low + width], lane by lane.
+template<class S>
+GONIO_FORCE_INLINE ColumnIntegrals<S> integrals(const ColumnTable& table, S phi, S low, S width) {
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    float phis[lanes];
+    float lows[lanes];
+    float widths[lanes];
+    float cosines[lanes];
+    float sines[lanes];
+    simd::store(phi, &phis[0]);
+    simd::store(low, &lows[0]);
+    simd::store(width, &widths[0]);
+    const float per_step = 1.0F / table.step_rad;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const TablePlace row = place_of<S>(phis[lane], table, per_step);
+        const float* const rows[2] = {table.nodes + 4 * table.count * row.index,
+                                      table.nodes + 4 * table.count * (row.index + 1)};
+        const float weights[2] = {1.0F - row.along, row.along};
+        float sums[2] = {0.0F, 0.0F};
+        // The difference of two running integrals would lose its digits.
+        if (widths[lane] < 0.5F * table.step_rad) {
+            const TablePlace middle = place_of<S>(lows[lane] + 0.5F * widths[lane], table, per_step);
+            for (std::size_t i = 0; i < 2; ++i)
+                value<S>(rows[i], middle, weights[i] * widths[lane], sums);
+        } else {
+            const TablePlace begin = place_of<S>(lows[lane], table, per_step);
+            const TablePlace end = place_of<S>(lows[lane] + widths[lane], table, per_step);
+            for (std::size_t i = 0; i < 2; ++i) {
+                running<S>(rows[i], end, table.step_rad, weights[i], sums);
+                running<S>(rows[i], begin, table.step_rad, -weights[i], sums);
+            }
+        }
+        cosines[lane] = sums[0];
+        sines[lane] = sums[1];
+    }
+    ColumnIntegrals<S> result;
+    simd::load(&cosines[0], result.cosine);
+    simd::load(&sines[0], result.sine);
+    return result;
+}
+
+template<class S>
+GONIO_FORCE_INLINE vec3<S> spread(const float (&v)[3]) {
+    return {S(v[0]), S(v[1]), S(v[2])};
+}
+
+// What receivers see of the light's plane.
+template<class S>
+struct ColumnView {
+    vec3<S> center, normal; // in the frame of the light; z of the normal away from it
+    S depth;
+    S middle, half_turn; // of φ [rad]
+    simd::mask_of<S> lit;
+
+    GONIO_FORCE_INLINE ColumnView(const Receivers& receivers, const ColumnLight& light, const simd::Packet<S>& packet) {
+        const auto load = [&](const float* const(&from)[3]) {
+            return vec3<S>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
+        };
+        const vec3<S> x = spread<S>(light.x);
+        const vec3<S> y = spread<S>(light.y);
+        const vec3<S> z = spread<S>(light.z);
+        const vec3<S> to_center = spread<S>(light.origin) - load(receivers.position);
+        const vec3<S> world_normal = load(receivers.normal);
+        center = {dot(to_center, x), dot(to_center, y), dot(to_center, z)};
+        normal = {dot(world_normal, x), dot(world_normal, y), -dot(world_normal, z)};
+        const auto in_front = center.z > S(0);
+        depth = simd::select(in_front, center.z, S(1));
+        // The part of the light that any column can have above the horizon: n_x x + n_y y > n_z depth.
+        S left = center.x - S(light.half_x);
+        S right = center.x + S(light.half_x);
+        const S best = simd::mul_add(simd::abs(normal.y), S(light.half_y), normal.y * center.y);
+        const S needed = simd::mul_add(normal.z, depth, -best);
+        const S slope = simd::select(simd::abs(normal.x) > S(1e-12F), normal.x, S(1e-12F));
+        const S horizon = needed / slope;
+        left = simd::select(normal.x > S(1e-12F), simd::max(left, horizon), left);
+        right = simd::select(normal.x < S(-1e-12F), simd::min(right, horizon), right);
+        lit = simd::both(in_front, right > left);
+        right = simd::select(lit, right, left);
+        const S first = simd::atan2_above(depth, left); // from +x, so that both ends are precise
+        const S turn = simd::atan2_above((right - left) * depth, simd::mul_add(left, right, depth * depth));
+        half_turn = S(0.5F) * turn;
+        middle = S(1.57079633F) - first + half_turn;
+    }
+};
+
+template<class S>
+struct ColumnSums {
+    S seen = S(0);    // with the light's luminance
+    S uniform = S(0); // with a luminance of 1
+};
+
+// One column at the angle φ (its sine and cosine given).
+template<class S>
+GONIO_FORCE_INLINE void add_column(const ColumnLight& light, const ColumnView<S>& view, S phi, S weight,
+                                   ColumnSums<S>& sums) {
+    const vec3<S>& center = view.center;
+    const vec3<S>& normal = view.normal;
+    const S depth = view.depth;
+    const S sine = simd::sin(phi);
+    const S cosine = simd::max(simd::cos(phi), S(1e-6F));
+    const S scale = cosine / depth; // of y to tanψ
+    S half = S(light.half_y);
+    if (light.is_round) {
+        const S x = (depth * sine / cosine - center.x) * S(1.0F / light.half_x);
+        half = half * simd::sqrt(simd::max(S(1) - x * x, S(0)));
+    }
+    S low = (center.y - half) * scale;
+    S high = (center.y + half) * scale;
+    // n·l = cosψ (a + b tanψ), for the plane of the light at −depth.
+    const S a = simd::mul_add(normal.x, sine, -(normal.z * cosine));
+    const S b = normal.y;
+    const S cut = -a / simd::select(simd::abs(b) > S(1e-12F), b, S(1e-12F));
+    low = simd::select(b > S(1e-12F), simd::max(low, cut), low);
+    high = simd::select(b < S(-1e-12F), simd::min(high, cut), high);
+    const auto lit = simd::both(high > low, simd::either(simd::abs(b) > S(1e-12F), a > S(0)));
+    if (!simd::any(lit)) return;
+    high = simd::select(lit, high, low);
+    const S begin = simd::atan(low);
+    // The difference of the angles without cancellation.
+    const S width = simd::atan2_above(high - low, simd::mul_add(low, high, S(1)));
+    const ColumnIntegrals<S> of_light = integrals(light.table, phi, begin, width);
+    // ∫ cos²ψ = (Δψ + sinΔψ cos(2ψ_m))/2, ∫ sinψ cosψ = sinΔψ sin(2ψ_m)/2, with ψ_m in the middle.
+    const S middle = simd::mul_add(width, S(0.5F), begin);
+    const S chord = simd::sin(width);
+    const S uniform_cosine = S(0.5F) * simd::mul_add(chord, simd::cos(middle + middle), width);
+    const S uniform_sine = S(0.5F) * chord * simd::sin(middle + middle);
+    const S by_light = simd::mul_add(a, of_light.cosine, b * of_light.sine) / cosine;
+    const S by_uniform = simd::mul_add(a, uniform_cosine, b * uniform_sine);
+    sums.seen = simd::select(lit, simd::mul_add(weight, simd::max(by_light, S(0)), sums.seen), sums.seen);
+    sums.uniform = simd::select(lit, simd::mul_add(weight, simd::max(by_uniform, S(0)), sums.uniform), sums.uniform);
+}
+
+template<class S>
+GONIO_FORCE_INLINE float greatest(S value) {
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    float values[lanes];
+    simd::store(value, &values[0]);
+    float most = 0.0F;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        most = simd::max(most, values[lane]);
+    return most;
+}
+
+// One rule for so many receivers, whatever the number of lanes: pictures are alike on all instruction sets.
+inline constexpr std::size_t receivers_of_rule = 16;
+
+template<class S>
+void mean_luminance(const Receivers& receivers, const ColumnLight& light, float* share) {
+    for (std::size_t block = 0; block < receivers.count; block += receivers_of_rule) {
+        const std::size_t end =
+            block + receivers_of_rule < receivers.count ? block + receivers_of_rule : receivers.count;
+        const auto for_each = [&](const auto& work) {
+            constexpr std::size_t lanes = simd::Traits<S>::lanes;
+            for (std::size_t first = block; first < end; first += lanes)
+                work(simd::Packet<S>{first, end - first < lanes ? end - first : lanes});
+        };
+        float turn = 0.0F;
+        for_each([&](const simd::Packet<S>& packet) {
+            const ColumnView<S> view(receivers, light, packet);
+            turn = simd::max(turn, 2.0F * greatest(simd::select(view.lit, view.half_turn, S(0))));
+        });
+        if (!(turn > 0.0F)) continue;
+        const ColumnRule& rule = column_rule(turn * (light.is_round ? 1.3F : 1.0F) / light.column_rad);
+        for_each([&](const simd::Packet<S>& packet) {
+            const ColumnView<S> view(receivers, light, packet);
+            if (!simd::any(view.lit)) return;
+            ColumnSums<S> sums;
+            for (std::size_t i = 0; i < rule.columns / 2; ++i) {
+                // The chords of a round light are √(1 − t²) long: the Gauss–Chebyshev rule of the second kind.
+                S at = S(rule.node[i]);
+                S weight = view.half_turn * S(rule.weight[i]);
+                if (light.is_round) {
+                    const S theta = S(3.14159265F * static_cast<float>(i + 1) / static_cast<float>(rule.columns + 1));
+                    at = simd::cos(theta);
+                    weight = view.half_turn * simd::sin(theta);
+                }
+                add_column(light, view, simd::mul_add(view.half_turn, at, view.middle), weight, sums);
+                add_column(light, view, simd::mul_add(view.half_turn, -at, view.middle), weight, sums);
+            }
+            const S ratio = sums.seen / simd::max(sums.uniform, S(1e-30F));
+            const auto valid = simd::both(view.lit, sums.uniform > S(1e-30F));
+            packet.store(packet.load(share) + simd::select(valid, simd::min(ratio, S(1e30F)), S(0)), share);
+        });
+    }
+}
+
+extern const LuminanceKernels kernels_luminance_scalar;
+extern const LuminanceKernels kernels_luminance_sse2;
+extern const LuminanceKernels kernels_luminance_avx2;
+extern const LuminanceKernels kernels_luminance_avx512;
+extern const LuminanceKernels kernels_luminance_neon;
+
+} // namespace gonio::transport::detail

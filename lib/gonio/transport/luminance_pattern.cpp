@@ -1,0 +1,301 @@
+#include <gonio/light/luminaire.hpp>
+#include <gonio/light/shape_traits.hpp>
+#include <gonio/transport/luminance_pattern.hpp>
+#include <gonio/web/web.hpp>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <variant>
+
+namespace gonio::detail {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void copy(const glm::dvec3& from, float (&to)[3]) {
+    for (int i = 0; i < 3; ++i)
+        to[i] = static_cast<float>(from[i]);
+}
+
+const Web& web_of(const Light& light) {
+    return light.emission != nullptr ? *light.emission->web : *mask_of(light.shape).web;
+}
+
+// The typical step of the web's angles [deg].
+double web_step_deg(const Web& web) {
+    const std::span<const double> angles = web.vertical_deg();
+    if (angles.size() < 2) return 5.0;
+    return (angles.back() - angles.front()) / static_cast<double>(angles.size() - 1);
+}
+
+// Half of the extent along X and Y.
+struct Outline {
+    double half_x = 0.0;
+    double half_y = 0.0;
+    bool is_round = false;
+    bool two_sided = false;
+};
+
+struct OutlineOf {
+    Outline operator()(const RectShape& rect) const {
+        return {0.5 * rect.width.value, 0.5 * rect.height.value, false, rect.two_sided};
+    }
+    Outline operator()(const DiskShape& disk) const {
+        return {disk.radius.value, disk.radius.value, true, disk.two_sided};
+    }
+    Outline operator()(const EllipseShape& ellipse) const {
+        return {0.5 * ellipse.width.value, 0.5 * ellipse.height.value, true, ellipse.two_sided};
+    }
+    template<class Kind>
+    Outline operator()(const Kind& /*not flat*/) const {
+        return {};
+    }
+};
+
+// Directions in which receivers see a round light, weighted by its irradiance.
+struct Directions {
+    std::array<std::vector<float>, 3> towards; // from the light to the receiver
+    std::vector<double> weight;
+    std::vector<std::size_t> receiver;
+
+    void begin(std::size_t of_receiver, const glm::dvec3& its_normal) {
+        current = of_receiver;
+        normal = its_normal;
+    }
+    // `to_light` of any length; nothing below the horizon.
+    void add(const glm::dvec3& to_light, double solid_angle) {
+        const double cosine = glm::dot(normal, to_light);
+        if (!(cosine > 0.0)) return;
+        for (int axis = 0; axis < 3; ++axis)
+            towards.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(-to_light[axis]));
+        weight.push_back(solid_angle * cosine / glm::length(to_light));
+        receiver.push_back(current);
+    }
+
+    std::size_t current = 0;
+    glm::dvec3 normal{0.0};
+};
+
+constexpr double most_nodes = 64.0;
+
+// Nodes of equal solid angle on a spiral of the golden angle over the cap that the sphere covers.
+void add_sphere(const glm::dvec3& to_center, double radius_m, double node_rad, Directions& to) {
+    const double distance = glm::length(to_center);
+    if (!(distance > radius_m)) return to.add(to_center, 1.0);
+    const double half_angle = std::asin(radius_m / distance);
+    const double across = half_angle / node_rad;
+    const auto count = static_cast<int>(std::clamp(std::ceil(4.0 * across * across), 1.0, most_nodes));
+    const glm::dvec3 axis = to_center / distance;
+    const glm::dvec3 seed = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(glm::cross(axis, seed));
+    const glm::dvec3 y = glm::cross(axis, x);
+    constexpr double golden_angle = 2.399963229728653;
+    for (int i = 0; i < count; ++i) {
+        const double cosine = 1.0 - (1.0 - std::cos(half_angle)) * (i + 0.5) / count;
+        const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+        to.add(cosine * axis + sine * std::cos(golden_angle * i) * x + sine * std::sin(golden_angle * i) * y, 1.0);
+    }
+}
+
+// Nodes on the axis of the tube, uniform in the angle at which the receiver sees them.
+void add_tube(const glm::dvec3& to_center, const glm::dvec3& axis, double length_m, double node_rad, Directions& to) {
+    const double along = glm::dot(to_center, axis);
+    const glm::dvec3 across = to_center - along * axis;
+    const double distance = std::max(glm::length(across), 1e-6 * length_m);
+    const double first = std::atan2(along - 0.5 * length_m, distance);
+    const double last = std::atan2(along + 0.5 * length_m, distance);
+    const auto count = static_cast<int>(std::clamp(std::ceil((last - first) / node_rad), 1.0, most_nodes));
+    for (int i = 0; i < count; ++i) {
+        const double psi = first + (last - first) * (i + 0.5) / count;
+        to.add(across + distance * std::tan(psi) * axis, std::cos(psi));
+    }
+}
+
+// The frame with the columns along Y; for the far side, that of a light which emits there.
+Frame column_frame(const Frame& light, bool columns_along_y, bool behind) {
+    Frame frame = light;
+    if (behind) {
+        frame.y = -light.y;
+        frame.z = -light.z;
+    }
+    if (columns_along_y) return frame;
+    return {frame.origin, -frame.y, frame.x, frame.z};
+}
+
+} // namespace
+
+ColumnPattern::ColumnPattern(const Light& light, bool columns_along_y, bool behind, double step_deg)
+    : count_(static_cast<std::size_t>(std::ceil(180.0 / step_deg)) + 1),
+      step_rad_(pi / static_cast<double>(count_ - 1)),
+      nodes_(count_ * count_ * 4) {
+    const Frame frame = column_frame(light.frame, columns_along_y, behind);
+    // At 90° itself an opening has no luminance, only the limit of it.
+    constexpr double most = 0.5 * pi - 1e-4;
+    const auto angle = [&](std::size_t i) { return static_cast<double>(i) * step_rad_ - 0.5 * pi; };
+    for (std::size_t row = 0; row < count_; ++row) {
+        const double phi = std::clamp(angle(row), -most, most);
+        double cosine_sum = 0.0;
+        double sine_sum = 0.0;
+        double before_cosine = 0.0;
+        double before_sine = 0.0;
+        for (std::size_t node = 0; node < count_; ++node) {
+            const double psi = std::clamp(angle(node), -most, most);
+            const double facing = std::cos(phi) * std::cos(psi);
+            const glm::dvec3 towards = frame.to_world({-std::sin(phi) * std::cos(psi), -std::sin(psi), -facing});
+            const double t = light.luminance_share(towards) * facing;
+            const double cosine = t * std::cos(psi);
+            const double sine = t * std::sin(psi);
+            if (node > 0) {
+                cosine_sum += 0.5 * step_rad_ * (before_cosine + cosine);
+                sine_sum += 0.5 * step_rad_ * (before_sine + sine);
+            }
+            float* const to = nodes_.data() + 4 * (row * count_ + node);
+            to[0] = static_cast<float>(cosine_sum);
+            to[1] = static_cast<float>(cosine);
+            to[2] = static_cast<float>(sine_sum);
+            to[3] = static_cast<float>(sine);
+            before_cosine = cosine;
+            before_sine = sine;
+        }
+    }
+}
+
+transport::ColumnTable ColumnPattern::constants() const {
+    return {nodes_.data(), count_, static_cast<float>(step_rad_)};
+}
+
+LuminancePattern::LuminancePattern(const Light& light, ColumnPatterns& patterns, WebTables& webs) : light_(light) {
+    const Web& web = web_of(light);
+    const double web_deg = web_step_deg(web);
+    if (!is_flat(light.shape)) {
+        std::shared_ptr<const WebTable>& table = webs[&web];
+        if (table == nullptr) table = std::make_shared<const WebTable>(web);
+        web_ = table;
+        node_rad_ = degrees(std::clamp(web_deg, 2.0, 10.0)).value;
+        return;
+    }
+    const Outline outline = std::visit(OutlineOf(), light.shape);
+    columns_along_y_ = outline.half_y >= outline.half_x;
+    column_rad_ = degrees(std::clamp(1.25 * web_deg, 2.5, 6.0)).value;
+    const double step_deg = std::clamp(0.25 * web_deg, 0.5, 1.0);
+    const void* const source = light.emission != nullptr ? static_cast<const void*>(light.emission->body.get()) : &web;
+    const std::size_t face = light.emission != nullptr ? light.emission->face : 0;
+    const auto pattern = [&](bool behind) {
+        std::shared_ptr<const ColumnPattern>& made = patterns[{source, face, columns_along_y_, behind}];
+        if (made == nullptr) made = std::make_shared<const ColumnPattern>(light, columns_along_y_, behind, step_deg);
+        return made;
+    };
+    front_ = pattern(false);
+    if (outline.two_sided) back_ = pattern(true);
+}
+
+void LuminancePattern::by_columns(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                                  const transport::LuminanceKernels& kernels, float* share) const {
+    const Outline outline = std::visit(OutlineOf(), light_.shape);
+    for (const bool behind : {false, true}) {
+        const std::shared_ptr<const ColumnPattern>& pattern = behind ? back_ : front_;
+        if (pattern == nullptr) continue;
+        const Frame frame = column_frame(light_.frame, columns_along_y_, behind);
+        transport::ColumnLight light;
+        copy(light_.frame.origin - anchor, light.origin);
+        copy(frame.x, light.x);
+        copy(frame.y, light.y);
+        copy(frame.z, light.z);
+        light.half_x = static_cast<float>(columns_along_y_ ? outline.half_x : outline.half_y);
+        light.half_y = static_cast<float>(columns_along_y_ ? outline.half_y : outline.half_x);
+        light.is_round = outline.is_round;
+        light.column_rad = static_cast<float>(column_rad_);
+        light.table = pattern->constants();
+        kernels.columns(receivers, light, share);
+    }
+}
+
+void LuminancePattern::evaluate(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                                const transport::LuminanceKernels& columns,
+                                const transport::IntensityKernels& intensity, std::vector<float>& share) const {
+    share.assign(receivers.count, 0.0F);
+    if (front_ != nullptr) return by_columns(receivers, anchor, columns, share.data());
+    by_directions(receivers, anchor, intensity, share);
+}
+
+void LuminancePattern::by_directions(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                                     const transport::IntensityKernels& kernels, std::vector<float>& share) const {
+    Directions found;
+    for (std::size_t i = 0; i < receivers.count; ++i) {
+        const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
+        const glm::dvec3 to_center = light_.frame.origin - anchor - vector(receivers.position);
+        found.begin(i, vector(receivers.normal));
+        if (const auto* const sphere = std::get_if<SphereShape>(&light_.shape))
+            add_sphere(to_center, sphere->radius.value, node_rad_, found);
+        else if (const auto* const tube = std::get_if<TubeShape>(&light_.shape))
+            add_tube(to_center, light_.frame.x, tube->length.value, node_rad_, found);
+        else
+            found.add(to_center, 1.0);
+    }
+    const Frame& frame = light_.emission != nullptr ? light_.emission->luminaire : light_.frame;
+    // A sphere has the same projected area in all directions.
+    const double scale = light_.emission != nullptr
+                             ? light_.web_scale / light_.emission->body->projected_area_m2({0.0, 0.0, -1.0})
+                             : light_.web_scale;
+    transport::LightFrame axes;
+    copy(frame.x, axes.x);
+    copy(frame.y, axes.y);
+    copy(frame.z, axes.z);
+    std::vector<float> values(found.weight.size(), 1.0F);
+    kernels.web({{found.towards[0].data(), found.towards[1].data(), found.towards[2].data()}, values.size()}, axes,
+                web_->constants(scale), values.data());
+    std::vector<double> sums(receivers.count, 0.0);
+    std::vector<double> weights(receivers.count, 0.0);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        sums[found.receiver[k]] += found.weight[k] * static_cast<double>(values[k]);
+        weights[found.receiver[k]] += found.weight[k];
+    }
+    for (std::size_t i = 0; i < receivers.count; ++i)
+        share[i] = weights[i] > 0.0 ? static_cast<float>(sums[i] / weights[i]) : 0.0F;
+}
+
+void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
+                                   const std::vector<float>& mean, std::vector<float>& share) const {
+    share = mean;
+    const Frame& frame = light_.frame;
+    const Outline outline = std::visit(OutlineOf(), light_.shape);
+    const double radius_m =
+        with_traits(light_.shape, [](const auto& kind, auto traits) { return traits.radius(kind); });
+    const double lobe_rad = 2.0 * alpha; // facets turn what they reflect by twice their angle
+    for (std::size_t i = 0; i < surfaces.count; ++i) {
+        if (!(mean[i] > 0.0F)) continue;
+        const auto vector = [&](const float* const(&of)[3]) { return glm::dvec3(of[0][i], of[1][i], of[2][i]); };
+        const glm::dvec3 normal = vector(surfaces.normal);
+        const glm::dvec3 view = vector(surfaces.view);
+        const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
+        const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
+        glm::dvec3 towards = to_center;
+        if (front_ != nullptr) {
+            const double depth = glm::dot(to_center, frame.z);
+            const double slope = glm::dot(mirrored, frame.z) * (depth < 0.0 ? -1.0 : 1.0);
+            const glm::dvec3 away = mirrored * (std::abs(depth) / std::max(slope, 1e-3)) - to_center;
+            glm::dvec2 at(glm::dot(away, frame.x), glm::dot(away, frame.y));
+            if (outline.is_round) {
+                const double beyond = glm::length(at / glm::dvec2(outline.half_x, outline.half_y));
+                at /= std::max(beyond, 1.0);
+            } else {
+                at = glm::clamp(at, -glm::dvec2(outline.half_x, outline.half_y),
+                                glm::dvec2(outline.half_x, outline.half_y));
+            }
+            towards += at.x * frame.x + at.y * frame.y;
+        }
+        const double light_rad = radius_m / glm::length(to_center);
+        const double narrow = light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad);
+        share[i] += static_cast<float>(narrow) * (static_cast<float>(light_.luminance_share(-towards)) - share[i]);
+    }
+}
+
+} // namespace gonio::detail

@@ -1,0 +1,69 @@
+// The luminance of an area light that depends on the direction: behind a mask, or as a face of a luminous opening.
+//
+// For many receivers at once, the mean of the luminance over what each sees of the light, weighted as its irradiance
+// is. Flat lights have tables of running integrals (kernels_luminance.hpp), spheres and tubes a few directions.
+#pragma once
+
+#include <gonio/light/light.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/transport/intensity_pattern.hpp>
+#include <gonio/transport/kernels_luminance.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace gonio::detail {
+
+// T of kernels_luminance.hpp for one side of a flat light.
+class ColumnPattern {
+public:
+    // `columns_along_y`: of the light's frame; else along X. `behind`: for the far side of a two-sided light.
+    ColumnPattern(const Light& light, bool columns_along_y, bool behind, double step_deg);
+
+    transport::ColumnTable constants() const;
+
+private:
+    std::size_t count_;
+    double step_rad_;
+    std::vector<float> nodes_;
+};
+
+// Tables shared by lights with the same profile and opening; each is made once.
+using ColumnPatterns = std::map<std::tuple<const void*, std::size_t, bool, bool>, std::shared_ptr<const ColumnPattern>>;
+
+class LuminancePattern {
+public:
+    // The light must have a pattern (Light::has_pattern()), be an area light and outlive this.
+    LuminancePattern(const Light& light, ColumnPatterns& patterns, WebTables& webs);
+
+    // One factor on Light::luminance per receiver, ≥ 0. Positions are relative to `anchor`.
+    void evaluate(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                  const transport::LuminanceKernels& columns, const transport::IntensityKernels& intensity,
+                  std::vector<float>& share) const;
+
+    // The same for what a lobe of roughness `alpha` (GGX) reflects towards the views, given the results of evaluate():
+    // a narrow lobe shows the luminance from where the mirrored view meets the light, a wide one the mean.
+    void along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
+                     const std::vector<float>& mean, std::vector<float>& share) const;
+
+private:
+    void by_columns(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                    const transport::LuminanceKernels& kernels, float* share) const;
+
+    void by_directions(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                       const transport::IntensityKernels& kernels, std::vector<float>& share) const;
+
+    const Light& light_;
+    bool columns_along_y_ = true;
+    double column_rad_ = 0.0;
+    std::shared_ptr<const ColumnPattern> front_; // of flat lights
+    std::shared_ptr<const ColumnPattern> back_;  // of two-sided ones
+    std::shared_ptr<const WebTable> web_;        // of spheres and tubes
+    double node_rad_ = 0.0;                      // of these, the angle between directions
+};
+
+} // namespace gonio::detail
