@@ -24,6 +24,8 @@ constexpr std::array all_suites{
           detail::indirect_contests},
     Suite{"prefilter", "what glossy surfaces mirror of an environment", detail::prefilter_methods,
           detail::prefilter_contests},
+    Suite{"opening", "illuminance near the luminous opening of a measured luminaire", detail::opening_methods,
+          detail::opening_contests},
 };
 
 } // namespace

@@ -32,7 +32,7 @@ struct Suite {
     std::vector<ContestMaker> (*contests)(const SuiteOptions& options);
 };
 
-// irradiance, specular, brdf, colour, profiles, bake, preview, indirect, prefilter.
+// irradiance, specular, brdf, colour, profiles, bake, preview, indirect, prefilter, opening.
 std::span<const Suite> suites();
 
 // "irradiance,specular" or "all". Fails (usage) on an unknown name and lists all names.

@@ -32,6 +32,9 @@ std::vector<ContestMaker> indirect_contests(const SuiteOptions& options);
 std::vector<std::string> prefilter_methods();
 std::vector<ContestMaker> prefilter_contests(const SuiteOptions& options);
 
+std::vector<std::string> opening_methods();
+std::vector<ContestMaker> opening_contests(const SuiteOptions& options);
+
 // The names of methods, each once, in the order of their first appearance.
 template<class Methods>
 void add_names(const Methods& methods, std::vector<std::string>& names) {
