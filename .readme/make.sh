@@ -38,6 +38,7 @@ day=daylight:place=52.52/13.405,time=2026-06-21T10:00+02:00
     --material ue4:base=0.9,metallic=1,roughness=0.4 --compare exact,split-sum -s 220x165 -o $here/sky-methods.png > /dev/null
 "$gonio" preview --stage room --emits sphere=800lm,color=2700K --material 'box=lambert:albedo=rgb(0.4,0.03,0.03),coat=1' \
     -s 320x240 -o $here/globe.png
+"$gonio" preview profiles/bare-tube.ies --position 0,0,1.2 --stage room -s 320x240 -o $here/luminaire.png
 "$gonio" preview --sheet profiles/{accent,batwing,pendant}.ies --columns 3 -s 110x132 \
     -o $here/sheet.png
 "$gonio" preview --shape tube:r=2cm,l=1.2m --intensity 2500lm --fov 26deg --target 0.2,0,0.6 \
