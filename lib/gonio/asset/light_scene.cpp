@@ -2,6 +2,8 @@
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/limits.hpp>
+#include <gonio/light/far_field.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/light/shape_traits.hpp>
 
@@ -266,7 +268,11 @@ private:
         if (holds(LightKind::point)) return place_as(LightKind::point, std::move(made));
         return place_profile(light, std::move(made));
     }
-    Result<void> place(const Light& light, const ProfileShape&, SceneLight made) {
+    Result<void> place(const Light& light, const ProfileShape& profile, SceneLight made) {
+        if (light.body != nullptr)
+            say(light,
+                fmt::format("its luminous opening ({}) is left out: a point, which is within 1 % from {:.2g} m on",
+                            to_text(*profile.opening()), point_distance_m(*light.body, *profile.web)));
         return place_profile(light, std::move(made));
     }
     Result<void> place(const Light& light, const SpotShape& spot, SceneLight made) {
@@ -337,7 +343,15 @@ private:
     std::string name_;
     Scale scale_;
     SceneContent content_;
+    // Lights with the same profile share a body.
+    double point_distance_m(const LuminousBody& body, const Web& web) {
+        const auto [known, added] = point_distances_m_.emplace(&body, 0.0);
+        if (added) known->second = point_distance(body, web, 0.01).value;
+        return known->second;
+    }
+
     std::vector<std::string> instead_;
+    std::map<const LuminousBody*, double> point_distances_m_;
     asset_detail::TakenNames names_;
     std::map<ProfileKey, std::size_t> shared_; // indices of the content's profiles
 };
