@@ -23,7 +23,7 @@ struct ColumnRule {
     float weight[most_columns / 2];
 };
 
-inline constexpr ColumnRule column_rules[] = {
+static constexpr ColumnRule column_rules[] = {
     {2, {0.577350269F}, {1.0F}},
     {4, {0.339981044F, 0.861136312F}, {0.652145155F, 0.347854845F}},
     {6, {0.238619186F, 0.661209386F, 0.932469514F}, {0.467913935F, 0.360761573F, 0.171324492F}},
