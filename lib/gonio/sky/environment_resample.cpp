@@ -432,6 +432,15 @@ EnvironmentMap rendered(const Sky& sky, const EnvironmentGrid& to, unsigned thre
     return EnvironmentMap::of_valid(to, std::move(image), 1.0);
 }
 
+EnvironmentMap environment_of(const Sky& sky, const EnvironmentGrid& to, unsigned threads) {
+    if (!sky.image()) return rendered(sky, to, threads);
+    const EnvironmentMap& own = *sky.image();
+    const bool is_same = own.grid().layout() == to.layout() && own.grid().side() == to.side();
+    EnvironmentMap map = is_same && sky.rotation().value == 0.0 ? own : resampled(own, to, sky.rotation(), threads);
+    map.set_nits_per_unit(map.nits_per_unit() * sky.image_scale());
+    return map;
+}
+
 EnvironmentMap with_sun(const EnvironmentMap& map, const SunLight& sun) {
     // Points of equal solid angle on a spiral of the golden angle (H. Vogel, 1979).
     constexpr int points = 1 << 16;

@@ -26,6 +26,9 @@ EnvironmentMap resampled(const EnvironmentMap& source, const EnvironmentGrid& to
 // converged: within 1e-6 of each mean, but for texels across the horizon of an odd size.
 EnvironmentMap rendered(const Sky& sky, const EnvironmentGrid& to, unsigned threads = 0);
 
+// Any sky without the sun beside it on this grid: rendered, resampled, or its own image where that is the same.
+EnvironmentMap environment_of(const Sky& sky, const EnvironmentGrid& to, unsigned threads = 0);
+
 // The image with the disc of the sun in it, its light spread over the texels that it covers. The illuminance of a plane
 // that faces the sun grows by the sun's, as far as the texels do not blur it.
 EnvironmentMap with_sun(const EnvironmentMap& map, const SunLight& sun);
