@@ -1,13 +1,20 @@
-// The contents of a file of an asset, with pictures encoded.
+// The files of an asset as bytes, with pictures encoded.
 #pragma once
 
 #include <gonio/asset/target.hpp>
 #include <gonio/base/result.hpp>
 
 #include <string>
+#include <vector>
 
 namespace gonio::cli {
 
-Result<std::string> bytes_of(const AssetFile& file);
+struct NamedBytes {
+    std::string name;
+    std::string bytes;
+};
+
+// The file; of an environment image its sidecar, too: NAME.json.
+Result<std::vector<NamedBytes>> bytes_of(const AssetFile& file);
 
 } // namespace gonio::cli

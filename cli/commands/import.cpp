@@ -162,7 +162,7 @@ int run(const Arguments& arguments, Console& console) {
 extern const Command import_command;
 const Command import_command{
     "import",
-    "write a profile or the lights of a rig for engines and renderers",
+    "write a profile, or the lights and the sky of a rig, for engines and renderers",
     "[FILE…] --to TARGET,… -O DIR",
     "FILE is an IES, EULUMDAT or TM-33 profile, a rig (gonio.rig/1), a folder of profiles,\n"
     "'-' for a profile from stdin, or @LIST for a list of files; or a light is described by\n"

@@ -13,6 +13,7 @@
 #include "../asset_bytes.hpp"
 #include "../json_text.hpp"
 #include "../options/output.hpp"
+#include "../options/sky_input.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,7 @@ struct Content {
     Diagnostics diagnostics;
     std::optional<MeasuredLight> luminaire;
     std::vector<Light> lights; // of a rig
+    std::optional<SkyPicture> sky;
 };
 
 bool is_rig(std::string_view bytes) {
@@ -111,20 +113,37 @@ Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
     return sha256(all);
 }
 
-Result<Content> content_of_rig(Rig rig, const std::string& name) {
+// The sky of a rig, if it is not dark; its sun is added to `lights`.
+Result<std::optional<SkyPicture>> picture_of_sky(const Rig& rig, const SkyRequest& request,
+                                                 std::vector<LightDescription>& lights, Diagnostics& diagnostics) {
+    Result<SkyInput> input = sky_of_rig(rig, request, diagnostics);
+    if (!input) return pass_on(input);
+    if (input->sun) lights.push_back(std::move(*input->sun));
+    if (input->sky.is_dark()) return std::optional<SkyPicture>();
+    Result<SkyPicture> made = sky_picture(input->sky, 1);
+    if (!made) return pass_on(made);
+    made->source = std::move(input->source.text);
+    made->source_sha256 = std::move(input->source.sha256);
+    return std::optional(std::move(*made));
+}
+
+Result<Content> content_of_rig(Rig rig, const std::string& name, const SkyRequest& request) {
     Content content;
     content.diagnostics = rig.diagnostics;
-    if (rig.sky)
-        content.diagnostics.push_back(result_diagnostic("RES0201", "the sky of the rig is left out", {}, rig.source));
     Result<std::vector<LightDescription>> emitted = emissive_lights(rig);
     if (!emitted) return pass_on(emitted);
+    Result<std::optional<SkyPicture>> sky = picture_of_sky(rig, request, *emitted, content.diagnostics);
+    if (!sky) return pass_on(sky);
+    content.sky = std::move(*sky);
     Result<std::vector<Light>> lights = resolve_lights(std::move(rig), content.diagnostics, 1);
     if (!lights) return pass_on(lights);
     content.lights = std::move(*lights);
     if (Result<void> added = add_resolved(std::move(*emitted), content.lights, content.diagnostics); !added)
         return pass_on(added);
-    content.description = fmt::format("{} lights", content.lights.size());
+    content.description = fmt::format("{} lights{}", content.lights.size(), content.sky ? " and a sky" : "");
+    if (content.lights.empty()) content.description = "a sky";
     content.report = {{"name", name}, {"lights", content.lights.size()}};
+    if (content.sky) content.report["sky"] = {{"horizontal_lx", content.sky->horizontal.value}};
     return content;
 }
 
@@ -141,7 +160,7 @@ Result<Content> content_of_described(const ImportRequest& request, const std::st
 
 Result<Content> content_of(const Source& source, const ImportRequest& request) {
     if (request.described) return content_of_described(request, source.name);
-    return source.rig ? content_of_rig(*source.rig, source.name) : content_of_profile(source, request);
+    return source.rig ? content_of_rig(*source.rig, source.name, request.sky) : content_of_profile(source, request);
 }
 
 Result<Rig> rig_of(const std::string& file, const std::string& bytes, const ImportRequest& request) {
@@ -152,7 +171,8 @@ Result<Rig> rig_of(const std::string& file, const std::string& bytes, const Impo
                     "leave --flux, --intensity, --color and --rotate out", file);
     Result<Rig> rig = read_rig(bytes, file, folder_of_file(file), request.rig);
     if (!rig) return rig;
-    if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
+    if (!rig->sky)
+        if (Result<void> some = require_lights(*rig); !some) return pass_on(some);
     Result<std::vector<LightDescription>> emitted = emissive_lights(*rig);
     if (!emitted) return pass_on(emitted);
     if (Result<void> fits = check_light_count(rig->lights.size() + emitted->size()); !fits) {
@@ -203,6 +223,7 @@ Result<LightScene> scene_of(const Source& source, const Content& content, const 
     options.name = source.name;
     options.description = fmt::format("{} of {}", content.description, source.input.file);
     options.unit = request.unit;
+    if (content.sky) options.sky = &*content.sky;
     return light_scene(target, content.lights, options);
 }
 
@@ -269,11 +290,13 @@ Result<Written> made(const Source& source, const Content& content, const Target&
         return record;
     };
     for (const AssetFile& file : scene->files) {
-        Result<std::string> bytes = bytes_of(file);
-        if (!bytes) return pass_on(bytes);
-        Result<FileRecord> record = add(file.name, std::move(*bytes));
-        if (!record) return pass_on(record);
-        written.record.files.push_back(std::move(*record));
+        Result<std::vector<NamedBytes>> contents = bytes_of(file);
+        if (!contents) return pass_on(contents);
+        for (NamedBytes& content_of_file : *contents) {
+            Result<FileRecord> record = add(content_of_file.name, std::move(content_of_file.bytes));
+            if (!record) return pass_on(record);
+            written.record.files.push_back(std::move(*record));
+        }
     }
     Result<FileRecord> own = add(asset_record_name(source.name), asset_record_json(written.record));
     if (!own) return pass_on(own);

@@ -120,6 +120,7 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     input->photometric = true;
     request.input = *input;
     request.rig = rig_read_options(arguments);
+    request.sky = sky_request_of_colors(arguments);
     request.overwrite = arguments.has("--overwrite");
     request.update = arguments.has("--update");
     return request;

@@ -13,6 +13,7 @@
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
+#include "../sky/request.hpp"
 
 #include <array>
 #include <optional>
@@ -51,6 +52,7 @@ struct ImportRequest {
     Meters unit{1.0};
     ProfileInputOptions input;
     RigReadOptions rig;
+    SkyRequest sky; // of rigs
     Catalogue catalogue;
     bool overwrite = false;
     bool update = false;

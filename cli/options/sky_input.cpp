@@ -1,6 +1,5 @@
 #include "sky_input.hpp"
 
-#include "../sky/request.hpp"
 #include "light_input.hpp"
 #include "profile_size.hpp"
 
@@ -22,26 +21,42 @@ Result<LightDescription> described(const SunLight& sun) {
     return light;
 }
 
-} // namespace
-
-Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDescription>& of_rig,
-                           Diagnostics& diagnostics) {
+// With the sun of daylight as a light.
+Result<SkyInput> input_of(LoadedSky loaded, Diagnostics& diagnostics) {
     SkyInput input;
-    const auto text = arguments.value("--sky");
-    if (!text && !of_rig) return input;
-    const SkyRequest request = sky_request_of_colors(arguments);
-    Result<LoadedSky> loaded = text ? load_sky(*text, request) : load_sky(*of_rig, request);
-    if (!loaded) return pass_on(loaded);
-    diagnostics.insert(diagnostics.end(), loaded->diagnostics.begin(), loaded->diagnostics.end());
-    input.sky = std::move(loaded->sky);
+    diagnostics.insert(diagnostics.end(), loaded.diagnostics.begin(), loaded.diagnostics.end());
+    input.sky = std::move(loaded.sky);
     input.is_given = true;
-    if (std::string file = text ? file_of_sky(*text) : std::string(); !file.empty())
-        input.files.push_back(std::move(file));
-    if (loaded->sun) {
-        Result<LightDescription> sun = described(*loaded->sun);
+    if (loaded.image) input.source.sha256 = std::move(loaded.image->sha256);
+    if (loaded.sun) {
+        Result<LightDescription> sun = described(*loaded.sun);
         if (!sun) return pass_on(sun);
         input.sun = std::move(*sun);
     }
+    return input;
+}
+
+} // namespace
+
+Result<SkyInput> sky_of_rig(const Rig& rig, const SkyRequest& request, Diagnostics& diagnostics) {
+    if (!rig.sky) return SkyInput();
+    Result<LoadedSky> loaded = load_sky(*rig.sky, request);
+    if (!loaded) return pass_on(loaded);
+    Result<SkyInput> input = input_of(std::move(*loaded), diagnostics);
+    if (input) input->source.text = rig.source;
+    return input;
+}
+
+Result<SkyInput> sky_input(const Arguments& arguments, const Rig& rig, Diagnostics& diagnostics) {
+    const SkyRequest request = sky_request_of_colors(arguments);
+    const auto text = arguments.value("--sky");
+    if (!text) return sky_of_rig(rig, request, diagnostics);
+    Result<LoadedSky> loaded = load_sky(*text, request);
+    if (!loaded) return pass_on(loaded);
+    Result<SkyInput> input = input_of(std::move(*loaded), diagnostics);
+    if (!input) return input;
+    input->source.text = *text;
+    if (std::string file = file_of_sky(*text); !file.empty()) input->files.push_back(std::move(file));
     return input;
 }
 
@@ -58,7 +73,7 @@ Result<LightsAndSky> lights_and_sky(const Arguments& arguments, const LightPlace
         if (Result<void> sized = set_profile_sizes(arguments, usual, input.lights.rig.lights); !sized)
             return pass_on(sized);
     }
-    Result<SkyInput> sky = sky_input(arguments, input.lights.rig.sky, diagnostics);
+    Result<SkyInput> sky = sky_input(arguments, input.lights.rig, diagnostics);
     if (!sky) return pass_on(sky);
     input.sky = std::move(*sky);
     if (input.sky.sun) input.lights.others.push_back(*input.sky.sun);

@@ -7,6 +7,7 @@
 
 #include "../arguments.hpp"
 #include "../command.hpp"
+#include "../sky/request.hpp"
 #include "rig_input.hpp"
 
 #include <optional>
@@ -21,16 +22,25 @@ inline constexpr Option sky_option{
     "'gonio list skies'",
     "skies"};
 
+// What a sky was made from, for sidecars.
+struct SkySourceText {
+    std::string text;   // as the user named it; of a rig the rig
+    std::string sha256; // of the bytes of an image
+};
+
 struct SkyInput {
     Sky sky;
     bool is_given = false;               // though it may be dark
     std::optional<LightDescription> sun; // of daylight; named "sun"
     std::vector<std::string> files;      // that were read for it
+    SkySourceText source;
 };
 
+// The sky of a rig. Remarks go to `diagnostics`. Fails as load_sky().
+Result<SkyInput> sky_of_rig(const Rig& rig, const SkyRequest& request, Diagnostics& diagnostics);
+
 // That of --sky, else of the rig, else none. Remarks go to `diagnostics`. Fails as load_sky().
-Result<SkyInput> sky_input(const Arguments& arguments, const std::optional<SkyDescription>& of_rig,
-                           Diagnostics& diagnostics);
+Result<SkyInput> sky_input(const Arguments& arguments, const Rig& rig, Diagnostics& diagnostics);
 
 struct LightsAndSky {
     LightsInput lights; // the sun of the sky is among its others; none at all if only a sky or --emits is given

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace gonio::cli {
@@ -20,8 +21,10 @@ std::string folder_of(const std::string& file) {
 }
 
 std::string description_of(const PreviewRequest& request, std::size_t lights, std::optional<Nits> white) {
-    std::string text = fmt::format("{} light{} on the stage {}, seen as gonio preview does", lights,
-                                   lights == 1 ? "" : "s", request.stage.name);
+    const std::string_view sky = request.render.sky.is_dark() ? "" : lights > 0 ? " and a sky" : "a sky";
+    std::string text = fmt::format("{}{} on the stage {}, seen as gonio preview does",
+                                   lights > 0 ? fmt::format("{} light{}", lights, lights == 1 ? "" : "s") : "", sky,
+                                   request.stage.name);
     if (white) text += fmt::format("; pictures are scene-linear, and {:.6g} cd/m2 is white there", white->value);
     return text;
 }
@@ -41,9 +44,19 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
                                    std::optional<Nits> white) {
     Result<const StageFormat*> format = stage_format_of(request.export_file);
     if (!format) return pass_on(format);
-    if (lights.empty())
-        return fail("USE0107", "--export writes lights, and there is only a sky", "add a light, or leave --export out");
+    if (lights.empty() && request.render.sky.is_dark())
+        return fail("USE0107", "--export writes lights, and there are none", "add a light or a sky that is not dark");
     StageSceneOptions options;
+    std::optional<SkyPicture> sky;
+    if (!request.render.sky.is_dark()) {
+        Result<SkyPicture> made = sky_picture(request.render.sky, request.render.threads);
+        if (!made) return pass_on(made);
+        sky = std::move(*made);
+        sky->source = request.sky_source.text;
+        sky->source_sha256 = request.sky_source.sha256;
+        options.sky = &*sky;
+        options.shows_sky = request.render.shows_sky;
+    }
     options.name = asset_name(request.export_file);
     options.description = description_of(request, lights.size(), white);
     options.width = request.render.width;
@@ -55,15 +68,16 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     if (!scene) return pass_on(scene);
     ExportedScene exported;
     for (const AssetFile& file : scene->files) {
-        Result<std::string> bytes = bytes_of(file);
-        if (!bytes) return pass_on(bytes);
-        const bool is_scene = exported.files.empty();
-        exported.files.push_back(
-            {is_scene ? request.export_file : folder_of(request.export_file) + file.name, std::move(*bytes)});
+        Result<std::vector<NamedBytes>> contents = bytes_of(file);
+        if (!contents) return pass_on(contents);
+        for (NamedBytes& content : *contents) {
+            const bool is_scene = exported.files.empty();
+            exported.files.push_back({is_scene ? request.export_file : folder_of(request.export_file) + content.name,
+                                      std::move(content.bytes)});
+        }
     }
     if (request.render.shadows != Shadows::soft)
         scene->instead.emplace_back("other renderers cast soft shadows regardless of --shadows");
-    if (!request.render.sky.is_dark()) scene->instead.emplace_back("the sky is left out");
     for (const std::string& line : scene->instead)
         exported.diagnostics.push_back(result_diagnostic("RES0201", line, {}, request.export_file));
     return exported;

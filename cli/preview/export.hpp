@@ -17,8 +17,9 @@ namespace gonio::cli {
 
 inline constexpr std::array preview_export_options{
     Option{"--export", "FILE",
-           "write stage, camera, materials and lights for other renderers: .gltf, .glb, .usda, .pbrt, .xml (Mitsuba) "
-           "or .py (Blender), with the files that they need; renders a picture only with -o"},
+           "write stage, camera, materials, lights and sky for other renderers: .gltf, .glb (these without a sky), "
+           ".usda, .pbrt, .rad (Radiance), .xml (Mitsuba) or .py (Blender), with the files that they need; renders a "
+           "picture only with -o"},
 };
 
 // Fails (usage) on a name that implies no format, and on a folder or stdout.

@@ -168,6 +168,7 @@ Result<void> add_sky(SkyInput sky, PreviewRequest& request) {
     if (request.render.shows_sky && !sky.is_given)
         return fail("USE0104", "--show-sky shows the sky of --sky", "add --sky 500lx, or another sky");
     request.render.sky = std::move(sky.sky);
+    request.sky_source = std::move(sky.source);
     const std::vector<PictureMethod> methods =
         request.compared.empty() ? std::vector<PictureMethod>{method_of(request.render)} : request.compared;
     if (request.render.bounces == 0 && request.render.sky.is_dark())
@@ -196,7 +197,7 @@ Result<PreviewRequest> parse_without_lights(const Arguments& arguments) {
     stage = stage_input(arguments, {}, *stage, request.diagnostics);
     if (!stage) return pass_on(stage);
     request.stage = std::move(*stage);
-    Result<SkyInput> sky = sky_input(arguments, std::nullopt, request.diagnostics);
+    Result<SkyInput> sky = sky_input(arguments, Rig(), request.diagnostics);
     if (!sky) return pass_on(sky);
     if (sky->sun)
         return fail("USE0107", "sheets show the light of profiles, and the sky of --sky has a sun",

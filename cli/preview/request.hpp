@@ -77,6 +77,7 @@ struct PreviewRequest {
     LightsInput lights;
     Stage stage;
     RenderOptions render;
+    SkySourceText sky_source;
     ReferenceBudget budget; // of the method reference
     LookRequest look;
     ExposureRequest exposure;

@@ -70,7 +70,7 @@ Result<Json> capture_sky(const SkyRequest& request, const Arguments& arguments, 
     if (!stage) return pass_on(stage);
     if (Result<void> given = give_materials(arguments, input.rig, *stage, diagnostics); !given) return pass_on(given);
     if (Result<void> emits = read_emits(arguments, *stage, input, diagnostics); !emits) return pass_on(emits);
-    Result<SkyInput> sky = sky_input(arguments, input.rig.sky, diagnostics);
+    Result<SkyInput> sky = sky_input(arguments, input.rig, diagnostics);
     if (!sky) return pass_on(sky);
     if (sky->sun) input.others.push_back(*sky->sun);
     if (sky->sky.is_dark() && input.rig.lights.empty() && input.others.empty())

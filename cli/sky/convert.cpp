@@ -1,13 +1,11 @@
 #include "convert.hpp"
 
 #include <gonio/asset/environment_sidecar.hpp>
-#include <gonio/asset/sidecar.hpp>
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/sky/environment_resample.hpp>
-#include <gonio/sky/sky_measures.hpp>
 
 #include "../options/files_in_use.hpp"
 #include "environment_output.hpp"
@@ -37,20 +35,6 @@ Result<EnvironmentGrid> target_grid(const LoadedSky& loaded, const Arguments& ar
                                          : side_like(EnvironmentLayout::latlong, usual_latlong_side, *layout));
 }
 
-// The sidecar's fields as attributes, but those that encode_environment() writes.
-std::vector<media::ImageAttribute> attributes_of(const std::string& sidecar) {
-    std::vector<media::ImageAttribute> attributes;
-    for (SidecarField& field : sidecar_fields(sidecar)) {
-        if (field.name == "layout" || field.name == "nits_per_unit") continue;
-        std::string name = "gonio:" + field.name;
-        if (const auto* const number = std::get_if<double>(&field.value))
-            attributes.push_back({std::move(name), std::vector<float>{static_cast<float>(*number)}});
-        else
-            attributes.push_back({std::move(name), std::get<std::string>(field.value)});
-    }
-    return attributes;
-}
-
 } // namespace
 
 Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const SkyRequest& request,
@@ -71,32 +55,20 @@ Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const
     Result<bool> asked_for = with_sun_in_pixels(arguments, loaded, request);
     if (!asked_for) return pass_on(asked_for);
     const bool with_the_sun = *asked_for;
-    EnvironmentMap image = environment_image(loaded, *grid, request.threads);
+    EnvironmentMap image = environment_of(loaded.sky, *grid, request.threads);
     if (with_the_sun) image = with_sun(image, *loaded.sun);
-    const double scale = nits_per_unit(image, storage->pixel);
-    // As the file will hold it, so that the sidecar's lux are those that are read from the file.
-    const auto map =
-        std::make_shared<const EnvironmentMap>(media::as_stored(image, scale, *storage->format, storage->pixel));
-    Result<Sky> as_written = resolve_sky({ImageSkyKind{}, {}, glm::dvec3(1.0), {}, 0.0}, map);
-    if (!as_written) return pass_on(as_written);
     EnvironmentDescription description;
-    description.grid = *grid;
-    description.nits_per_unit = scale;
-    description.pixel = media::to_text(storage->pixel);
-    description.measures = measure(*as_written);
     if (!with_the_sun) description.sun = loaded.sun;
     description.source = source.text;
     if (loaded.image) description.source_sha256 = loaded.image->sha256;
-    Result<std::string> bytes = media::encode_environment(*map, *storage->format, storage->pixel,
-                                                          attributes_of(environment_sidecar(description)));
-    if (!bytes) return pass_on(bytes);
+    Result<EnvironmentFiles> made = environment_files(image, nits_per_unit(image, storage->pixel), *storage,
+                                                      std::move(description), file_name(output));
+    if (!made) return pass_on(made);
     std::vector<OutputFile> files;
-    description.file = file_record(file_name(output), *bytes);
-    files.push_back({output, std::move(*bytes)});
-    const std::string sidecar_text = environment_sidecar(description);
-    if (*sidecar) files.push_back({**sidecar, sidecar_text});
+    files.push_back({output, std::move(made->image)});
+    if (*sidecar) files.push_back({**sidecar, made->sidecar});
     if (Result<void> written = write_outputs(files); !written) return pass_on(written);
-    return detail::parse_json(sidecar_text);
+    return detail::parse_json(made->sidecar);
 }
 
 } // namespace gonio::cli

@@ -1,8 +1,11 @@
 #include "environment_output.hpp"
 
+#include <gonio/asset/sidecar.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
+#include <gonio/media/environment_file.hpp>
 #include <gonio/sky/environment_resample.hpp>
+#include <gonio/sky/sky_measures.hpp>
 
 #include "../options/output.hpp"
 #include "../options/values.hpp"
@@ -13,9 +16,29 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace gonio::cli {
+
+namespace {
+
+// The sidecar's fields as attributes, but those that encode_environment() writes.
+std::vector<media::ImageAttribute> attributes_of(const std::string& sidecar) {
+    std::vector<media::ImageAttribute> attributes;
+    for (SidecarField& field : sidecar_fields(sidecar)) {
+        if (field.name == "layout" || field.name == "nits_per_unit") continue;
+        std::string name = "gonio:" + field.name;
+        if (const auto* const number = std::get_if<double>(&field.value))
+            attributes.push_back({std::move(name), std::vector<float>{static_cast<float>(*number)}});
+        else
+            attributes.push_back({std::move(name), std::get<std::string>(field.value)});
+    }
+    return attributes;
+}
+
+} // namespace
 
 Result<EnvironmentGrid> environment_size(EnvironmentLayout layout, const std::string& size) {
     const EnvironmentLayoutInfo& info = info_of(layout);
@@ -75,12 +98,23 @@ Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loa
     return with_the_sun;
 }
 
-EnvironmentMap environment_image(const LoadedSky& loaded, const EnvironmentGrid& grid, unsigned threads) {
-    if (!loaded.image) return rendered(loaded.sky, grid, threads);
-    const EnvironmentMap& map = *loaded.image->map;
-    const Radians rotation = loaded.sky.rotation();
-    const bool same = map.grid().layout() == grid.layout() && map.grid().side() == grid.side();
-    return same && rotation.value == 0.0 ? map : resampled(map, grid, rotation, threads);
+Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
+                                           const EnvironmentStorage& storage, EnvironmentDescription description,
+                                           const std::string& name) {
+    // As the file will hold it, so that the sidecar's lux are those that are read from the file.
+    const auto stored =
+        std::make_shared<const EnvironmentMap>(media::as_stored(map, nits_per_unit, *storage.format, storage.pixel));
+    Result<Sky> as_written = resolve_sky({ImageSkyKind{}, {}, glm::dvec3(1.0), {}, 0.0}, stored);
+    if (!as_written) return pass_on(as_written);
+    description.grid = stored->grid();
+    description.nits_per_unit = nits_per_unit;
+    description.pixel = media::to_text(storage.pixel);
+    description.measures = measure(*as_written);
+    Result<std::string> bytes = media::encode_environment(*stored, *storage.format, storage.pixel,
+                                                          attributes_of(environment_sidecar(description)));
+    if (!bytes) return pass_on(bytes);
+    description.file = file_record(name, *bytes);
+    return EnvironmentFiles{std::move(*bytes), environment_sidecar(description)};
 }
 
 double nits_per_unit(const EnvironmentMap& map, media::Pixel pixel) {

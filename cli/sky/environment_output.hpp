@@ -1,6 +1,7 @@
 // Environment images as the actions of `gonio sky` write them: their size, their format and the scale of their pixels.
 #pragma once
 
+#include <gonio/asset/environment_sidecar.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/sky/environment_map.hpp>
@@ -25,6 +26,18 @@ struct EnvironmentStorage {
 // --to or the output's ending, and --pixel. Fails (usage) on formats that hold values for a display.
 Result<EnvironmentStorage> environment_storage(const Arguments& arguments, const std::string& output);
 
+// An image and its sidecar as bytes.
+struct EnvironmentFiles {
+    std::string image;
+    std::string sidecar;
+};
+
+// `map` rounded to what the storage holds, with a pixel of 1 at `nits_per_unit` cd/m². The description is completed
+// here: all but the sun and the source. `name`: of the image's file, without its folder. 0 threads: all.
+Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
+                                           const EnvironmentStorage& storage, EnvironmentDescription description,
+                                           const std::string& name);
+
 // What files are made from.
 struct SkySource {
     std::string text;               // as the user named it
@@ -39,9 +52,6 @@ Result<std::optional<std::string>> sidecar_file(const Arguments& arguments, cons
 
 // Whether --with-sun puts the sun beside the sky into its pixels. Fails (usage) if there is none.
 Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loaded, const SkyRequest& request);
-
-// The sky's pixels on this grid, without the sun beside it.
-EnvironmentMap environment_image(const LoadedSky& loaded, const EnvironmentGrid& grid, unsigned threads);
 
 // cd/m² of a pixel of 1 in the file: 1, or for half floats the power of two that makes all pixels fit.
 double nits_per_unit(const EnvironmentMap& map, media::Pixel pixel);

@@ -122,7 +122,7 @@ Result<EnvironmentMap> source_of(const LoadedSky& loaded, const Wanted& want, bo
                                         std::max(least_side, side_like(want.levels.layout, want.levels.side,
                                                                        EnvironmentLayout::cube_strip)));
     if (!grid) return pass_on(grid);
-    EnvironmentMap source = environment_image(loaded, *grid, threads);
+    EnvironmentMap source = environment_of(loaded.sky, *grid, threads);
     return with_the_sun ? with_sun(source, *loaded.sun) : source;
 }
 

@@ -41,6 +41,14 @@ done | jq -s . > studio.points.json
 node scene_check.mjs three assets/threejs/studio.js < studio.points.json
 node scene_check.mjs babylon assets/babylon/studio.js < studio.points.json
 
+echo '== A sky in three.js and Babylon.js'
+sky=cie:12,sun=120/25,horizontal=20klx,color=4000K,ground=0.2
+echo "{\"schema\": \"gonio.rig/1\", \"lights\": [], \"sky\": \"$sky\"}" > sky.json
+"$gonio" import sky.json --to threejs,babylon -O assets -q
+"$gonio" sky info "$sky" --json > sky.info.json
+node sky_check.mjs three assets/threejs/sky.js < sky.info.json
+node sky_check.mjs babylon assets/babylon/sky.js < sky.info.json
+
 # Directions off the texel grid, all around.
 directions() {
     for c in 0.3 31.7 77.5 90 121.25 179.9 203.6 270 299.4 359.9; do

@@ -48,6 +48,9 @@ matte() { # all surfaces with these names
     check street 1e9 "$profiles/street.ies" --stage street $(matte road kerb pavement verge pole)
     check figure 1e9 "$profiles/batwing.ies" --stage room --figure $(matte floor ceiling wall box sphere)
     check sun 1e9 --shape sun:angle=0.53deg --intensity 1000lx --direction 0.3,0.5,-1 --stage floor $(matte floor wall sphere)
+    # A sky that every direction tells from the others; once with walls that bounce its light.
+    check sky 1e9 --sky cie:12,sun=120/25,horizontal=20klx,ground=0.2 --stage spheres $(matte floor sphere)
+    check uniform-sky 1e9 --sky 500lx --stage floor $(matte floor wall sphere)
     indirect=all samples=4096 check bounced-room 900 --shape rect:w=60cm,h=30cm --intensity 2000lm --stage room --position 0,0,2.3 $(matte floor ceiling wall box sphere)
     indirect=all samples=4096 check bounced-corridor 1e9 --shape disk:r=15cm --intensity 2000lm --stage corridor $(matte floor ceiling wall)
     check outside 1e9 --shape point --intensity 100cd --stage room --camera 0,-6,1.5 --target 0,0,1.2 $(matte floor ceiling wall box sphere)

@@ -3,7 +3,7 @@
 // A profile is a SpotLight with a texture that is looked up at u = γ/180° only. Babylon's own .ies loader takes the
 // first plane and loses the candela; our texture stores the mean over C, with the peak as the light's intensity.
 // Falloff is glTF's: the inverse square with the window of a range; a spot falls as the square of a linear function of
-// the cosine.
+// the cosine. A panorama has +Z in its middle and +X to the right.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -59,6 +59,19 @@ function spotLight(scene, name, position, aim, inner, outer) {
 }
 )js";
 
+// The cube's faces are about as fine as the panorama.
+constexpr const char* sky_text = R"js(
+import {{ HDRCubeTexture }} from '@babylonjs/core/Materials/Textures/hdrCubeTexture.js';
+
+// Lights the scene from all around. size: of a face of the cube [pixels].
+export function addSky(scene, size = {size}) {{
+    const url = new URL('{picture}', import.meta.url).href;
+    scene.environmentTexture = new HDRCubeTexture(url, scene, size, false, true, false, true);
+    scene.environmentIntensity = {intensity};
+    return scene.environmentTexture;
+}}
+)js";
+
 std::string vector(const glm::dvec3& v) {
     return "[" + triple(v) + "]";
 }
@@ -105,6 +118,11 @@ std::vector<AssetFile> babylon_files(const SceneContent& scene) {
                                    "// New lights in the scene, Y up and left-handed. Units in a metre: {}.\n"
                                    "export function makeLights(scene) {{\n    return [\n{}    ];\n}}\n",
                                    scene.description, imports, profiles, helpers, scene.units_per_meter, lights);
+    if (scene.sky) {
+        using namespace fmt::literals;
+        text += fmt::format(sky_text, "picture"_a = scene.sky->picture, "intensity"_a = scene.sky->nits_per_unit,
+                            "size"_a = 256);
+    }
     return {{scene.name + ".js", std::move(text), {}}};
 }
 

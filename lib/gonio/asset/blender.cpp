@@ -8,6 +8,9 @@
 // where the intensity curve bends; a table with four times as many lines leaves a quarter of the overshoot. The profile
 // is stored inside the .blend file.
 //
+// A world's strength is W per m² and sr. An environment texture has the azimuth 0 of +X in its middle and +Y to its
+// left; it is looked up by directions turned by −90° about Z, so that +Y is in its middle.
+//
 // Spots are profiles too: Cycles 3.4 multiplies its own spots by the cosine to the axis, other releases do not.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/web/resample.hpp>
@@ -122,6 +125,39 @@ def glowing_mesh(name, points, faces, color, radiance):
     return mesh
 )python";
 
+constexpr const char* sky_helper = R"python(
+
+def folder():
+    """Of this script, also where Blender's text editor runs it."""
+    text = getattr(bpy.context.space_data, "text", None)
+    return os.path.dirname(bpy.path.abspath(text.filepath) if text and text.filepath else os.path.abspath(__file__))
+
+
+def sky_world(name, color, strength, picture):
+    world = bpy.data.worlds.new(name)
+    world.use_nodes = True
+    nodes = world.node_tree.nodes
+    links = world.node_tree.links
+    nodes.clear()
+    background = nodes.new("ShaderNodeBackground")
+    background.inputs["Color"].default_value = color + (1.0,)
+    background.inputs["Strength"].default_value = strength
+    if picture:
+        image = bpy.data.images.load(os.path.join(folder(), picture))
+        image.colorspace_settings.name = "Non-Color"  # its numbers as they are: linear Rec.709
+        direction = nodes.new("ShaderNodeTexCoord")
+        turned = nodes.new("ShaderNodeMapping")
+        turned.inputs["Rotation"].default_value = (0.0, 0.0, math.radians(-90.0))
+        links.new(direction.outputs["Generated"], turned.inputs["Vector"])
+        sky = nodes.new("ShaderNodeTexEnvironment")
+        sky.image = image
+        links.new(turned.outputs["Vector"], sky.inputs["Vector"])
+        links.new(sky.outputs["Color"], background.inputs["Color"])
+    links.new(background.outputs[0], nodes.new("ShaderNodeOutputWorld").inputs["Surface"])
+    bpy.context.scene.world = world
+    return world
+)python";
+
 // The angles, with each interval divided into `parts`.
 std::vector<double> refined(std::span<const double> angles, std::size_t parts) {
     std::vector<double> finer;
@@ -211,18 +247,32 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
     }
 }
 
+std::string world_of(const SceneSky& sky) {
+    return fmt::format("# {:.6g} lx on the horizontal\nworld = sky_world({}, {}, {}, {})\n", sky.lux, quoted(sky.name),
+                       tuple(sky.color), (sky.picture.empty() ? sky.nits : sky.nits_per_unit) / lumens_per_watt,
+                       sky.picture.empty() ? "None" : quoted(sky.picture));
+}
+
+// The modules that the script imports before Blender's own.
+std::string imports_of(const SceneContent& scene) {
+    std::string imports;
+    if (scene.stage || scene.sky) imports += "import math\n";
+    if (scene.sky) imports += "import os\n";
+    return imports.empty() ? imports : imports + "\n";
+}
+
 } // namespace
 
 std::vector<AssetFile> blender_files(const SceneContent& scene) {
     using namespace fmt::literals;
-    std::string text =
-        fmt::format(start, "description"_a = scene.description, "imports"_a = scene.stage ? "import math\n\n" : "");
+    std::string text = fmt::format(start, "description"_a = scene.description, "imports"_a = imports_of(scene));
     if (scene.stage) text += blender_stage_start(scene);
     text += place;
     if (!scene.profiles.empty()) text += profile_helper;
     const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
                                    [](const SceneLight& light) { return light.kind == LightKind::tube; });
     if (tubes) text += tube_helper;
+    if (scene.sky) text += sky_helper;
     text += "\n\n";
     if (!scene.profiles.empty()) {
         text += "texts = [\n";
@@ -236,6 +286,8 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
                                                     tuple(light.frame.origin), tuple(light.frame.x),
                                                     tuple(light.frame.y), tuple(light.frame.z));
     if (scene.stage) text += blender_stage(*scene.stage, lumens_per_watt);
+    if (scene.sky) text += world_of(*scene.sky);
+    if (scene.sky && scene.stage && !scene.stage->shows_sky) text += "world.cycles_visibility.camera = False\n";
     return {{scene.name + ".py", std::move(text), {}}};
 }
 

@@ -10,6 +10,9 @@
 // (up is +Y, right +X). Other profiles are omni lights with a panorama: its first row is −Y and its middle is +Z,
 // because Godot's projectors of omni lights are upside down. Both are 8-bit and sRGB-encoded with a peak of 1, and a
 // spot's projector needs shadows to be on (godotengine/godot, issues 57704 and 121615).
+//
+// A panorama of a sky has +Z in its middle and −X to the right; `background_intensity` is the luminance of a texel
+// of 1.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/color/rgb_space.hpp>
@@ -100,6 +103,19 @@ std::string node(const SceneLight& light, const SceneContent& scene) {
         encode_srgb(color.rgb.z), amount);
 }
 
+// North, which is −Z here, is in the middle of the picture: half a turn.
+std::string environment(const SceneSky& sky) {
+    return fmt::format(
+        "\n[ext_resource type=\"Texture2D\" path=\"{0}\" id=\"sky\"]\n"
+        "\n[sub_resource type=\"PanoramaSkyMaterial\" id=\"panorama\"]\npanorama = ExtResource(\"sky\")\n"
+        "energy_multiplier = 1.0\n"
+        "\n[sub_resource type=\"Sky\" id=\"dome\"]\nsky_material = SubResource(\"panorama\")\n"
+        "\n[sub_resource type=\"Environment\" id=\"environment\"]\nbackground_mode = 2\n"
+        "background_energy_multiplier = 1.0\nbackground_intensity = {1}\nsky = SubResource(\"dome\")\n"
+        "sky_rotation = Vector3(0, {2}, 0)\nambient_light_source = 3\nreflected_light_source = 2\n",
+        sky.picture, sky.nits_per_unit, pi);
+}
+
 } // namespace
 
 std::vector<AssetFile> godot_files(const SceneContent& scene) {
@@ -109,9 +125,14 @@ std::vector<AssetFile> godot_files(const SceneContent& scene) {
     for (std::size_t i = 0; i < scene.profiles.size(); ++i)
         text += fmt::format("\n[ext_resource type=\"Texture2D\" path=\"{}.png\" id=\"{}\"]\n", scene.profiles[i].name,
                             i + 1);
+    if (scene.sky) text += environment(*scene.sky);
     text += fmt::format("\n[node name=\"{}\" type=\"Node3D\"]\n", scene.single ? "lights" : scene.name);
     for (const SceneLight& light : scene.lights)
         text += node(light, scene);
+    if (scene.sky)
+        text += fmt::format("\n[node name=\"{}\" type=\"WorldEnvironment\" parent=\".\"]\n"
+                            "environment = SubResource(\"environment\")\n",
+                            scene.sky->name);
     std::vector<AssetFile> files{{scene.name + ".tscn", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".png", {}, projector(profile)});

@@ -1,3 +1,4 @@
+#include <gonio/asset/detail/scene_sky.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/base/amount_range.hpp>
@@ -205,6 +206,17 @@ public:
         return std::visit([&](const auto& shape) { return place(light, shape, std::move(made)); }, light.shape);
     }
 
+    void add(const SkyPicture& sky) {
+        const TargetSky& held = target_.holds.sky;
+        if (held.picture == SkyPictureKind::none) {
+            instead_.push_back(fmt::format("the sky is left out: {}", held.reason.empty()
+                                                                          ? fmt::format("{} stores none", target_.name)
+                                                                          : std::string(held.reason)));
+            return;
+        }
+        content_.sky = asset_detail::scene_sky(sky, held, asset_detail::unique_name("sky", names_), name_);
+    }
+
     SceneContent& content() { return content_; }
     std::vector<std::string>& instead() { return instead_; }
 
@@ -401,8 +413,12 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
                         fmt::format("coordinates of a scene reach to {} m", greatest_amount));
     for (const Light& light : lights)
         if (Result<void> added = builder.add(light); !added) return pass_on(added);
-    if (builder.content().lights.empty())
-        return fail(Failure::unsupported, fmt::format("{} cannot store any of the lights", target.name),
+    if (options.sky != nullptr) builder.add(*options.sky);
+    if (builder.content().lights.empty() && !builder.content().sky)
+        return fail(Failure::unsupported,
+                    lights.empty() && options.sky != nullptr
+                        ? fmt::format("there are no lights, and {}", builder.instead().back())
+                        : fmt::format("{} cannot store any of the lights", target.name),
                     "see 'gonio list targets'");
     return BuiltScene{std::move(builder.content()), std::move(builder.instead())};
 }
@@ -410,7 +426,9 @@ Result<asset_detail::BuiltScene> asset_detail::scene_content(const Target& targe
 Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options) {
     Result<asset_detail::BuiltScene> built = asset_detail::scene_content(target, lights, options);
     if (!built) return pass_on(built);
-    return LightScene{target.files(built->content), std::move(built->instead)};
+    LightScene scene{target.files(built->content), std::move(built->instead)};
+    asset_detail::add_sky_file(built->content, options.sky, target.holds.sky, scene.files);
+    return scene;
 }
 
 Result<LightScene> light_scene(const Target& target, const MeasuredLight& light, Meters unit) {

@@ -9,11 +9,13 @@
 //   a mask on an area light         treated as a shape that the target lacks
 //   a luminous opening              left out: a point, with the distance from which that is good to 1 %
 //   a range                         left out if the target has no such window
+//   a sky                           left out if the target stores none
 // Flux and intensity are those of the light in all these cases. World: right-handed, Z up, metres; each target's writer
 // converts to its axes and lengths.
 #pragma once
 
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/sky_picture.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/light/light.hpp>
 
@@ -30,13 +32,15 @@ struct LightScene {
 };
 
 struct LightSceneOptions {
-    std::string name;        // of the files: letters, digits, '_' and '-'
-    std::string description; // for a comment in them: "12 lights of studio.json"
-    Meters unit{1.0};        // length of the target's unit; see check_unit()
+    std::string name;                // of the files: letters, digits, '_' and '-'
+    std::string description;         // for a comment in them: "12 lights of studio.json"
+    Meters unit{1.0};                // length of the target's unit; see check_unit()
+    const SkyPicture* sky = nullptr; // if there is one
 };
 
-// Files are named NAME.…, those of the profiles NAME.LIGHT.…; lights with the same profile, amount and colour share
-// one. Fails (unsupported) when the target cannot express a light at all and as check_light_count() does, (usage) as
+// Files are named NAME.…, those of the profiles NAME.LIGHT.…, that of a sky NAME.sky.… (or the next free name); lights
+// with the same profile, amount and colour share one. Without lights there must be a sky. Fails (unsupported) when the
+// target cannot express a light at all, or neither a light nor the sky, and as check_light_count() does, (usage) as
 // check_unit() does.
 Result<LightScene> light_scene(const Target& target, std::span<const Light> lights, const LightSceneOptions& options);
 

@@ -4,6 +4,8 @@
 // that intensity times its map over the map's mean, a sphere P/4π²r² nt. LuxCore reads the profile itself and takes
 // only the shape from its candela; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
 // over a cone of half angle theta, a glowing material has a luminance. Transformations list columns.
+// An infinite light counts azimuths from its +X in the middle of the left edge towards +Y to the right, which as seen
+// from inside is a mirror image: its transformation mirrors it.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -79,12 +81,24 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
     }
 }
 
+std::string text_of(const SceneSky& sky) {
+    const std::string prefix = "scene.lights." + identifier(sky.name);
+    if (sky.picture.empty())
+        return fmt::format("{0}.type = \"constantinfinite\"\n{0}.color = {1}\n{0}.gain = {2} {2} {2}\n", prefix,
+                           triple(sky.color, " "), sky.nits);
+    // The left edge is the south, a quarter from it the west.
+    return fmt::format("{0}.type = \"infinite\"\n{0}.file = \"{1}\"\n{0}.gamma = 1\n{0}.gain = {2} {2} {2}\n"
+                       "{0}.transformation = 0 -1 0 0 -1 0 0 0 0 0 1 0 0 0 0 1\n",
+                       prefix, sky.picture, sky.nits_per_unit);
+}
+
 } // namespace
 
 std::vector<AssetFile> luxcore_files(const SceneContent& scene) {
     std::string text = fmt::format("# {}\n", scene.description);
     for (const SceneLight& light : scene.lights)
         text += text_of(light, scene);
+    if (scene.sky) text += fmt::format("# {:.6g} lx on the horizontal\n", scene.sky->lux) + text_of(*scene.sky);
     std::vector<AssetFile> files{{scene.name + ".scn", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});

@@ -5,7 +5,7 @@
 // with θ from its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2; its texture has the first row at v = 0 and is
 // filtered linearly. So a texel stores the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z;
 // rectangles and disks emit along +Z. A capsule is a cylinder and two spheres; the inner halves of the spheres only
-// light its inside.
+// light its inside. An environment map has +Y as its pole and +Z in its middle, with −X to the right.
 #include <gonio/asset/detail/mitsuba_text.hpp>
 
 #include <fmt/format.h>
@@ -146,6 +146,16 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
     return {};
 }
 
+std::string text_of(const SceneSky& sky) {
+    if (sky.picture.empty()) return emitter("constant", mitsuba_rgb("radiance", sky.nits * sky.color));
+    // The pole becomes +Z, the middle +Y, the right +X.
+    return emitter("envmap",
+                   fmt::format("<string name=\"filename\" value=\"{}\"/><float name=\"scale\" value=\"{}\"/>\n"
+                               "        {}",
+                               sky.picture, sky.nits_per_unit,
+                               mitsuba_matrix({-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, glm::dvec3(0.0))));
+}
+
 } // namespace
 
 std::string mitsuba_matrix(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin) {
@@ -180,6 +190,10 @@ std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
         if (!scene.single) text += fmt::format("    <!-- {} -->\n", comment(light.name));
         text += text_of(light, scene, faces);
     }
+    if (scene.sky)
+        text +=
+            fmt::format("    <!-- {}: {:.6g} lx on the horizontal -->\n", comment(scene.sky->name), scene.sky->lux) +
+            text_of(*scene.sky);
     text += "</scene>\n";
     std::vector<AssetFile> files{{scene.name + ".xml", std::move(text), {}}};
     std::move(faces.begin(), faces.end(), std::back_inserter(files));

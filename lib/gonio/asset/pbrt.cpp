@@ -6,6 +6,9 @@
 // its lower edge +Z. The image is baked with the nadir in the middle, C0 to the right and C90 below, and turned by −90°
 // about X. pbrt scales it to `power`, which is exact because the texels have equal solid angles. Spots fall as
 // smoothstep over the cosine.
+//
+// An infinite light looks its square up without that swap: the middle is +Z, the right +X, below +Y. A pixel of 1 at
+// `scale` 1 is 1 nt.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 
@@ -86,6 +89,16 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
     return {};
 }
 
+std::string text_of(const SceneSky& sky) {
+    const std::string light =
+        sky.picture.empty()
+            ? fmt::format("\"rgb L\" [ {} ] \"float scale\" [ {} ]", triple(sky.color, " "), sky.nits)
+            : fmt::format(R"("string filename" "{}" "float scale" [ {} ])", sky.picture, sky.nits_per_unit);
+    return fmt::format("AttributeBegin\n  # {}: {:.6g} lx on the horizontal\n  LightSource \"infinite\" {}\n"
+                       "AttributeEnd\n",
+                       sky.name, sky.lux, light);
+}
+
 } // namespace
 
 std::vector<AssetFile> pbrt_files(const SceneContent& scene) {
@@ -100,6 +113,7 @@ std::vector<AssetFile> pbrt_files(const SceneContent& scene) {
                                 triple(light.frame.origin, " "));
         text += body(light, scene) + "AttributeEnd\n";
     }
+    if (scene.sky) text += text_of(*scene.sky);
     std::vector<AssetFile> files{{scene.name + ".pbrt", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".exr", {}, engine_picture("pbrt-v4", profile.web)});

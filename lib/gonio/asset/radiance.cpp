@@ -9,14 +9,19 @@
 // Radiance samples a polygon as the parallelogram of its first corner, or as a square of its area, and a sphere at its
 // centre, even where another surface hides it; a cylinder loses a tenth of its light towards its ends. So an ellipse is
 // a row of rectangles of its area, and a tube is small faces.
+//
+// A sky is a glow around everything, with a Radiance picture whose pixels are Rec.709. Radiance reads a mantissa as the
+// middle of what it stands for.
 #include <gonio/asset/detail/radiance_text.hpp>
 #include <gonio/color/rgb_space.hpp>
+#include <gonio/light/light_color.hpp>
 #include <gonio/web/symmetry.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -205,7 +210,7 @@ std::string data_of(const MeasuredLight& profile) {
     return text;
 }
 
-std::string functions() {
+std::string profile_functions() {
     return "{ Axes of a light: A1 A2 A3 is its X, C = 0; A4 A5 A6 its Y, C = 90; A7 A8 A9 its Z, which it shines "
            "from.\n"
            "  A ray meets the light along D, so what it sees was sent along -D. }\n"
@@ -218,6 +223,48 @@ std::string functions() {
            "as_it_is(v) = v;\n"
            "{ The share of a material in a mix. }\n"
            "share = A1;\n";
+}
+
+// How a sky is looked up: its picture is two wide and one high, from the middle of its lower left pixel to that of its
+// upper right one. Its colours become Radiance's own of the same luminance, as those of lights do.
+std::string sky_functions(int height) {
+    std::string text = fmt::format("{{ The sky: north in the middle of the picture, east to the right. }}\n"
+                                   "sky_u = 2 * ({0} * (0.5 + atan2(Dx, Dy) / (2*PI)) - 0.5) / {1};\n"
+                                   "sky_v = ({2} * (0.5 + atan2(Dz, sqrt(Dx*Dx + Dy*Dy)) / PI) - 0.5) / {3};\n",
+                                   2 * height, 2 * height - 1, height, height - 1);
+    const std::array<glm::dvec3, 3> columns{radiance_rgb({1.0, 0.0, 0.0}), radiance_rgb({0.0, 1.0, 0.0}),
+                                            radiance_rgb({0.0, 0.0, 1.0})};
+    constexpr std::array<std::string_view, 3> names{"red", "green", "blue"};
+    const auto row = [&](int channel) {
+        return fmt::format("max(0, {:.9g}*r + {:.9g}*g + {:.9g}*b)", columns[0][channel], columns[1][channel],
+                           columns[2][channel]);
+    };
+    for (int channel = 0; channel < 3; ++channel)
+        text += fmt::format("own_{}(r, g, b) = {};\n", names.at(static_cast<std::size_t>(channel)), row(channel));
+    const auto weighted = [](const glm::dvec3& weights, std::string_view r, std::string_view g, std::string_view b) {
+        return fmt::format("{:.9g}*{} + {:.9g}*{} + {:.9g}*{}", weights.x, r, weights.y, g, weights.z, b);
+    };
+    text += fmt::format("own_luminance(r, g, b) = {};\n",
+                        weighted(brightness, "own_red(r, g, b)", "own_green(r, g, b)", "own_blue(r, g, b)"));
+    text += fmt::format("kept(r, g, b) = if(own_luminance(r, g, b), ({}) / own_luminance(r, g, b), 0);\n",
+                        weighted(rec709_luminance, "r", "g", "b"));
+    for (const std::string_view name : names)
+        text += fmt::format("sky_{0}(r, g, b) = kept(r, g, b) * own_{0}(r, g, b);\n", name);
+    return text;
+}
+
+// A source all around, which ambient light alone reaches.
+std::string text_of(const SceneSky& sky, std::string_view functions) {
+    const auto glow = [&](std::string_view modifier, const glm::dvec3& rgb) {
+        return fmt::format("{0} glow {1}\n0\n0\n4 {2} 0\n{1} source {1}.dome\n0\n0\n4 0 0 1 360\n", modifier, sky.name,
+                           triple(rgb, " "));
+    };
+    const std::string title = fmt::format("# {:.6g} lx on the horizontal\n", sky.lux);
+    if (sky.picture.empty()) return title + glow("void", radiance(sky.color, sky.nits));
+    return title +
+           fmt::format("void colorpict {0}.picture\n7 sky_red sky_green sky_blue {1} {2}.cal sky_u sky_v\n0\n0\n",
+                       sky.name, sky.picture, functions) +
+           glow(sky.name + ".picture", glm::dvec3(sky.nits_per_unit / lumens_per_watt));
 }
 
 } // namespace
@@ -241,10 +288,11 @@ std::string radiance_rectangle(const glm::dvec3& middle, const glm::dvec3& u, co
 
 std::vector<AssetFile> radiance_files(const SceneContent& scene) {
     std::string text = fmt::format("# {}\n", scene.description);
+    std::string functions;
     bool has_functions = !scene.profiles.empty();
     std::vector<AssetFile> files;
     if (scene.stage) {
-        text += radiance_stage(*scene.stage, scene.name);
+        text += radiance_stage(*scene.stage, scene.name, scene.sky.has_value());
         has_functions = has_functions || text.find(" mixfunc ") != std::string::npos;
         files.push_back({scene.name + ".vf", radiance_view(scene.stage->camera), {}});
     } else {
@@ -253,8 +301,13 @@ std::vector<AssetFile> radiance_files(const SceneContent& scene) {
     }
     for (const SceneLight& light : scene.lights)
         text += '\n' + text_of(light, scene);
+    if (has_functions) functions = profile_functions();
+    if (scene.sky) {
+        text += '\n' + text_of(*scene.sky, scene.name);
+        if (!scene.sky->picture.empty()) functions += sky_functions(scene.sky->picture_height);
+    }
     files.insert(files.begin(), {scene.name + ".rad", std::move(text), {}});
-    if (has_functions) files.push_back({scene.name + ".cal", functions(), {}});
+    if (!functions.empty()) files.push_back({scene.name + ".cal", std::move(functions), {}});
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".dat", data_of(profile), {}});
     return files;

@@ -115,13 +115,13 @@ std::string radiance_view(const SceneCamera& camera) {
                        camera.vertical_fov * degree);
 }
 
-std::string radiance_stage(const SceneStage& stage, std::string_view name) {
+std::string radiance_stage(const SceneStage& stage, std::string_view name, bool has_sky) {
     constexpr int most_bounces = 10; // what later ones add is lost in Radiance's noise
     std::string text = fmt::format(
         "# oconv {0}.rad > {0}.oct\n"
         "# rpict -vf {0}.vf -x {1} -y {2} -pa 0{3} -ab {4} -aa 0.1 -ad 2048 -as 512 -ar {5} {0}.oct > {0}.hdr\n",
         name, stage.camera.width, stage.camera.height, stage.shows_backs ? " -bv-" : "",
-        std::min(stage.bounces, most_bounces), ambient_resolution(stage));
+        std::min(stage.bounces + (has_sky ? 1 : 0), most_bounces), ambient_resolution(stage));
     if (stage.white)
         text += fmt::format("# pfilt -1 -e {0} {1}.hdr > {1}.exposed.hdr\n", 179.0 / stage.white->value, name);
     for (const SceneMaterial& of : stage.materials)

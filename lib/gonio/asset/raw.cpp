@@ -1,4 +1,5 @@
-// Raw: only the portable profiles and, for several lights, a table of where each is placed.
+// Raw: only the portable profiles and, for several lights, a table of where each is placed. A sky is its picture, which
+// its sidecar describes.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>

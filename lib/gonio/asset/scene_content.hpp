@@ -60,6 +60,7 @@ struct SceneStage {
     std::optional<Nits> white; // the luminance that our picture shows as 1
     int bounces = 0;           // how often light is reflected before it reaches the surface that the camera sees
     bool shows_backs = false;  // the camera is behind a one-sided surface, which our camera looks through
+    bool shows_sky = false;    // to the camera, where it sees no surface
 };
 
 struct SceneLight {
@@ -82,12 +83,24 @@ struct SceneLight {
     std::size_t profile = 0;     // of a profile: index
 };
 
+// The light from all around. A picture is a file beside that of the target; without one it is uniform.
+struct SceneSky {
+    std::string name;         // unique among the lights and surfaces of the scene: letters, digits and '_'
+    std::string picture;      // of the kind that the target reads; empty: uniform
+    int picture_height = 0;   // of a lat-long, which is twice as wide [texels]
+    double nits_per_unit = 1; // cd/m² of a pixel of Y = 1
+    double nits = 0.0;        // uniform: the luminance from every direction
+    glm::dvec3 color{1.0};    // uniform: linear Rec.709 of luminance 1
+    double lux = 0.0;         // on an open horizontal plane, without the sun
+};
+
 struct SceneContent {
     std::string name;
     std::string description; // without line ends, ASCII
     double units_per_meter = 1.0;
     std::vector<MeasuredLight> profiles; // with the names of their files
     std::vector<SceneLight> lights;
+    std::optional<SceneSky> sky;     // only if the target stores skies
     bool single = false;             // a single luminaire, with the profile's own name
     std::optional<SceneStage> stage; // in metres; if present, the file is a whole scene
 };

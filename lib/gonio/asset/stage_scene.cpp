@@ -1,4 +1,5 @@
 #include <gonio/asset/detail/radiance_text.hpp>
+#include <gonio/asset/detail/scene_sky.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/base/kind_text.hpp>
@@ -121,11 +122,13 @@ Result<const StageFormat*> stage_format_of(std::string_view file) {
 Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, const Camera& camera,
                                std::span<const Light> lights, const StageSceneOptions& options) {
     const Target& target = **find_target(format.target);
-    Result<BuiltScene> built = scene_content(target, lights, {options.name, options.description, Meters(1.0)});
+    Result<BuiltScene> built =
+        scene_content(target, lights, {options.name, options.description, Meters(1.0), options.sky});
     if (!built) return pass_on(built);
     asset_detail::TakenNames names;
     for (const SceneLight& light : built->content.lights)
         names.names.insert(light.name);
+    if (built->content.sky) names.names.insert(built->content.sky->name);
     StageBuilder builder(camera.position, format.target == "gltf", format.target == "gltf" || format.target == "usd",
                          names, built->instead);
     const EmittedLights emitted(stage, lights);
@@ -163,8 +166,13 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
     if (made.shows_backs && mixes)
         built->instead.push_back(
             fmt::format("the camera is behind a one-sided wall: {} shows the back of the wall", format.target));
+    made.shows_sky = options.shows_sky;
+    if (built->content.sky && !options.shows_sky && !target.holds.sky.is_hidden)
+        built->instead.emplace_back("the camera sees the sky too, as it does here with --show-sky");
     built->content.stage = std::move(made);
-    return LightScene{format.files(built->content), std::move(built->instead)};
+    LightScene scene{format.files(built->content), std::move(built->instead)};
+    asset_detail::add_sky_file(built->content, options.sky, target.holds.sky, scene.files);
+    return scene;
 }
 
 } // namespace gonio

@@ -54,9 +54,11 @@ struct StageSceneOptions {
     std::string description; // for a comment in them
     int width = 512;         // of the picture [pixels]
     int height = 512;
-    std::optional<Nits> white;  // the luminance that our picture shows as 1, stated in the files
-    int bounces = 0;            // [0, max_bounces], how often the renderer reflects light between surfaces
-    bool bounces_matter = true; // false: no report where the format cannot store them
+    std::optional<Nits> white;       // the luminance that our picture shows as 1, stated in the files
+    int bounces = 0;                 // [0, max_bounces], how often the renderer reflects light between surfaces
+    bool bounces_matter = true;      // false: no report where the format cannot store them
+    const SkyPicture* sky = nullptr; // as LightSceneOptions::sky
+    bool shows_sky = false;          // to the camera
 };
 
 // The first file is the scene; it reads the others from beside it. Fails as light_scene() does.

@@ -7,7 +7,10 @@
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/shape.hpp>
+#include <gonio/sky/sun_light.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,7 +19,8 @@
 
 namespace gonio {
 
-struct SceneContent; // gonio/asset/scene_content.hpp
+class EnvironmentMap; // gonio/sky/environment_map.hpp
+struct SceneContent;  // gonio/asset/scene_content.hpp
 
 // A picture that a target reads beside its text; the caller that writes the files stores it.
 struct AssetPicture {
@@ -24,14 +28,41 @@ struct AssetPicture {
     TexelType texel_type = TexelType::float32;
 };
 
+// An environment image of linear Rec.709 that a target reads; the caller stores it, rounded to what its format holds,
+// with the sidecar of environment_sidecar.hpp.
+struct AssetEnvironment {
+    std::shared_ptr<const EnvironmentMap> map;
+    std::optional<SunLight> sun; // beside it: a light of the scene
+    std::string source;          // what it was made from, as the user named it
+    std::string source_sha256;   // of an image
+};
+
 // One file of an asset.
 struct AssetFile {
     std::string name;  // in the target's folder
-    std::string bytes; // if the file is not a picture
+    std::string bytes; // if the file is neither a picture nor an environment
     std::optional<AssetPicture> picture;
+    std::optional<AssetEnvironment> environment = {};
 };
 
 enum class LightKind { point, spot, profile, sphere, disk, ellipse, rect, tube, sun };
+
+// The picture that a target reads of a sky.
+enum class SkyPictureKind : std::uint8_t {
+    none,         // it stores no sky
+    latlong,      // OpenEXR, as environment_layout.hpp has it: north in the middle
+    latlong_hdr,  // the same as Radiance HDR
+    latlong_rgbe, // the same for a reader that takes the middle of the interval that a mantissa stands for: Radiance
+    equal_area    // OpenEXR, the square of equal_area_square.hpp
+};
+
+// What a target stores of a sky. The sun of a sky is a light of its own.
+struct TargetSky {
+    SkyPictureKind picture = SkyPictureKind::none;
+    bool has_uniform = false; // it has a constant of its own; else a uniform sky is a picture, too
+    bool is_hidden = false;   // of whole stages: the camera need not see it
+    std::string_view reason;  // why it stores none, for a report
+};
 
 // A target's unit of length.
 enum class TargetLength { any, meter, centimeter, none };
@@ -46,6 +77,7 @@ struct TargetHolds {
     TargetLength length = TargetLength::any;
     bool point_radius = false; // its points have a radius, for shadows and highlights
     bool profile_size = false; // its profiles have a radius and a length across them, as a tube has
+    TargetSky sky = {};
 };
 
 struct Target {

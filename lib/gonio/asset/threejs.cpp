@@ -9,7 +9,8 @@
 // every azimuth.
 //
 // Points and spots are in candela (with a decay of 2), areas in nits, suns in lux; the window of `distance` is the same
-// as ours; a spot falls as smoothstep over the cosine.
+// as ours; a spot falls as smoothstep over the cosine. An environment is a panorama with +X in its middle and +Z to the
+// right, in nits of its texels × `environmentIntensity`.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -92,6 +93,31 @@ function place(light, name, position, aim) {
 }
 )js";
 
+// North is -Z here and in the middle of the file, +X in that of three.js: a quarter turn.
+constexpr const char* sky_text = R"js(
+// Lights the scene from all around: await addSky(scene). `seen`: as its background, too.
+export async function addSky(scene, seen = false) {{
+    const loader = new EXRLoader().setDataType(FloatType);
+    const texture = await loader.loadAsync(new URL('{picture}', import.meta.url).href);
+    const {{ data, height }} = texture.image;
+    const row = data.length / height;
+    for (let start = 0; start < data.length; start += row) {{
+        const west = data.slice(start, start + row / 4);
+        data.copyWithin(start, start + row / 4, start + row);
+        data.set(west, start + 3 * row / 4);
+    }}
+    texture.mapping = EquirectangularReflectionMapping;
+    texture.needsUpdate = true;
+    scene.environment = texture;
+    scene.environmentIntensity = {intensity};
+    if (seen) {{
+        scene.background = texture;
+        scene.backgroundIntensity = scene.environmentIntensity;
+    }}
+    return texture;
+}}
+)js";
+
 std::string vector(const glm::dvec3& v) {
     return "[" + triple(v) + "]";
 }
@@ -158,14 +184,21 @@ std::vector<AssetFile> threejs_files(const SceneContent& scene) {
                    "    const [right, up, back] = [x, y, z].map((axis) => new Vector3(...axis));\n"
                    "    light.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(right, up, back));\n"
                    "    return light;\n}\n";
+    std::string loader;
+    std::string sky;
+    if (scene.sky) {
+        imports.insert({"EquirectangularReflectionMapping", "FloatType"});
+        loader = "import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';\n";
+        sky = fmt::format(sky_text, "picture"_a = scene.sky->picture, "intensity"_a = scene.sky->nits_per_unit);
+    }
     std::string names;
     for (const std::string& name : imports)
         names += (names.empty() ? "" : ", ") + name;
     std::string text =
-        fmt::format("// {}\nimport {{ {} }} from 'three/webgpu';\n{}\n"
+        fmt::format("// {}\nimport {{ {} }} from 'three/webgpu';\n{}{}\n"
                     "// New lights: add each to the scene, and its target where it has one. Units in a metre: {}.\n"
-                    "export function makeLights() {{\n    return [\n{}    ];\n}}\n",
-                    scene.description, names, helpers, scene.units_per_meter, list);
+                    "export function makeLights() {{\n    return [\n{}    ];\n}}\n{}",
+                    scene.description, names, loader, helpers, scene.units_per_meter, list, sky);
     return {{scene.name + ".js", std::move(text), {}}};
 }
 

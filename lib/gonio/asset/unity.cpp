@@ -3,7 +3,8 @@
 //
 // Left-handed, Y up: a light's +Z is γ = 0, its +Y is C0 and its −X is C90; a cookie's texel of 1 is the peak. Lights
 // are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a tube is a line, in lumens; a spot falls as
-// the square of a linear function of the cosine. Unity's own default range is 10 m, so every light gets one.
+// the square of a linear function of the cosine. Unity's own default range is 10 m, so every light gets one. A lat-long
+// has +Z in its middle and +X to the right; HDRP's sky shows nits of its texels × its multiplier.
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
@@ -43,6 +44,63 @@ class Cookies_{identifier} : AssetPostprocessor
         importer.mipmapEnabled = false;
         importer.wrapMode = TextureWrapMode.Clamp;
         importer.textureCompression = TextureImporterCompression.Uncompressed;
+    }}
+}}
+)cs";
+
+constexpr const char* sky_text = R"cs(
+// The picture of the sky as a cube map of floats.
+class Sky_{identifier} : AssetPostprocessor
+{{
+    void OnPreprocessTexture()
+    {{
+        if (!assetPath.EndsWith("/{picture}")) return;
+        var importer = (TextureImporter)assetImporter;
+        importer.textureShape = TextureImporterShape.TextureCube;
+        importer.generateCubemap = TextureImporterGenerateCubemap.Cylindrical;
+        importer.sRGBTexture = false;
+        importer.textureCompression = TextureImporterCompression.Uncompressed;
+        importer.wrapMode = TextureWrapMode.Clamp;
+    }}
+
+    // A global volume with HDRP's sky; the other pipelines have no sky in physical units.
+    public static void Add(GameObject root)
+    {{
+        const string hdrp = "UnityEngine.Rendering.HighDefinition.";
+        const string assembly = ", Unity.RenderPipelines.HighDefinition.Runtime";
+        var sky = System.Type.GetType(hdrp + "HDRISky" + assembly);
+        var environment = System.Type.GetType(hdrp + "VisualEnvironment" + assembly);
+        Cubemap picture = null;
+        foreach (string guid in AssetDatabase.FindAssets("{stem}"))
+            picture = AssetDatabase.LoadAssetAtPath<Cubemap>(AssetDatabase.GUIDToAssetPath(guid)) ?? picture;
+        if (sky == null || picture == null)
+        {{
+            Debug.LogWarning("{name}: the sky needs HDRP and {picture} as a cube map: left out");
+            return;
+        }}
+        var made = new GameObject("{sky}");
+        made.transform.SetParent(root.transform, false);
+        var volume = made.AddComponent<Volume>();
+        volume.isGlobal = true;
+        volume.sharedProfile = ScriptableObject.CreateInstance<VolumeProfile>();
+        var component = volume.sharedProfile.Add(sky);
+        Set(component, "hdriSky", picture);
+        Set(component, "skyIntensityMode", 2); // by the multiplier
+        Set(component, "multiplier", {intensity}f);
+        Set(component, "rotation", 0f);
+        Set(volume.sharedProfile.Add(environment), "skyType", 1); // HDRISky
+        AssetDatabase.CreateAsset(volume.sharedProfile, "Assets/{name}.sky.asset");
+        foreach (VolumeComponent part in volume.sharedProfile.components)
+            AssetDatabase.AddObjectToAsset(part, volume.sharedProfile);
+        AssetDatabase.SaveAssets();
+    }}
+
+    static void Set(VolumeComponent component, string parameter, object value)
+    {{
+        object holder = component.GetType().GetField(parameter).GetValue(component);
+        System.Type held = holder.GetType().GetProperty("value").PropertyType;
+        if (held.IsEnum) value = System.Enum.ToObject(held, value);
+        holder.GetType().GetMethod("Override", new[] {{ held }}).Invoke(holder, new[] {{ value }});
     }}
 }}
 )cs";
@@ -159,6 +217,7 @@ std::vector<AssetFile> unity_files(const SceneContent& scene) {
     std::string lights;
     for (const SceneLight& light : scene.lights)
         lights += statement(light, scene);
+    if (scene.sky) lights += fmt::format("        Sky_{}.Add(root);\n", identifier(scene.name));
     const std::string name = identifier(scene.name);
     std::string text =
         fmt::format("// {}\n// Keep in a folder named Editor under Assets. GameObject > Light > {} makes "
@@ -167,6 +226,10 @@ std::vector<AssetFile> unity_files(const SceneContent& scene) {
                     "UnityEngine.Rendering;\n",
                     scene.description, scene.name, window_loss_lx);
     if (!scene.profiles.empty()) text += fmt::format(cookies, "identifier"_a = name, "profiles"_a = profiles);
+    if (scene.sky)
+        text += fmt::format(sky_text, "identifier"_a = name, "name"_a = scene.name, "sky"_a = scene.sky->name,
+                            "picture"_a = scene.sky->picture, "stem"_a = scene.name + "." + scene.sky->name,
+                            "intensity"_a = scene.sky->nits_per_unit);
     text += fmt::format(maker, "identifier"_a = name, "name"_a = scene.name, "lights"_a = lights);
     files.push_back({scene.name + ".cs", std::move(text), {}});
     return files;

@@ -3,7 +3,8 @@
 // Left-handed, Z up, centimetres; the engine takes candela unchanged and scales them itself. A light's +X is the aim.
 // For a profile, −Y is C0 and −Z is C90, along which a source length lies; its candela are used (bUseIESBrightness)
 // times IESBrightnessScale. A spot falls as the square of a linear function of the cosine. Every light has an
-// attenuation radius; if the light does not specify one, its window takes away at most `window_loss_lx`.
+// attenuation radius; if the light does not specify one, its window takes away at most `window_loss_lx`. A long-lat has
+// −Y in its middle and +X to the right; a sky light has nits of its texels × its intensity.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -53,6 +54,27 @@ def profile(name):
     task.save = True
     unreal.AssetToolsHelpers.get_asset_tools().import_asset_tasks([task])
     return unreal.load_asset(FOLDER + "/" + task.destination_name)
+)python";
+
+constexpr const char* sky_text = R"python(
+
+def sky(name, picture, intensity):
+    task = unreal.AssetImportTask()
+    task.filename = os.path.join(os.path.dirname(os.path.abspath(__file__)), picture)
+    task.destination_path = FOLDER
+    task.destination_name = picture.replace(".", "_")
+    task.automated = True
+    task.replace_existing = True
+    task.save = True
+    unreal.AssetToolsHelpers.get_asset_tools().import_asset_tasks([task])
+    actor = unreal.EditorLevelLibrary.spawn_actor_from_class(unreal.SkyLight, unreal.Vector(0.0, 0.0, 0.0))
+    actor.set_actor_label(name)
+    light = actor.light_component
+    light.set_mobility(unreal.ComponentMobility.MOVABLE)
+    setup(light, (1.0, 1.0, 1.0), intensity, None, source_type=unreal.SkyLightSourceType.SLS_SPECIFIED_CUBEMAP,
+          cubemap=unreal.load_asset(FOLDER + "/" + task.destination_name), source_cubemap_angle=0.0,
+          lower_hemisphere_is_black=False)
+    light.recapture_sky()
 )python";
 
 std::string vector(const glm::dvec3& v) {
@@ -106,9 +128,13 @@ std::vector<AssetFile> unreal_files(const SceneContent& scene) {
     using namespace fmt::literals;
     std::string text = fmt::format(head, "description"_a = scene.description, "loss"_a = window_loss_lx);
     if (!scene.profiles.empty()) text += importer;
+    if (scene.sky) text += sky_text;
     text += "\n\n";
     for (const SceneLight& light : scene.lights)
         text += statement(light, scene);
+    if (scene.sky)
+        text += fmt::format("# {:.6g} lx on the horizontal\nsky({}, {}, {})\n", scene.sky->lux, quoted(scene.sky->name),
+                            quoted(scene.sky->picture), scene.sky->nits_per_unit);
     std::vector<AssetFile> files{{scene.name + ".py", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});

@@ -1,9 +1,10 @@
 // OpenUSD: UsdLux of 24.08, luminances in nits, no light normalised.
 //
 // A light that emits from a point is a sphere of 1 m² projected area with treatAsPoint, so that a luminance of 1 nt
-// emits 1 cd, which a profile scales and a cone cuts. The cone's softness is the share of the cone in which the
-// intensity falls, smoothly over the angle. angleScale is never authored, because its formulas differ between
-// renderers.
+// emits 1 cd, which a profile scales and a cone cuts. A dome's texture has +Y of the dome as its pole and +Z in its
+// middle, with −X to the right (the lat-long of OpenEXR), wherever the stage's up axis points. The cone's softness is
+// the share of the cone in which the intensity falls, smoothly over the angle. angleScale is never authored, because
+// its formulas differ between renderers.
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -115,6 +116,26 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
                               row(light.frame.origin, 1));
 }
 
+std::string text_of(const SceneSky& sky) {
+    const std::string texture = sky.picture.empty() ? std::string()
+                                                    : fmt::format("        asset inputs:texture:file = @./{}@\n"
+                                                                  "        token inputs:texture:format = \"latlong\"\n",
+                                                                  sky.picture);
+    // The pole becomes +Z, the middle +Y, the right +X.
+    return fmt::format(
+        "    def DomeLight \"{}\" (\n"
+        "        customData = {{\n            double horizontal_lx = {}\n        }}\n"
+        "    )\n"
+        "    {{\n"
+        "        color3f inputs:color = ({})\n"
+        "        float inputs:intensity = {}\n"
+        "{}"
+        "        matrix4d xformOp:transform = ( (-1, 0, 0, 0), (0, 0, 1, 0), (0, 1, 0, 0), (0, 0, 0, 1) )\n"
+        "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n"
+        "    }}\n",
+        identifier(sky.name), sky.lux, triple(sky.color), sky.picture.empty() ? sky.nits : sky.nits_per_unit, texture);
+}
+
 } // namespace
 
 std::vector<AssetFile> usd_files(const SceneContent& scene) {
@@ -133,6 +154,7 @@ std::vector<AssetFile> usd_files(const SceneContent& scene) {
     if (scene.stage) text += usd_stage(*scene.stage, identifier(scene.name));
     for (const SceneLight& light : scene.lights)
         text += text_of(light, scene);
+    if (scene.sky) text += text_of(*scene.sky);
     text += "}\n";
     if (scene.stage) text += usd_render_settings(*scene.stage, identifier(scene.name));
     std::vector<AssetFile> files{{scene.name + ".usda", std::move(text), {}}};

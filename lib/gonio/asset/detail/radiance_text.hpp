@@ -17,7 +17,8 @@ glm::dvec3 radiance_rgb(const glm::dvec3& rec709);
 std::string radiance_rectangle(const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v);
 
 // The surfaces of a stage, after the lines that render it; the mixed materials are functions in `name`.cal.
-std::string radiance_stage(const SceneStage& stage, std::string_view name);
+// Light of a sky is ambient light in Radiance: it needs one bounce more.
+std::string radiance_stage(const SceneStage& stage, std::string_view name, bool has_sky);
 // Whether a colour of the material lies outside what Radiance's channels can hold.
 bool radiance_clips(const SceneMaterial& of);
 std::string radiance_view(const SceneCamera& camera);
