@@ -14,7 +14,7 @@ struct NamedBytes {
     std::string bytes;
 };
 
-// The file; of an environment image its sidecar, too: NAME.json.
-Result<std::vector<NamedBytes>> bytes_of(const AssetFile& file);
+// The file; of an environment image its sidecar, too: NAME.json. 0 threads: all.
+Result<std::vector<NamedBytes>> bytes_of(const AssetFile& file, unsigned threads);
 
 } // namespace gonio::cli

@@ -1,6 +1,7 @@
 #include "console.hpp"
 
 #include <gonio/base/file.hpp>
+#include <gonio/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,23 @@ void write_error_line(const std::string& text) {
     (void)std::fputs((text + "\n").c_str(), stderr);
 }
 
+// A message may quote what a file or a name holds: its control characters are shown, not followed.
+std::string shown(std::string_view text) {
+    if (!has_control_characters(text)) return std::string(text);
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view one = text.substr(i, text[i] == '\xc2' ? 2 : 1);
+        if (text[i] == '\n' || text[i] == '\t' || !has_control_characters(one)) {
+            plain += text[i];
+            continue;
+        }
+        for (const char byte : one)
+            plain += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+        i += one.size() - 1;
+    }
+    return plain;
+}
+
 // Colours the severity word, as compilers do.
 std::string colored(std::string text, Severity severity) {
     const char* const code = severity == Severity::error ? "1;31" : severity == Severity::warning ? "1;35" : "1;36";
@@ -30,7 +48,7 @@ std::string colored(std::string text, Severity severity) {
 
 void Console::say(const Diagnostic& diagnostic) const {
     if (quiet_ && diagnostic.severity != Severity::error) return;
-    const std::string text = to_text(diagnostic);
+    const std::string text = shown(to_text(diagnostic));
     write_error_line(color_ ? colored(text, diagnostic.severity) : text);
 }
 
@@ -40,11 +58,11 @@ void Console::say(const Diagnostics& diagnostics) const {
 }
 
 void Console::note(std::string_view text) const {
-    if (!quiet_) write_error_line(std::string(text));
+    if (!quiet_) write_error_line(shown(text));
 }
 
 void Console::remark(std::string_view text) const {
-    if (verbose_) write_error_line(std::string(text));
+    if (verbose_) write_error_line(shown(text));
 }
 
 int Console::fail(const Error& error) const {

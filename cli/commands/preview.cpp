@@ -114,7 +114,8 @@ Json preview_json(const PreviewRequest& request, const std::vector<Light>& light
         report["intensity_cd"] = lights.front().intensity.value;
     if (!request.render.sky.is_dark())
         report["sky"] = {
-            {"horizontal_lx", glm::dot(request.render.sky.irradiance(glm::dvec3(0.0, 0.0, 1.0)), rec709_luminance)}};
+            {"horizontal_lx", glm::dot(request.render.sky.irradiance(glm::dvec3(0.0, 0.0, 1.0), request.render.threads),
+                                       rec709_luminance)}};
     report["lights"] = lights.size();
     report["diagnostics"] = diagnostics_json(diagnostics);
     return report;

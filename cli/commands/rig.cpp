@@ -85,7 +85,7 @@ std::size_t surfaces_of(const std::vector<LightDescription>& emitted) {
         emitted.begin(), emitted.end(), [](const LightDescription& light) { return light.emitted_by->face == 0; }));
 }
 
-Outcome check(const std::string& file, const RigReadOptions& options, const SkyRequest& colors) {
+Outcome check(const std::string& file, const RigReadOptions& options, const SkyRequest& request) {
     Outcome outcome;
     Result<Rig> rig = read_rig_file(file, options);
     if (!rig) {
@@ -94,7 +94,7 @@ Outcome check(const std::string& file, const RigReadOptions& options, const SkyR
     }
     Diagnostics diagnostics;
     if (rig->sky) {
-        Result<LoadedSky> sky = load_sky(*rig->sky, colors);
+        Result<LoadedSky> sky = load_sky(*rig, request);
         if (!sky) {
             outcome.error = std::move(sky.error());
             return outcome;
@@ -138,10 +138,12 @@ Result<int> check_all(const Arguments& arguments, Console& console) {
     Result<unsigned> threads = thread_count(arguments);
     if (!threads) return pass_on(threads);
     const RigReadOptions options = rig_read_options(arguments);
-    const SkyRequest colors = sky_request_of_colors(arguments);
+    Result<SkyRequest> sky = plain_sky_request(arguments);
+    if (!sky) return pass_on(sky);
+    sky->threads = 1; // rigs are checked side by side
     const ReportKind kind = report_kind(arguments);
     return run_batch({files, "gonio.rig-check/1", "checked", *threads}, kind, console, [&](std::size_t index) {
-        Outcome outcome = check(files[index], options, colors);
+        Outcome outcome = check(files[index], options, *sky);
         if (kind == ReportKind::words) outcome.report = nullptr;
         return outcome;
     });

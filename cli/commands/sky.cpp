@@ -80,7 +80,7 @@ Outcome info(const std::string& text, const SkyRequest& request) {
         return outcome;
     }
     outcome.diagnostics = std::move(loaded->diagnostics);
-    const SkyReport report = report_of(text, *loaded, outcome.diagnostics);
+    const SkyReport report = report_of(text, *loaded, request.threads, outcome.diagnostics);
     outcome.words = to_text(report);
     outcome.report = to_json(report, outcome.diagnostics);
     return outcome;

@@ -107,7 +107,12 @@ Result<std::string> fingerprint(const std::string& bytes, const Rig& rig) {
             all += fmt::format(" {} {} {}", light.color.x, light.color.y, light.color.z);
     for (const std::string& file : rig.files) {
         Result<ManifestFile> hash = hashed(file);
-        if (!hash) return pass_on(hash);
+        if (!hash) { // the image of its sky: other files were read with the rig
+            Diagnostic& reason = hash.error().diagnostics.back();
+            reason.message = fmt::format("{}: {}", reason.location.file, reason.message);
+            reason.location.file = rig.source;
+            return pass_on(hash);
+        }
         all += " " + hash->sha256;
     }
     return sha256(all);
@@ -120,7 +125,7 @@ Result<std::optional<SkyPicture>> picture_of_sky(const Rig& rig, const SkyReques
     if (!input) return pass_on(input);
     if (input->sun) lights.push_back(std::move(*input->sun));
     if (input->sky.is_dark()) return std::optional<SkyPicture>();
-    Result<SkyPicture> made = sky_picture(input->sky, 1);
+    Result<SkyPicture> made = sky_picture(input->sky, request.threads);
     if (!made) return pass_on(made);
     made->source = std::move(input->source.text);
     made->source_sha256 = std::move(input->source.sha256);
@@ -290,7 +295,7 @@ Result<Written> made(const Source& source, const Content& content, const Target&
         return record;
     };
     for (const AssetFile& file : scene->files) {
-        Result<std::vector<NamedBytes>> contents = bytes_of(file);
+        Result<std::vector<NamedBytes>> contents = bytes_of(file, request.sky.threads);
         if (!contents) return pass_on(contents);
         for (NamedBytes& content_of_file : *contents) {
             Result<FileRecord> record = add(content_of_file.name, std::move(content_of_file.bytes));

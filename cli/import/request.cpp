@@ -120,7 +120,10 @@ Result<ImportRequest> parse_import(const Arguments& arguments) {
     input->photometric = true;
     request.input = *input;
     request.rig = rig_read_options(arguments);
-    request.sky = sky_request_of_colors(arguments);
+    Result<SkyRequest> sky = plain_sky_request(arguments);
+    if (!sky) return pass_on(sky);
+    request.sky = std::move(*sky);
+    request.sky.threads = 1; // inputs run side by side
     request.overwrite = arguments.has("--overwrite");
     request.update = arguments.has("--update");
     return request;

@@ -40,7 +40,7 @@ Result<SkyInput> input_of(LoadedSky loaded, Diagnostics& diagnostics) {
 
 Result<SkyInput> sky_of_rig(const Rig& rig, const SkyRequest& request, Diagnostics& diagnostics) {
     if (!rig.sky) return SkyInput();
-    Result<LoadedSky> loaded = load_sky(*rig.sky, request);
+    Result<LoadedSky> loaded = load_sky(rig, request);
     if (!loaded) return pass_on(loaded);
     Result<SkyInput> input = input_of(std::move(*loaded), diagnostics);
     if (input) input->source.text = rig.source;
@@ -48,7 +48,9 @@ Result<SkyInput> sky_of_rig(const Rig& rig, const SkyRequest& request, Diagnosti
 }
 
 Result<SkyInput> sky_input(const Arguments& arguments, const Rig& rig, Diagnostics& diagnostics) {
-    const SkyRequest request = sky_request_of_colors(arguments);
+    Result<SkyRequest> plain = plain_sky_request(arguments);
+    if (!plain) return pass_on(plain);
+    const SkyRequest& request = *plain;
     const auto text = arguments.value("--sky");
     if (!text) return sky_of_rig(rig, request, diagnostics);
     Result<LoadedSky> loaded = load_sky(*text, request);

@@ -68,7 +68,7 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     if (!scene) return pass_on(scene);
     ExportedScene exported;
     for (const AssetFile& file : scene->files) {
-        Result<std::vector<NamedBytes>> contents = bytes_of(file);
+        Result<std::vector<NamedBytes>> contents = bytes_of(file, request.render.threads);
         if (!contents) return pass_on(contents);
         for (NamedBytes& content : *contents) {
             const bool is_scene = exported.files.empty();

@@ -62,7 +62,7 @@ Result<Json> convert_sky(const SkySource& source, const LoadedSky& loaded, const
     description.source = source.text;
     if (loaded.image) description.source_sha256 = loaded.image->sha256;
     Result<EnvironmentFiles> made = environment_files(image, nits_per_unit(image, storage->pixel), *storage,
-                                                      std::move(description), file_name(output));
+                                                      std::move(description), file_name(output), request.threads);
     if (!made) return pass_on(made);
     std::vector<OutputFile> files;
     files.push_back({output, std::move(made->image)});

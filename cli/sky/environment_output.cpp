@@ -40,6 +40,13 @@ std::vector<media::ImageAttribute> attributes_of(const std::string& sidecar) {
 
 } // namespace
 
+Result<EnvironmentGrid> environment_of_side(EnvironmentLayout layout, int side, const std::string& option) {
+    Result<EnvironmentGrid> grid = environment_grid(layout, side);
+    if (grid) return grid;
+    const Diagnostic& reason = grid.error().diagnostics.back();
+    return fail("USE0106", fmt::format("{}: {}", option, reason.message), reason.hint);
+}
+
 Result<EnvironmentGrid> environment_size(EnvironmentLayout layout, const std::string& size) {
     const EnvironmentLayoutInfo& info = info_of(layout);
     if (size.find('x') != std::string::npos) {
@@ -50,14 +57,14 @@ Result<EnvironmentGrid> environment_size(EnvironmentLayout layout, const std::st
             return fail("USE0106", fmt::format("the layout {} has no images of {} pixels", info.name, size),
                         fmt::format("it is {}:{}, for example {}x{}", info.across, info.down, 256 * info.across,
                                     256 * info.down));
-        return environment_grid(layout, grid->side());
+        return environment_of_side(layout, grid->side(), "--size " + size);
     }
     Result<std::uint64_t> number = whole_number(size, "--size");
     if (!number) return pass_on(number);
     const auto most = std::uint64_t{limit("environment-values").value};
     const std::uint64_t sides = layout == EnvironmentLayout::latlong ? 2 : 1;
     if (*number % sides != 0) return fail("USE0106", fmt::format("the width of a latlong is even, not {}", *number));
-    return environment_grid(layout, static_cast<int>(std::min(*number / sides, most)));
+    return environment_of_side(layout, static_cast<int>(std::min(*number / sides, most)), "--size " + size);
 }
 
 Result<EnvironmentStorage> environment_storage(const Arguments& arguments, const std::string& output) {
@@ -100,7 +107,7 @@ Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loa
 
 Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
                                            const EnvironmentStorage& storage, EnvironmentDescription description,
-                                           const std::string& name) {
+                                           const std::string& name, unsigned threads) {
     // As the file will hold it, so that the sidecar's lux are those that are read from the file.
     const auto stored =
         std::make_shared<const EnvironmentMap>(media::as_stored(map, nits_per_unit, *storage.format, storage.pixel));
@@ -109,7 +116,7 @@ Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nit
     description.grid = stored->grid();
     description.nits_per_unit = nits_per_unit;
     description.pixel = media::to_text(storage.pixel);
-    description.measures = measure(*as_written);
+    description.measures = measure(*as_written, threads);
     Result<std::string> bytes = media::encode_environment(*stored, *storage.format, storage.pixel,
                                                           attributes_of(environment_sidecar(description)));
     if (!bytes) return pass_on(bytes);

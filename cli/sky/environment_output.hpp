@@ -18,6 +18,9 @@ namespace gonio::cli {
 // "1024" as the side of the layout (the width of a latlong), or "1024x512".
 Result<EnvironmentGrid> environment_size(EnvironmentLayout layout, const std::string& size);
 
+// A grid whose side an option gives, "--irradiance 33", which a refusal names. Fails (usage) as environment_grid().
+Result<EnvironmentGrid> environment_of_side(EnvironmentLayout layout, int side, const std::string& option);
+
 struct EnvironmentStorage {
     const media::ImageFormat* format;
     media::Pixel pixel;
@@ -36,7 +39,7 @@ struct EnvironmentFiles {
 // here: all but the sun and the source. `name`: of the image's file, without its folder. 0 threads: all.
 Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
                                            const EnvironmentStorage& storage, EnvironmentDescription description,
-                                           const std::string& name);
+                                           const std::string& name, unsigned threads = 0);
 
 // What files are made from.
 struct SkySource {

@@ -93,7 +93,7 @@ Result<Wanted> wanted(const Arguments& arguments, unsigned threads) {
 
     Result<int> side = count_of(arguments, "--irradiance", usual_irradiance_side);
     if (!side) return pass_on(side);
-    Result<EnvironmentGrid> irradiance = environment_grid(layout, *side);
+    Result<EnvironmentGrid> irradiance = environment_of_side(layout, *side, fmt::format("--irradiance {}", *side));
     if (!irradiance) return pass_on(irradiance);
     want.irradiance = *irradiance;
     Result<int> table = count_of(arguments, "--table", usual_table_size);

@@ -1,10 +1,12 @@
 #include "request.hpp"
 
 #include <gonio/asset/content_hash.hpp>
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/sky/sky_direction.hpp>
+#include <gonio/sky/sky_measures.hpp>
 #include <gonio/sky/sun_extraction.hpp>
 
 #include "../options/values.hpp"
@@ -50,6 +52,19 @@ Result<LoadedImage> read_image(const ImageSkyKind& kind, const SkyRequest& reque
                        0.0};
 }
 
+// What lights a picture unevenly, and is blurred over its texels.
+void warn_of_sun(const EnvironmentMap& map, Radians rotation, const std::string& file, unsigned threads,
+                 Diagnostics& diagnostics) {
+    const std::optional<BrightestSpot> spot = sun_like_spot(map, threads);
+    if (!spot) return;
+    const SkyAngles at = sky_angles_of(turned(spot->direction, rotation));
+    diagnostics.push_back(result_diagnostic(
+        "RES0504",
+        fmt::format("{:.3g} % of the light comes from within {}° of azimuth {:.4g}°, elevation {:.4g}°",
+                    100.0 * spot->share, spot_radius_deg, at.azimuth_deg, at.elevation_deg),
+        "'gonio sky convert --cut-sun' takes a sun out of the pixels and reports it as a light", file));
+}
+
 // Takes the sun out of the image, and returns it in the frame of the turned sky.
 Result<SunLight> cut_sun(LoadedImage& image, Radians rotation) {
     Result<ExtractedSun> found = extract_sun(*image.map);
@@ -63,8 +78,11 @@ Result<SunLight> cut_sun(LoadedImage& image, Radians rotation) {
 
 } // namespace
 
-SkyRequest sky_request_of_colors(const Arguments& arguments) {
+Result<SkyRequest> plain_sky_request(const Arguments& arguments) {
     SkyRequest request;
+    Result<unsigned> threads = thread_count(arguments);
+    if (!threads) return pass_on(threads);
+    request.threads = *threads;
     request.config = arguments.value("--ocio").value_or("");
     // The library never reads the environment; the tool passes $OCIO on.
     if (const char* const environment = std::getenv("OCIO"); environment != nullptr)
@@ -73,10 +91,9 @@ SkyRequest sky_request_of_colors(const Arguments& arguments) {
 }
 
 Result<SkyRequest> sky_request(const Arguments& arguments) {
-    SkyRequest request = sky_request_of_colors(arguments);
-    Result<unsigned> threads = thread_count(arguments);
-    if (!threads) return pass_on(threads);
-    request.threads = *threads;
+    Result<SkyRequest> plain = plain_sky_request(arguments);
+    if (!plain) return plain;
+    SkyRequest& request = *plain;
     request.cut_sun = arguments.has("--cut-sun");
     const auto facing = arguments.value("--facing");
     if (const auto lux = arguments.value("--calibrate")) {
@@ -93,7 +110,7 @@ Result<SkyRequest> sky_request(const Arguments& arguments) {
     } else if (facing) {
         return fail("USE0104", "--facing is the plane of --calibrate", "add --calibrate 500lx");
     }
-    return request;
+    return plain;
 }
 
 std::string file_of_sky(const std::string& text) {
@@ -108,6 +125,12 @@ Result<LoadedSky> load_sky(const std::string& text, const SkyRequest& request) {
     if (!description) return pass_on(description);
     Result<LoadedSky> loaded = load_sky(std::move(*description), request);
     if (loaded) loaded->diagnostics.insert(loaded->diagnostics.begin(), diagnostics.begin(), diagnostics.end());
+    return loaded;
+}
+
+Result<LoadedSky> load_sky(const Rig& rig, const SkyRequest& request) {
+    Result<LoadedSky> loaded = load_sky(*rig.sky, request);
+    if (!loaded) return failed_sky(rig, loaded.error());
     return loaded;
 }
 
@@ -132,23 +155,25 @@ Result<LoadedSky> load_sky(SkyDescription description, const SkyRequest& request
     Result<LoadedImage> image = read_image(*kind, request, loaded.diagnostics);
     if (!image) return pass_on(image);
     // The calibration goes into the image, so that what is cut out of it or written has it too.
-    Result<Sky> sky = resolve_sky(description, image->map);
+    Result<Sky> sky = resolve_sky(description, image->map, request.threads);
     if (!sky) return pass_on(sky);
     EnvironmentMap map = *image->map;
     map.set_nits_per_unit(map.nits_per_unit() * sky->image_scale());
     if (request.calibration) {
         Calibration calibration = *request.calibration;
         calibration.normal = turned(calibration.normal, Radians(-description.rotation.value));
-        if (Result<void> scaled = calibrate(map, calibration); !scaled) return pass_on(scaled);
+        if (Result<void> scaled = calibrate(map, calibration, request.threads); !scaled) return pass_on(scaled);
     }
     image->map = std::make_shared<const EnvironmentMap>(std::move(map));
     if (request.cut_sun) {
         Result<SunLight> sun = cut_sun(*image, description.rotation);
         if (!sun) return pass_on(sun);
         loaded.sun = *sun;
+    } else {
+        warn_of_sun(*image->map, description.rotation, kind->file, request.threads, loaded.diagnostics);
     }
     description.amount.reset();
-    sky = resolve_sky(description, image->map);
+    sky = resolve_sky(description, image->map, request.threads);
     if (!sky) return pass_on(sky);
     loaded.sky = std::move(*sky);
     loaded.image = std::move(*image);

@@ -3,6 +3,7 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/media/environment_file.hpp>
+#include <gonio/scene/rig.hpp>
 #include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/sky.hpp>
 
@@ -31,8 +32,9 @@ struct SkyRequest {
     unsigned threads = 0;
 };
 
-// With the colour configurations of --ocio and $OCIO alone: for commands that take a sky as it is.
-SkyRequest sky_request_of_colors(const Arguments& arguments);
+// With the colour configurations of --ocio and $OCIO and the threads of -j alone: for commands that take a sky as it
+// is.
+Result<SkyRequest> plain_sky_request(const Arguments& arguments);
 
 Result<SkyRequest> sky_request(const Arguments& arguments);
 
@@ -58,6 +60,9 @@ std::string file_of_sky(const std::string& text);
 
 // A sky that is described, with its image read. Fails as decode_environment and calibrate do.
 Result<LoadedSky> load_sky(SkyDescription description, const SkyRequest& request);
+
+// That of a rig, which has one. The error has the place in the rig in front.
+Result<LoadedSky> load_sky(const Rig& rig, const SkyRequest& request);
 
 // A sky in its grammar, or the name of an image. Fails as parse_sky_description, decode_environment and calibrate do.
 Result<LoadedSky> load_sky(const std::string& text, const SkyRequest& request);

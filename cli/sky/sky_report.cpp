@@ -33,8 +33,8 @@ double horizontal_lx(const SunLight& sun) {
 
 } // namespace
 
-SkyReport report_of(const std::string& input, const LoadedSky& loaded, Diagnostics& diagnostics) {
-    SkyReport report{input, std::string(loaded.kind), measure(loaded.sky), {}, loaded.sun, loaded.image};
+SkyReport report_of(const std::string& input, const LoadedSky& loaded, unsigned threads, Diagnostics& diagnostics) {
+    SkyReport report{input, std::string(loaded.kind), measure(loaded.sky, threads), {}, loaded.sun, loaded.image};
     if (report.measures.color == glm::dvec3(0.0)) return report;
     Result<Uv> at = uv_of_rgb(report.measures.color, *find_rgb_space("rec709"));
     Result<Cct> cct = at ? exact_cct(*at) : Result<Cct>(pass_on(at));

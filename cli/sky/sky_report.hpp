@@ -23,8 +23,8 @@ struct SkyReport {
     std::optional<LoadedImage> image;
 };
 
-// Measures the sky. A colour without a temperature is a warning.
-SkyReport report_of(const std::string& input, const LoadedSky& loaded, Diagnostics& diagnostics);
+// Measures the sky on `threads`, 0: all. A colour without a temperature is a warning.
+SkyReport report_of(const std::string& input, const LoadedSky& loaded, unsigned threads, Diagnostics& diagnostics);
 
 std::string to_text(const SkyReport& report);
 Json to_json(const SkyReport& report, const Diagnostics& diagnostics);

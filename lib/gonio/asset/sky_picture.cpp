@@ -74,7 +74,7 @@ std::shared_ptr<const EnvironmentMap> image_of(const SkyPicture& sky) {
 Result<SkyPicture> sky_picture(const Sky& sky, unsigned threads) {
     SkyPicture made;
     made.sun = sky.sun();
-    made.horizontal = Lux(glm::dot(sky.irradiance(up), rec709_luminance));
+    made.horizontal = Lux(glm::dot(sky.irradiance(up, threads), rec709_luminance));
     if (!sky.image() && !sky.cie()) {
         made.uniform = sky.zenith();
         if (made.uniform.value > 0.0) made.color = sky.radiance(up) / made.uniform.value;

@@ -48,6 +48,16 @@ constexpr bool ends_with_any_case(std::string_view text, std::string_view end) {
     return text.size() >= end.size() && equals_any_case(text.substr(text.size() - end.size()), end);
 }
 
+// Whether a terminal might take a part of UTF-8 text as a command: U+0000 to U+001F and U+007F to U+009F.
+constexpr bool has_control_characters(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte < 0x20 || byte == 0x7f) return true;
+        if (byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0) return true;
+    }
+    return false;
+}
+
 // The text without the bytes of `dropped` at its ends.
 constexpr std::string_view trimmed(std::string_view text, std::string_view dropped = blanks_and_line_ends) {
     const std::size_t first = text.find_first_not_of(dropped);

@@ -1,5 +1,7 @@
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/limits.hpp>
+#include <gonio/base/text.hpp>
+#include <gonio/base/unit_text.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/media/color_space.hpp>
@@ -94,6 +96,33 @@ double nits_per_unit_of(const DecodedImage& file) {
     return 1.0;
 }
 
+// What the pixels of a Radiance picture were multiplied by: the product of the lines EXPOSURE= of its header, which
+// ends at an empty line. Nothing without such a line. Fails (malformed) on values that are not numbers above 0.
+Result<std::optional<double>> exposure_of(std::string_view bytes) {
+    constexpr std::string_view key = "EXPOSURE=";
+    std::optional<double> product;
+    if (!bytes.starts_with("#?")) return product;
+    while (!bytes.empty()) {
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+        std::string_view line = bytes.substr(0, end);
+        if (line.empty()) break;
+        bytes.remove_prefix(std::min(end + 1, bytes.size()));
+        if (!line.starts_with(key)) continue;
+        line.remove_prefix(key.size());
+        const std::optional<double> value = parse_number(trimmed(line));
+        if (!value || !(*value > 0.0))
+            return fail(Failure::malformed, "a line EXPOSURE= of the image is not a number above 0",
+                        "correct the line, or take it out");
+        product = product.value_or(1.0) * *value;
+    }
+    constexpr double greatest = 1e30;
+    if (product && !(*product >= 1.0 / greatest && *product <= greatest))
+        return fail(Failure::malformed,
+                    fmt::format("the exposure of the image is not within {} and {}", 1.0 / greatest, greatest),
+                    "take the lines EXPOSURE= out of its header");
+    return product;
+}
+
 // To 11 bits, or to multiples of 2⁻²⁴ for small values, halves to even. Larger than 65504 stays for encode_image() to
 // refuse.
 float rounded_to_half(float value) {
@@ -149,6 +178,11 @@ Result<EnvironmentImage> decode_environment(std::string_view bytes, const Enviro
         space = std::move(*named);
     }
 
+    Result<std::optional<double>> exposure = exposure_of(bytes);
+    if (!exposure) return pass_on(exposure);
+    if (*exposure && **exposure != 1.0)
+        diagnostics.push_back(result_diagnostic(
+            "RES0505", fmt::format("the image has an exposure of {:.6g}: its pixels are divided by it", **exposure)));
     Result<DecodedImage> file = decode_image(bytes, most.value);
     if (!file) return pass_on(file);
     if (file->pixel == Pixel::uint8 || file->pixel == Pixel::uint16)
@@ -160,7 +194,7 @@ Result<EnvironmentImage> decode_environment(std::string_view bytes, const Enviro
         if (!stated) return pass_on(stated);
         space = std::move(*stated);
     }
-    const double nits_per_unit = nits_per_unit_of(*file);
+    const double nits_per_unit = nits_per_unit_of(*file) / exposure->value_or(1.0);
     const Pixel pixel = file->pixel;
     Result<Image> rgb = three_channels(*file);
     if (!rgb) return pass_on(rgb);

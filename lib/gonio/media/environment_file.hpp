@@ -2,7 +2,8 @@
 //
 // What is read becomes linear Rec.709; what is written is linear Rec.709 too, with the factor to cd/m² and the layout
 // beside the pixels (OpenEXR: attributes gonio:nits_per_unit and gonio:layout; a file that has the first is
-// calibrated). Needs the modules as image_file.hpp and color_space.hpp do.
+// calibrated). What the lines EXPOSURE= of a Radiance picture multiplied its pixels by is divided out. Needs the
+// modules as image_file.hpp and color_space.hpp do.
 #pragma once
 
 #include <gonio/base/result.hpp>

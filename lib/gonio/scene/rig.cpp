@@ -27,6 +27,7 @@ namespace {
 using detail::angle_of;
 using detail::Json;
 using detail::keep;
+using detail::name_of;
 using detail::nonzero_vector_of;
 using detail::placed;
 using detail::position_of;
@@ -99,7 +100,7 @@ private:
         for (const auto& [key, value] : json.items()) {
             Result<void> read;
             if (key == "name") {
-                read = keep(text_of(value), light.name);
+                read = keep(name_of(value), light.name);
             } else if (key == "shape") {
                 has_shape = true;
                 Result<std::string> text = text_of(value, "for example \"sphere:r=10cm\"");
@@ -369,6 +370,10 @@ Result<std::vector<LightDescription>> emissive_lights(const Rig& rig) {
         if (Result<void> set = let_emit(*stage, named); !set)
             return detail::placed(set.error(), rig.source, fmt::format("emits.{}", named.surface));
     return emissive_lights(*stage);
+}
+
+Unexpected failed_sky(const Rig& rig, const Error& error) {
+    return placed(error, rig.source, "sky");
 }
 
 Result<void> require_lights(const Rig& rig) {

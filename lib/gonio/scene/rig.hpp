@@ -88,6 +88,10 @@ Result<Stage> stage_of(const Rig& rig);
 // the stage has no surface of that name, or cannot emit the amount.
 Result<std::vector<LightDescription>> emissive_lights(const Rig& rig);
 
+// The failure of a rig's sky that could not be resolved, such as a missing image or a sun below the horizon: with the
+// place in the rig in front.
+Unexpected failed_sky(const Rig& rig, const Error& error);
+
 // Fails (malformed) on a rig without lights and without surfaces that emit: there is nothing to export, and nothing to
 // show unless it has a sky.
 Result<void> require_lights(const Rig& rig);

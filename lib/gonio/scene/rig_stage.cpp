@@ -188,8 +188,8 @@ Result<Material> material_of(const Json& json) {
     return parse_material(*text);
 }
 
-Result<std::string> name_of(const Json& json) {
-    Result<std::string> text = text_of(json);
+Result<std::string> filled_name_of(const Json& json) {
+    Result<std::string> text = name_of(json);
     if (text && text->empty()) return rig_value_error("RIG0106", "must not be empty");
     return text;
 }
@@ -198,7 +198,7 @@ Result<Surface> read_surface(const Json& json, const RigContext& rig, const std:
     const std::string& source = rig.source;
     Surface surface;
     Members members(json, surface_keys, source, path);
-    members.required("name", surface.name, name_of);
+    members.required("name", surface.name, filled_name_of);
     members.optional("material", surface.material, material_of);
     if (members.failure()) return Unexpected(*members.failure());
     const PrimitiveKind* found = nullptr;
@@ -289,7 +289,7 @@ Result<Stage> read_rig_stage(const Json& json, const RigContext& rig) {
     Stage stage;
     stage.name = "custom";
     Members members(json, stage_keys, source, "stage");
-    members.optional("name", stage.name, name_of);
+    members.optional("name", stage.name, filled_name_of);
     members.optional("figure", stage.figure_position, place_of);
     if (members.failure()) return Unexpected(*members.failure());
     const auto surfaces = json.find("surfaces");

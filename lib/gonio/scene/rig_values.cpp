@@ -1,3 +1,4 @@
+#include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/detail/rig_values.hpp>
 
@@ -26,6 +27,13 @@ Result<std::string> text_of(const Json& json, std::string hint) {
         return rig_value_error("RIG0105", fmt::format("must be a string, not {}", type_of(json)), std::move(hint));
     std::string text = json.as_string();
     if (text.find('\0') != std::string::npos) return rig_value_error("RIG0106", "must not hold a null character");
+    return text;
+}
+
+Result<std::string> name_of(const Json& json) {
+    Result<std::string> text = text_of(json);
+    if (text && has_control_characters(*text))
+        return rig_value_error("RIG0106", "must not have control characters", "write letters, digits and signs");
     return text;
 }
 

@@ -235,18 +235,18 @@ TexelIndex EnvironmentMap::brightest() const {
     return best;
 }
 
-Result<double> calibration(const EnvironmentMap& map, const Calibration& to) {
+Result<double> calibration(const EnvironmentMap& map, const Calibration& to, unsigned threads) {
     if (!(to.value > 0.0))
         return fail("USE0106", "an environment is calibrated to more than 0", "for example to 500lx");
     double now = 0.0;
     std::string_view what;
     switch (to.of) {
     case Calibration::Of::illuminance:
-        now = luminance(map.irradiance(to.normal));
+        now = luminance(map.irradiance(to.normal, threads));
         what = "gives no light on the plane";
         break;
     case Calibration::Of::mean_luminance:
-        now = luminance(map.light()) / (4.0 * std::numbers::pi);
+        now = luminance(map.light(threads)) / (4.0 * std::numbers::pi);
         what = "is black";
         break;
     case Calibration::Of::zenith_luminance:
@@ -264,8 +264,8 @@ Result<double> calibration(const EnvironmentMap& map, const Calibration& to) {
     return scale;
 }
 
-Result<void> calibrate(EnvironmentMap& map, const Calibration& to) {
-    Result<double> factor = calibration(map, to);
+Result<void> calibrate(EnvironmentMap& map, const Calibration& to, unsigned threads) {
+    Result<double> factor = calibration(map, to, threads);
     if (!factor) return pass_on(factor);
     map.set_nits_per_unit(map.nits_per_unit() * *factor);
     return {};

@@ -85,9 +85,9 @@ struct Calibration {
 
 // The factor on the image's luminances that gives it that amount. Fails (usage) on an image that is black where it is
 // measured, on an amount that is not greater than 0, and above the range of amounts.
-Result<double> calibration(const EnvironmentMap& map, const Calibration& to);
+Result<double> calibration(const EnvironmentMap& map, const Calibration& to, unsigned threads = 0);
 
 // Multiplies nits_per_unit by it. Fails as calibration() does.
-Result<void> calibrate(EnvironmentMap& map, const Calibration& to);
+Result<void> calibrate(EnvironmentMap& map, const Calibration& to, unsigned threads = 0);
 
 } // namespace gonio

@@ -58,7 +58,7 @@ glm::dvec3 Sky::radiance(const glm::dvec3& direction) const {
     return scale_ * cie_->relative(direction) * color_;
 }
 
-std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals) const {
+std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals, unsigned threads) const {
     std::vector<std::size_t> order(normals.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -70,7 +70,7 @@ std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals) con
         if (different.empty() || normals[i] != different.back()) different.push_back(normals[i]);
         which[i] = different.size() - 1;
     }
-    const std::vector<glm::dvec3> of_each = irradiance_of_each(std::move(different));
+    const std::vector<glm::dvec3> of_each = irradiance_of_each(std::move(different), threads);
     std::vector<glm::dvec3> results;
     results.reserve(normals.size());
     for (const std::size_t index : which)
@@ -78,11 +78,11 @@ std::vector<glm::dvec3> Sky::irradiance(std::span<const glm::dvec3> normals) con
     return results;
 }
 
-std::vector<glm::dvec3> Sky::irradiance_of_each(std::vector<glm::dvec3> normals) const {
+std::vector<glm::dvec3> Sky::irradiance_of_each(std::vector<glm::dvec3> normals, unsigned threads) const {
     if (image_) {
         for (glm::dvec3& normal : normals)
             normal = turned(normal, Radians(-rotation_.value));
-        normals = image_->irradiance(normals);
+        normals = image_->irradiance(normals, threads);
         for (glm::dvec3& lx : normals)
             lx *= scale_;
     } else {
@@ -92,8 +92,8 @@ std::vector<glm::dvec3> Sky::irradiance_of_each(std::vector<glm::dvec3> normals)
     return normals;
 }
 
-glm::dvec3 Sky::irradiance(const glm::dvec3& normal) const {
-    if (image_) return scale_ * image_->irradiance(turned(normal, Radians(-rotation_.value)));
+glm::dvec3 Sky::irradiance(const glm::dvec3& normal, unsigned threads) const {
+    if (image_) return scale_ * image_->irradiance(turned(normal, Radians(-rotation_.value)), threads);
     if (!cie_) return std::numbers::pi * scale_ * color_;
     const double below = 0.5 * std::numbers::pi * (1.0 - normal.z) * ground_;
     return (scale_ * cie_->illuminance(normal) + below) * color_;
@@ -103,18 +103,19 @@ Nits Sky::zenith() const {
     return Nits(image_ ? glm::dot(radiance(up), rec709_luminance) : scale_);
 }
 
-Nits Sky::mean() const {
-    if (image_) return Nits(glm::dot(light(), rec709_luminance) / (4.0 * std::numbers::pi));
+Nits Sky::mean(unsigned threads) const {
+    if (image_) return Nits(glm::dot(light(threads), rec709_luminance) / (4.0 * std::numbers::pi));
     return Nits(cie_ ? scale_ * cie_->mean() : scale_);
 }
 
-glm::dvec3 Sky::light() const {
-    if (image_) return scale_ * image_->light();
+glm::dvec3 Sky::light(unsigned threads) const {
+    if (image_) return scale_ * image_->light(threads);
     if (!cie_) return 4.0 * std::numbers::pi * scale_ * color_;
     return 2.0 * std::numbers::pi * (mean().value + ground_) * color_;
 }
 
-Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image) {
+Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image,
+                        unsigned threads) {
     Sky sky;
     if (std::holds_alternative<ImageSkyKind>(description.kind)) {
         if (!image) return fail(Failure::internal, "the image of the sky has not been read");
@@ -122,7 +123,7 @@ Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const
         sky.rotation_ = description.rotation;
         sky.scale_ = 1.0;
         if (description.amount) {
-            Result<double> factor = calibration(*sky.image_, calibration_of(*description.amount));
+            Result<double> factor = calibration(*sky.image_, calibration_of(*description.amount), threads);
             if (!factor) return pass_on(factor);
             sky.scale_ = *factor;
         }

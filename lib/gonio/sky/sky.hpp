@@ -33,18 +33,18 @@ public:
     glm::dvec3 radiance(const glm::dvec3& direction) const;
 
     // Of an open plane with a unit normal, RGB [lx]; without the sun. In closed form for a uniform sky, by quadrature
-    // to 1e-8 in about a millisecond for others; an image is summed, in about 0.1 µs a texel.
-    glm::dvec3 irradiance(const glm::dvec3& normal) const;
+    // to 1e-8 in about a millisecond for others; an image is summed, in about 0.1 µs a texel. 0 threads: all.
+    glm::dvec3 irradiance(const glm::dvec3& normal, unsigned threads = 0) const;
 
     // The same of several planes, once for each different normal: one pass over the pixels of an image.
-    std::vector<glm::dvec3> irradiance(std::span<const glm::dvec3> normals) const;
+    std::vector<glm::dvec3> irradiance(std::span<const glm::dvec3> normals, unsigned threads = 0) const;
 
     // Luminances: of the zenith, and the mean over the sky's solid angle (SkyMeasure::mean).
     Nits zenith() const;
-    Nits mean() const;
+    Nits mean(unsigned threads = 0) const;
 
     // ∫ L dω over all directions, RGB [lx]: the scalar illuminance of a point, four times that of a sphere's surface.
-    glm::dvec3 light() const;
+    glm::dvec3 light(unsigned threads = 0) const;
 
     // No light from anywhere, but for the sun.
     bool is_dark() const { return !(scale_ > 0.0); }
@@ -60,9 +60,10 @@ public:
     Radians rotation() const { return rotation_; }
 
 private:
-    friend Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image);
+    friend Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image,
+                                   unsigned threads);
 
-    std::vector<glm::dvec3> irradiance_of_each(std::vector<glm::dvec3> normals) const;
+    std::vector<glm::dvec3> irradiance_of_each(std::vector<glm::dvec3> normals, unsigned threads) const;
 
     std::optional<CieSky> cie_;
     glm::dvec3 color_{1.0};
@@ -74,7 +75,8 @@ private:
 };
 
 // An image sky needs the image of its file. Fails (usage) if the sun of `daylight` is not above the horizon, if the sky
-// is dark where its amount is measured, and above the range of amounts.
-Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image = nullptr);
+// is dark where its amount is measured, and above the range of amounts. An image is summed up on `threads`, 0: all.
+Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const EnvironmentMap> image = nullptr,
+                        unsigned threads = 0);
 
 } // namespace gonio

@@ -69,31 +69,47 @@ double light_of_cap(const Sky& sky, const glm::dvec3& middle, double radius) {
     return sum * 2.0 * pi / sectors;
 }
 
+// The spot around a texel of an image that has `total` lx of light.
+BrightestSpot spot_around(const EnvironmentMap& map, TexelIndex at, double total) {
+    const glm::dvec3 middle = map.grid().direction({at.column + 0.5, at.row + 0.5});
+    const double around = luminance(map.light_within(middle, degrees(spot_radius_deg)));
+    return {middle, Nits(luminance(map.texel(at))), around / total};
+}
+
 } // namespace
 
-SkyMeasures measure(const Sky& sky) {
+std::optional<BrightestSpot> sun_like_spot(const EnvironmentMap& map, unsigned threads) {
+    const double total = luminance(map.light(threads));
+    const TexelIndex at = map.brightest();
+    const double sine = std::sin(0.5 * degrees(spot_radius_deg).value);
+    // A texel at the edge may reach out of the spot.
+    const double widest = 4.0 * pi * sine * sine + 9.0 * map.grid().solid_angle(at);
+    if (!(luminance(map.texel(at)) * widest >= sun_like_share * total) || !(total > 0.0)) return std::nullopt;
+    BrightestSpot spot = spot_around(map, at, total);
+    if (!(spot.share >= sun_like_share)) return std::nullopt;
+    return spot;
+}
+
+SkyMeasures measure(const Sky& sky, unsigned threads) {
     SkyMeasures result;
     std::vector<glm::dvec3> normals{up};
     for (const double azimuth_deg : wall_azimuths_deg)
         normals.push_back(direction_of({azimuth_deg, 0.0}));
-    const std::vector<glm::dvec3> lux = sky.irradiance(normals);
+    const std::vector<glm::dvec3> lux = sky.irradiance(normals, threads);
     result.horizontal = Lux(luminance(lux.front()));
     for (std::size_t i = 0; i < wall_azimuths_deg.size(); ++i)
         result.vertical.at(i) = Lux(luminance(lux[i + 1]));
-    result.mean = sky.mean();
+    result.mean = sky.mean(threads);
     result.zenith = sky.zenith();
-    const glm::dvec3 all = sky.light();
+    const glm::dvec3 all = sky.light(threads);
     const double total = luminance(all);
     if (total > 0.0) result.color = all / total;
     if (sky.image() && total > 0.0) {
-        const EnvironmentMap& map = *sky.image();
-        const TexelIndex at = map.brightest();
-        const glm::dvec3 middle = map.grid().direction({at.column + 0.5, at.row + 0.5});
-        const double around = luminance(map.light_within(middle, degrees(spot_radius_deg)));
-        const double most = sky.image_scale() * luminance(map.texel(at));
+        BrightestSpot spot = spot_around(*sky.image(), sky.image()->brightest(), total / sky.image_scale());
+        spot.direction = turned(spot.direction, sky.rotation());
+        spot.luminance = Nits(sky.image_scale() * spot.luminance.value);
         // Rounding of a uniform image is no spot.
-        if (most > (1.0 + 1e-6) * result.mean.value)
-            result.spot = BrightestSpot{turned(middle, sky.rotation()), Nits(most), sky.image_scale() * around / total};
+        if (spot.luminance.value > (1.0 + 1e-6) * result.mean.value) result.spot = spot;
     }
     if (sky.cie()) {
         BrightestSpot spot;

@@ -21,6 +21,13 @@ struct BrightestSpot {
     double share = 0.0;
 };
 
+// Of all light: a sun or a lamp in the pixels of an image. A clear sky has less than a hundredth around its sun.
+inline constexpr double sun_like_share = 0.25;
+
+// The brightest spot of an image if it has at least that share of the light; in the image's own frame. One pass over
+// the pixels where it has not.
+std::optional<BrightestSpot> sun_like_spot(const EnvironmentMap& map, unsigned threads = 0);
+
 struct SkyMeasures {
     Lux horizontal;              // of a plane that faces up
     std::array<Lux, 4> vertical; // of walls that face north, east, south and west
@@ -33,6 +40,6 @@ struct SkyMeasures {
 inline constexpr std::array wall_azimuths_deg{0.0, 90.0, 180.0, 270.0};
 
 // Without the sun. Some milliseconds for analytic skies; the share of their spot is within 1e-4.
-SkyMeasures measure(const Sky& sky);
+SkyMeasures measure(const Sky& sky, unsigned threads = 0);
 
 } // namespace gonio

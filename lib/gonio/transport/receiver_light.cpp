@@ -98,7 +98,7 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
     if (has_sky) {
         for (const Receiver& receiver : receivers)
             open_lx.push_back(unit_vector(receiver.normal).value_or(up));
-        open_lx = scene_->options.sky.irradiance(open_lx);
+        open_lx = scene_->options.sky.irradiance(open_lx, scene_->options.threads);
     }
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {

@@ -57,7 +57,7 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     std::vector<glm::dvec3> normals;
     for (const Chart& chart : charts.all())
         normals.push_back(chart.kind == Chart::Kind::flat ? chart.frame.z : up);
-    const std::vector<glm::dvec3> open_lx = options.sky.irradiance(normals);
+    const std::vector<glm::dvec3> open_lx = options.sky.irradiance(normals, options.threads);
     std::vector<std::vector<glm::dvec3>> of_charts(normals.size());
     parallel_for(of_charts.size(), options.threads, [&](std::size_t i) {
         if (charts.all()[i].kind != Chart::Kind::flat) return;

@@ -83,6 +83,11 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0503", Severity::warning, Strict::same, "image with a flat maximum",
      "Many pixels have exactly the greatest value, far above the mean. A camera or a program has cut off what was "
      "brighter."},
+    {"RES0504", Severity::warning, Strict::same, "image with a sun",
+     "A small spot has a large share of the light: the sun or a lamp in the pixels. Its shadows and highlights are as "
+     "coarse as the texels, and directions that are sampled evenly miss it. Taken out, it is a light of its own."},
+    {"RES0505", Severity::note, Strict::same, "image with an exposure",
+     "The lines EXPOSURE= of a Radiance picture say by what its pixels were multiplied. They are divided by it."},
 });
 static_assert(in_order(result_codes));
 

@@ -20,6 +20,9 @@ std::string unit_hint(const Json& json, std::string_view unit);
 
 Result<std::string> text_of(const Json& json, std::string hint = {});
 
+// A name that is shown: without control characters, which a terminal would follow.
+Result<std::string> name_of(const Json& json);
+
 // Three numbers.
 Result<glm::dvec3> vector_of(const Json& json);
 
