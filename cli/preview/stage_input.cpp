@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 
 namespace gonio::cli {
 
@@ -18,7 +19,7 @@ namespace {
 // "wall=lambert:albedo=0.7" or "lambert:albedo=0.7".
 Result<void> apply_material(std::string_view text, Stage& stage, Diagnostics& diagnostics) {
     const std::size_t equals = text.find('=');
-    const bool is_named = equals != std::string_view::npos && equals < text.find(':');
+    const bool is_named = names_surface(text);
     Result<Material> material = parse_material(is_named ? text.substr(equals + 1) : text);
     if (!material) return pass_on(material);
     const Diagnostics judged = check_charts(*material);
@@ -46,6 +47,11 @@ Result<void> apply_camera(const Arguments& arguments, Camera& camera) {
 }
 
 } // namespace
+
+bool names_surface(std::string_view material) {
+    const std::size_t equals = material.find('=');
+    return equals != std::string_view::npos && equals < material.find(':');
+}
 
 Result<void> give_material(Stage& stage, const SurfaceMaterial& named) {
     bool found = false;

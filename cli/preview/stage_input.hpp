@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace gonio::cli {
 
@@ -28,6 +29,9 @@ inline constexpr std::array preview_stage_options{
 
 // The full vertical angle. Fails (usage) unless it is an angle between 0 and 180 degrees.
 Result<void> read_field_of_view(const std::string& text, Camera& camera);
+
+// Whether a value of --material names the surface that it is for: "wall=lambert:albedo=0.7".
+bool names_surface(std::string_view material);
 
 // Those of the rig, then of --material. Remarks about materials go to `diagnostics`. Fails (usage) as give_material().
 Result<void> give_materials(const Arguments& arguments, const Rig& rig, Stage& stage, Diagnostics& diagnostics);

@@ -2,6 +2,7 @@
 
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/material_charts.hpp>
+#include <gonio/transport/receiver_light.hpp>
 
 #include "../options/method_list.hpp"
 #include "../options/rig_input.hpp"
@@ -79,8 +80,8 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
                         "add --stage room, or a stage to the rig");
         // Without a stage there is nothing to give the materials to.
         if (request.stage)
-            for (const SurfaceMaterial& material : input.rig.materials)
-                if (Result<void> given = give_material(*request.stage, material); !given) return given;
+            if (Result<void> given = give_materials(arguments, input.rig, *request.stage, request.diagnostics); !given)
+                return given;
         if (!request.stage) request.stage = Stage();
     } else {
         request.stage.reset();
@@ -88,6 +89,10 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
     Result<std::vector<Light>> lights = resolve_input(std::move(input), request.diagnostics, request.options.threads);
     if (!lights) return pass_on(lights);
     request.lights = std::move(*lights);
+    if (request.stage) {
+        const Diagnostics misplaced = check_receivers(*request.stage, request.points.receivers);
+        request.diagnostics.insert(request.diagnostics.end(), misplaced.begin(), misplaced.end());
+    }
     return {};
 }
 
@@ -121,10 +126,16 @@ Result<void> read_methods(const Arguments& arguments, ProbeRequest& request) {
 Result<void> read_view(const Arguments& arguments, ProbeRequest& request) {
     const auto view = arguments.value("--view");
     const auto material = arguments.value("--material");
-    if (!view && !material) return {};
-    if (!view || !material)
-        return fail("USE0104", view ? "--view is given without --material" : "--material is given without --view",
-                    "luminance needs both");
+    if (!view && (!material || arguments.has("--indirect"))) return {}; // those of the stage
+    if (!view)
+        return fail("USE0104", "--material is given without --view",
+                    "luminance needs both; with --indirect it is the material of a surface of the stage");
+    if (!material) return fail("USE0104", "--view is given without --material", "luminance needs both");
+    if (arguments.values("--material").size() > 1)
+        return fail("USE0107", "--material is given twice", "with --view there is one surface, that of the points");
+    if (names_surface(*material))
+        return fail("USE0104", fmt::format("--material '{}' names a surface", *material),
+                    "with --view there is one surface, that of the points: write the material alone");
     constexpr std::string_view place = "at:";
     const bool is_place = view->starts_with(place);
     Result<glm::dvec3> vector = parse_vector(is_place ? view->substr(place.size()) : *view, "--view");

@@ -26,7 +26,10 @@ inline constexpr std::array probe_options{
     Option{"--error", "E", "relative tolerance of the method reference (1e-6)"},
     Option{"--view", "X,Y,Z",
            "also print the luminance: direction from the points to the eye, or at:X,Y,Z for its position"},
-    Option{"--material", "MATERIAL", "material of the surface, for the luminance", "materials"},
+    Option{"--material", "[SURFACE=]MATERIAL",
+           "with --view, material of the surface; with --indirect, of a surface of the stage; without SURFACE, of what "
+           "the stage shows",
+           "materials", true},
     Option{"-j,--jobs", "N", "number of threads (all processors)"},
 };
 inline constexpr std::array probe_profile_options{profile_size_option};

@@ -1,6 +1,8 @@
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/scene/occlusion.hpp>
+#include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/lit_scene.hpp>
@@ -8,9 +10,12 @@
 #include <gonio/transport/sky_light.hpp>
 #include <gonio/transport/soft_shadow.hpp>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace gonio {
@@ -50,6 +55,22 @@ double visible_share_of(const detail::LitScene& scene, std::span<const detail::L
 }
 
 constexpr glm::dvec3 up{0.0, 0.0, 1.0};
+
+// Where a receiver looks from: one on a floor under a box lies in the box, one on the box does not.
+glm::dvec3 lifted(const Receiver& receiver) {
+    return receiver.position + lift_m * unit_vector(receiver.normal).value_or(up);
+}
+
+// Not by the rounding of a point on its surface.
+bool lies_in(const Primitive& primitive, const glm::dvec3& position) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double aside_m : {-0.5 * lift_m, 0.5 * lift_m}) {
+            glm::dvec3 beside = position;
+            beside[axis] += aside_m;
+            if (!hides(primitive, beside)) return false;
+        }
+    return true;
+}
 
 } // namespace
 
@@ -103,7 +124,7 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
     const bool shadows = scene_->options.shadows != Shadows::off && !scene_->stage.surfaces.empty();
     parallel_for(receivers.size(), scene_->options.threads, [&](std::size_t i) {
         const glm::dvec3 normal = unit_vector(receivers[i].normal).value_or(up);
-        const glm::dvec3 position = receivers[i].position + lift_m * normal;
+        const glm::dvec3 position = lifted(receivers[i]);
         detail::SoftShadow shadow(*scene_);
         std::size_t first = 0;
         for (std::size_t light = 0; shadows && light < lights; ++light) {
@@ -122,6 +143,28 @@ ReceiverLight::Shares ReceiverLight::at(std::span<const Receiver> receivers) con
             shares.indirect_lx[i] = glm::dot(indirect_->at(receivers[i].position, normal), rec709_luminance);
     });
     return shares;
+}
+
+Diagnostics check_receivers(const Stage& stage, std::span<const Receiver> receivers) {
+    Diagnostics diagnostics;
+    for (const Surface& surface : stage.surfaces) {
+        std::size_t count = 0;
+        std::size_t first = 0;
+        for (std::size_t i = receivers.size(); i-- > 0;) {
+            if (!lies_in(surface.geometry, lifted(receivers[i]))) continue;
+            ++count;
+            first = i;
+        }
+        if (count == 0) continue;
+        const bool is_plane = is_sheet(surface.geometry);
+        diagnostics.push_back(result_diagnostic(
+            "RES0408",
+            fmt::format("point {} lies {} '{}', where no light reaches it: its value has no meaning{}", first + 1,
+                        is_plane ? "behind" : "in", surface.name,
+                        count > 1 ? fmt::format("; {} such points in total", count) : std::string()),
+            is_plane ? "move it to the lit side" : "move it out of the solid"));
+    }
+    return diagnostics;
 }
 
 } // namespace gonio

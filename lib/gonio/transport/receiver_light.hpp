@@ -2,6 +2,7 @@
 // indirect light.
 #pragma once
 
+#include <gonio/base/diagnostics.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/scene/probe.hpp>
@@ -50,5 +51,9 @@ private:
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
     BlurredSky sky_; // none without a geometry
 };
+
+// A warning for each surface that receivers lie in, or behind if it is a plane: the first of them, counted from 1, and
+// how many. What lies on a surface and faces away from it is not in it.
+Diagnostics check_receivers(const Stage& stage, std::span<const Receiver> receivers);
 
 } // namespace gonio

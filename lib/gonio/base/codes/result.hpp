@@ -74,6 +74,9 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0407", Severity::warning, Strict::same, "point near a luminaire",
      "A profile is measured from far away. Nearer than five times the size of its luminous opening, a point with its "
      "intensities is several per cent off, and within its size by a factor of two and more."},
+    {"RES0408", Severity::warning, Strict::same, "point inside a solid",
+     "No light reaches the inside of a solid or the back of a plane. Both hide light only from points outside and in "
+     "front, so the value has no meaning."},
 
     {"RES0501", Severity::warning, Strict::same, "pixels that cannot be light",
      "The image has pixels that are negative, infinite or not a number. You asked to go on: they are black."},
