@@ -4,7 +4,7 @@
 // bounced, as a picture shows it where pixels show one surface: with the stage's own materials; and on the solids that
 // the stage is there to show, in other materials, while all else is Lambertian, which is what reflections alone cost.
 //
-//   gonio-indirect-truth-table [PATHS [diffuse|luminance]]    paths for each half (8000)
+//   gonio-indirect-truth-table [PATHS [diffuse|luminance [STAGE]]]    paths for each half (8000); every stage
 #include <gonio/base/parallel.hpp>
 #include <gonio/light/light_color.hpp>
 #include <gonio/measure/stage_lamp.hpp>
@@ -75,6 +75,7 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
     const std::vector<Light> lights{measure::lamp_over(stage)};
     RenderOptions options;
     options.width = options.height = pixels;
+    options.shows_lights = false; // a lamp before a surface hides it from pictures, not from paths
     const Image direct = render(stage, lights, stage.camera, options).value().luminance_nt;
     options.bounces = all_bounces;
     const Image all = render(stage, lights, stage.camera, options).value().luminance_nt;
@@ -112,18 +113,21 @@ void print_luminance(const StageKind& kind, const char* material, std::size_t pa
 int main(int argc, char** argv) {
     const std::size_t paths = argc > 1 ? static_cast<std::size_t>(std::atoll(argv[1])) : 8000;
     const std::string_view part = argc > 2 ? argv[2] : "";
+    const std::string_view only = argc > 3 ? argv[3] : "";
     if (part != "luminance") {
         std::puts(
             "| stage | mean indirect | root mean square | bias | noise of the paths | patches | nodes | memory |\n"
             "|---|---|---|---|---|---|---|---|");
         for (const StageKind& kind : stage_kinds())
-            print_diffuse(kind, paths);
+            if (only.empty() || only == kind.name) print_diffuse(kind, paths);
     }
     if (part == "diffuse") return 0;
     std::puts("| stage | materials | mean indirect | root mean square | bias | noise of the paths | pixels |\n"
               "|---|---|---|---|---|---|---|");
-    for (const StageKind& kind : stage_kinds())
+    for (const StageKind& kind : stage_kinds()) {
+        if (!only.empty() && only != kind.name) continue;
         for (const char* material : {static_cast<const char*>(nullptr), "frostbite:base=0.5,smoothness=0.5",
                                      "ue4:base=0.9,metallic=1,roughness=0.6", "ue4:base=0.9,metallic=1,roughness=0.3"})
             print_luminance(kind, material, paths);
+    }
 }
