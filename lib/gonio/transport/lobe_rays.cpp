@@ -20,10 +20,17 @@ constexpr std::size_t nodes = 24; // over the cosine of the view
 constexpr double widest = 1.0;    // [rad]
 constexpr std::size_t many = 512; // samples of the albedo
 
-// The lattice of the two-dimensional golden ratio (M. Roberts, 2018).
 double fraction_of(std::size_t i, double step) {
     const double x = 0.5 + static_cast<double>(i) * step;
     return x - std::floor(x);
+}
+
+// Point i of `count` in the unit square. Eight are a lattice of Fibonacci numbers, which is the most even one; other
+// numbers use that of the two-dimensional golden ratio (M. Roberts, 2018).
+std::pair<double, double> point_of(std::size_t i, std::size_t count) {
+    constexpr double g = 1.3247179572447460;
+    if (count == 8) return {(static_cast<double>(i) + 0.5) / 8.0, fraction_of(i, 5.0 / 8.0)};
+    return {fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g))};
 }
 
 // More for wide lobes, which see more of the stage, and for metals, which show little else.
@@ -40,12 +47,12 @@ struct Sampled {
 
 template<class Value>
 Sampled sampled(const Value& value, double alpha, double cosine, std::size_t count) {
-    constexpr double g = 1.3247179572447460;
     const Vec n{0.0, 0.0, 1.0};
     const Vec v{std::sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine};
     Sampled result;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec h = shading::visible_normal_ggx(v, alpha, fraction_of(i, 1.0 / g), fraction_of(i, 1.0 / (g * g)));
+        const auto [u0, u1] = point_of(i, count);
+        const Vec h = shading::visible_normal_ggx(v, alpha, u0, u1);
         const Vec l = shading::normalized(h * (2.0 * dot(v, h)) - v);
         LobeRay facet;
         facet.direction = glm::vec3(vec(h));
