@@ -57,7 +57,8 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     picture.shows_light.resize(picture.luminance_nt.pixels.size() / 3);
     picture.shows_subject.resize(picture.shows_light.size());
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
-    if (options.bounces > 0) {
+    // A single surface is convex: nothing that it reflects meets it again.
+    if (options.bounces > 0 && (stage.surfaces.size() > 1 || !options.sky.is_dark())) {
         Result<Interreflection> indirect = Interreflection::of(stage, lights, options, {}, options.known.get());
         if (!indirect) return pass_on(indirect);
         picture.indirect = std::make_shared<const Interreflection>(std::move(*indirect));

@@ -47,6 +47,7 @@ public:
         : caster_(stage, caster, patches, set), patches_(patches), by_link_(patches.cells().size(), By::rays) {
         for (const Chart& chart : patches.charts().all())
             is_solid_.push_back(is_sheet(stage.surfaces[chart.surface].geometry) ? 0 : 1);
+        is_before_.resize(is_solid_.size());
     }
 
     // `of_charts`: the sum of the shares of each.
@@ -84,18 +85,27 @@ private:
                                   is_far(distance2_of(place, patches_.middle(patch)), patches_.half_diagonal(patch)));
     }
 
+    // Whether any point of the chart may see the place: not on the place's own solid or on a face that is turned away.
+    static bool may_be_seen(const Receivers::Place& place, const Chart& chart) {
+        return chart.surface != place.own &&
+               (chart.kind == Chart::Kind::round || glm::dot(chart.frame.z, place.position - chart.frame.origin) > 0.0);
+    }
+
     void link(const Receivers::Place& place, std::vector<Link>& links, std::span<float> of_charts) {
         possible_.clear();
         possible_charts_.clear();
         towards_.clear();
         const Frame frame = frame_about(place.position, place.normal);
+        for (std::size_t chart = 0; chart < is_solid_.size(); ++chart)
+            is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
         for (const std::uint32_t of_solid : patches_.cells_of_solids()) {
             const Cell& sender = patches_.cells()[of_solid];
             by_link_[of_solid] = By::rays;
+            if (is_before_[sender.chart] == 0) continue;
             const Way way(place, sender.position, sender.normal);
             // What faces away is seen at most at its edge, by rays.
             if (!way.is_seen()) continue;
-            if (sender.covered || patches_.charts().all()[sender.chart].surface == place.own) continue;
+            if (sender.covered) continue;
             if (way.is_far(sender.half_diagonal_m)) {
                 by_link_[of_solid] = By::cell;
                 consider(way, frame, patches_.cell_area_m2(of_solid),
@@ -128,7 +138,8 @@ private:
 
     BundleCaster caster_;
     const Patches& patches_;
-    std::vector<std::uint8_t> is_solid_; // by chart
+    std::vector<std::uint8_t> is_solid_;  // by chart
+    std::vector<std::uint8_t> is_before_; // by chart, of the current place
     // For the current place:
     std::vector<By> by_link_; // by cell
     std::vector<Link> possible_;
