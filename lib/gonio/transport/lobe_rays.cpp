@@ -34,9 +34,13 @@ std::pair<double, double> point_of(std::size_t i, std::size_t count) {
 }
 
 // More for wide lobes, which see more of the stage, and for metals, which show little else.
-std::size_t rays_for(double alpha, double reflectance) {
+std::size_t rays_for(double alpha, double reflectance, std::size_t more) {
     std::size_t rays = alpha <= 0.003 ? 1 : alpha <= 0.02 ? 4 : 8;
-    if (reflectance > 0.15) rays *= alpha > 0.02 ? 4 : 2;
+    const bool is_metal = reflectance > 0.15;
+    if (is_metal) rays *= alpha > 0.02 ? 4 : 2;
+    if (alpha > 0.003) rays *= more;
+    // Where more are needed, dark and bright meet inside wide lobes, and a metal has no diffuse part to hide it.
+    if (is_metal && alpha > 0.02 && more > 1) rays *= 3;
     return rays;
 }
 
@@ -92,7 +96,7 @@ LobeRays::LobeRays(double alpha, const Value& value, std::size_t more) : alpha_(
     const glm::dvec3 reflectance = sampled(value, alpha, 1.0, many).sum;
     const double most = std::max({reflectance.x, reflectance.y, reflectance.z});
     if (!(sampled(value, alpha, 0.1, many).sum.x > 0.0) && !(most > 0.0)) return;
-    rays_ = rays_for(alpha, most) * (alpha > 0.003 ? more : 1);
+    rays_ = rays_for(alpha, most, more);
     for (std::size_t node = 0; node < nodes; ++node) {
         const glm::dvec3 albedo = sampled(value, alpha, cosine_of(node), many).sum;
         Sampled few = sampled(value, alpha, cosine_of(node), rays_);

@@ -22,7 +22,8 @@ struct LobeRay {
 // they add up to the lobe's directional albedo of many more samples. A black lobe has no rays.
 class LobeRays {
 public:
-    // `value(n, l, v)` is the lobe [1/sr], of about the width α. `more` times as many rays as usual.
+    // `value(n, l, v)` is the lobe [1/sr], of about the width α. `more` times as many rays as usual, of wide
+    // lobes of metals three times that.
     template<class Value>
     LobeRays(double alpha, const Value& value, std::size_t more);
 
