@@ -18,7 +18,7 @@ Result<void> set_profile_sizes(const Arguments& arguments, ProfileSize usual, st
         } else if (*text != "opening" && *text != "on") {
             Result<Opening> opening = parse_opening(*text);
             if (!opening) {
-                if (text->find(':') == text->npos)
+                if (text->find(':') == std::string::npos)
                     error_hint(opening.error(), "write opening, off, or one of: " + opening_kinds());
                 return pass_on(opening);
             }

@@ -46,7 +46,7 @@ Candelas Light::intensity_towards(const glm::dvec3& direction) const {
     if (const auto* profile = std::get_if<ProfileShape>(&shape))
         return Candelas(web_scale * profile->web->candela(local));
     const double share = with_traits(shape, [&](const auto& kind, auto traits) { return traits.shown(kind, local); });
-    if (!(share > 0.0)) return Candelas();
+    if (!(share > 0.0)) return {};
     if (emission != nullptr) return intensity * (share * luminance_share(direction));
     const Web* const mask = mask_of(shape).web;
     return intensity * (mask != nullptr ? share * web_scale * mask->candela(local) : share);

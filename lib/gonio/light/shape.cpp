@@ -110,8 +110,9 @@ Result<Shape> parse_profile_shape(std::string_view text) {
     constexpr std::string_view key = ",opening";
     ProfileShape shape;
     const std::size_t comma = text.rfind(key);
-    const std::string_view rest = comma == text.npos ? std::string_view() : text.substr(comma + key.size());
-    if (comma != text.npos && (rest.empty() || rest.front() == '=')) {
+    const std::string_view rest =
+        comma == std::string_view::npos ? std::string_view() : text.substr(comma + key.size());
+    if (comma != std::string_view::npos && (rest.empty() || rest.front() == '=')) {
         text = text.substr(0, comma);
         shape.size = ProfileSize::opening;
         if (!rest.empty()) {

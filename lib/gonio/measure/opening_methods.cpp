@@ -89,7 +89,7 @@ struct LookUps {
             frame.y[axis] = static_cast<float>(luminaire.y[axis]);
             frame.z[axis] = static_cast<float>(luminaire.z[axis]);
         }
-        const float scale = static_cast<float>(cases.luminaire->web_scale);
+        const auto scale = static_cast<float>(cases.luminaire->web_scale);
         transport::intensity_kernels(set).web(
             {{towards[0].data(), towards[1].data(), towards[2].data()}, weight.size()}, frame,
             tables_of(cases).web.constants(scale), cd.data());

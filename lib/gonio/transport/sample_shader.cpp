@@ -47,13 +47,16 @@ transport::Receivers receivers(const shading::Surfaces& surfaces) {
             surfaces.count};
 }
 
+template<class Core>
+constexpr bool has_lobe = requires {
+    requires Core::lobe != shading::LobeKind::none;
+};
+
 // Of the material's lobe, the narrower one if it has a coat; nothing for a material without a lobe.
 std::optional<double> lobe_alpha(const CoreMaterial& material) {
     return std::visit(
         []<class Core>(const Core& core) -> std::optional<double> {
-            if constexpr (std::is_same_v<Core, shading::Coated>)
-                return shading::lobe_alpha(core);
-            else if constexpr (Core::lobe != shading::LobeKind::none)
+            if constexpr (std::is_same_v<Core, shading::Coated> || has_lobe<Core>)
                 return shading::lobe_alpha(core);
             else
                 return std::nullopt;
