@@ -54,15 +54,9 @@ double turned(int along_it, int across_it, int along) {
     return along_it + 0.5 + (across_it + 0.5 - 0.5 * along) / along;
 }
 
-// Of the surface of a block.
-struct Albedo {
-    const DirectionalAlbedo& by_cosine;
-    const glm::dvec3& hemispherical;
-};
-
 class LitBlock {
 public:
-    LitBlock(const Patches& patches, const LitScene& scene, const Block& block, const Albedo& albedo)
+    LitBlock(const Patches& patches, const LitScene& scene, const Block& block, const SurfaceAlbedo& albedo)
         : patches_(patches), scene_(scene), block_(block), albedo_(albedo), shader_(scene), shadow_(scene) {}
 
     void add_to(DirectMap& map) {
@@ -201,8 +195,13 @@ private:
         const glm::dvec3 towards =
             light.reach.at_infinity ? light.light.frame.z : glm::normalize(light.reach.center - of.position_of(i));
         map.lx[of.pixel[i]] += of_patch;
-        map.reflected_lx[of.pixel[i]] +=
-            of_patch * glm::min(albedo_.by_cosine(glm::dot(of.normal_of(i), towards)), glm::dvec3(1.0));
+        const double cosine = glm::dot(of.normal_of(i), towards);
+        const glm::dvec3 whole = glm::min(albedo_.by_cosine(cosine), glm::dvec3(1.0));
+        map.reflected_lx[of.pixel[i]] += of_patch * whole;
+        if (!albedo_.lobe || map.throwing.empty()) return;
+        ThrowingLight& throwing = map.throwing[static_cast<std::size_t>(&light - scene_.lights.data())];
+        throwing.lx[of.pixel[i]] += glm::vec3(of_patch);
+        throwing.thrown_lx[of.pixel[i]] += glm::vec3(of_patch * glm::min(albedo_.lobe->share(cosine), whole));
     }
 
     // The points of a patch come one after the other.
@@ -285,14 +284,14 @@ private:
             const glm::dvec3 of_patch = static_cast<double>(samples.share[i]) *
                                         scene_.sky->on_surface(samples.surface, face, samples.position_of(i));
             map.lx[samples.pixel[i]] += of_patch;
-            map.reflected_lx[samples.pixel[i]] += of_patch * albedo_.hemispherical;
+            map.reflected_lx[samples.pixel[i]] += of_patch * albedo_.over_hemisphere;
         }
     }
 
     const Patches& patches_;
     const LitScene& scene_;
     const Block& block_;
-    Albedo albedo_;
+    const SurfaceAlbedo& albedo_;
     SampleBounds bounds_;
     SampleShader shader_;
     SoftShadow shadow_;
@@ -302,14 +301,23 @@ private:
 
 } // namespace
 
-DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const DirectionalAlbedo> albedo,
-                     std::span<const glm::dvec3> hemispherical_albedo) {
-    DirectMap map{std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0)),
-                  std::vector<glm::dvec3>(patches.count(), glm::dvec3(0.0))};
+DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const SurfaceAlbedo> albedo) {
+    DirectMap map;
+    map.lx.assign(patches.count(), glm::dvec3(0.0));
+    map.reflected_lx.assign(patches.count(), glm::dvec3(0.0));
+    const bool throws = std::any_of(albedo.begin(), albedo.end(), [](const auto& of) { return of.lobe.has_value(); });
+    if (throws && scene.lights.size() <= most_throwing_lights) {
+        map.throwing.resize(scene.lights.size());
+        for (std::size_t i = 0; i < scene.lights.size(); ++i)
+            if (!scene.lights[i].is_dark) {
+                map.throwing[i].lx.assign(patches.count(), glm::vec3(0.0F));
+                map.throwing[i].thrown_lx.assign(patches.count(), glm::vec3(0.0F));
+            }
+    }
     const std::vector<Block> blocks = blocks_of(patches);
     parallel_for(blocks.size(), scene.options.threads, [&](std::size_t i) {
         const std::size_t surface = patches.charts().all()[blocks[i].chart].surface;
-        LitBlock(patches, scene, blocks[i], {albedo[surface], hemispherical_albedo[surface]}).add_to(map);
+        LitBlock(patches, scene, blocks[i], albedo[surface]).add_to(map);
     });
     return map;
 }

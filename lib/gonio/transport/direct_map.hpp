@@ -4,9 +4,11 @@
 #include <gonio/scene/directional_albedo.hpp>
 #include <gonio/transport/lit_scene.hpp>
 #include <gonio/transport/patches.hpp>
+#include <gonio/transport/thrown_light.hpp>
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,11 +19,19 @@ namespace gonio::detail {
 struct DirectMap {
     std::vector<glm::dvec3> lx;
     std::vector<glm::dvec3> reflected_lx; // what leaves again
+    // By light; none where lights are so many that nothing is thrown.
+    std::vector<ThrowingLight> throwing;
+};
+
+// What reflects the light of a surface.
+struct SurfaceAlbedo {
+    DirectionalAlbedo by_cosine;
+    glm::dvec3 over_hemisphere{0.0};
+    std::optional<ThrowingLobe> lobe;
 };
 
 // Closed forms, whatever the method of the options is. `albedo` by surface: of light that arrives at a cosine, for
 // which that towards the middle of a light is taken.
-DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const DirectionalAlbedo> albedo,
-                     std::span<const glm::dvec3> hemispherical_albedo);
+DirectMap direct_map(const Patches& patches, const LitScene& scene, std::span<const SurfaceAlbedo> albedo);
 
 } // namespace gonio::detail

@@ -74,7 +74,16 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
     for (const Node& node : nodes_)
         places.push_back({node.position, node.normal, own(node.surface), !node.gathers()});
     if (quality.node_rays > 0) from_nodes_ = Bundles(stage_, patches_, places, quality.node_rays, threads, set);
-    if (quality.cell_rays > 0) balance();
+    if (quality.cell_rays == 0) return;
+    around_.resize(patches_.count());
+    constexpr std::size_t together = 256;
+    parallel_for((around_.size() + together - 1) / together, threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, around_.size()); ++i) {
+            const auto patch = static_cast<std::uint32_t>(i);
+            if (patches_.area_m2(patch) > 0.0) around_[i] = around(patches_.chart_of(patch), patches_.middle(patch));
+        }
+    });
+    balance();
 }
 
 void ExchangeGeometry::order_between() {
@@ -117,7 +126,7 @@ void ExchangeGeometry::balance() {
         const std::uint32_t cell = patches_.cell_of(patch);
         area[chart] += area_m2;
         sent[chart] += area_m2 * (1.0 - escaping_[cell]);
-        const NodeMean mean = around(chart, patches_.middle(patch));
+        const NodeMean& mean = around_[patch];
         for (std::size_t i = 0; i < mean.count; ++i)
             node_area[mean.node[i]] += mean.weight[i] * area_m2;
     }
@@ -165,7 +174,7 @@ std::size_t ExchangeGeometry::own(std::size_t surface) const {
 std::size_t ExchangeGeometry::memory() const {
     return from_cells_.memory() + from_nodes_.memory() + nodes_.size() * sizeof(Node) +
            patches_.cells().size() * (sizeof(Cell) + 2 * sizeof(double)) +
-           patches_.count() * (2 * sizeof(std::uint32_t) + 5 * sizeof(double));
+           patches_.count() * (2 * sizeof(std::uint32_t) + 5 * sizeof(double)) + around_.size() * sizeof(NodeMean);
 }
 
 } // namespace gonio::detail

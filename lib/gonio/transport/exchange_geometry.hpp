@@ -39,6 +39,8 @@ public:
     bool fits(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality) const;
 
     NodeMean around(std::size_t chart, const glm::dvec3& position) const;
+    // Around the middle of a patch; none for one without an area.
+    const NodeMean& around(std::uint32_t patch) const { return around_[patch]; }
     // The surface if it is a solid: rays that start on it do not meet it again.
     std::size_t own(std::size_t surface) const;
     std::size_t memory() const;
@@ -54,6 +56,7 @@ private:
     std::vector<Node> nodes_;
     std::vector<NodeTree> trees_;        // by chart
     std::vector<std::uint32_t> between_; // nodes between others, after those
+    std::vector<NodeMean> around_;       // by patch
     Bundles from_cells_;
     Bundles from_nodes_;
     std::vector<double> escaping_;

@@ -1,10 +1,12 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/scene/directional_albedo.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/indirect_solution.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/sky_light.hpp>
+#include <gonio/transport/thrown_light.hpp>
 
 #include <glm/common.hpp>
 
@@ -35,6 +37,13 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
                 "give a surface an albedo below 1, or ask for a number of bounces");
 }
 
+glm::dvec3 mean_of(const detail::NodeMean& mean, std::span<const glm::dvec3> nodes_lx) {
+    glm::dvec3 lx(0.0);
+    for (std::size_t i = 0; i < mean.count; ++i)
+        lx += mean.weight[i] * nodes_lx[mean.node[i]];
+    return lx;
+}
+
 } // namespace
 
 glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
@@ -63,11 +72,14 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
     exchange.albedo_.resize(stage.surfaces.size());
-    std::vector<DirectionalAlbedo> by_cosine(stage.surfaces.size());
+    const ShiningLights shining(lights);
+    std::vector<detail::SurfaceAlbedo> albedo(stage.surfaces.size());
     parallel_for(stage.surfaces.size(), options.threads, [&](std::size_t i) {
-        by_cosine[i] =
-            DirectionalAlbedo(core_material(stage.surfaces[i].material), DirectionalAlbedo::Fineness::coarse);
-        exchange.albedo_[i] = by_cosine[i].over_hemisphere();
+        const CoreMaterial material = core_material(stage.surfaces[i].material);
+        albedo[i].by_cosine = DirectionalAlbedo(material, DirectionalAlbedo::Fineness::coarse);
+        albedo[i].over_hemisphere = exchange.albedo_[i] = albedo[i].by_cosine.over_hemisphere();
+        if (shining.all().size() <= detail::most_throwing_lights)
+            albedo[i].lobe = detail::throwing_lobe(material, albedo[i].by_cosine);
     });
     if (options.bounces == all_bounces)
         if (Result<void> solvable = has_solution(geometry, exchange.albedo_); !solvable) return pass_on(solvable);
@@ -80,10 +92,20 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
         if (!options.sky.is_dark())
             exchange.sky_ = std::make_shared<const detail::SkyLight>(options, exchange.geometry_);
         scene.sky = exchange.sky_.get();
-        detail::DirectMap direct = direct_map(patches, scene, by_cosine, exchange.albedo_);
+        detail::DirectMap direct = direct_map(patches, scene, albedo);
         exchange.direct_lx_ = std::move(direct.lx);
         exchange.direct_reflected_lx_ = std::move(direct.reflected_lx);
+        exchange.direct_spread_lx_ = exchange.direct_reflected_lx_;
+        for (const detail::ThrowingLight& light : direct.throwing)
+            for (std::size_t i = 0; i < light.thrown_lx.size(); ++i)
+                exchange.direct_spread_lx_[i] -= glm::dvec3(light.thrown_lx[i]);
+        std::vector<std::optional<detail::ThrowingLobe>> lobes;
+        for (detail::SurfaceAlbedo& of_surface : albedo)
+            lobes.push_back(std::move(of_surface.lobe));
+        exchange.thrown_ =
+            std::make_shared<const detail::ThrownLight>(patches, scene.all_lights, direct.throwing, lobes);
     }
+    exchange.thrown_lx_ = exchange.thrown_to_nodes(options.threads);
     // Cells are coarse, so what they solve is gathered twice: at nodes, and from what patches then receive at nodes
     // again.
     const bool to_the_end = options.bounces == all_bounces;
@@ -104,8 +126,24 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     return exchange;
 }
 
+// Without what lobes throw.
 glm::dvec3 Interreflection::reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const {
-    return direct_reflected_lx_[patch] + albedo_[geometry_->patches().surface_of(patch)] * indirect_lx;
+    return direct_spread_lx_[patch] + albedo_[geometry_->patches().surface_of(patch)] * indirect_lx;
+}
+
+// What nodes gather of the light that glossy lobes throw.
+std::vector<glm::dvec3> Interreflection::thrown_to_nodes(unsigned threads) const {
+    const std::vector<detail::Node>& nodes = geometry_->nodes();
+    std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
+    if (thrown_->empty()) return lx;
+    const detail::DirectionArrays directions(detail::cosine_directions(geometry_->from_nodes().rays()));
+    constexpr std::size_t together = 64;
+    parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
+            if (nodes[i].gathers())
+                lx[i] = thrown_->gathered(geometry_->from_nodes(), i, {nodes[i].position, nodes[i].normal}, directions);
+    });
+    return lx;
 }
 
 // What patches and their cells send, with the factors of what nodes see of them.
@@ -123,7 +161,7 @@ std::vector<glm::dvec3> Interreflection::gathered(std::span<const detail::Sent> 
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
-            if (nodes[i].gathers()) lx[i] = geometry_->from_nodes().gathered(i, sent);
+            if (nodes[i].gathers()) lx[i] = geometry_->from_nodes().gathered(i, sent) + thrown_lx_[i];
     });
     geometry_->fill_between(lx);
     return lx;
@@ -143,15 +181,11 @@ std::vector<glm::dvec3> Interreflection::gathered_of_uniform() const {
 }
 
 std::vector<glm::dvec3> Interreflection::on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const {
-    const Patches& patches = geometry_->patches();
-    std::vector<glm::dvec3> lx(patches.count(), glm::dvec3(0.0));
-    constexpr std::size_t together = 256;
+    std::vector<glm::dvec3> lx(geometry_->patches().count(), glm::dvec3(0.0));
+    constexpr std::size_t together = 1024;
     parallel_for((lx.size() + together - 1) / together, threads, [&](std::size_t block) {
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i) {
-            const auto patch = static_cast<std::uint32_t>(i);
-            if (patches.area_m2(patch) > 0.0)
-                lx[i] = interpolated(patches.chart_of(patch), patches.middle(patch), nodes_lx);
-        }
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i)
+            lx[i] = mean_of(geometry_->around(static_cast<std::uint32_t>(i)), nodes_lx);
     });
     return lx;
 }
@@ -191,35 +225,35 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
     const auto reflected = [&](std::uint32_t i) { return reflected_lx(i, on_patch[i]); };
     balance_.direct_lm = sum([&](std::uint32_t i) { return direct_lx_[i]; });
     balance_.indirect_lm = sum([&](std::uint32_t i) { return on_patch[i]; });
-    balance_.absorbed_lm = sum([&](std::uint32_t i) { return direct_lx_[i] + on_patch[i] - reflected(i); });
+    const auto leaves = [&](std::uint32_t i) { return direct_reflected_lx_[i] + albedo(i) * on_patch[i]; };
+    balance_.absorbed_lm = sum([&](std::uint32_t i) { return direct_lx_[i] + on_patch[i] - leaves(i); });
     if (to_the_end) {
         std::vector<glm::dvec3> sent(patches.count());
         for (std::uint32_t i = 0; i < sent.size(); ++i)
             sent[i] = reflected(i);
         sent_ = with_cells(patches, sent);
     }
-    balance_.escaped_lm = sum([&](std::uint32_t i) { return reflected(i) * (1.0 - stays(i)); });
+    balance_.escaped_lm = sum([&](std::uint32_t i) { return leaves(i) * (1.0 - stays(i)); });
 }
 
 glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position,
                                          std::span<const glm::dvec3> nodes_lx) const {
-    const detail::NodeMean mean = geometry_->around(chart, position);
-    glm::dvec3 lx(0.0);
-    for (std::size_t i = 0; i < mean.count; ++i)
-        lx += mean.weight[i] * nodes_lx[mean.node[i]];
-    return lx;
+    return mean_of(geometry_->around(chart, position), nodes_lx);
 }
 
 glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
     return interpolated(geometry_->patches().charts().index_of(surface, face), position, nodes_lx_);
 }
 
-glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m) const {
+glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const {
     const Patches& patches = geometry_->patches();
     const std::uint32_t within = patches.at(place.chart, glm::dvec2(place.u, place.v));
+    const float between_rays = fine_m / std::max(place.distance_m, 1e-6F);
     if (patches.area_m2(within) > 0.0 && patches.half_diagonal(within) < 0.5 * static_cast<double>(fine_m)) {
         const float* const value = sent_[within].value;
-        return std::numbers::inv_pi_v<float> * glm::vec3(value[0], value[1], value[2]);
+        glm::vec3 sent(value[0], value[1], value[2]);
+        if (!thrown_->empty()) sent += thrown_->along(detail::PatchMean{{within}, {1.0F}}, towards, between_rays);
+        return std::numbers::inv_pi_v<float> * sent;
     }
     const detail::PatchMean mean = patches.around(place.chart, {place.u, place.v});
     glm::vec3 sum(0.0F);
@@ -231,13 +265,18 @@ glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float f
         sum += weight * glm::vec3(value[0], value[1], value[2]);
         weights += weight;
     }
+    if (!thrown_->empty()) sum += thrown_->along(mean, towards, between_rays);
     return weights > 0.0F ? std::numbers::inv_pi_v<float> / weights * sum : glm::vec3(0.0F);
 }
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
     const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
-    return detail::Bundles(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1, instruction_set_)
-        .gathered(0, sent_);
+    const detail::Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1,
+                                 instruction_set_);
+    glm::dvec3 lx = bundle.gathered(0, sent_);
+    if (!thrown_->empty())
+        lx += thrown_->gathered(bundle, 0, place, detail::DirectionArrays(detail::cosine_directions(receiver_rays_)));
+    return lx;
 }
 
 std::size_t Interreflection::node_count() const {
@@ -248,8 +287,10 @@ std::size_t Interreflection::patch_count() const {
 }
 std::size_t Interreflection::memory() const {
     return geometry_->memory() +
-           (direct_lx_.size() + direct_reflected_lx_.size() + nodes_lx_.size()) * sizeof(glm::dvec3) +
-           sent_.size() * sizeof(detail::Sent);
+           (direct_lx_.size() + direct_reflected_lx_.size() + direct_spread_lx_.size() + thrown_lx_.size() +
+            nodes_lx_.size()) *
+               sizeof(glm::dvec3) +
+           sent_.size() * sizeof(detail::Sent) + thrown_->memory();
 }
 
 } // namespace gonio

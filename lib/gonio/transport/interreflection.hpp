@@ -1,10 +1,10 @@
 // Interreflection: the light that the surfaces of a stage send each other.
 //
-// Each surface scatters light in all directions alike (diffuse and specular), per channel: direct light with the
-// directional albedo of its own material, light that bounced with the albedo over both hemispheres. Direct light is
-// known on patches, what bounces is solved on cells by rays of fixed directions, and its illuminance is then gathered
-// at nodes, between which it is interpolated. There is no noise.
-// README.md has the method, its error and its cost.
+// Each surface scatters light in all directions alike, per channel: direct light with the directional albedo of its own
+// material, light that bounced with the albedo over both hemispheres. What a glossy lobe reflects of direct light goes
+// where the lobe sends it, if there are not too many lights (thrown_light.hpp). Direct light is known on patches, what
+// bounces is solved on cells by rays of fixed directions, and its illuminance is then gathered at nodes, between which
+// it is interpolated. There is no noise. README.md has the method, its error and its cost.
 #pragma once
 
 #include <gonio/base/result.hpp>
@@ -25,6 +25,7 @@ namespace detail {
 class ExchangeGeometry;
 class SkyLight;
 struct PatchPlace;
+class ThrownLight;
 struct Sent;
 } // namespace detail
 
@@ -63,9 +64,10 @@ public:
     // The same at any point, which a bundle of its own rays gathers. `normal` is unit.
     glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal) const;
 
-    // The luminance that a point of a chart sends, per channel [nt], direct light included: between the middles of
-    // patches, or of the patch itself if it is smaller than `fine_m`. For the transport room itself.
-    glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m) const;
+    // The luminance that a point of a chart sends along a ray to its unit direction `towards`, per channel [nt], direct
+    // light included: between the middles of patches, or of the patch itself if it is smaller than `fine_m`, the
+    // distance to the next ray. For the transport room itself.
+    glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const;
     const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
     // What surfaces receive of the options' sky; null without one.
     const std::shared_ptr<const detail::SkyLight>& sky() const { return sky_; }
@@ -86,6 +88,7 @@ private:
     Interreflection();
     void sum_up(bool to_the_end, unsigned threads);
     glm::dvec3 reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const;
+    std::vector<glm::dvec3> thrown_to_nodes(unsigned threads) const;
     std::vector<detail::Sent> seen_from_nodes(std::span<const glm::dvec3> indirect_lx) const;
     std::vector<glm::dvec3> gathered(std::span<const detail::Sent> sent, unsigned threads) const;
     std::vector<glm::dvec3> gathered_of_uniform() const;
@@ -97,8 +100,11 @@ private:
     std::vector<glm::dvec3> albedo_;              // by surface
     std::vector<glm::dvec3> direct_lx_;           // by patch
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again
-    std::vector<glm::dvec3> nodes_lx_;            // by node
-    std::vector<detail::Sent> sent_;              // by patch and then by cell [lx]
+    std::vector<glm::dvec3> direct_spread_lx_;    // what of that goes in all directions alike
+    std::shared_ptr<const detail::ThrownLight> thrown_;
+    std::vector<glm::dvec3> thrown_lx_; // by node, what it gathers of it
+    std::vector<glm::dvec3> nodes_lx_;  // by node
+    std::vector<detail::Sent> sent_;    // by patch and then by cell [lx]
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
     simd::InstructionSet instruction_set_ = simd::best_available();

@@ -79,11 +79,15 @@ public:
         return ends_.size() * sizeof(std::uint32_t) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
     }
 
-private:
+    // Of each ray the patch that it ends on, or `linked`, `no_patch` or `back_side`.
     std::span<const std::uint32_t> ends(std::size_t place) const {
         return std::span(ends_).subspan(place * rays_, rays_);
     }
+    std::span<const Link> links(std::size_t place) const {
+        return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
+    }
 
+private:
     std::size_t rays_ = 1;
     std::vector<std::uint32_t> ends_;
     std::vector<Link> links_;

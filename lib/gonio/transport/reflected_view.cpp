@@ -75,7 +75,10 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
         kept_[sample] += weight;
-        if (indirect_ != nullptr) luminance_[sample] += weight * indirect_->luminance_at(ends_[i], between_m);
+        if (indirect_ != nullptr)
+            luminance_[sample] +=
+                weight * indirect_->luminance_at(ends_[i], between_m,
+                                                 -glm::vec3(direction_[0][i], direction_[1][i], direction_[2][i]));
     }
     for (std::size_t i = 0; i < count; ++i)
         for (int channel = 0; channel < 3; ++channel)
