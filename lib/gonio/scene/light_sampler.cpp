@@ -51,9 +51,7 @@ LightSampler::Seen LightSampler::seen_from(const Light& light, const glm::dvec3&
 }
 
 LightSampler::LightSampler(const Light& light, const glm::dvec3& receiver)
-    : light_(light),
-      receiver_(receiver),
-      seen_(seen_from(light, light.frame.origin - receiver)) {
+    : light_(light), receiver_(receiver), seen_(seen_from(light, light.frame.origin - receiver)) {
     if (!seen_.shines) return;
     const glm::dvec3 to_center = light.frame.origin - receiver;
     const bool windowed = light.range && class_of(light.shape) != ShapeClass::sun;
@@ -73,8 +71,7 @@ double LightSampler::pdf(Vec direction) const {
 
 LightDirection LightSampler::at(const glm::dvec3& direction) const {
     const double luminance_nt = luminance_nt_ * light_.luminance_share(-direction);
-    if (class_of(light_.shape) == ShapeClass::sun)
-        return {luminance_nt, std::numeric_limits<double>::infinity()};
+    if (class_of(light_.shape) == ShapeClass::sun) return {luminance_nt, std::numeric_limits<double>::infinity()};
     // A ray along a direction on the outline may miss because of rounding; from inside nothing is in between.
     const std::optional<double> distance = distance_to(light_, {receiver_, direction});
     const glm::dvec3 to_center = light_.frame.origin - receiver_;

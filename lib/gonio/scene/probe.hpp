@@ -93,7 +93,7 @@ struct ProbeRemarks {
     ProbeOccurrence on_light;      // the receiver lies on a light without size, so there is no direction: 0
     ProbeOccurrence inside;        // the receiver lies inside a sphere or tube: E = π L
     ProbeOccurrence unseen;        // the view is not above the surface: the luminance is 0; counted once per receiver
-    ProbeOccurrence near_point; // the receiver is nearer to a profile without size than five times its opening
+    ProbeOccurrence near_point;    // the receiver is nearer to a profile without size than five times its opening
     ProbeOccurrence at_ceiling;    // the value would exceed shading::illuminance_ceiling and is limited to it
     ProbeOccurrence not_converged; // the quadrature ended before the requested error was reached
 

@@ -21,7 +21,8 @@ constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // Everything that determines how much a light with a web emits.
-using Emitter = std::tuple<std::size_t, std::vector<double>, const Web*, const Opening*, std::string_view, double, double, double>;
+using Emitter =
+    std::tuple<std::size_t, std::vector<double>, const Web*, const Opening*, std::string_view, double, double, double>;
 
 // The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
