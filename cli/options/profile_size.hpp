@@ -13,8 +13,8 @@ namespace gonio::cli {
 
 inline constexpr Option profile_size_option{
     "--profile-size", "SIZE",
-    "where the light of a profile leaves it: opening, as its file declares; off, from a point; or another opening, "
-    "rect:w=1.2m,h=0.3m"};
+    "where the light of a profile leaves it: opening, as its file declares (usual in preview); off, a point (usual in "
+    "probe); or another opening, rect:w=1.2m,h=0.3m"};
 
 // Sets what the shapes of profiles leave unsaid to `usual`, and all of them to --profile-size if it is given. Fails
 // (usage) as parse_opening() does.

@@ -22,7 +22,7 @@ struct Opening {
     double largest_m() const;
 };
 
-// Of a file, as its own C-planes have it: LM-63 and TM-33 measure the length along C0, EULUMDAT the width. A opening
+// Of a file, as its own C-planes have it: LM-63 and TM-33 measure the length along C0, EULUMDAT the width. An opening
 // whose sizes are all 0 is a point.
 Opening opening_of(const Profile& profile);
 
