@@ -38,6 +38,12 @@ glm::vec3 value_of(const ThrowingLobe& lobe, const glm::vec3& n, const glm::vec3
     return lobe.factor * value * (lobe.f0 + (lobe.f90 - lobe.f0) * grazing);
 }
 
+// A coat and the lobe below it are not told apart here.
+template<class Core>
+constexpr bool throws = requires {
+    requires Core::lobe != shading::LobeKind::none;
+};
+
 template<class Gloss>
 constexpr bool is_ggx_v = std::is_same_v<Gloss, shading::Gloss<double, shading::GgxLobe<double>>>;
 
@@ -50,9 +56,7 @@ glm::dvec3 ThrowingLobe::share(double cosine) const {
 std::optional<ThrowingLobe> throwing_lobe(const CoreMaterial& material, const DirectionalAlbedo& whole) {
     return std::visit(
         [&]<class Core>(const Core& core) -> std::optional<ThrowingLobe> {
-            if constexpr (std::is_same_v<Core, shading::Coated>) {
-                return std::nullopt;
-            } else if constexpr (Core::lobe == shading::LobeKind::none) {
+            if constexpr (!throws<Core>) {
                 return std::nullopt;
             } else {
                 const auto gloss = shading::gloss(core);
@@ -173,7 +177,8 @@ glm::dvec3 ThrownLight::gathered(const Bundles& bundles, std::size_t place, cons
     // Between rays the direction changes by √(π/n), and the point that they meet with it. Every other ray is enough for
     // wide lobes.
     const auto count = static_cast<float>(ends.size());
-    const float weight_of_half = count / static_cast<float>((ends.size() + 1) / 2);
+    const std::size_t half = (ends.size() + 1) / 2;
+    const float weight_of_half = count / static_cast<float>(half);
     glm::dvec3 by_rays(0.0);
     for (std::size_t i = 0; i < ends.size(); ++i) {
         if (ends[i] >= back_side || index_[ends[i]] == nothing) continue;
