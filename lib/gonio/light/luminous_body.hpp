@@ -16,6 +16,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <optional>
 #include <vector>
 
