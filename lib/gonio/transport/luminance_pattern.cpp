@@ -216,6 +216,14 @@ void LuminancePattern::by_columns(const transport::Receivers& receivers, const g
         light.table = pattern->constants();
         kernels.columns(receivers, light, share);
     }
+    // From farther away the outline has no digits left in floats, and one direction is enough.
+    constexpr double farthest = 1e4; // in radii
+    const double far_m = farthest * std::hypot(outline.half_x, outline.half_y);
+    for (std::size_t i = 0; i < receivers.count; ++i) {
+        const glm::dvec3 at(receivers.position[0][i], receivers.position[1][i], receivers.position[2][i]);
+        const glm::dvec3 towards = anchor + at - light_.frame.origin;
+        if (glm::dot(towards, towards) > far_m * far_m) share[i] = static_cast<float>(light_.luminance_share(towards));
+    }
 }
 
 void LuminancePattern::evaluate(const transport::Receivers& receivers, const glm::dvec3& anchor,

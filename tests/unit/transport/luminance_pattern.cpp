@@ -127,6 +127,15 @@ TEST(LuminancePattern, KnowsMasksOfAllShapes) {
     }
 }
 
+TEST(LuminancePattern, OfATinyLightIsThatOfOneDirection) {
+    const Light light = test::luminaire("wall-washer", "rect:w=0.000001mm,h=0.000001mm");
+    const Light& face = light.faces->front();
+    const std::vector<Receiver> receivers{{{2.0, 0.5, -3.0}, {0, 0, 1}}, {{-20.0, 5.0, -30.0}, {0.6, 0, 0.8}}};
+    const std::vector<double> shares = shares_of(face, receivers);
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+        EXPECT_NEAR(shares[i], face.luminance_share(receivers[i].position), 1e-6 * shares[i] + 1e-9);
+}
+
 TEST(LuminancePattern, IsFiniteInThePlaneOfTheLight) {
     const Light light = test::luminaire("cosine:up=1", "rect:w=1m,h=1m");
     std::vector<Receiver> receivers;
