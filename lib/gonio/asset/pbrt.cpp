@@ -92,7 +92,7 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
 std::string text_of(const SceneSky& sky) {
     const std::string light =
         sky.picture.empty()
-            ? fmt::format("\"rgb L\" [ {} ] \"float scale\" [ {} ]", triple(sky.color, " "), sky.nits)
+            ? fmt::format(R"("rgb L" [ {} ] "float scale" [ {} ])", triple(sky.color, " "), sky.nits)
             : fmt::format(R"("string filename" "{}" "float scale" [ {} ])", sky.picture, sky.nits_per_unit);
     return fmt::format("AttributeBegin\n  # {}: {:.6g} lx on the horizontal\n  LightSource \"infinite\" {}\n"
                        "AttributeEnd\n",
