@@ -3,6 +3,7 @@
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/base/nearest.hpp>
+#include <gonio/media/light_image_file.hpp>
 
 #include "arguments.hpp"
 #include "command.hpp"
@@ -47,6 +48,7 @@ Result<bool> colored(const Command& command, const Arguments& arguments) {
 }
 
 int run(std::span<char* const> words, Console& console) {
+    media::enable_light_images();
     if (words.empty()) {
         console.note(overview());
         return static_cast<int>(Failure::usage);

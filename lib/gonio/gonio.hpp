@@ -40,6 +40,7 @@
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/light.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/luminous_body.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/photometric_value.hpp>
@@ -50,6 +51,7 @@
 #include <gonio/media/display.hpp>
 #include <gonio/media/environment_file.hpp>
 #include <gonio/media/image_file.hpp>
+#include <gonio/media/light_image_file.hpp>
 #include <gonio/media/module.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/drawing.hpp>

@@ -41,7 +41,7 @@ int main(int count, char** arguments) {
         description.shape = ProfileShape{text, nullptr, ProfileSize::opening};
         Diagnostics ignored;
         Result<Light> light = resolve_light(std::move(description), ignored);
-        if (!light || light->faces == nullptr || !std::holds_alternative<RectShape>(light->faces->front().shape)) {
+        if (!light || light->parts == nullptr || !std::holds_alternative<RectShape>(light->parts->front().shape)) {
             std::fprintf(stderr, "left out: %s\n", text.c_str());
             continue;
         }

@@ -56,6 +56,8 @@ inline constexpr std::array limits{
     Limit{"auto-texture-side", 4096, "pixels", "the side of a texture that bake -s auto finds"},
     Limit{"layered-values", std::size_t{1} << 27U, "values", "width × height × channels of a picture in layers"},
     Limit{"decoded-values", std::size_t{1} << 28U, "values", "width × height × channels of a picture that is read"},
+    Limit{"light-image-values", std::size_t{1} << 25U, "values",
+          "width × height × channels of an image as a mask of a light: 3840x2160 with four channels"},
     Limit{"environment-bytes", 1024 * mebibyte, "bytes", "an image of the light from all around, as a file"},
     Limit{"environment-values", std::size_t{1} << 27U, "values",
           "width × height × channels of such an image: 8192x4096 with four channels"},

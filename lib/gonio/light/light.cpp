@@ -1,5 +1,7 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/light/light_image.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/light/luminaire.hpp>
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/shape_traits.hpp>
@@ -39,15 +41,34 @@ Result<void> check_amount(const Light& light) {
                 "its greatest intensity is almost 0");
 }
 
+// What an image lets through towards a direction of the light's frame, of a rectangle as from far away.
+double image_share(const Shape& shape, const ImagePlane& image, const glm::dvec3& direction) {
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { projected_share(kind, image, direction); })
+                return projected_share(kind, image, direction);
+            else
+                return image.mean();
+        },
+        shape);
+}
+
 } // namespace
 
 Candelas Light::intensity_towards(const glm::dvec3& direction) const {
+    if (parts != nullptr && body == nullptr) {
+        Candelas sum;
+        for (const Light& part : *parts)
+            sum = sum + part.intensity_towards(direction);
+        return sum;
+    }
     const glm::dvec3 local = frame.to_local(direction);
     if (const auto* profile = std::get_if<ProfileShape>(&shape))
         return Candelas(web_scale * profile->web->candela(local));
     const double share = with_traits(shape, [&](const auto& kind, auto traits) { return traits.shown(kind, local); });
     if (!(share > 0.0)) return {};
     if (emission != nullptr) return intensity * (share * luminance_share(direction));
+    if (image != nullptr) return intensity * (share * image_share(shape, *image, local));
     const Web* const mask = mask_of(shape).web;
     return intensity * (mask != nullptr ? share * web_scale * mask->candela(local) : share);
 }
@@ -58,12 +79,23 @@ double Light::luminance_share(const glm::dvec3& direction) const {
         const double projected_m2 = emission->body->projected_area_m2(local);
         return projected_m2 > 0.0 ? std::fmax(web_scale * emission->web->candela(local) / projected_m2, 0.0) : 0.0;
     }
+    if (image != nullptr) return image->mean();
     const Web* const mask = mask_of(shape).web;
     return mask != nullptr ? std::fmax(web_scale * mask->candela(frame.to_local(direction)), 0.0) : 1.0;
 }
 
+double Light::luminance_share_at(const glm::dvec3& viewer, const glm::dvec3& toward) const {
+    const auto* const rect = std::get_if<RectShape>(&shape);
+    if (image == nullptr || rect == nullptr) return luminance_share(-toward);
+    const glm::dvec3 from = frame.to_local(viewer - frame.origin);
+    const glm::dvec3 along = frame.to_local(toward);
+    if (along.z == 0.0) return image->mean();
+    const double t = -from.z / along.z;
+    return image->pixel(place_on(*rect, from.x + t * along.x, from.y + t * along.y));
+}
+
 bool Light::has_pattern() const {
-    return emission != nullptr || mask_of(shape).web != nullptr;
+    return emission != nullptr || image != nullptr || mask_of(shape).web != nullptr;
 }
 
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics) {
@@ -96,6 +128,7 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
                         class_of(light.shape) == ShapeClass::sun ? "for example 100klx" : "for example 800lm");
         light.intensity = peak(*profile->web).intensity;
         give_body(light, diagnostics);
+        if (Result<void> placed = place_parts(light); !placed) return pass_on(placed);
         return light;
     }
     Result<Emission> emission = emission_of(light.shape, *description.intensity);
@@ -104,9 +137,12 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     light.luminance = emission->luminance;
     light.illuminance = emission->illuminance;
     if (profile != nullptr) light.web_scale = light.intensity / peak(*profile->web).intensity;
-    if (const Web* mask = mask_of(light.shape).web) light.web_scale = 1.0 / peak(*mask).intensity.value;
+    const Mask mask = mask_of(light.shape);
+    if (mask.web != nullptr) light.web_scale = 1.0 / peak(*mask.web).intensity.value;
+    if (mask.image != nullptr) light.image = mask.image->luminance();
     if (Result<void> checked = check_amount(light); !checked) return pass_on(checked);
     give_body(light, diagnostics);
+    if (Result<void> placed = place_parts(light); !placed) return pass_on(placed);
     return light;
 }
 

@@ -17,6 +17,7 @@
 
 namespace gonio {
 
+class ImagePlane;
 class LuminousBody;
 struct FaceEmission;
 
@@ -53,18 +54,24 @@ struct Light {
     double web_scale = 1.0; // factor on the candela of a web (to the emitted ones) or of a mask (to 1 at its peak)
     std::optional<Meters> range;
     std::optional<EmittingFace> emitted_by{};
-    // Of a profile with a luminous opening: its faces, whose light together is that of this light (luminaire.hpp).
-    std::shared_ptr<const LuminousBody> body{};
-    std::shared_ptr<const std::vector<Light>> faces{};
-    std::shared_ptr<const FaceEmission> emission{}; // of such a face
+    // What the light consists of, if it is several: their light together is that of this light. The faces of a luminous
+    // opening (luminaire.hpp), or red, green and blue of a coloured image.
+    std::shared_ptr<const std::vector<Light>> parts{};
+    std::shared_ptr<const LuminousBody> body{};     // of a profile with an opening
+    std::shared_ptr<const FaceEmission> emission{}; // of a face of it
+    std::shared_ptr<const ImagePlane> image{};      // of a light with an image: its luminance, or the colour of a part
 
     // Whether the surface with this index on the stage emits it.
     bool is_emitted_by(std::size_t surface) const { return emitted_by && emitted_by->surface == surface; }
 
     // The luminance of an area light towards a world direction (from the light to the receiver) of any length > 0, over
-    // `luminance`: what its mask lets through, or what the profile of a face emits; 1 without either. Not negative.
+    // `luminance`: what its mask lets through, or what the profile of a face emits; 1 without either; of an image the
+    // mean. Not negative.
     double luminance_share(const glm::dvec3& direction) const;
-    // Whether that depends on the direction.
+    // The same where the ray from `viewer` along `toward`, of any length > 0, meets the light: with an image, that
+    // place of it, or the nearest one if the ray misses the light.
+    double luminance_share_at(const glm::dvec3& viewer, const glm::dvec3& toward) const;
+    // Whether an area light is other than uniform: depends on the direction, or has an image.
     bool has_pattern() const;
 
     // Intensity towards a world direction (from the light to the receiver) of any length > 0. For a punctual shape it

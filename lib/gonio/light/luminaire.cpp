@@ -54,13 +54,10 @@ void give_body(Light& light, Diagnostics& diagnostics) {
                         light.web_scale * body->flux_behind().value, 100.0 * behind),
             "if the luminaire shines from its sides, name its body: ies:FILE,opening=box:w=1.2m,h=0.3m,d=0.1m");
     light.body = std::make_shared<const LuminousBody>(std::move(*body));
-    place_faces(light);
 }
 
-void place_faces(Light& light) {
-    light.faces.reset();
-    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
-    if (light.body == nullptr || profile == nullptr) return;
+std::vector<Light> faces_of(const Light& light) {
+    const auto& web = std::get<ProfileShape>(light.shape).web;
     const double mean_nt = light.body->mean_luminance().value;
     std::vector<Light> faces;
     for (const LuminousFace& part : light.body->faces()) {
@@ -73,24 +70,10 @@ void place_faces(Light& light) {
         face.intensity = Candelas(face.luminance.value * intensity_over_luminance(part));
         face.web_scale = 1.0 / mean_nt;
         face.range = light.range;
-        face.emission =
-            std::make_shared<const FaceEmission>(FaceEmission{light.body, profile->web, light.frame, faces.size()});
+        face.emission = std::make_shared<const FaceEmission>(FaceEmission{light.body, web, light.frame, faces.size()});
         faces.push_back(std::move(face));
     }
-    light.faces = std::make_shared<const std::vector<Light>>(std::move(faces));
-}
-
-ShiningLights::ShiningLights(std::span<const Light> lights, bool faces)
-    : lights_(lights),
-      has_faces_(faces &&
-                 std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.faces != nullptr; })) {
-    if (!has_faces_) return;
-    for (const Light& light : lights) {
-        if (light.faces == nullptr)
-            faces_.push_back(light);
-        else
-            faces_.insert(faces_.end(), light.faces->begin(), light.faces->end());
-    }
+    return faces;
 }
 
 } // namespace gonio

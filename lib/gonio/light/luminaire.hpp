@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace gonio {
@@ -20,25 +19,11 @@ struct FaceEmission {
     std::size_t face = 0; // of the body
 };
 
-// Gives a resolved light the body of its profile's opening, if its shape asks for one, and the faces that go with it.
+// Gives a resolved light the body of its profile's opening, if its shape asks for one.
 // Says so where an opening is missing, implausibly large, or flat and shone through from behind.
 void give_body(Light& light, Diagnostics& diagnostics);
 
-// The faces of `light.body` at the light's present position, amount and colour; none without a body.
-void place_faces(Light& light);
-
-// The lights of a scene, those with a body replaced by their faces: what casts light and shadows.
-class ShiningLights {
-public:
-    // The lights must outlive this. Without `faces` they stay as they are.
-    explicit ShiningLights(std::span<const Light> lights, bool faces = true);
-
-    std::span<const Light> all() const { return has_faces_ ? std::span<const Light>(faces_) : lights_; }
-
-private:
-    std::span<const Light> lights_;
-    std::vector<Light> faces_;
-    bool has_faces_ = false;
-};
+// The faces of `light.body`, which must be there, at the light's present position, amount and colour.
+std::vector<Light> faces_of(const Light& light);
 
 } // namespace gonio

@@ -43,7 +43,7 @@ Unexpected luminance_refused(const ShapeFactors& factors) {
 Unexpected no_flux_refused(const Shape& shape) {
     if (std::holds_alternative<ProfileShape>(shape))
         return fail(Failure::usage, "the flux of this profile is not greater than 0, so it cannot be scaled to one");
-    if (mask_of(shape).web == nullptr && std::holds_alternative<SpotShape>(shape))
+    if (!mask_of(shape).is_loaded() && std::holds_alternative<SpotShape>(shape))
         return fail(Failure::usage, "a spot with an outer angle of 0deg has no solid angle, so no flux fits in it",
                     "give it an intensity, for example 1000cd, or a wider angle");
     return fail(Failure::usage, "this shape emits no flux, so it cannot be scaled to one");
@@ -62,7 +62,7 @@ Result<Factor> illuminance_factor(const Shape& shape, const ShapeFactors& factor
                         fmt::format("write {} alone", unit.unit->symbol));
         return facing_factor(shape, factors, Meters(0.0));
     }
-    if (factors.luminance && mask_of(shape).web != nullptr)
+    if (factors.luminance && mask_of(shape).is_loaded())
         return fail(Failure::unsupported,
                     fmt::format("the illuminance of a {} behind a mask does not have a closed form", kind_of(shape)),
                     "give lm, cd or nt; probe computes the illuminance");
@@ -163,7 +163,7 @@ Result<double> ShapePhotometry::strength_of(const PhotometricValue& value, Conve
 
     if (dimension == Dimension::luminous_intensity) {
         if (factors_.at_infinity) return sun_refused("intensity");
-        if (mask_of(shape_).web == nullptr || factors_.axial_share == 1.0) return base;
+        if (!mask_of(shape_).is_loaded() || factors_.axial_share == 1.0) return base;
         if (!(factors_.axial_share > 0.0))
             return fail(Failure::usage, "this mask lets nothing through along γ = 0, so no intensity there can set it",
                         "give its flux instead");
@@ -222,7 +222,7 @@ Result<double> ShapePhotometry::express(const Emission& emission, const Photomet
     double base = strength;
     if (dimension == Dimension::luminous_intensity) {
         if (factors_.at_infinity) return sun_refused("intensity");
-        if (mask_of(shape_).web != nullptr && factors_.axial_share != 1.0) {
+        if (mask_of(shape_).is_loaded() && factors_.axial_share != 1.0) {
             base *= factors_.axial_share;
             note(steps, base, "cd", "I = mask(γ=0) I₀");
         }

@@ -330,11 +330,11 @@ const PolicyRules* rules_of(const Policy& policy) {
 Result<Facts> facts_of(const Shape& shape) {
     Facts facts;
     const bool punctual = class_of(shape) == ShapeClass::punctual;
-    if (!punctual && mask_of(shape).web != nullptr)
+    if (!punctual && mask_of(shape).is_loaded())
         return fail(Failure::unsupported, "other programs do not have masks on lights with a size",
                     "name the shape without its mask");
     if (!punctual) return facts;
-    facts.masked = mask_of(shape).web != nullptr;
+    facts.masked = mask_of(shape).is_loaded();
     if (const auto* spot = std::get_if<SpotShape>(&shape); spot != nullptr && !(spot->outer.value > 0.0))
         return fail(Failure::unsupported, "a spot of 0deg has no flux to compare");
     Result<PhotometricValue> lumen = parse_photometric_value("1lm");

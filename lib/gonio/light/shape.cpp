@@ -1,4 +1,5 @@
 #include <gonio/base/named.hpp>
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/light/shape_keys.hpp>
@@ -132,12 +133,12 @@ Result<Shape> parse_profile_shape(std::string_view text) {
     return Shape(std::move(shape));
 }
 
-struct MeasuredLight {
+struct WebAndOpening {
     std::shared_ptr<const Web> web;
     std::shared_ptr<const Opening> opening;
 };
 
-Result<MeasuredLight> read_web(const std::string& file, Diagnostics& diagnostics) {
+Result<WebAndOpening> read_web(const std::string& file, Diagnostics& diagnostics) {
     Result<Profile> profile = read_profile_file(file);
     if (!profile) return pass_on(profile);
     Result<void> photometric = require_candela(
@@ -148,7 +149,7 @@ Result<MeasuredLight> read_web(const std::string& file, Diagnostics& diagnostics
     Result<ResolvedWeb> resolved = resolve_web(std::move(*profile));
     if (!resolved) return pass_on(resolved);
     std::move(resolved->diagnostics.begin(), resolved->diagnostics.end(), std::back_inserter(diagnostics));
-    return MeasuredLight{std::make_shared<const Web>(std::move(resolved->web)), std::move(opening)};
+    return WebAndOpening{std::make_shared<const Web>(std::move(resolved->web)), std::move(opening)};
 }
 
 // The file of a shape and where its web is stored; empty for shapes that read no file.
@@ -168,6 +169,37 @@ WebSlot web_slot(Shape& shape) {
                 return {};
         },
         shape);
+}
+
+// A plane before a light of 90° and more would be infinite, before one of 0° a point.
+Result<void> check_projection(const SpotShape& spot) {
+    const double outer_deg = to_degrees(spot.outer);
+    constexpr double widest_deg = 89.0;
+    if (outer_deg > 0.0 && outer_deg <= widest_deg) return {};
+    return fail("USE0107",
+                fmt::format("a spot with an outer angle of {:.4g}deg cannot project an image: it must be greater than "
+                            "0deg and at most {}deg",
+                            outer_deg, widest_deg));
+}
+template<class Kind>
+Result<void> check_projection(const Kind& /*takes any image*/) {
+    return {};
+}
+
+Result<void> load_image(Shape& shape, Diagnostics& diagnostics) {
+    return with_traits(shape, [&]<class Kind>(Kind& kind, ShapeTraits<Kind>) -> Result<void> {
+        if constexpr (requires { kind.image; }) {
+            if (Result<void> checked = check_projection(kind); !checked) return checked;
+            if (kind.image != nullptr) return {};
+            Result<LightImage> image = read_light_image(kind.mask_file, diagnostics);
+            if (!image) return pass_on(image);
+            kind.image = std::make_shared<const LightImage>(std::move(*image));
+            return {};
+        } else {
+            return fail("USE0107", fmt::format("a {} does not take an image as a mask", ShapeTraits<Kind>::kind),
+                        "spot and frustum project an image, rect shows one; others take a profile, mask=lamp.ies");
+        }
+    });
 }
 
 } // namespace
@@ -222,7 +254,8 @@ Result<Shape> parse_shape(std::string_view text) {
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics) {
     const WebSlot slot = web_slot(shape);
     if (slot.web == nullptr || slot.file->empty() || *slot.web) return {};
-    Result<MeasuredLight> read = read_web(*slot.file, diagnostics);
+    if (!std::holds_alternative<ProfileShape>(shape) && names_image(*slot.file)) return load_image(shape, diagnostics);
+    Result<WebAndOpening> read = read_web(*slot.file, diagnostics);
     if (!read) return pass_on(read);
     *slot.web = std::move(read->web);
     if (auto* const profile = std::get_if<ProfileShape>(&shape)) profile->declared = std::move(read->opening);
@@ -232,10 +265,11 @@ Result<void> load_profile(Shape& shape, Diagnostics& diagnostics) {
 Mask mask_of(const Shape& shape) {
     return std::visit(
         [](const auto& kind) -> Mask {
+            Mask mask;
             if constexpr (requires { kind.mask_file; })
-                return {kind.mask_file.empty() ? nullptr : &kind.mask_file, kind.mask.get()};
-            else
-                return {};
+                mask = {kind.mask_file.empty() ? nullptr : &kind.mask_file, kind.mask.get()};
+            if constexpr (requires { kind.image; }) mask.image = kind.image.get();
+            return mask;
         },
         shape);
 }

@@ -13,10 +13,12 @@
 
 namespace gonio {
 
+class LightImage;
 class Web;
 struct Opening;
 
-// Punctual shapes emit from a point and have no luminance. A mask multiplies their intensity by a web over its peak.
+// Punctual shapes emit from a point and have no luminance. A mask multiplies their intensity by a web over its peak, or
+// before a spot or a frustum by an image over its brightest pixel (gonio/light/light_image.hpp).
 
 // Emits the same intensity in every direction.
 struct PointShape {
@@ -48,6 +50,7 @@ struct SpotShape {
     Falloff falloff = Falloff::frostbite;
     std::string mask_file;
     std::shared_ptr<const Web> mask;
+    std::shared_ptr<const LightImage> image = {}; // instead of `mask`, if the file is an image
 };
 
 // The same intensity inside a right pyramid; full apex angles in (0, π), `horizontal` about Y (its width runs along X).
@@ -56,6 +59,7 @@ struct FrustumShape {
     Radians vertical;
     std::string mask_file;
     std::shared_ptr<const Web> mask;
+    std::shared_ptr<const LightImage> image = {};
 };
 
 // Where the light of a measured luminaire leaves it.
@@ -82,7 +86,8 @@ struct ProfileShape {
 };
 
 // Area shapes are Lambertian: the same luminance in every direction that they emit to. A mask multiplies the luminance
-// of every point of the shape by a web over its peak, looked up by the direction in the light's frame.
+// of every point of the shape by a web over its peak, looked up by the direction in the light's frame; an image on a
+// rectangle multiplies each point of it by its pixel there over the brightest one, in all directions alike.
 
 struct SphereShape {
     Meters radius; // > 0
@@ -114,6 +119,7 @@ struct RectShape {
     bool two_sided = false;
     std::string mask_file = {};
     std::shared_ptr<const Web> mask = {};
+    std::shared_ptr<const LightImage> image = {};
 };
 
 // A capsule: a cylinder of `length` along X without its caps, and a hemisphere at each end.
@@ -155,14 +161,19 @@ std::span<const ShapeKind> shape_kinds();
 // ",opening=OPENING" at its end (parse_opening(); "opening=off" is a point).
 Result<Shape> parse_shape(std::string_view text);
 
-// Reads the file of a ProfileShape or of a mask and resolves its web; other shapes, and webs that are already loaded,
-// are left alone. Warnings and notes are appended to `diagnostics`. Fails as read_profile_file() and resolve_web() do.
+// Reads the file of a ProfileShape or of a mask, and resolves its web; other shapes, and webs and images that are
+// already loaded, are left alone. Warnings and notes are appended to `diagnostics`. Fails as read_profile_file(),
+// resolve_web() and read_light_image() do, and (usage) on an image before a shape that takes none.
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics);
 
-// The mask of a shape: its file (nullptr: none) and its web (nullptr: none, or not loaded). Points into the shape.
+// The mask of a shape: its file (nullptr: none), and its web or its image (nullptr: none, or not loaded). Points into
+// the shape.
 struct Mask {
     const std::string* file = nullptr;
     const Web* web = nullptr;
+    const LightImage* image = nullptr;
+
+    bool is_loaded() const { return web != nullptr || image != nullptr; }
 };
 
 Mask mask_of(const Shape& shape);

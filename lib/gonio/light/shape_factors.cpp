@@ -1,3 +1,4 @@
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/masked_flux.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/light/shape_traits.hpp>
@@ -33,13 +34,35 @@ Result<ShapeFactors> factors_of(const ProfileShape& profile) {
     factors.no_luminance = "a profile is a point that emits by direction: it has no area, so no luminance";
     return factors;
 }
+// What the mask of a shape lets through along γ = 0.
+double along_axis(const RectShape& /*shape*/, const ImagePlane& image) {
+    return image.mean();
+}
+template<PunctualShape Kind>
+double along_axis(const Kind& shape, const ImagePlane& image) {
+    return projected_share(shape, image, {0.0, 0.0, -1.0});
+}
+template<class Kind>
+Result<ShapeFactors> with_mask(const Kind& shape) {
+    if constexpr (requires { shape.image; }) {
+        if (shape.image != nullptr) {
+            ShapeFactors factors;
+            factors.no_luminance = "a point has no area, so no luminance";
+            factors.peak_cd = 1.0;
+            factors.axial_share = along_axis(shape, *shape.image->luminance());
+            factors.strength = "I₀";
+            return factors;
+        }
+    }
+    return masked(shape.mask_file, shape.mask.get());
+}
 template<PunctualShape Kind>
 Result<ShapeFactors> factors_of(const Kind& shape) {
-    return masked(shape.mask_file, shape.mask.get());
+    return with_mask(shape);
 }
 template<AreaShape Kind>
 Result<ShapeFactors> factors_of(const Kind& shape) {
-    Result<ShapeFactors> factors = masked(shape.mask_file, shape.mask.get());
+    Result<ShapeFactors> factors = with_mask(shape);
     if (!factors) return factors;
     factors->no_luminance = "";
     factors->luminance = ShapeTraits<Kind>::projected(shape);
@@ -63,6 +86,9 @@ Factor flux_of(const SunShape& /*refused before*/, const ShapeFactors& /*factors
 template<class Kind>
 Factor flux_of(const Kind& shape, const ShapeFactors& /*factors*/) {
     using Traits = ShapeTraits<Kind>;
+    if constexpr (requires { shape.image; })
+        if (shape.image != nullptr)
+            return {image_solid_angle(shape, *shape.image->luminance()).value, Traits::masked_flux};
     if (shape.mask) return {masked_solid_angle(shape, *shape.mask).value, Traits::masked_flux};
     return Traits::flux(shape);
 }

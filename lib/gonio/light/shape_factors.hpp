@@ -23,7 +23,7 @@ struct ShapeFactors {
     const char* no_luminance = "";   // why not
     const char* strength = "I";      // its symbol
     double axial_share = 1.0;        // intensity along the direction (a web: along γ = 0) over the strength
-    double peak_cd = 0.0;            // of the web or the mask
+    double peak_cd = 0.0;            // of the web or the mask; of an image 1
     double nearest_m = 0.0;          // a distance below this is inside the shape
 };
 

@@ -21,7 +21,7 @@ struct OpeningCases {
     std::array<std::vector<float>, 3> normal;
 
     std::size_t size() const { return position[0].size(); }
-    const Light& face() const { return luminaire->faces->front(); }
+    const Light& face() const { return luminaire->parts->front(); }
     transport::Receivers receivers() const;
 };
 

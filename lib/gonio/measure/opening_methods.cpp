@@ -24,7 +24,7 @@ struct Tables {
     explicit Tables(const OpeningCases& cases)
         : luminance(cases.face(), patterns, webs), web(*cases.face().emission->web) {}
 
-    detail::ColumnPatterns patterns;
+    detail::LuminanceTables patterns;
     detail::WebTables webs;
     detail::LuminancePattern luminance;
     detail::WebTable web;

@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/preview/detail/lit_tile.hpp>
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/primitives.hpp>
@@ -58,12 +59,11 @@ void LitTile::light_up() {
 void LitTile::show_emitters() {
     for (const TileSamples::EmitterShare& seen : tile_.emitters()) {
         const Light& light = scene_.lights[seen.light].light;
-        // Towards the eye the mask is the same from every point of the light, except for the effect of its width.
-        const double mask = share_from_center(light, light.frame.origin + seen.view);
+        const glm::dvec3 rgb = shown_luminance(scene_.all_lights, seen.light, tile_.eye(), -seen.view);
         picture_.shows_light[seen.pixel] = 1;
-        add(seen.pixel, seen.share * mask * light.luminance.value * light.color);
+        add(seen.pixel, static_cast<double>(seen.share) * rgb);
         const std::size_t surface = light.emitted_by ? light.emitted_by->surface : no_surface;
-        if (seen.share < 1.0F) add_part(seen.pixel, surface, seen.share, mask * light.luminance.value * light.color);
+        if (seen.share < 1.0F) add_part(seen.pixel, surface, seen.share, rgb);
     }
 }
 

@@ -66,8 +66,8 @@ void ReferencePicture::sample(Pixel& pixel, int x, int y, std::size_t pass) cons
         nearest = *distance;
     }
     if (emitter != nullptr) {
-        const double mask = detail::share_from_center(*emitter, emitter->frame.origin - ray.direction);
-        pixel.emitter += glm::vec3(mask * emitter->luminance.value * emitter->color);
+        const auto first = static_cast<std::size_t>(emitter - lights_.data());
+        pixel.emitter += glm::vec3(shown_luminance(lights_, first, ray.origin, ray.direction));
         pixel.shows_light = true;
         return;
     }

@@ -11,7 +11,7 @@
 
 #include <gonio/base/image.hpp>
 #include <gonio/base/result.hpp>
-#include <gonio/light/luminaire.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/preview/render.hpp>
 #include <gonio/scene/emissive_lights.hpp>
 

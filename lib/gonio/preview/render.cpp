@@ -102,7 +102,7 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     stats.tiles = tiles;
     for (const detail::LitLight& light : scene.lights) {
         if (light.is_dark) ++stats.dark_lights;
-        if (light.pattern.has_axial_web()) ++stats.axial_webs;
+        if (light.pattern && light.pattern->has_axial_web()) ++stats.axial_webs;
     }
     if (options.skip) stats.dark = stats.dark_lights * stats.samples;
     stats.out_of_range =

@@ -77,7 +77,10 @@ void TileSamples::find_outlines() {
     for (std::ptrdiff_t y = 1; y <= bottom_ - top_; ++y)
         for (std::ptrdiff_t x = 1; x <= right_ - left_; ++x) {
             const Seen* const center = &centers_[static_cast<std::size_t>(y * stride_ + x)];
-            const bool outline = differ(center[0], center[-1]) || differ(center[0], center[1]) ||
+            // An image may have outlines of its own within the pixel.
+            const bool shows_image =
+                center->what == Seen::What::emitter && scene_.lights[center->light].image != nullptr;
+            const bool outline = shows_image || differ(center[0], center[-1]) || differ(center[0], center[1]) ||
                                  differ(center[0], center[-stride_]) || differ(center[0], center[stride_]);
             on_outline_[static_cast<std::size_t>(y * stride_ + x)] = outline ? 1 : 0;
         }

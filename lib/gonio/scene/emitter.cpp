@@ -91,9 +91,9 @@ struct Reach {
 } // namespace
 
 double reach_along(const Light& light, const glm::dvec3& direction) {
-    if (light.faces != nullptr) {
+    if (light.parts != nullptr) {
         double most = 0.0;
-        for (const Light& face : *light.faces) {
+        for (const Light& face : *light.parts) {
             const double from = glm::dot(face.frame.origin - light.frame.origin, direction) / glm::length(direction);
             most = std::max(most, from + reach_along(face, direction));
         }
@@ -103,9 +103,9 @@ double reach_along(const Light& light, const glm::dvec3& direction) {
 }
 
 std::optional<double> distance_to(const Light& light, const Ray& ray) {
-    if (light.faces != nullptr) {
+    if (light.parts != nullptr) {
         std::optional<double> nearest;
-        for (const Light& face : *light.faces) {
+        for (const Light& face : *light.parts) {
             const std::optional<double> distance = distance_to(face, ray);
             if (distance && !(nearest && *nearest <= *distance)) nearest = distance;
         }

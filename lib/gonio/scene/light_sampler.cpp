@@ -70,7 +70,7 @@ double LightSampler::pdf(Vec direction) const {
 }
 
 LightDirection LightSampler::at(const glm::dvec3& direction) const {
-    const double luminance_nt = luminance_nt_ * light_.luminance_share(-direction);
+    const double luminance_nt = luminance_nt_ * light_.luminance_share_at(receiver_, direction);
     if (class_of(light_.shape) == ShapeClass::sun) return {luminance_nt, std::numeric_limits<double>::infinity()};
     // A ray along a direction on the outline may miss because of rounding; from inside nothing is in between.
     const std::optional<double> distance = distance_to(light_, {receiver_, direction});

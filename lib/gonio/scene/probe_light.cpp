@@ -162,13 +162,17 @@ bool takes_points(IrradianceMethod method) {
            method == IrradianceMethod::point;
 }
 
+bool consists_of_parts(const Light& light, IrradianceMethod method) {
+    return light.parts != nullptr && (light.body == nullptr || !takes_points(method));
+}
+
 ProbeShare illuminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                           const ProbeWay& way) {
     const IrradianceMethod method = illuminance_method(way.method);
-    if (light.faces != nullptr && !takes_points(method)) {
+    if (consists_of_parts(light, method)) {
         ProbeShare sum;
-        for (const Light& face : *light.faces) {
-            const ProbeShare share = illuminance_of(face, position, normal, way);
+        for (const Light& part : *light.parts) {
+            const ProbeShare share = illuminance_of(part, position, normal, way);
             sum.illuminance_lx = bounded(sum.illuminance_lx + share.illuminance_lx);
             sum.error_lx += share.error_lx;
             sum.converged = sum.converged && share.converged;
@@ -217,17 +221,22 @@ bool has_luminance(const Material& material, IrradianceMethod method) {
 ProbeShine luminance_of(const Light& light, const glm::dvec3& position, const glm::dvec3& normal,
                         const ProbeSurface& surface, const ProbeShare& share, const ProbeWay& way) {
     if (!(glm::dot(normal, surface.view) > 0.0)) return {};
-    if (light.faces != nullptr && !takes_points(way.method)) {
-        ProbeShine sum;
-        for (const Light& face : *light.faces) {
-            const ProbeShare of_face = illuminance_of(face, position, normal, way);
-            const ProbeShine shine = luminance_of(face, position, normal, surface, of_face, way);
-            sum.luminance.diffuse = sum.luminance.diffuse + shine.luminance.diffuse;
-            sum.luminance.specular = sum.luminance.specular + shine.luminance.specular;
-            sum.luminance.error_estimate = sum.luminance.error_estimate + shine.luminance.error_estimate;
-            sum.converged = sum.converged && shine.converged;
+    if (consists_of_parts(light, way.method)) {
+        // Parts of one colour share their illuminance among them: a Lambertian surface needs no more than the sum.
+        const bool is_lambert = std::holds_alternative<LambertMaterial>(surface.material);
+        if (!is_lambert || light.body == nullptr) {
+            ProbeShine sum;
+            for (const Light& part : *light.parts) {
+                const ProbeShare of_part =
+                    is_lambert || !has_extent(part.shape) ? illuminance_of(part, position, normal, way) : ProbeShare();
+                const ProbeShine shine = luminance_of(part, position, normal, surface, of_part, way);
+                sum.luminance.diffuse = sum.luminance.diffuse + shine.luminance.diffuse;
+                sum.luminance.specular = sum.luminance.specular + shine.luminance.specular;
+                sum.luminance.error_estimate = sum.luminance.error_estimate + shine.luminance.error_estimate;
+                sum.converged = sum.converged && shine.converged;
+            }
+            return sum;
         }
-        return sum;
     }
     if (const auto* lambert = std::get_if<LambertMaterial>(&surface.material)) {
         const double y = luminance_y(lambert->albedo * light.color) * std::numbers::inv_pi;

@@ -24,6 +24,9 @@ struct ProbeWay {
 // Whether these methods take a profile as a point though it has an opening.
 bool takes_points(IrradianceMethod method);
 
+// Whether the light is the sum of its parts by that method.
+bool consists_of_parts(const Light& light, IrradianceMethod method);
+
 // A share of the illuminance, of any colour.
 struct ProbeShare {
     double illuminance_lx = 0.0; // in [0, shading::illuminance_ceiling]

@@ -4,6 +4,7 @@
 #include <gonio/scene/core_vector.hpp>
 #include <gonio/scene/detail/polar_cubature.hpp>
 #include <gonio/scene/detail/surface_parts.hpp>
+#include <gonio/scene/image_illuminance.hpp>
 #include <gonio/scene/probe_light.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/shading/falloff.hpp>
@@ -55,14 +56,16 @@ LightRegion region_of(const shading::SunLight<double>& light, Vec /*center*/, Ve
 // The light's luminance towards the receiver from the direction ω, over Light::luminance.
 class EmissionByDirection {
 public:
-    explicit EmissionByDirection(const Light& light) : light_(light), has_pattern_(light.has_pattern()) {}
+    EmissionByDirection(const Light& light, const glm::dvec3& receiver)
+        : light_(light), receiver_(receiver), has_pattern_(light.has_pattern()) {}
 
     double operator()(Vec toward) const {
-        return has_pattern_ ? light_.luminance_share(-glm::dvec3(toward.x, toward.y, toward.z)) : 1.0;
+        return has_pattern_ ? light_.luminance_share_at(receiver_, {toward.x, toward.y, toward.z}) : 1.0;
     }
 
 private:
     const Light& light_;
+    const glm::dvec3& receiver_;
     bool has_pattern_;
 };
 
@@ -191,9 +194,12 @@ ReferenceValue integrate(const Pose& p, const PolarPeak& peak, const PolarEdges&
 double closed_illuminance(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
     Light bare = light;
     bare.emission.reset();
+    bare.image.reset();
+    bare.parts.reset();
     std::visit(
         [](auto& shape) {
             if constexpr (requires { shape.mask; }) shape.mask.reset();
+            if constexpr (requires { shape.image; }) shape.image.reset();
         },
         bare.shape);
     return detail::illuminance_of(bare, position, normal, {IrradianceMethod::exact, {}}).illuminance_lx;
@@ -215,7 +221,14 @@ ReferenceValue reference_illuminance(const Light& light, const glm::dvec3& posit
     if (!has_extent(light.shape)) return {};
     const Pose p = pose(light, position, normal);
     if (p.region.dark() || !(p.scale > 0.0)) return {};
-    const EmissionByDirection emission(light);
+    if (light.image != nullptr && p.region.reach() >= least_reach) {
+        ReferenceValue sum = detail::image_illuminance(light, position, normal, goal);
+        const double window = p.scale / light.luminance.value;
+        sum.value = bounded(sum.value * window);
+        sum.error_estimate = bounded(sum.error_estimate * window);
+        return sum;
+    }
+    const EmissionByDirection emission(light, position);
     const double closed_lx = p.region.reach() < least_reach ? closed_illuminance(light, position, normal) : 0.0;
     const SmoothWay way = way_of(light, p.region, p.normal, goal);
     return integrate(p, way.peak, way.edges, emission, closed_lx, goal);
@@ -226,7 +239,7 @@ ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& pos
     if (!has_extent(light.shape) || !(glm::dot(normal, view) > 0.0)) return {};
     const Pose p = pose(light, position, normal);
     if (p.region.dark() || !(p.scale > 0.0)) return {};
-    const EmissionByDirection emission(light);
+    const EmissionByDirection emission(light, position);
     const Vec v = vec(view);
     const Vec weight = vec(rec709_luminance * light.color); // to Y
     const detail::SurfaceParts parts = detail::surface_parts(material);

@@ -5,7 +5,8 @@
 // (detail/light_region.hpp); the rest is integrated in polar coordinates about the mirrored view, with a radial map
 // that follows the lobe, or about the light's middle (detail/polar_cubature.hpp). README.md gives the accuracy. No
 // randomness and no threads: always the same bits. Behind a mask, or as a face of a luminous opening, a shape has
-// the luminance Light::luminance times Light::luminance_share() towards the receiver. Cost: 0.1 to 1 ms per light and
+// the luminance Light::luminance times Light::luminance_share_at() towards the receiver; the illuminance of an image is
+// the sum over its pixels. Cost: 0.1 to 1 ms per light and
 // receiver at a relative error of 1e-6; more for webs with many kinks.
 #pragma once
 

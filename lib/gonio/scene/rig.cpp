@@ -43,22 +43,26 @@ constexpr std::array<std::string_view, 10> light_keys{"name",      "shape", "int
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
 constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
 
-// Where a shape stores the name of its profile or mask, and the web read from it.
+// Where a shape stores the name of its profile or mask, and the web or the image read from it.
 struct FileOfShape {
     std::string* file = nullptr;
     std::shared_ptr<const Web>* web = nullptr;
+    std::shared_ptr<const LightImage>* image = nullptr;
 };
 
-// What a file gave: a mask has no opening.
-struct FileRead {
+// What a file gave: a mask has no opening, and is a web or an image.
+struct RememberedFile {
     std::shared_ptr<const Web> web;
     std::shared_ptr<const Opening> declared;
+    std::shared_ptr<const LightImage> image;
 };
 
 FileOfShape file_of(Shape& shape) {
     return std::visit(
         [](auto& kind) -> FileOfShape {
-            if constexpr (requires { kind.mask_file; })
+            if constexpr (requires { kind.image; })
+                return {&kind.mask_file, &kind.mask, &kind.image};
+            else if constexpr (requires { kind.mask_file; })
                 return {&kind.mask_file, &kind.mask};
             else if constexpr (requires { kind.file; })
                 return {&kind.file, &kind.web};
@@ -202,13 +206,15 @@ private:
         auto* const profile = std::get_if<ProfileShape>(&shape);
         if (const auto known = webs_.find(key); known != webs_.end()) {
             *of.web = known->second.web;
+            if (of.image != nullptr) *of.image = known->second.image;
             if (profile != nullptr) profile->declared = known->second.declared;
-            return {};
+            return load_profile(shape, rig_.diagnostics); // refuses an image that the shape does not take
         }
         if (Result<void> loaded = load_profile(shape, rig_.diagnostics); !loaded) return pass_on(loaded);
         const FileOfShape read = file_of(shape);
         if (webs_.size() < most_remembered)
-            webs_.emplace(key, FileRead{*read.web, profile != nullptr ? profile->declared : nullptr});
+            webs_.emplace(key, RememberedFile{*read.web, profile != nullptr ? profile->declared : nullptr,
+                                              read.image != nullptr ? *read.image : nullptr});
         return {};
     }
 
@@ -327,7 +333,7 @@ private:
     bool schema_seen_ = false;
     std::map<std::string, glm::dvec3> colors_;
     std::map<std::string, Shape> shapes_;
-    std::map<std::pair<bool, std::string>, FileRead> webs_;
+    std::map<std::pair<bool, std::string>, RememberedFile> webs_;
     std::map<std::pair<std::shared_ptr<const Web>, double>, std::shared_ptr<const Web>> smooth_; // by table and step
     std::size_t smooth_intensities_ = 0;
 };

@@ -1,5 +1,5 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/light/luminaire.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/rig.hpp>
 
@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// Everything that determines how much a light with a web emits.
+// Everything that determines how much a light with a web or an image emits.
 using Emitter =
-    std::tuple<std::size_t, std::vector<double>, const Web*, const Opening*, std::string_view, double, double, double>;
+    std::tuple<std::size_t, std::vector<double>, const void*, const Opening*, std::string_view, double, double, double>;
 
 // The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
@@ -38,15 +38,18 @@ std::vector<double> numbers_of(const Shape& shape) {
     return numbers;
 }
 
-// Nothing for lights without a web: they need only arithmetic.
+// Nothing for lights without either: they need only arithmetic.
 std::optional<Emitter> emitter_of(const LightDescription& light) {
     const auto* const profile = std::get_if<ProfileShape>(&light.shape);
-    const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
-    if (web == nullptr) return std::nullopt;
+    const Mask mask = mask_of(light.shape);
+    const void* const pattern = profile != nullptr      ? static_cast<const void*>(profile->web.get())
+                                : mask.image != nullptr ? static_cast<const void*>(mask.image)
+                                                        : static_cast<const void*>(mask.web);
+    if (pattern == nullptr) return std::nullopt;
     const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
     return Emitter{light.shape.index(),
                    numbers_of(light.shape),
-                   web,
+                   pattern,
                    profile != nullptr ? profile->opening() : nullptr,
                    value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
                    value.number,
@@ -66,7 +69,7 @@ Result<Light> like(const Light& prototype, LightDescription description, Diagnos
     light.color = placement->color;
     light.range = placement->range;
     light.emitted_by = placement->emitted_by;
-    place_faces(light);
+    if (Result<void> parts = place_parts(light); !parts) return pass_on(parts);
     return light;
 }
 

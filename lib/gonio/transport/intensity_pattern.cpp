@@ -1,3 +1,4 @@
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/reference.hpp>
 #include <gonio/transport/intensity_pattern.hpp>
@@ -84,6 +85,36 @@ LobeConstants lobe_of(const Shape& shape) {
     });
 }
 
+// Finer than pictures show it, a projected image would flicker between their pixels: means over 1024 pixels a side at
+// most.
+std::shared_ptr<const ImagePlane> reduced(const std::shared_ptr<const ImagePlane>& image) {
+    constexpr int most = 1024;
+    const int width = std::min(image->width(), most);
+    const int height = std::min(image->height(), most);
+    if (width == image->width() && height == image->height()) return image;
+    std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const glm::dvec2 size(width, height);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const glm::dvec2 low = glm::dvec2(column, row) / size;
+            values.push_back(static_cast<float>(image->mean(low, low + 1.0 / size)));
+        }
+    return std::make_shared<const ImagePlane>(width, height, std::move(values));
+}
+
+transport::ImageConstants image_constants(const Shape& shape, const ImagePlane& image) {
+    transport::ImageConstants constants{image.pixels().data(), static_cast<std::size_t>(image.width()),
+                                        static_cast<std::size_t>(image.height())};
+    if (const auto* const spot = std::get_if<SpotShape>(&shape)) {
+        constants.slope_x = constants.slope_y = static_cast<float>(std::tan(spot->outer.value));
+    } else if (const auto* const frustum = std::get_if<FrustumShape>(&shape)) {
+        constants.slope_x = static_cast<float>(std::tan(0.5 * frustum->horizontal.value));
+        constants.slope_y = static_cast<float>(std::tan(0.5 * frustum->vertical.value));
+    }
+    return constants;
+}
+
 void copy(const glm::dvec3& from, float (&to)[3]) {
     for (int i = 0; i < 3; ++i)
         to[i] = static_cast<float>(from[i]);
@@ -146,6 +177,15 @@ IntensityPattern::IntensityPattern(const Light& light, WebTables& tables, bool a
         as_point_ = true;
         return;
     }
+    if (light.image != nullptr) {
+        along_axis_ = is_share_ ? light.image->mean() : light.intensity.value;
+        if (is_share_) return;
+        lobe_ = lobe_of(light.shape);
+        image_ = reduced(light.image);
+        along_axis_ *= image_ == light.image ? 1.0 : image_->peak();
+        image_constants_ = image_constants(light.shape, *image_);
+        return;
+    }
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
     const Web* const web = profile != nullptr ? profile->web.get() : mask_of(light.shape).web;
     along_axis_ = is_share_ || profile != nullptr ? 1.0 : light.intensity.value;
@@ -174,7 +214,7 @@ void IntensityPattern::evaluate(const transport::Points& points, const glm::dvec
         return;
     }
     std::fill(cd, cd + points.count, static_cast<float>(along_axis_));
-    if (lobe_.kind == LobeConstants::Kind::none && table_ == nullptr) return;
+    if (lobe_.kind == LobeConstants::Kind::none && table_ == nullptr && image_ == nullptr) return;
     transport::LightFrame frame;
     copy(light_.frame.origin - anchor, frame.origin);
     copy(light_.frame.x, frame.x);
@@ -182,6 +222,7 @@ void IntensityPattern::evaluate(const transport::Points& points, const glm::dvec
     copy(light_.frame.z, frame.z);
     kernels.lobe(points, frame, lobe_, cd);
     if (table_ != nullptr) kernels.web(points, frame, table_->constants(web_scale_), cd);
+    if (image_ != nullptr) kernels.image(points, frame, image_constants_, cd);
 }
 
 } // namespace gonio::detail

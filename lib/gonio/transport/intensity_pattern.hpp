@@ -61,6 +61,8 @@ private:
     double along_axis_ = 0.0;
     transport::LobeConstants lobe_;
     std::shared_ptr<const WebTable> table_;
+    std::shared_ptr<const ImagePlane> image_; // that a spot or a frustum projects
+    transport::ImageConstants image_constants_;
     double web_scale_ = 1.0;
     bool as_point_ = false;
     bool is_share_ = false; // what evaluate() gives is a factor

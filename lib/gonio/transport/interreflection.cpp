@@ -1,5 +1,5 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/light/luminaire.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/scene/directional_albedo.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/exchange_geometry.hpp>

@@ -1,8 +1,9 @@
 // How punctual lights distribute their intensity over directions, for many points at once, on the widest vector unit.
 //
 // Floats in structures of arrays, metres, one common frame. The lobes are those of shading/falloff.hpp; a web is looked
-// up at its own angles. Each function multiplies the array, so fill it with the intensity along the axis first. Results
-// are finite for finite input; nothing fails or allocates. The tests compare them with light.intensity_towards().
+// up at its own angles, an image where the direction meets the plane one metre before the light. Each function
+// multiplies the array, so fill it with the intensity along the axis first. Results are finite for finite input;
+// nothing fails or allocates. The tests compare them with light.intensity_towards().
 #pragma once
 
 #include <gonio/simd/dispatch.hpp>
@@ -67,10 +68,20 @@ struct WebConstants {
     float scale = 1.0F;
 };
 
+// light/light_image.hpp: bilinear between the centres of its pixels.
+struct ImageConstants {
+    const float* pixels = nullptr; // [row][column]
+    std::size_t width = 0;
+    std::size_t height = 0;
+    float slope_x = 1.0F; // of its right and its upper edge: half of what it covers at a distance of 1
+    float slope_y = 1.0F;
+};
+
 struct IntensityKernels {
     simd::InstructionSet set;
     void (*lobe)(const Points&, const LightFrame&, const LobeConstants&, float* cd);
     void (*web)(const Points&, const LightFrame&, const WebConstants&, float* cd);
+    void (*image)(const Points&, const LightFrame&, const ImageConstants&, float* cd); // 0 outside of the image
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

@@ -213,6 +213,54 @@ void multiply_any_web(const Points& points, const LightFrame& frame, const WebCo
     }
 }
 
+template<class S>
+GONIO_FORCE_INLINE float look_up(const ImageConstants& image, float column, float row) {
+    const auto x = static_cast<std::size_t>(column);
+    const auto y = static_cast<std::size_t>(row);
+    const std::size_t right = x + 1 < image.width ? 1 : 0;
+    const std::size_t below = y + 1 < image.height ? image.width : 0;
+    const float* const pixel = image.pixels + y * image.width + x;
+    const float along = column - static_cast<float>(x);
+    const float upper = pixel[0] + along * (pixel[right] - pixel[0]);
+    const float lower = pixel[below] + along * (pixel[below + right] - pixel[below]);
+    return upper + (row - static_cast<float>(y)) * (lower - upper);
+}
+
+template<class S>
+void multiply_image(const Points& points, const LightFrame& frame, const ImageConstants& image, float* cd) {
+    constexpr std::size_t lanes = simd::Traits<S>::lanes;
+    const LocalDirections<S> directions(frame);
+    const S across(0.5F * static_cast<float>(image.width) / image.slope_x);
+    const S down(0.5F * static_cast<float>(image.height) / image.slope_y);
+    const S middle_x(0.5F * static_cast<float>(image.width) - 0.5F);
+    const S middle_y(0.5F * static_cast<float>(image.height) - 0.5F);
+    const S last_x(static_cast<float>(image.width - 1));
+    const S last_y(static_cast<float>(image.height - 1));
+    simd::for_each_packet<simd::Packet<S>>(points.count, [&](const simd::Packet<S>& packet) {
+        const vec3<S> d = directions(packet, points);
+        const auto ahead = d.z < S(0);
+        const S inverse = S(1) / simd::select(ahead, -d.z, S(1));
+        const S x = simd::mul_add(d.x * inverse, across, middle_x);
+        const S y = simd::mul_add(d.y * inverse, -down, middle_y);
+        // Half a pixel beyond the outermost centres the image ends; a little more for directions on its outline.
+        constexpr float room = 1e-3F;
+        const S half(0.5F + room);
+        const auto inside =
+            simd::both(simd::both(x >= -half, x <= last_x + half), simd::both(y >= -half, y <= last_y + half));
+        const auto lit = simd::both(ahead, inside);
+        float columns[lanes];
+        float rows[lanes];
+        float found[lanes];
+        simd::store(simd::select(lit, simd::min(simd::max(x, S(0)), last_x), S(0)), &columns[0]);
+        simd::store(simd::select(lit, simd::min(simd::max(y, S(0)), last_y), S(0)), &rows[0]);
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            found[lane] = look_up<S>(image, columns[lane], rows[lane]);
+        S value;
+        simd::load(&found[0], value);
+        packet.store(packet.load(cd) * simd::select(lit, value, S(0)), cd);
+    });
+}
+
 extern const IntensityKernels kernels_intensity_scalar;
 extern const IntensityKernels kernels_intensity_sse2;
 extern const IntensityKernels kernels_intensity_avx2;

@@ -1,8 +1,9 @@
-// The mean luminance of flat lights whose luminance depends on the direction, as many receivers see it.
+// The mean luminance of flat lights that are not uniform, as many receivers see it: by direction in columns, by place
+// at nodes.
 //
-// In the light's frame (emission along −z, the receiver at p, depth −p_z > 0) the plane of the light is divided into
-// columns: φ = atan((x − p_x)/depth), and along a column ψ = atan((y − p_y) cosφ/depth). Then dω = cosψ dψ dφ, and with
-// T(φ, ψ) = L cosφ cosψ, the intensity of an element over its area,
+// Columns: in the light's frame (emission along −z, the receiver at p, depth −p_z > 0) the plane of the light is
+// divided into columns: φ = atan((x − p_x)/depth), and along a column ψ = atan((y − p_y) cosφ/depth). Then dω = cosψ dψ
+// dφ, and with T(φ, ψ) = L cosφ cosψ, the intensity of an element over its area,
 //
 //   E = ∫ dφ/cosφ [(n_x sinφ + n_z cosφ) ∫ T cosψ dψ + n_y ∫ T sinψ dψ].
 //
@@ -45,10 +46,30 @@ struct ColumnLight {
     ColumnTable table;
 };
 
+// A rectangle of which points send light: nodes at (x, y, 0) of its frame, each with an area [m²] and that area times a
+// luminance. An area dA sends dA ⟨n·l⟩ |z|/d³ to a receiver at the distance d and the height |z| over its plane.
+struct NodeLight {
+    float origin[3] = {};            // [m]
+    float x[3] = {1.0F, 0.0F, 0.0F}; // of the rectangle
+    float y[3] = {0.0F, 1.0F, 0.0F};
+    float z[3] = {0.0F, 0.0F, 1.0F}; // against the emission
+    bool two_sided = false;
+};
+
+struct LightNodes {
+    const float* x = nullptr; // [m]
+    const float* y = nullptr;
+    const float* luminance = nullptr;
+    const float* area = nullptr;
+    std::size_t count = 0;
+};
+
 struct LuminanceKernels {
     simd::InstructionSet set;
     // Adds to `share`; 0 behind the light and where it is below the horizon.
     void (*columns)(const Receivers&, const ColumnLight&, float* share);
+    // Sets `share` to the mean luminance of the nodes, ≥ 0; 0 where none of them is above the horizon or emits there.
+    void (*nodes)(const Receivers&, const NodeLight&, const LightNodes&, float* share);
 };
 
 // The kernels of `set`, or the scalar ones where simd::available(set) is false.

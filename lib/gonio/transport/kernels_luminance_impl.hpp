@@ -143,6 +143,7 @@ struct ColumnView {
     S middle, half_turn; // of φ [rad]
     simd::mask_of<S> lit;
 
+    ColumnView() = default;
     GONIO_FORCE_INLINE ColumnView(const Receivers& receivers, const ColumnLight& light, const simd::Packet<S>& packet) {
         const auto load = [&](const float* const(&from)[3]) {
             return vec3<S>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
@@ -180,7 +181,7 @@ struct ColumnSums {
     S uniform = S(0); // with a luminance of 1
 };
 
-// One column at the angle φ (its sine and cosine given).
+// One column at the angle φ.
 template<class S>
 GONIO_FORCE_INLINE void add_column(const ColumnLight& light, const ColumnView<S>& view, S phi, S weight,
                                    ColumnSums<S>& sums) {
@@ -245,15 +246,18 @@ void mean_luminance(const Receivers& receivers, const ColumnLight& light, float*
             for (std::size_t first = block; first < end; first += lanes)
                 work(simd::Packet<S>{first, end - first < lanes ? end - first : lanes});
         };
+        ColumnView<S> views[receivers_of_rule];
+        std::size_t count = 0;
         float turn = 0.0F;
         for_each([&](const simd::Packet<S>& packet) {
-            const ColumnView<S> view(receivers, light, packet);
+            const ColumnView<S>& view = views[count++] = ColumnView<S>(receivers, light, packet);
             turn = simd::max(turn, 2.0F * greatest(simd::select(view.lit, view.half_turn, S(0))));
         });
         if (!(turn > 0.0F)) continue;
         const ColumnRule& rule = column_rule(turn * (light.is_round ? 1.3F : 1.0F) / light.column_rad);
+        count = 0;
         for_each([&](const simd::Packet<S>& packet) {
-            const ColumnView<S> view(receivers, light, packet);
+            const ColumnView<S>& view = views[count++];
             if (!simd::any(view.lit)) return;
             ColumnSums<S> sums;
             for (std::size_t i = 0; i < rule.columns / 2; ++i) {
@@ -273,6 +277,41 @@ void mean_luminance(const Receivers& receivers, const ColumnLight& light, float*
             packet.store(packet.load(share) + simd::select(valid, simd::min(ratio, S(1e30F)), S(0)), share);
         });
     }
+}
+
+template<class S>
+void mean_of_nodes(const Receivers& receivers, const NodeLight& light, const LightNodes& nodes, float* share) {
+    const vec3<S> x = spread<S>(light.x);
+    const vec3<S> y = spread<S>(light.y);
+    const vec3<S> z = spread<S>(light.z);
+    simd::for_each_packet<simd::Packet<S>>(receivers.count, [&](const simd::Packet<S>& packet) {
+        const auto load = [&](const float* const(&from)[3]) {
+            return vec3<S>{packet.load(from[0]), packet.load(from[1]), packet.load(from[2])};
+        };
+        const vec3<S> to_center = spread<S>(light.origin) - load(receivers.position);
+        const vec3<S> normal = load(receivers.normal);
+        const vec3<S> center{dot(to_center, x), dot(to_center, y), dot(to_center, z)};
+        const vec3<S> n{dot(normal, x), dot(normal, y), dot(normal, z)};
+        const S height = simd::abs(center.z);
+        const auto emits = light.two_sided ? height > S(0) : center.z > S(0);
+        const S across = n.z * center.z;
+        const S square_height = center.z * center.z;
+        S seen(0);
+        S all(0);
+        for (std::size_t i = 0; i < nodes.count; ++i) {
+            const S to_x = center.x + S(nodes.x[i]);
+            const S to_y = center.y + S(nodes.y[i]);
+            const S cosine = simd::max(simd::mul_add(n.x, to_x, simd::mul_add(n.y, to_y, across)), S(0));
+            const S square = simd::mul_add(to_x, to_x, simd::mul_add(to_y, to_y, square_height));
+            const S inverse = S(1) / simd::max(square, S(1e-18F));
+            const S weight = cosine * inverse * inverse; // times the height, which the ratio doesn't need
+            seen = simd::mul_add(weight, S(nodes.luminance[i]), seen);
+            all = simd::mul_add(weight, S(nodes.area[i]), all);
+        }
+        const auto valid = simd::both(emits, all > S(1e-30F));
+        const S mean = simd::min(simd::max(seen / simd::max(all, S(1e-30F)), S(0)), S(1));
+        packet.store(simd::select(valid, mean, S(0)), share);
+    });
 }
 
 extern const LuminanceKernels kernels_luminance_scalar;

@@ -32,10 +32,10 @@ bool becomes_point(const Shape& shape, IrradianceMethod method) {
 std::vector<LitLight> lit_lights(std::span<const Light> lights, IrradianceMethod method) {
     std::vector<LitLight> lit;
     lit.reserve(lights.size());
-    WebTables tables;
-    ColumnPatterns patterns;
+    WebTables webs;
+    LuminanceTables tables;
     for (const Light& light : lights)
-        lit.emplace_back(light, method, tables, patterns);
+        lit.emplace_back(light, method, webs, tables);
     return lit;
 }
 
@@ -63,21 +63,22 @@ shading::MaterialConstants constants(const CoreMaterial& material) {
 
 } // namespace
 
-LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables, ColumnPatterns& patterns)
+LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& webs, LuminanceTables& tables)
     : light(of_light),
       is_dark(detail::is_dark(of_light)),
       constants(light_constants(of_light)),
-      pattern(of_light, tables, becomes_point(of_light.shape, method)),
-      reach(reach_of(of_light, detail::approximation(method).has_value())),
+      approximation(detail::approximation(method)),
+      reach(reach_of(of_light, approximation.has_value())),
       has_surface(class_of(of_light.shape) == ShapeClass::area) {
     const bool as_point = becomes_point(light.shape, method);
     is_punctual = as_point || !has_extent(light.shape);
-    const bool by_direction = !is_punctual && light.has_pattern() && method != IrradianceMethod::reference;
-    const bool from_center = by_direction && detail::approximation(method).has_value();
-    has_pattern = is_punctual || from_center;
-    if (by_direction && !from_center) luminance.emplace(light, patterns, tables);
+    const bool is_uneven = !is_punctual && light.has_pattern() && method != IrradianceMethod::reference;
+    if (is_punctual || (is_uneven && approximation))
+        pattern.emplace(light, webs, as_point);
+    else if (is_uneven)
+        luminance.emplace(light, tables, webs);
     constants.specular_method = specular_method(method);
-    if (!is_punctual) approximation = detail::approximation(method);
+    if (is_punctual) approximation.reset();
     if (!as_point) return;
     constants.kind = shading::LightConstants::Kind::punctual;
     for (int channel = 0; channel < 3; ++channel)

@@ -1,7 +1,7 @@
 // A stage and its lights as the tiles of a picture need them: made once, then read by all threads.
 #pragma once
 
-#include <gonio/light/luminaire.hpp>
+#include <gonio/light/light_parts.hpp>
 #include <gonio/scene/core_material.hpp>
 #include <gonio/scene/directional_albedo.hpp>
 #include <gonio/scene/emissive_lights.hpp>
@@ -26,14 +26,13 @@ class SkyLight;
 
 struct LitLight {
     // The light must outlive this.
-    LitLight(const Light& of_light, IrradianceMethod method, WebTables& tables, ColumnPatterns& patterns);
+    LitLight(const Light& of_light, IrradianceMethod method, WebTables& webs, LuminanceTables& tables);
 
     const Light& light;
     bool is_dark = false;
-    shading::LightConstants constants; // the position is set for each group of points
-    IntensityPattern pattern;
-    bool has_pattern = false; // if true, `pattern` is used: the light is punctual, or masked and the method takes it so
-    std::optional<LuminancePattern> luminance;           // of an area light by direction, for all other methods
+    shading::LightConstants constants;                   // the position is set for each group of points
+    std::optional<IntensityPattern> pattern;             // of a punctual light, or of a masked one that is taken so
+    std::optional<LuminancePattern> luminance;           // of an area light that is not uniform, by all other methods
     bool is_punctual = false;                            // or treated as a point
     std::optional<shading::Approximation> approximation; // of the irradiance, for the methods that use one
     LightReach reach;

@@ -1,3 +1,4 @@
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/luminaire.hpp>
 #include <gonio/light/shape_traits.hpp>
 #include <gonio/transport/luminance_pattern.hpp>
@@ -172,7 +173,15 @@ transport::ColumnTable ColumnPattern::constants() const {
     return {nodes_.data(), count_, static_cast<float>(step_rad_)};
 }
 
-LuminancePattern::LuminancePattern(const Light& light, ColumnPatterns& patterns, WebTables& webs) : light_(light) {
+LuminancePattern::LuminancePattern(const Light& light, LuminanceTables& tables, WebTables& webs) : light_(light) {
+    if (light.image != nullptr) {
+        const auto& rect = std::get<RectShape>(light.shape);
+        std::shared_ptr<const ImagePattern>& made =
+            tables.images[{light.image.get(), rect.width.value, rect.height.value}];
+        if (made == nullptr) made = std::make_shared<const ImagePattern>(rect, *light.image);
+        image_ = made;
+        return;
+    }
     const Web& web = web_of(light);
     const double web_deg = web_step_deg(web);
     if (!is_flat(light.shape)) {
@@ -189,7 +198,7 @@ LuminancePattern::LuminancePattern(const Light& light, ColumnPatterns& patterns,
     const void* const source = light.emission != nullptr ? static_cast<const void*>(light.emission->body.get()) : &web;
     const std::size_t face = light.emission != nullptr ? light.emission->face : 0;
     const auto pattern = [&](bool behind) {
-        std::shared_ptr<const ColumnPattern>& made = patterns[{source, face, columns_along_y_, behind}];
+        std::shared_ptr<const ColumnPattern>& made = tables.columns[{source, face, columns_along_y_, behind}];
         if (made == nullptr) made = std::make_shared<const ColumnPattern>(light, columns_along_y_, behind, step_deg);
         return made;
     };
@@ -216,7 +225,12 @@ void LuminancePattern::by_columns(const transport::Receivers& receivers, const g
         light.table = pattern->constants();
         kernels.columns(receivers, light, share);
     }
-    // From farther away the outline has no digits left in floats, and one direction is enough.
+}
+
+// From farther away the outline has no digits left in floats, and one direction is enough.
+void LuminancePattern::replace_far(const transport::Receivers& receivers, const glm::dvec3& anchor,
+                                   float* share) const {
+    const Outline outline = std::visit(OutlineOf(), light_.shape);
     constexpr double farthest = 1e4; // in radii
     const double far_m = farthest * std::hypot(outline.half_x, outline.half_y);
     for (std::size_t i = 0; i < receivers.count; ++i) {
@@ -230,8 +244,32 @@ void LuminancePattern::evaluate(const transport::Receivers& receivers, const glm
                                 const transport::LuminanceKernels& columns,
                                 const transport::IntensityKernels& intensity, std::vector<float>& share) const {
     share.assign(receivers.count, 0.0F);
-    if (front_ != nullptr) return by_columns(receivers, anchor, columns, share.data());
-    by_directions(receivers, anchor, intensity, share);
+    if (image_ == nullptr && front_ == nullptr) return by_directions(receivers, anchor, intensity, share);
+    if (image_ != nullptr)
+        image_->evaluate(light_, receivers, anchor, columns, share.data());
+    else
+        by_columns(receivers, anchor, columns, share.data());
+    replace_far(receivers, anchor, share.data());
+}
+
+double LuminancePattern::towards(const glm::dvec3& receiver, const glm::dvec3& direction) const {
+    if (image_ == nullptr) return light_.luminance_share(-direction);
+    constexpr double blur = 1.0 / 12.0; // of a side: shadows look along 8 lines of 4 cells each
+    return blurred(receiver, direction, glm::dvec2(blur));
+}
+
+// The mean of the image over a rectangle around the place that the ray meets, which is moved onto the light.
+double LuminancePattern::blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const {
+    const Frame& frame = light_.frame;
+    const glm::dvec3 from = frame.to_local(viewer - frame.origin);
+    const glm::dvec3 along = frame.to_local(toward);
+    // A ray that runs along the plane or away from it meets it far outside.
+    constexpr double steepest = 1e-3;
+    const double slope = std::max(-std::copysign(1.0, from.z) * along.z, steepest);
+    const double t = std::abs(from.z) / slope;
+    const glm::dvec2 at =
+        glm::clamp(place_on(std::get<RectShape>(light_.shape), from.x + t * along.x, from.y + t * along.y), 0.0, 1.0);
+    return light_.image->mean(at - half, at + half);
 }
 
 void LuminancePattern::by_directions(const transport::Receivers& receivers, const glm::dvec3& anchor,
@@ -285,6 +323,15 @@ void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm:
         const glm::dvec3 view = vector(surfaces.view);
         const glm::dvec3 mirrored = 2.0 * glm::dot(normal, view) * normal - view;
         const glm::dvec3 to_center = frame.origin - anchor - vector(surfaces.position);
+        const double light_rad = radius_m / glm::length(to_center);
+        const double narrow = light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad);
+        if (image_ != nullptr) {
+            const double half_m = lobe_rad * glm::length(to_center);
+            const glm::dvec2 half = 0.5 * half_m / glm::dvec2(outline.half_x, outline.half_y);
+            const double seen = blurred(frame.origin - to_center, mirrored, half);
+            share[i] += static_cast<float>(narrow) * (static_cast<float>(seen) - share[i]);
+            continue;
+        }
         glm::dvec3 towards = to_center;
         if (front_ != nullptr) {
             const double depth = glm::dot(to_center, frame.z);
@@ -300,8 +347,6 @@ void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm:
             }
             towards += at.x * frame.x + at.y * frame.y;
         }
-        const double light_rad = radius_m / glm::length(to_center);
-        const double narrow = light_rad * light_rad / (light_rad * light_rad + lobe_rad * lobe_rad);
         share[i] += static_cast<float>(narrow) * (static_cast<float>(light_.luminance_share(-towards)) - share[i]);
     }
 }

@@ -1,14 +1,17 @@
-// The luminance of an area light that depends on the direction: behind a mask, or as a face of a luminous opening.
+// The luminance of an area light that is not uniform: behind a mask, as a face of a luminous opening, or with an image.
 //
 // For many receivers at once, the mean of the luminance over what each sees of the light, weighted as its irradiance
-// is. Flat lights have tables of running integrals (kernels_luminance.hpp), spheres and tubes a few directions.
+// is. Flat lights have tables of running integrals (kernels_luminance.hpp) or the nodes of their image
+// (image_pattern.hpp), spheres and tubes a few directions.
 #pragma once
 
 #include <gonio/light/light.hpp>
 #include <gonio/shading/kernels.hpp>
+#include <gonio/transport/image_pattern.hpp>
 #include <gonio/transport/intensity_pattern.hpp>
 #include <gonio/transport/kernels_luminance.hpp>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <map>
@@ -32,13 +35,16 @@ private:
     std::vector<float> nodes_;
 };
 
-// Tables shared by lights with the same profile and opening; each is made once.
-using ColumnPatterns = std::map<std::tuple<const void*, std::size_t, bool, bool>, std::shared_ptr<const ColumnPattern>>;
+// Tables shared by lights with the same profile and opening, or with the same image and size; each is made once.
+struct LuminanceTables {
+    std::map<std::tuple<const void*, std::size_t, bool, bool>, std::shared_ptr<const ColumnPattern>> columns;
+    std::map<std::tuple<const ImagePlane*, double, double>, std::shared_ptr<const ImagePattern>> images;
+};
 
 class LuminancePattern {
 public:
     // The light must have a pattern (Light::has_pattern()), be an area light and outlive this.
-    LuminancePattern(const Light& light, ColumnPatterns& patterns, WebTables& webs);
+    LuminancePattern(const Light& light, LuminanceTables& tables, WebTables& webs);
 
     // One factor on Light::luminance per receiver, ≥ 0. Positions are relative to `anchor`.
     void evaluate(const transport::Receivers& receivers, const glm::dvec3& anchor,
@@ -50,9 +56,16 @@ public:
     void along_lobes(const shading::Surfaces& surfaces, const glm::dvec3& anchor, double alpha,
                      const std::vector<float>& mean, std::vector<float>& share) const;
 
+    // A factor on Light::luminance from a unit direction, of images blurred to a few parts of their side.
+    double towards(const glm::dvec3& receiver, const glm::dvec3& direction) const;
+
 private:
     void by_columns(const transport::Receivers& receivers, const glm::dvec3& anchor,
                     const transport::LuminanceKernels& kernels, float* share) const;
+
+    void replace_far(const transport::Receivers& receivers, const glm::dvec3& anchor, float* share) const;
+
+    double blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const;
 
     void by_directions(const transport::Receivers& receivers, const glm::dvec3& anchor,
                        const transport::IntensityKernels& kernels, std::vector<float>& share) const;
@@ -63,6 +76,7 @@ private:
     std::shared_ptr<const ColumnPattern> front_; // of flat lights
     std::shared_ptr<const ColumnPattern> back_;  // of two-sided ones
     std::shared_ptr<const WebTable> web_;        // of spheres and tubes
+    std::shared_ptr<const ImagePattern> image_;  // of rectangles with an image
     double node_rad_ = 0.0;                      // of these, the angle between directions
 };
 

@@ -104,7 +104,7 @@ Result<ReceiverLight> ReceiverLight::on(const Stage& stage, std::span<const Ligh
     ReceiverLight made(std::make_unique<detail::LitScene>(stage, lights, options), std::move(indirect),
                        std::move(geometry));
     for (const Light& light : lights)
-        made.faces_.push_back(light.faces != nullptr ? light.faces->size() : 1);
+        made.faces_.push_back(light.parts != nullptr ? light.parts->size() : 1);
     return made;
 }
 

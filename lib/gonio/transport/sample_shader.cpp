@@ -98,10 +98,10 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     shading::LightConstants constants = light.constants;
     for (int axis = 0; axis < 3; ++axis)
         constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
-    if (light.has_pattern) {
+    if (light.pattern) {
         intensity_.resize(count);
-        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
-                               samples.anchor, scene_.intensity, intensity_.data());
+        light.pattern->evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                                samples.anchor, scene_.intensity, intensity_.data());
         if (light.is_punctual) guard(options.method, surfaces, constants, intensity_);
         constants.intensity_cd = intensity_.data();
     }
@@ -118,7 +118,7 @@ void SampleShader::shade(const LitLight& light, const SurfaceSamples& samples, s
     if (options.illuminance)
         for (std::size_t i = 0; i < count; ++i)
             lx_[i] *= luminance_nt;
-    if (!light.has_pattern) return;
+    if (!light.pattern) return;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             rgb_[channel][i] *= intensity_[i];
@@ -137,10 +137,10 @@ void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& sampl
     shading::LightConstants constants = light.constants;
     for (int axis = 0; axis < 3; ++axis)
         constants.position[axis] = static_cast<float>(light.reach.center[axis] - samples.anchor[axis]);
-    if (light.has_pattern) {
+    if (light.pattern) {
         intensity_.resize(count);
-        light.pattern.evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
-                               samples.anchor, scene_.intensity, intensity_.data());
+        light.pattern->evaluate({{surfaces.position[0], surfaces.position[1], surfaces.position[2]}, count},
+                                samples.anchor, scene_.intensity, intensity_.data());
         constants.intensity_cd = intensity_.data();
     }
     lx_.resize(count);
@@ -153,7 +153,7 @@ void SampleShader::illuminate(const LitLight& light, const SurfaceSamples& sampl
     }
     const auto luminance_nt = static_cast<float>(light.light.luminance.value);
     for (std::size_t i = 0; i < count; ++i)
-        lx_[i] *= luminance_nt * (light.has_pattern ? intensity_[i] : 1.0F);
+        lx_[i] *= luminance_nt * (light.pattern ? intensity_[i] : 1.0F);
 }
 
 void SampleShader::apply_luminance(const LitLight& light, const shading::Surfaces& surfaces,

@@ -153,7 +153,7 @@ void SoftShadow::find_hidden() {
 
 // Of the light towards the point from a unit direction, over its mean.
 double SoftShadow::luminance_from(const glm::dvec3& direction) const {
-    return light_->luminance ? light_->light.luminance_share(-direction) : 1.0;
+    return light_->luminance ? light_->luminance->towards(point_, direction) : 1.0;
 }
 
 // The share of the illuminance that the lines let through.

@@ -1,4 +1,5 @@
 // Luminous openings: their grammar, their faces, and what they say about odd files.
+#include <gonio/light/light_parts.hpp>
 #include <gonio/light/luminaire.hpp>
 #include <gonio/light/luminous_body.hpp>
 #include <gonio/light/opening.hpp>
@@ -119,12 +120,12 @@ TEST(Luminaire, EmitsWhatWasMeasuredAsFromFarAway) {
         for (const char* const opening : {"rect:w=1.2m,h=5cm", "disk:r=10cm", "ellipse:w=30cm,h=10cm",
                                           "box:w=60cm,h=30cm,d=5cm", "cylinder:r=4cm,l=20cm", "sphere:r=15cm"}) {
             const Light light = test::luminaire(formula, opening);
-            ASSERT_NE(light.faces, nullptr) << formula << " " << opening;
+            ASSERT_NE(light.parts, nullptr) << formula << " " << opening;
             const Web& web = *std::get<ProfileShape>(light.shape).web;
             for (double c = 3.0; c < 360.0; c += 37.0)
                 for (double gamma = 2.0; gamma < 180.0; gamma += 11.0) {
                     double sum = 0.0;
-                    for (const Light& face : *light.faces)
+                    for (const Light& face : *light.parts)
                         sum += face.intensity_towards(towards(c, gamma)).value;
                     const double measured = web.candela(towards(c, gamma));
                     EXPECT_NEAR(sum, measured, 1e-12 * light.intensity.value)
@@ -147,21 +148,21 @@ TEST(Luminaire, IsPlacedWithItsLight) {
     const Light light = resolve_light(description, diagnostics).value();
     for (const glm::dvec3 direction : {glm::dvec3(1, 0.3, 0.2), glm::dvec3(0.2, -1, 0.4), glm::dvec3(0.4, 0.1, -1)}) {
         double sum = 0.0;
-        for (const Light& face : *light.faces)
+        for (const Light& face : *light.parts)
             sum += face.intensity_towards(direction).value;
         EXPECT_NEAR(sum, light.intensity_towards(direction).value, 1e-9 * light.intensity.value);
     }
-    for (const Light& face : *light.faces)
+    for (const Light& face : *light.parts)
         EXPECT_EQ(face.color, description.color);
-    EXPECT_NEAR(glm::dot(light.faces->front().frame.origin - description.position, description.direction), 0.05, 1e-12);
+    EXPECT_NEAR(glm::dot(light.parts->front().frame.origin - description.position, description.direction), 0.05, 1e-12);
 }
 
 TEST(Luminaire, OneSidedLightHasOneFace) {
-    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m").faces->size(), 1U);
-    EXPECT_EQ(test::luminaire("cosine:up=1", "rect:w=1m,h=1m").faces->size(), 2U);
-    EXPECT_EQ(test::luminaire("batwing", "box:w=1m,h=1m,d=1m").faces->size(), 5U);
-    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m", ProfileSize::point).faces, nullptr);
-    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m", ProfileSize::unsaid).faces, nullptr);
+    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m").parts->size(), 1U);
+    EXPECT_EQ(test::luminaire("cosine:up=1", "rect:w=1m,h=1m").parts->size(), 2U);
+    EXPECT_EQ(test::luminaire("batwing", "box:w=1m,h=1m,d=1m").parts->size(), 5U);
+    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m", ProfileSize::point).parts, nullptr);
+    EXPECT_EQ(test::luminaire("batwing", "rect:w=1m,h=1m", ProfileSize::unsaid).parts, nullptr);
 }
 
 Diagnostics said_of(const std::string& formula, const Opening& opening, ProfileSize size) {

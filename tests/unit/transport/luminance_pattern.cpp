@@ -74,7 +74,7 @@ std::vector<double> shares_of(const Light& light, const std::vector<Receiver>& r
             axes.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
             axes.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
         }
-    detail::ColumnPatterns patterns;
+    detail::LuminanceTables patterns;
     detail::WebTables webs;
     const detail::LuminancePattern pattern(light, patterns, webs);
     std::vector<float> share;
@@ -129,7 +129,7 @@ TEST(LuminancePattern, KnowsMasksOfAllShapes) {
 
 TEST(LuminancePattern, OfATinyLightIsThatOfOneDirection) {
     const Light light = test::luminaire("wall-washer", "rect:w=0.000001mm,h=0.000001mm");
-    const Light& face = light.faces->front();
+    const Light& face = light.parts->front();
     const std::vector<Receiver> receivers{{{2.0, 0.5, -3.0}, {0, 0, 1}}, {{-20.0, 5.0, -30.0}, {0.6, 0, 0.8}}};
     const std::vector<double> shares = shares_of(face, receivers);
     for (std::size_t i = 0; i < receivers.size(); ++i)
@@ -144,7 +144,7 @@ TEST(LuminancePattern, IsFiniteInThePlaneOfTheLight) {
             receivers.push_back({{x, 0.1, z}, {0, 0, 1}});
             receivers.push_back({{x, 0.1, z}, {-1, 0, 0}});
         }
-    for (const double share : shares_of(light.faces->front(), receivers)) {
+    for (const double share : shares_of(light.parts->front(), receivers)) {
         EXPECT_TRUE(std::isfinite(share));
         EXPECT_GE(share, 0.0);
     }
