@@ -4,6 +4,7 @@
 #include <gonio/base/amount_range.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/light/far_field.hpp>
+#include <gonio/light/light_image.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/light/shape_traits.hpp>
@@ -96,7 +97,12 @@ Grid grid_of(const Flat& /*shape*/) {
 }
 
 Grid grid_of(const Light& light) {
-    if (mask_of(light.shape).web != nullptr) return {Symmetry::none, steps(0.0, 360.0, 144), steps(0.0, 180.0, 180)};
+    const Mask mask = mask_of(light.shape);
+    if (mask.web != nullptr) return {Symmetry::none, steps(0.0, 360.0, 144), steps(0.0, 180.0, 180)};
+    // From far away an image on a rectangle is its mean. One that is projected needs as many directions as it has
+    // pixels; half a degree is what profiles of this kind are read at.
+    if (mask.image != nullptr && class_of(light.shape) == ShapeClass::punctual)
+        return {Symmetry::none, steps(0.0, 360.0, 360), steps(0.0, 90.0, 180)};
     return std::visit([](const auto& shape) { return grid_of(shape); }, light.shape);
 }
 
@@ -153,7 +159,7 @@ Result<MeasuredLight> profile_of(const Light& light, const Frame& frame, const s
 
 // What the profile of a light depends on: lights with equal keys share one.
 struct ProfileKey {
-    const Web* web; // that of the profile or of the mask
+    const void* pattern; // the web of the profile or of the mask, or its image
     std::vector<double> numbers;
 
     auto operator<=>(const ProfileKey&) const = default; // NOLINT(modernize-use-nullptr): a bug of clang-tidy 14
@@ -161,7 +167,9 @@ struct ProfileKey {
 
 ProfileKey profile_key(const Light& light) {
     const auto* profile = std::get_if<ProfileShape>(&light.shape);
-    ProfileKey key{profile != nullptr ? profile->web.get() : mask_of(light.shape).web,
+    const Mask mask = mask_of(light.shape);
+    const void* const of_mask = mask.image != nullptr ? static_cast<const void*>(mask.image) : mask.web;
+    ProfileKey key{profile != nullptr ? profile->web.get() : of_mask,
                    {static_cast<double>(light.shape.index()), light.web_scale, light.intensity.value, light.color.x,
                     light.color.y, light.color.z}};
     const auto number = [](const auto& value) {
@@ -254,13 +262,16 @@ private:
 
     Result<void> place_far(const Light& light, SceneLight made, std::string_view why,
                            std::string_view what = "a point") {
-        say(light, fmt::format("{}: written as {} with the same intensity in every direction", why, what));
+        const LightImage* const image = mask_of(light.shape).image;
+        say(light, fmt::format("{}: written as {} with the same intensity in every direction{}", why, what,
+                               image != nullptr && image->is_colored() ? ", without the colours of its image" : ""));
         return place_profile(light, std::move(made));
     }
 
     // An area light: of the target's own kind, or as from far away.
     template<class Area>
     Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
+        if (mask_of(light.shape).image != nullptr) return place_far(light, std::move(made), "an image on a rectangle");
         if (shape.mask) return place_far(light, std::move(made), "a mask on an area light");
         if (!holds(kind))
             return place_far(light, std::move(made),
@@ -291,6 +302,7 @@ private:
         const bool hard = spot.falloff == Falloff::hard || !(spot.inner.value < spot.outer.value);
         const TargetHolds& held = target_.holds;
         const bool same = spot.falloff == held.spot_falloff && (held.spot_has_inner || spot.inner.value == 0.0);
+        if (spot.image != nullptr) return place_far(light, std::move(made), "a projected image");
         if (spot.mask) return place_far(light, std::move(made), "a mask on a spot");
         if (!held.spot_falloff || (hard ? !held.spot_has_inner : !same))
             return place_far(light, std::move(made),
@@ -303,7 +315,8 @@ private:
         made.inner = hard ? asset_detail::hard_edge * spot.outer.value : spot.inner.value;
         return place_as(LightKind::spot, std::move(made));
     }
-    Result<void> place(const Light& light, const FrustumShape&, SceneLight made) {
+    Result<void> place(const Light& light, const FrustumShape& frustum, SceneLight made) {
+        if (frustum.image != nullptr) return place_far(light, std::move(made), "a projected image");
         return place_far(light, std::move(made), fmt::format("{} does not have frustum lights", target_.name));
     }
     Result<void> place(const Light& light, const SphereShape& sphere, SceneLight made) {

@@ -7,6 +7,7 @@
 //   a spot of another falloff       the same: a profile of its lobe
 //   a two-sided disk or rectangle   two lights back to back
 //   a mask on an area light         treated as a shape that the target lacks
+//   an image as a mask              the same, without its colours; its details are lost beyond half a degree
 //   a luminous opening              left out: a point, with the distance from which that is good to 1 %
 //   a range                         left out if the target has no such window
 //   a sky                           left out if the target stores none
