@@ -186,14 +186,21 @@ Result<void> check_projection(const Kind& /*takes any image*/) {
     return {};
 }
 
+// Not a part of the template below: clang 14 does not compile all that a shared pointer made there needs.
+Result<std::shared_ptr<const LightImage>> shared_image(const std::string& file, Diagnostics& diagnostics) {
+    Result<LightImage> image = read_light_image(file, diagnostics);
+    if (!image) return pass_on(image);
+    return std::make_shared<const LightImage>(std::move(*image));
+}
+
 Result<void> load_image(Shape& shape, Diagnostics& diagnostics) {
     return with_traits(shape, [&]<class Kind>(Kind& kind, ShapeTraits<Kind>) -> Result<void> {
         if constexpr (requires { kind.image; }) {
             if (Result<void> checked = check_projection(kind); !checked) return checked;
             if (kind.image != nullptr) return {};
-            Result<LightImage> image = read_light_image(kind.mask_file, diagnostics);
+            Result<std::shared_ptr<const LightImage>> image = shared_image(kind.mask_file, diagnostics);
             if (!image) return pass_on(image);
-            kind.image = std::make_shared<const LightImage>(std::move(*image));
+            kind.image = std::move(*image);
             return {};
         } else {
             return fail("USE0107", fmt::format("a {} does not take an image as a mask", ShapeTraits<Kind>::kind),

@@ -21,7 +21,9 @@ class LightImageFile : public ::testing::Test {
 protected:
     void SetUp() override {
         set_module_folders({test::modules_folder});
-        folder_ = std::filesystem::path(::testing::TempDir()) / "gonio-light-image";
+        // Tests run side by side.
+        const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder_ = std::filesystem::path(::testing::TempDir()) / ("gonio-light-image-" + name);
         std::filesystem::create_directories(folder_);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
