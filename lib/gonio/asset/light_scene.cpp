@@ -159,17 +159,14 @@ Result<MeasuredLight> profile_of(const Light& light, const Frame& frame, const s
 
 // What the profile of a light depends on: lights with equal keys share one.
 struct ProfileKey {
-    const void* pattern; // the web of the profile or of the mask, or its image
+    const void* pattern;
     std::vector<double> numbers;
 
     auto operator<=>(const ProfileKey&) const = default; // NOLINT(modernize-use-nullptr): a bug of clang-tidy 14
 };
 
 ProfileKey profile_key(const Light& light) {
-    const auto* profile = std::get_if<ProfileShape>(&light.shape);
-    const Mask mask = mask_of(light.shape);
-    const void* const of_mask = mask.image != nullptr ? static_cast<const void*>(mask.image) : mask.web;
-    ProfileKey key{profile != nullptr ? profile->web.get() : of_mask,
+    ProfileKey key{pattern_of(light.shape),
                    {static_cast<double>(light.shape.index()), light.web_scale, light.intensity.value, light.color.x,
                     light.color.y, light.color.z}};
     const auto number = [](const auto& value) {
@@ -271,7 +268,7 @@ private:
     // An area light: of the target's own kind, or as from far away.
     template<class Area>
     Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
-        if (mask_of(light.shape).image != nullptr) return place_far(light, std::move(made), "an image on a rectangle");
+        if (light.image != nullptr) return place_far(light, std::move(made), "an image on a rectangle");
         if (shape.mask) return place_far(light, std::move(made), "a mask on an area light");
         if (!holds(kind))
             return place_far(light, std::move(made),

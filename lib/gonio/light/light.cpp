@@ -41,18 +41,6 @@ Result<void> check_amount(const Light& light) {
                 "its greatest intensity is almost 0");
 }
 
-// What an image lets through towards a direction of the light's frame, of a rectangle as from far away.
-double image_share(const Shape& shape, const ImagePlane& image, const glm::dvec3& direction) {
-    return std::visit(
-        [&](const auto& kind) {
-            if constexpr (requires { projected_share(kind, image, direction); })
-                return projected_share(kind, image, direction);
-            else
-                return image.mean();
-        },
-        shape);
-}
-
 } // namespace
 
 Candelas Light::intensity_towards(const glm::dvec3& direction) const {

@@ -18,6 +18,7 @@
 namespace gonio {
 
 class ImagePlane;
+class ImageSolidAngles;
 class LuminousBody;
 struct FaceEmission;
 
@@ -60,6 +61,8 @@ struct Light {
     std::shared_ptr<const LuminousBody> body{};     // of a profile with an opening
     std::shared_ptr<const FaceEmission> emission{}; // of a face of it
     std::shared_ptr<const ImagePlane> image{};      // of a light with an image: its luminance, or the colour of a part
+    // Of a coloured image; shared by lights with the same image and shape (gonio/light/light_parts.hpp).
+    std::shared_ptr<const ImageSolidAngles> image_solid_angles{};
 
     // Whether the surface with this index on the stage emits it.
     bool is_emitted_by(std::size_t surface) const { return emitted_by && emitted_by->surface == surface; }

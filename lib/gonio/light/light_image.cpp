@@ -2,7 +2,6 @@
 #include <gonio/light/light_color.hpp>
 #include <gonio/light/light_image.hpp>
 #include <gonio/light/lobe.hpp>
-#include <gonio/light/shape.hpp>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -14,6 +13,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace gonio {
 
@@ -25,21 +25,7 @@ std::size_t index_of(int column, int row, int width) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
 }
 
-struct Slopes { // of the square or rectangle that an image covers one metre before the light
-    double x = 0.0;
-    double y = 0.0;
-};
-
-Slopes covered_by(const SpotShape& spot) {
-    const double slope = std::tan(spot.outer.value);
-    return {slope, slope};
-}
-
-Slopes covered_by(const FrustumShape& frustum) {
-    return {std::tan(0.5 * frustum.horizontal.value), std::tan(0.5 * frustum.vertical.value)};
-}
-
-double projected(const Slopes& covered, const ImagePlane& image, const glm::dvec3& direction) {
+double projected(const glm::dvec2& covered, const ImagePlane& image, const glm::dvec3& direction) {
     if (!(direction.z < 0.0)) return 0.0;
     const double x = -direction.x / direction.z / covered.x;
     const double y = -direction.y / direction.z / covered.y;
@@ -62,6 +48,94 @@ std::optional<PlaceInImage> first_bad(const Image& image) {
                 return PlaceInImage{column, row};
         }
     return std::nullopt;
+}
+
+// In polar coordinates, so that the edges of the lobe are lines of the sum. The rule is of low order, because the image
+// has kinks everywhere.
+Steradians solid_angle_of(const SpotShape& spot, const ImagePlane& image) {
+    const double covered = covered_by_image(spot).x;
+    const int side = std::clamp(4 * std::max(image.width(), image.height()), 256, 1024);
+    const int azimuths = 4 * side;
+    static constexpr auto rule = gauss_legendre<2>();
+    std::vector<double> cosines;
+    std::vector<double> sines;
+    for (int k = 0; k < azimuths; ++k) {
+        const double phi = 2.0 * pi * (k + 0.5) / azimuths;
+        cosines.push_back(std::cos(phi));
+        sines.push_back(std::sin(phi));
+    }
+    double sum = 0.0;
+    const auto add_ring = [&](double from, double to) {
+        const int rings = std::max(static_cast<int>(std::ceil(0.5 * side * (to - from) / spot.outer.value)), 1);
+        const double width = (to - from) / rings;
+        for (int i = 0; i < rings; ++i)
+            for (const QuadratureNode& node : rule) {
+                const double theta = from + width * (i + 0.5 + 0.5 * node.at);
+                const double weight = lobe(spot, Radians(theta)) * std::sin(theta) * 0.5 * width * node.weight;
+                const double reach = std::tan(theta) / covered;
+                double around = 0.0;
+                for (int k = 0; k < azimuths; ++k)
+                    around += image.smooth({0.5 + 0.5 * reach * cosines[static_cast<std::size_t>(k)],
+                                            0.5 - 0.5 * reach * sines[static_cast<std::size_t>(k)]});
+                sum += weight * around * (2.0 * pi / azimuths);
+            }
+    };
+    if (spot.inner.value > 0.0) add_ring(0.0, spot.inner.value);
+    if (spot.inner.value < spot.outer.value) add_ring(spot.inner.value, spot.outer.value);
+    return Steradians(sum);
+}
+
+// Between the centres of pixels the image is bilinear; cos³θ, the solid angle of the plane before the light, is smooth.
+Steradians solid_angle_of(const FrustumShape& frustum, const ImagePlane& image) {
+    const glm::dvec2 covered = covered_by_image(frustum);
+    static constexpr auto rule = gauss_legendre<2>();
+    struct Node {
+        double place;
+        double slope;
+        double weight;
+    };
+    const auto axis = [](int pixels, double covered_slope, double sense) {
+        // Edges at 0, the centres of pixels and 1; each piece in parts, so that there are enough of them.
+        constexpr int enough = 128;
+        std::vector<double> edges{0.0};
+        for (int i = 0; i < pixels; ++i)
+            edges.push_back((i + 0.5) / pixels);
+        edges.push_back(1.0);
+        const int parts = std::max((enough + pixels - 1) / pixels, 1);
+        std::vector<Node> nodes;
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            for (int part = 0; part < parts; ++part) {
+                const double width = (edges[i + 1] - edges[i]) / parts;
+                const double middle = edges[i] + width * (part + 0.5);
+                for (const QuadratureNode& node : rule) {
+                    const double place = middle + 0.5 * width * node.at;
+                    nodes.push_back(
+                        {place, sense * (2.0 * place - 1.0) * covered_slope, width * node.weight * covered_slope});
+                }
+            }
+        return nodes;
+    };
+    const std::vector<Node> columns = axis(image.width(), covered.x, 1.0);
+    const std::vector<Node> rows = axis(image.height(), covered.y, -1.0);
+    double sum = 0.0;
+    for (const Node& row : rows) {
+        double along = 0.0;
+        for (const Node& column : columns) {
+            const double square = 1.0 + column.slope * column.slope + row.slope * row.slope;
+            along += column.weight * image.smooth({column.place, row.place}) / (square * std::sqrt(square));
+        }
+        sum += row.weight * along;
+    }
+    return Steradians(sum);
+}
+
+Steradians solid_angle_of(const RectShape& rect, const ImagePlane& image) {
+    return Steradians((rect.two_sided ? 2.0 : 1.0) * pi * image.mean());
+}
+
+template<class Kind>
+Steradians solid_angle_of(const Kind& /*takes no image*/, const ImagePlane& /*image*/) {
+    return {};
 }
 
 std::atomic<LightImageReader> the_reader = nullptr;
@@ -206,99 +280,24 @@ Result<LightImage> read_light_image(const std::string& file, Diagnostics& diagno
     return reader(file, diagnostics);
 }
 
-double projected_share(const SpotShape& spot, const ImagePlane& image, const glm::dvec3& direction) {
-    return projected(covered_by(spot), image, direction);
+glm::dvec2 covered_by_image(const Shape& shape) {
+    if (const auto* const spot = std::get_if<SpotShape>(&shape)) return glm::dvec2(std::tan(spot->outer.value));
+    if (const auto* const frustum = std::get_if<FrustumShape>(&shape))
+        return {std::tan(0.5 * frustum->horizontal.value), std::tan(0.5 * frustum->vertical.value)};
+    return glm::dvec2(0.0);
 }
 
-double projected_share(const FrustumShape& frustum, const ImagePlane& image, const glm::dvec3& direction) {
-    return projected(covered_by(frustum), image, direction);
+double image_share(const Shape& shape, const ImagePlane& image, const glm::dvec3& direction) {
+    if (std::holds_alternative<RectShape>(shape)) return image.mean();
+    return projected(covered_by_image(shape), image, direction);
+}
+
+Steradians image_solid_angle(const Shape& shape, const ImagePlane& image) {
+    return std::visit([&](const auto& kind) { return solid_angle_of(kind, image); }, shape);
 }
 
 glm::dvec2 place_on(const RectShape& rect, double x_m, double y_m) {
     return {0.5 - x_m / rect.width.value, 0.5 - y_m / rect.height.value};
-}
-
-// In polar coordinates, so that the edges of the lobe are lines of the sum. The rule is of low order, because the image
-// has kinks everywhere.
-Steradians image_solid_angle(const SpotShape& spot, const ImagePlane& image) {
-    const Slopes covered = covered_by(spot);
-    const int side = std::clamp(4 * std::max(image.width(), image.height()), 256, 1024);
-    const int azimuths = 4 * side;
-    static constexpr auto rule = gauss_legendre<2>();
-    std::vector<double> cosines;
-    std::vector<double> sines;
-    for (int k = 0; k < azimuths; ++k) {
-        const double phi = 2.0 * pi * (k + 0.5) / azimuths;
-        cosines.push_back(std::cos(phi));
-        sines.push_back(std::sin(phi));
-    }
-    double sum = 0.0;
-    const auto add_ring = [&](double from, double to) {
-        const int rings = std::max(static_cast<int>(std::ceil(0.5 * side * (to - from) / spot.outer.value)), 1);
-        const double width = (to - from) / rings;
-        for (int i = 0; i < rings; ++i)
-            for (const QuadratureNode& node : rule) {
-                const double theta = from + width * (i + 0.5 + 0.5 * node.at);
-                const double weight = lobe(spot, Radians(theta)) * std::sin(theta) * 0.5 * width * node.weight;
-                const double reach = std::tan(theta) / covered.x;
-                double around = 0.0;
-                for (int k = 0; k < azimuths; ++k)
-                    around += image.smooth({0.5 + 0.5 * reach * cosines[static_cast<std::size_t>(k)],
-                                            0.5 - 0.5 * reach * sines[static_cast<std::size_t>(k)]});
-                sum += weight * around * (2.0 * pi / azimuths);
-            }
-    };
-    if (spot.inner.value > 0.0) add_ring(0.0, spot.inner.value);
-    if (spot.inner.value < spot.outer.value) add_ring(spot.inner.value, spot.outer.value);
-    return Steradians(sum);
-}
-
-// Between the centres of pixels the image is bilinear; cos³θ, the solid angle of the plane before the light, is smooth.
-Steradians image_solid_angle(const FrustumShape& frustum, const ImagePlane& image) {
-    const Slopes covered = covered_by(frustum);
-    static constexpr auto rule = gauss_legendre<2>();
-    struct Node {
-        double place;
-        double slope;
-        double weight;
-    };
-    const auto axis = [](int pixels, double covered_slope, double sense) {
-        // Edges at 0, the centres of pixels and 1; each piece in parts, so that there are enough of them.
-        constexpr int enough = 128;
-        std::vector<double> edges{0.0};
-        for (int i = 0; i < pixels; ++i)
-            edges.push_back((i + 0.5) / pixels);
-        edges.push_back(1.0);
-        const int parts = std::max((enough + pixels - 1) / pixels, 1);
-        std::vector<Node> nodes;
-        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-            for (int part = 0; part < parts; ++part) {
-                const double width = (edges[i + 1] - edges[i]) / parts;
-                const double middle = edges[i] + width * (part + 0.5);
-                for (const QuadratureNode& node : rule) {
-                    const double place = middle + 0.5 * width * node.at;
-                    nodes.push_back(
-                        {place, sense * (2.0 * place - 1.0) * covered_slope, width * node.weight * covered_slope});
-                }
-            }
-        return nodes;
-    };
-    const std::vector<Node> columns = axis(image.width(), covered.x, 1.0);
-    const std::vector<Node> rows = axis(image.height(), covered.y, -1.0);
-    double sum = 0.0;
-    for (const Node& row : rows) {
-        double along = 0.0;
-        for (const Node& column : columns) {
-            const double square = 1.0 + column.slope * column.slope + row.slope * row.slope;
-            along += column.weight * image.smooth({column.place, row.place}) / (square * std::sqrt(square));
-        }
-        sum += row.weight * along;
-    }
-    return Steradians(sum);
-}
-
-Steradians image_solid_angle(const RectShape& rect, const ImagePlane& image) {
-    return Steradians((rect.two_sided ? 2.0 : 1.0) * pi * image.mean());
 }
 
 } // namespace gonio

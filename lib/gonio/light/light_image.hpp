@@ -13,6 +13,7 @@
 #include <gonio/base/image.hpp>
 #include <gonio/base/quantity.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/light/shape.hpp>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,10 +26,6 @@
 #include <vector>
 
 namespace gonio {
-
-struct FrustumShape;
-struct RectShape;
-struct SpotShape;
 
 // One channel of an image, from 0 to 1 at its brightest pixel. Coordinates are (0, 0) at the top left corner of the
 // image and (1, 1) at the bottom right one.
@@ -100,18 +97,20 @@ using LightImageReader = Result<LightImage> (*)(const std::string& file, Diagnos
 void set_light_image_reader(LightImageReader reader);
 Result<LightImage> read_light_image(const std::string& file, Diagnostics& diagnostics);
 
-// The share of the intensity along the axis that a projected image lets through towards a direction of the light's
-// frame (axis −Z) of any length > 0; 0 outside of the spot's square or the frustum.
-double projected_share(const SpotShape& spot, const ImagePlane& image, const glm::dvec3& direction);
-double projected_share(const FrustumShape& frustum, const ImagePlane& image, const glm::dvec3& direction);
+// Half of the width and the height that an image covers on the plane one metre before a spot or a frustum [m]; 0 for
+// other shapes.
+glm::dvec2 covered_by_image(const Shape& shape);
+
+// The share of the intensity along the axis that an image before or on a light lets through towards a direction of the
+// light's frame (axis −Z) of any length > 0: of a projected one its value there, 0 outside of the spot's square or the
+// frustum; of one on a rectangle its mean, as from far away.
+double image_share(const Shape& shape, const ImagePlane& image, const glm::dvec3& direction);
 
 // The place on a rectangle's image of a point at x along its width and y along its height from its centre [m].
 glm::dvec2 place_on(const RectShape& rect, double x_m, double y_m);
 
 // Φ over the intensity along the axis before the image, as masked_solid_angle(): of a frustum 1e-6, of a spot 1e-5 for
-// images of some hundred pixels a side, of a rectangle exact.
-Steradians image_solid_angle(const SpotShape& spot, const ImagePlane& image);
-Steradians image_solid_angle(const FrustumShape& frustum, const ImagePlane& image);
-Steradians image_solid_angle(const RectShape& rect, const ImagePlane& image);
+// images of some hundred pixels a side, of a rectangle exact; 0 for shapes that take no image.
+Steradians image_solid_angle(const Shape& shape, const ImagePlane& image);
 
 } // namespace gonio

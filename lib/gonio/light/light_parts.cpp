@@ -1,5 +1,4 @@
 #include <gonio/light/light_color.hpp>
-#include <gonio/light/light_image.hpp>
 #include <gonio/light/light_parts.hpp>
 #include <gonio/light/luminaire.hpp>
 
@@ -12,21 +11,8 @@ namespace gonio {
 
 namespace {
 
-double solid_angle(const Shape& shape, const ImagePlane& image) {
-    return std::visit(
-        [&](const auto& kind) {
-            if constexpr (requires { image_solid_angle(kind, image); })
-                return image_solid_angle(kind, image).value;
-            else
-                return 0.0;
-        },
-        shape);
-}
-
 Result<std::vector<Light>> colors_of(const Light& light, const LightImage& image) {
     std::vector<Light> parts;
-    double flux_over_intensity = 0.0; // of the parts, over the intensity of the whole light
-    const bool is_white = light.color == glm::dvec3(1.0);
     for (std::size_t c = 0; c < image.colors().size(); ++c) {
         const ImageColor& of = image.colors().at(c);
         const auto channel = static_cast<int>(c);
@@ -39,14 +25,18 @@ Result<std::vector<Light>> colors_of(const Light& light, const LightImage& image
         part.color[channel] = 1.0 / rec709_luminance[channel];
         part.intensity = light.intensity * share;
         part.luminance = light.luminance * share;
-        if (!is_white) flux_over_intensity += share * solid_angle(light.shape, *of.plane);
         parts.push_back(std::move(part));
     }
-    if (is_white) return parts;
-    if (!(flux_over_intensity > 0.0))
+    if (light.color == glm::dvec3(1.0)) return parts; // their flux is that of the light already
+    if (parts.empty())
         return fail(Failure::usage, "the colour of the light and its image have nothing in common: no light passes",
                     "leave the colour of the light out");
-    const double factor = solid_angle(light.shape, *image.luminance()) / flux_over_intensity;
+    const ImageSolidAngles::Values& solid_angles = light.image_solid_angles->of(light.shape, image);
+    double flux_over_intensity = 0.0; // of the parts, over the intensity of the whole light
+    for (std::size_t c = 0; c < image.colors().size(); ++c)
+        flux_over_intensity +=
+            image.colors().at(c).share * light.color[static_cast<int>(c)] * solid_angles.color_sr.at(c);
+    const double factor = solid_angles.luminance_sr / flux_over_intensity;
     for (Light& part : parts) {
         part.intensity = part.intensity * factor;
         part.luminance = part.luminance * factor;
@@ -56,6 +46,16 @@ Result<std::vector<Light>> colors_of(const Light& light, const LightImage& image
 
 } // namespace
 
+const ImageSolidAngles::Values& ImageSolidAngles::of(const Shape& shape, const LightImage& image) const {
+    std::call_once(once_, [&] {
+        values_.luminance_sr = image_solid_angle(shape, *image.luminance()).value;
+        for (std::size_t c = 0; c < image.colors().size(); ++c)
+            if (const ImagePlane* const plane = image.colors().at(c).plane.get())
+                values_.color_sr.at(c) = image_solid_angle(shape, *plane).value;
+    });
+    return values_;
+}
+
 Result<void> place_parts(Light& light) {
     light.parts.reset();
     if (light.body != nullptr) {
@@ -64,6 +64,7 @@ Result<void> place_parts(Light& light) {
     }
     const LightImage* const image = mask_of(light.shape).image;
     if (image == nullptr || !image->is_colored()) return {};
+    if (light.image_solid_angles == nullptr) light.image_solid_angles = std::make_shared<const ImageSolidAngles>();
     Result<std::vector<Light>> colors = colors_of(light, *image);
     if (!colors) return pass_on(colors);
     light.parts = std::make_shared<const std::vector<Light>>(std::move(*colors));

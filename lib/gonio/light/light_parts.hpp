@@ -5,14 +5,33 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/light/light_image.hpp>
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
+#include <mutex>
 #include <span>
 #include <vector>
 
 namespace gonio {
+
+// image_solid_angle() of a coloured image before a shape, by luminance and by colour: computed once, when a coloured
+// light first asks. Safe to call from any thread.
+class ImageSolidAngles {
+public:
+    struct Values {
+        double luminance_sr = 0.0;
+        std::array<double, 3> color_sr{}; // 0: there is none of this colour
+    };
+    // `image` and `shape` are the same in all calls.
+    const Values& of(const Shape& shape, const LightImage& image) const;
+
+private:
+    mutable std::once_flag once_;
+    mutable Values values_;
+};
 
 // Gives a light its parts at its present position, amount and colour; none to a light that is one. The flux of
 // the colours of an image together is that of the light, whatever its own colour. Fails (usage) on a colour of which

@@ -281,6 +281,12 @@ Mask mask_of(const Shape& shape) {
         shape);
 }
 
+const void* pattern_of(const Shape& shape) {
+    if (const auto* const profile = std::get_if<ProfileShape>(&shape)) return profile->web.get();
+    const Mask mask = mask_of(shape);
+    return mask.image != nullptr ? static_cast<const void*>(mask.image) : mask.web;
+}
+
 const std::string* file_of(const Shape& shape) {
     const auto* const profile = std::get_if<ProfileShape>(&shape);
     return profile != nullptr ? &profile->file : mask_of(shape).file;

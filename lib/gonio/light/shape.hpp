@@ -166,6 +166,10 @@ Result<Shape> parse_shape(std::string_view text);
 // resolve_web() and read_light_image() do, and (usage) on an image before a shape that takes none.
 Result<void> load_profile(Shape& shape, Diagnostics& diagnostics);
 
+// What all that a light emits by direction or by place comes from: the web of a profile, or the web or the image of a
+// mask; nullptr without one, or before it is loaded. Lights with the same one may share what is made of it.
+const void* pattern_of(const Shape& shape);
+
 // The mask of a shape: its file (nullptr: none), and its web or its image (nullptr: none, or not loaded). Points into
 // the shape.
 struct Mask {

@@ -34,14 +34,6 @@ Result<ShapeFactors> factors_of(const ProfileShape& profile) {
     factors.no_luminance = "a profile is a point that emits by direction: it has no area, so no luminance";
     return factors;
 }
-// What the mask of a shape lets through along γ = 0.
-double along_axis(const RectShape& /*shape*/, const ImagePlane& image) {
-    return image.mean();
-}
-template<PunctualShape Kind>
-double along_axis(const Kind& shape, const ImagePlane& image) {
-    return projected_share(shape, image, {0.0, 0.0, -1.0});
-}
 template<class Kind>
 Result<ShapeFactors> with_mask(const Kind& shape) {
     if constexpr (requires { shape.image; }) {
@@ -49,7 +41,7 @@ Result<ShapeFactors> with_mask(const Kind& shape) {
             ShapeFactors factors;
             factors.no_luminance = "a point has no area, so no luminance";
             factors.peak_cd = 1.0;
-            factors.axial_share = along_axis(shape, *shape.image->luminance());
+            factors.axial_share = image_share(shape, *shape.image->luminance(), {0.0, 0.0, -1.0});
             factors.strength = "I₀";
             return factors;
         }

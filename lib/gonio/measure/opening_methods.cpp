@@ -22,9 +22,9 @@ namespace {
 // The tables of one luminaire, made before methods are timed.
 struct Tables {
     explicit Tables(const OpeningCases& cases)
-        : luminance(cases.face(), patterns, webs), web(*cases.face().emission->web) {}
+        : luminance(cases.face(), tables, webs), web(*cases.face().emission->web) {}
 
-    detail::LuminanceTables patterns;
+    detail::LuminanceTables tables;
     detail::WebTables webs;
     detail::LuminancePattern luminance;
     detail::WebTable web;

@@ -63,14 +63,10 @@ void round_to_shared_exponent(float* rgb) {
 Result<EnvironmentImage> decode_environment(std::string_view bytes, const EnvironmentReadOptions& options,
                                             Diagnostics& diagnostics) {
     // What can be said without the pixels comes first: they may need gigabytes.
-    Result<PictureDimensions> size = picture_dimensions(bytes);
-    if (!size) return pass_on(size);
     constexpr const Limit& most = limit("environment-values");
-    if (size->values() > static_cast<double>(most.value))
-        return fail(Failure::unsupported,
-                    fmt::format("the image has {}x{} pixels with {} channels: more than {}", size->width, size->height,
-                                size->channels, to_text(most)),
-                    "make it smaller first; 8192x4096 pixels with three channels are read");
+    Result<PictureDimensions> size =
+        detail::dimensions_within(bytes, most, "make it smaller first; 8192x4096 pixels with three channels are read");
+    if (!size) return pass_on(size);
     EnvironmentLayout layout{};
     if (options.layout) {
         layout = *options.layout;

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -41,9 +39,8 @@ Image decoded(const DecodedImage& picture) {
     return linear;
 }
 
-Result<Image> as_stored(const DecodedImage& picture, std::string_view bytes, Diagnostics& diagnostics) {
-    Result<std::optional<double>> exposure = detail::exposure_of(bytes); // a factor on all pixels changes no mask
-    if (!exposure) return pass_on(exposure);
+// Lines EXPOSURE= of Radiance pictures are not read: a factor on all pixels changes no mask.
+Result<Image> as_stored(const DecodedImage& picture, Diagnostics& diagnostics) {
     Result<std::optional<RgbSpace>> space = detail::stated_space(picture);
     if (!space) return pass_on(space);
     Result<Image> rgb = detail::three_channels(picture);
@@ -53,18 +50,13 @@ Result<Image> as_stored(const DecodedImage& picture, std::string_view bytes, Dia
 }
 
 Result<LightImage> read(std::string_view bytes, Diagnostics& diagnostics) {
-    Result<PictureDimensions> size = picture_dimensions(bytes);
-    if (!size) return pass_on(size);
     constexpr const Limit& most = limit("light-image-values");
-    if (size->values() > static_cast<double>(most.value))
-        return fail(Failure::unsupported,
-                    fmt::format("the image has {}x{} pixels with {} channels: more than {}", size->width, size->height,
-                                size->channels, to_text(most)),
-                    "make it smaller first");
+    Result<PictureDimensions> size = detail::dimensions_within(bytes, most, "make it smaller first");
+    if (!size) return pass_on(size);
     Result<DecodedImage> picture = decode_image(bytes, most.value);
     if (!picture) return pass_on(picture);
     const bool is_display = picture->pixel == Pixel::uint8 || picture->pixel == Pixel::uint16;
-    Result<Image> linear = is_display ? Result<Image>(decoded(*picture)) : as_stored(*picture, bytes, diagnostics);
+    Result<Image> linear = is_display ? Result<Image>(decoded(*picture)) : as_stored(*picture, diagnostics);
     if (!linear) return pass_on(linear);
     return LightImage::create(*linear);
 }

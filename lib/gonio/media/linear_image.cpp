@@ -18,12 +18,21 @@
 
 namespace gonio::media::detail {
 
+Result<PictureDimensions> dimensions_within(std::string_view bytes, const Limit& most, const char* hint) {
+    Result<PictureDimensions> size = picture_dimensions(bytes);
+    if (!size || size->values() <= static_cast<double>(most.value)) return size;
+    return fail(Failure::unsupported,
+                fmt::format("the image has {}x{} pixels with {} channels: more than {}", size->width, size->height,
+                            size->channels, to_text(most)),
+                hint);
+}
+
 Result<Image> three_channels(const DecodedImage& file) {
     const Image& image = file.image;
     std::optional<Image> layer = find_layer(file, "");
     if (layer && layer->channels == 3) return std::move(*layer);
     if (!layer && image.channels > 2)
-        return fail(Failure::unsupported, "the image has no channels R, G and B", "write the environment as RGB");
+        return fail(Failure::unsupported, "the image has no channels R, G and B", "write its channels as R, G and B");
     const Image& gray = layer ? *layer : image;
     Image rgb(image.width, image.height, 3);
     for (std::size_t i = 0; i < rgb.pixels.size(); ++i)

@@ -513,7 +513,7 @@ void show_points(Image& luminance_nt, const Stage& stage, std::span<const Light>
     const CameraRays rays(camera, luminance_nt.width, luminance_nt.height);
     const PixelRays pixels(camera, luminance_nt);
     for (const Light& light : lights) {
-        const bool has_size = light.luminance.value > 0.0 || light.illuminance.value > 0.0 || light.parts != nullptr;
+        const bool has_size = light.luminance.value > 0.0 || light.illuminance.value > 0.0 || light.body != nullptr;
         if (has_size) continue;
         const std::optional<glm::dvec2> place = rays.place_of(light.frame.origin);
         if (!place || !(place->x >= 0.0 && place->x < luminance_nt.width)) continue;

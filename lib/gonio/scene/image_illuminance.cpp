@@ -7,7 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -29,6 +32,17 @@ struct Tile {
 
     bool is_pixel() const { return right - left == 1 && bottom - top == 1; }
     double pixels() const { return static_cast<double>(right - left) * (bottom - top); }
+};
+
+// Of a tile; fewer than four if it is one pixel wide or high.
+class Quarters {
+public:
+    void add(const Tile& tile) { tiles_.at(count_++) = tile; }
+    std::span<const Tile> all() const { return std::span(tiles_).first(count_); }
+
+private:
+    std::array<Tile, 4> tiles_;
+    std::size_t count_ = 0;
 };
 
 class Tiles {
@@ -63,21 +77,21 @@ public:
         return tile;
     }
 
-    // Up to four, in the order of the image.
-    std::vector<Tile> quarters(const Tile& tile) const {
+    // In the order of the image.
+    Quarters quarters(const Tile& tile) const {
         const auto middle = [](int first, int end) { return end - first > 1 ? (first + end) / 2 : end; };
         const int column = middle(tile.left, tile.right);
         const int row = middle(tile.top, tile.bottom);
-        std::vector<Tile> parts;
+        Quarters parts;
         for (const auto& [top, bottom] : {std::pair(tile.top, row), std::pair(row, tile.bottom)})
             for (const auto& [left, right] : {std::pair(tile.left, column), std::pair(column, tile.right)})
-                if (top < bottom && left < right) parts.push_back(measured({left, right, top, bottom, tile.depth + 1}));
+                if (top < bottom && left < right) parts.add(measured({left, right, top, bottom, tile.depth + 1}));
         return parts;
     }
 
     // Of the sum of the parts: what the luminance varies by from part to part times what the irradiance of a uniform
     // light does, relative to its mean. Within the parts the product is about as large, of either sign.
-    static double error_of(const Tile& tile, const std::vector<Tile>& parts) {
+    static double error_of(const Tile& tile, std::span<const Tile> parts) {
         double all = 0.0;
         for (const Tile& part : parts)
             all += part.uniform;
@@ -124,7 +138,8 @@ ReferenceValue image_illuminance(const Light& light, const glm::dvec3& position,
             if (!tile.is_pixel()) sum.error_estimate += tile.value;
             continue;
         }
-        std::vector<Tile> parts = tiles.quarters(tile);
+        const Quarters quarters = tiles.quarters(tile);
+        const std::span<const Tile> parts = quarters.all();
         sum.evaluations += parts.size();
         const double error = Tiles::error_of(tile, parts);
         if (tile.depth >= least_depth && error <= tolerance * tile.uniform) {

@@ -40,12 +40,9 @@ std::vector<double> numbers_of(const Shape& shape) {
 
 // Nothing for lights without either: they need only arithmetic.
 std::optional<Emitter> emitter_of(const LightDescription& light) {
-    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
-    const Mask mask = mask_of(light.shape);
-    const void* const pattern = profile != nullptr      ? static_cast<const void*>(profile->web.get())
-                                : mask.image != nullptr ? static_cast<const void*>(mask.image)
-                                                        : static_cast<const void*>(mask.web);
+    const void* const pattern = pattern_of(light.shape);
     if (pattern == nullptr) return std::nullopt;
+    const auto* const profile = std::get_if<ProfileShape>(&light.shape);
     const PhotometricValue value = light.intensity.value_or(PhotometricValue{});
     return Emitter{light.shape.index(),
                    numbers_of(light.shape),

@@ -106,12 +106,9 @@ std::shared_ptr<const ImagePlane> reduced(const std::shared_ptr<const ImagePlane
 transport::ImageConstants image_constants(const Shape& shape, const ImagePlane& image) {
     transport::ImageConstants constants{image.pixels().data(), static_cast<std::size_t>(image.width()),
                                         static_cast<std::size_t>(image.height())};
-    if (const auto* const spot = std::get_if<SpotShape>(&shape)) {
-        constants.slope_x = constants.slope_y = static_cast<float>(std::tan(spot->outer.value));
-    } else if (const auto* const frustum = std::get_if<FrustumShape>(&shape)) {
-        constants.slope_x = static_cast<float>(std::tan(0.5 * frustum->horizontal.value));
-        constants.slope_y = static_cast<float>(std::tan(0.5 * frustum->vertical.value));
-    }
+    const glm::dvec2 covered = covered_by_image(shape);
+    constants.slope_x = static_cast<float>(covered.x);
+    constants.slope_y = static_cast<float>(covered.y);
     return constants;
 }
 

@@ -61,6 +61,14 @@ struct OutlineOf {
     }
 };
 
+// Where the ray meets the plane of a light, along its X and Y; one that runs along the plane or away from it meets it
+// far outside. `from` and `along`: in the light's frame.
+glm::dvec2 meeting(const glm::dvec3& from, const glm::dvec3& along) {
+    constexpr double least_slope = 1e-3;
+    const double slope = std::max(-std::copysign(1.0, from.z) * along.z, least_slope);
+    return glm::dvec2(from) + std::abs(from.z) / slope * glm::dvec2(along);
+}
+
 // Directions in which receivers see a round light, weighted by its irradiance.
 struct Directions {
     std::array<std::vector<float>, 3> towards; // from the light to the receiver
@@ -261,14 +269,8 @@ double LuminancePattern::towards(const glm::dvec3& receiver, const glm::dvec3& d
 // The mean of the image over a rectangle around the place that the ray meets, which is moved onto the light.
 double LuminancePattern::blurred(const glm::dvec3& viewer, const glm::dvec3& toward, const glm::dvec2& half) const {
     const Frame& frame = light_.frame;
-    const glm::dvec3 from = frame.to_local(viewer - frame.origin);
-    const glm::dvec3 along = frame.to_local(toward);
-    // A ray that runs along the plane or away from it meets it far outside.
-    constexpr double steepest = 1e-3;
-    const double slope = std::max(-std::copysign(1.0, from.z) * along.z, steepest);
-    const double t = std::abs(from.z) / slope;
-    const glm::dvec2 at =
-        glm::clamp(place_on(std::get<RectShape>(light_.shape), from.x + t * along.x, from.y + t * along.y), 0.0, 1.0);
+    const glm::dvec2 met = meeting(frame.to_local(viewer - frame.origin), frame.to_local(toward));
+    const glm::dvec2 at = glm::clamp(place_on(std::get<RectShape>(light_.shape), met.x, met.y), 0.0, 1.0);
     return light_.image->mean(at - half, at + half);
 }
 
@@ -334,10 +336,7 @@ void LuminancePattern::along_lobes(const shading::Surfaces& surfaces, const glm:
         }
         glm::dvec3 towards = to_center;
         if (front_ != nullptr) {
-            const double depth = glm::dot(to_center, frame.z);
-            const double slope = glm::dot(mirrored, frame.z) * (depth < 0.0 ? -1.0 : 1.0);
-            const glm::dvec3 away = mirrored * (std::abs(depth) / std::max(slope, 1e-3)) - to_center;
-            glm::dvec2 at(glm::dot(away, frame.x), glm::dot(away, frame.y));
+            glm::dvec2 at = meeting(frame.to_local(-to_center), frame.to_local(mirrored));
             if (outline.is_round) {
                 const double beyond = glm::length(at / glm::dvec2(outline.half_x, outline.half_y));
                 at /= std::max(beyond, 1.0);

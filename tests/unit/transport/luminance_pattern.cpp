@@ -74,9 +74,9 @@ std::vector<double> shares_of(const Light& light, const std::vector<Receiver>& r
             axes.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(receiver.position[axis]));
             axes.at(static_cast<std::size_t>(axis + 3)).push_back(static_cast<float>(receiver.normal[axis]));
         }
-    detail::LuminanceTables patterns;
+    detail::LuminanceTables tables;
     detail::WebTables webs;
-    const detail::LuminancePattern pattern(light, patterns, webs);
+    const detail::LuminancePattern pattern(light, tables, webs);
     std::vector<float> share;
     pattern.evaluate({{axes[0].data(), axes[1].data(), axes[2].data()},
                       {axes[3].data(), axes[4].data(), axes[5].data()},

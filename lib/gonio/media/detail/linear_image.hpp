@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/base/image.hpp>
+#include <gonio/base/limits.hpp>
 #include <gonio/base/result.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/media/image_file.hpp>
@@ -10,6 +11,10 @@
 #include <string_view>
 
 namespace gonio::media::detail {
+
+// Of a picture, read without its pixels. Fails as picture_dimensions() does and, with the hint, (unsupported) on more
+// values than the limit.
+Result<PictureDimensions> dimensions_within(std::string_view bytes, const Limit& most, const char* hint);
 
 // Three channels of the picture: R, G and B by their names, else Y or a single channel three times, else the first
 // ones. Fails (unsupported) on other channels alone.
