@@ -25,6 +25,14 @@ std::array<Vec, 2> across(Vec a) {
     return {u, cross(a, u)};
 }
 
+// How high the receiver lies above a flat light; 0 where that is the rounding of its place, because outlines seen from
+// there would have no digits. Lengths are scaled to at most 1.
+double above_plane(Vec axis, Vec center) {
+    constexpr double rounding = 1e-15;
+    const double z = -dot(axis, center);
+    return std::abs(z) < rounding ? 0.0 : z;
+}
+
 // The part within [0, π] of the angles up to `half_width` ≤ π/2 from `middle` in (−π, π].
 PolarInterval around(double middle, double half_width) {
     const double turned = middle < -0.5 * pi ? middle + 2.0 * pi : middle;
@@ -82,7 +90,7 @@ LightRegion LightRegion::cap(Vec axis, double sin_sigma, double cos_sigma, Vec n
 
 LightRegion LightRegion::disk(Vec center, Vec axis, double radius, bool two_sided, Vec normal) {
     LightRegion region(normal);
-    double z = -dot(axis, center);
+    double z = above_plane(axis, center);
     Vec w = axis * -1.0;
     if (two_sided && z < 0.0) {
         z = -z;
@@ -109,7 +117,7 @@ LightRegion LightRegion::rectangle(Vec center, Vec axis, Vec width_direction, do
                                    bool two_sided, Vec normal) {
     LightRegion region(normal);
     const Vec up = cross(axis, width_direction);
-    double z = -dot(axis, center);
+    double z = above_plane(axis, center);
     Vec w = axis * -1.0;
     if (two_sided && z < 0.0) {
         z = -z;

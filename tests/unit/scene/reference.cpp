@@ -371,6 +371,29 @@ TEST(Reference, AMaskModulatesEveryPoint) {
     EXPECT_NEAR(probe({&light, 1}, {&receiver, 1}, options).value().illuminance_lx[0], sum, 0.2 * sum);
 }
 
+// In the plane of a flat light rounding alone says on which side a receiver lies.
+TEST(Reference, InThePlaneOfALightIsDark) {
+    const auto mask = web_of({0.0}, {0.0, 180.0}, {5.0, 4.0});
+    const glm::dvec3 direction{0.9, 0.1, -1.0};
+    const glm::dvec3 center{-0.6, 0.4, 0.8};
+    const std::array lights{
+        masked(placed(RectShape{Meters(0.6), Meters(0.3), true}, center, direction), mask, 5.0),
+        masked(placed(DiskShape{Meters(0.4), true}, center, direction), mask, 5.0),
+    };
+    for (const Light& light : lights)
+        for (unsigned i = 0; i < 400; ++i) {
+            const double angle = 0.31 * i;
+            const double away = 1.0 + 0.01 * i;
+            const glm::dvec3 position =
+                center + away * (std::cos(angle) * light.frame.x + std::sin(angle) * light.frame.y);
+            const glm::dvec3 normal = glm::normalize(center - position + 0.2 * light.frame.z);
+            // Within 1e-12 of their distance beside it they see 1e-12 of it.
+            const double near_plane = i % 40 == 0 ? 1e-12 : 0.0;
+            const ReferenceValue lux = reference_illuminance(light, position + near_plane * light.frame.z, normal);
+            EXPECT_LE(lux.value, 1e-11 * light.luminance.value) << "point " << i;
+        }
+}
+
 // From far away a masked light is a point with its intensity.
 TEST(Reference, AMaskedLightIsItsIntensityFromFar) {
     const auto mask = web_of({0.0}, {0.0, 40.0, 120.0, 180.0}, {4.0, 10.0, 2.0, 0.0});
