@@ -19,7 +19,7 @@ width = 4.0  # of the square that is looked at [m]
 for thing in list(bpy.data.objects):
     bpy.data.objects.remove(thing)
 with open(lamp, encoding="ascii") as script:
-    exec(compile(script.read(), lamp, "exec"), {"__name__": "lamp"})
+    exec(compile(script.read(), lamp, "exec"), {"__name__": "lamp", "__file__": os.path.abspath(lamp)})
 
 white = bpy.data.materials.new("white")
 white.use_nodes = True

@@ -83,6 +83,16 @@ if command -v blender > /dev/null; then
         assets/blender/studio.py studio.csv 1024 > blender.log 2>&1 || { cat blender.log; exit 1; }
     "$gonio" probe --rig "$here/studio.json" --allow-outside --grid=-2,-2,-1:4,0,0:0,4,0:160x160 --csv > studio.probe.csv
     python3 "$here/compare_planes.py" studio.csv studio.probe.csv 0.002 0.03
+    # Openings, masks and images: their pictures lie beside the rig.
+    mkdir -p near
+    cp "$here/near.json" "$here"/../../profiles/{batwing,pendant,wall-washer}.ies near
+    "$gonio" bake "$here/../../profiles/street.ies" --layout gnomonic --normalize peak -s 64x64 -o near/gobo.exr -q --overwrite
+    "$gonio" preview --stage room --preset incandescent-60 --size 48x32 -o near/picture.png -q --overwrite
+    "$gonio" import near/near.json --to blender -O assets -q
+    blender --background --factory-startup --python "$here/blender_plane.py" -- \
+        assets/blender/near.py near.csv 1024 > blender.log 2>&1 || { cat blender.log; exit 1; }
+    "$gonio" probe --rig near/near.json --grid=-2,-2,-1:4,0,0:0,4,0:96x96 --csv > near.probe.csv
+    python3 "$here/compare_planes.py" near.csv near.probe.csv 0.002 0.03
 else
     echo 'Blender is not installed: skipped'
 fi

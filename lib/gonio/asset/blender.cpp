@@ -11,7 +11,15 @@
 // A world's strength is W per m² and sr. An environment texture has the azimuth 0 of +X in its middle and +Y to its
 // left; it is looked up by directions turned by −90° about Z, so that +Y is in its middle.
 //
+// A luminaire with a size is an empty with the area lights of its faces, whose emission is the IES node over the
+// projected area: Incoming is the direction from a light to what it lights, in world axes (3.4 does not turn vectors
+// into those of a light), and drivers give the nodes the axes of the empty.
+//
+// A projected image is a point light whose emission looks its picture up by the direction. An area light looks its
+// picture up by its parameters, which run from 0 at −X and −Y to 1; a viewer in front has +X at the left.
+//
 // Spots are profiles too: Cycles 3.4 multiplies its own spots by the cosine to the axis, other releases do not.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/to_profile.hpp>
@@ -125,13 +133,172 @@ def glowing_mesh(name, points, faces, color, radiance):
     return mesh
 )python";
 
-constexpr const char* sky_helper = R"python(
+constexpr const char* luminaire_helper = R"python(
+
+def drive(socket, thing, path):
+    driver = socket.driver_add("default_value").driver
+    driver.type = "SUM"
+    variable = driver.variables.new()
+    variable.targets[0].id = thing
+    variable.targets[0].data_path = path
+
+
+def luminaire(name, position, x, y, z, text, scale, facing):
+    """An empty for its place, and a node group for its luminance [W/m2/sr]: the profile over the projected area."""
+    empty = place(name, None, position, x, y, z)
+    group = bpy.data.node_groups.new(name, "ShaderNodeTree")
+    if hasattr(group, "interface"):
+        group.interface.new_socket("Luminance", in_out="OUTPUT", socket_type="NodeSocketFloat")
+    else:
+        group.outputs.new("NodeSocketFloat", "Luminance")
+    nodes = group.nodes
+    links = group.links
+
+    def node(operation, *values):
+        return math_node(nodes, links, operation, *values)
+
+    def dot(a, b):
+        product = nodes.new("ShaderNodeVectorMath")
+        product.operation = "DOT_PRODUCT"
+        links.new(a, product.inputs[0])
+        if isinstance(b, tuple):
+            product.inputs[1].default_value = b
+        else:
+            links.new(b, product.inputs[1])
+        return product.outputs["Value"]
+
+    def vector(*values):
+        made = nodes.new("ShaderNodeCombineXYZ")
+        for socket, value in zip(made.inputs, values):
+            links.new(value, socket)
+        return made.outputs[0]
+
+    towards = nodes.new("ShaderNodeNewGeometry").outputs["Incoming"]
+    local = []
+    for column in range(3):
+        axis = nodes.new("ShaderNodeCombineXYZ")
+        for row in range(3):
+            # Paths count columns first, unlike Python.
+            drive(axis.inputs[row], empty, f"matrix_world[{column}][{row}]")
+        local.append(dot(towards, axis.outputs[0]))
+    # The node counts azimuths from -Y towards -X: (x, y) becomes (-y, -x).
+    profile = nodes.new("ShaderNodeTexIES")
+    profile.mode = "INTERNAL"
+    profile.ies = text
+    profile.inputs["Strength"].default_value = scale / (4.0 * math.pi)
+    links.new(vector(node("MULTIPLY", local[1], -1.0), node("MULTIPLY", local[0], -1.0), local[2]), profile.inputs["Vector"])
+    luminance = profile.outputs["Fac"]
+    if facing:
+        direction = vector(*local)
+        total = 1e-6 * sum(area for _, area in facing)
+        for normal, area in facing:
+            share = node("MAXIMUM", dot(direction, normal), 0.0) if any(normal) else 1.0
+            total = node("MULTIPLY_ADD", share, area, total)
+        luminance = node("DIVIDE", luminance, total)
+    links.new(luminance, nodes.new("NodeGroupOutput").inputs["Luminance"])
+    return empty, group
+
+
+def face_light(light, color, group):
+    light.use_nodes = True
+    nodes = light.node_tree.nodes
+    links = light.node_tree.links
+    nodes.clear()
+    shared = nodes.new("ShaderNodeGroup")
+    shared.node_tree = group
+    emission = nodes.new("ShaderNodeEmission")
+    emission.inputs["Color"].default_value = color + (1.0,)  # linear Rec.709 of luminance 1
+    links.new(shared.outputs["Luminance"], emission.inputs["Strength"])
+    links.new(emission.outputs[0], nodes.new("ShaderNodeOutputLight").inputs["Surface"])
+
+
+def attach(light, empty):
+    light.parent = empty
+    light.matrix_parent_inverse = empty.matrix_world.inverted()
+)python";
+
+constexpr const char* folder_helper = R"python(
 
 def folder():
     """Of this script, also where Blender's text editor runs it."""
     text = getattr(bpy.context.space_data, "text", None)
     return os.path.dirname(bpy.path.abspath(text.filepath) if text and text.filepath else os.path.abspath(__file__))
 
+
+def load_picture(file):
+    image = bpy.data.images.load(os.path.join(folder(), file))
+    image.colorspace_settings.name = "Non-Color"  # its numbers as they are: linear Rec.709
+    return image
+)python";
+
+constexpr const char* math_helper = R"python(
+
+def math_node(nodes, links, operation, *values):
+    node = nodes.new("ShaderNodeMath")
+    node.operation = operation
+    for socket, value in zip(node.inputs, values):
+        if isinstance(value, (int, float)):
+            socket.default_value = value
+        else:
+            links.new(value, socket)
+    return node.outputs[0]
+)python";
+
+constexpr const char* image_helper = R"python(
+
+def shine_picture(light, picture, u, v, beyond, strength):
+    nodes = light.node_tree.nodes
+    links = light.node_tree.links
+    place = nodes.new("ShaderNodeCombineXYZ")
+    links.new(u, place.inputs["X"])
+    links.new(v, place.inputs["Y"])
+    texture = nodes.new("ShaderNodeTexImage")
+    texture.image = load_picture(picture)
+    texture.extension = beyond
+    links.new(place.outputs[0], texture.inputs["Vector"])
+    emission = nodes.new("ShaderNodeEmission")
+    links.new(texture.outputs["Color"], emission.inputs["Color"])
+    if strength:
+        links.new(strength, emission.inputs["Strength"])
+    else:
+        emission.inputs["Strength"].default_value = 1.0
+    links.new(emission.outputs[0], nodes.new("ShaderNodeOutputLight").inputs["Surface"])
+
+
+def projector_light(name, picture, slope_x, slope_y, watts):
+    light = new_light(name, "POINT", (1.0, 1.0, 1.0), watts)
+    light.use_nodes = True
+    nodes = light.node_tree.nodes
+    links = light.node_tree.links
+    nodes.clear()
+    direction = nodes.new("ShaderNodeTexCoord")
+    parts = nodes.new("ShaderNodeSeparateXYZ")
+    links.new(direction.outputs["Normal"], parts.inputs[0])
+
+    def node(operation, *values):
+        return math_node(nodes, links, operation, *values)
+
+    ahead = node("MULTIPLY", parts.outputs["Z"], -1.0)
+    u = node("MULTIPLY_ADD", node("DIVIDE", parts.outputs["X"], ahead), 0.5 / slope_x, 0.5)
+    v = node("MULTIPLY_ADD", node("DIVIDE", parts.outputs["Y"], ahead), 0.5 / slope_y, 0.5)
+    shine_picture(light, picture, u, v, "CLIP", node("GREATER_THAN", ahead, 0.0))
+    return light
+
+
+def panel_light(name, picture, watts):
+    light = new_light(name, "AREA", (1.0, 1.0, 1.0), watts)
+    light.use_nodes = True
+    nodes = light.node_tree.nodes
+    links = light.node_tree.links
+    nodes.clear()
+    parts = nodes.new("ShaderNodeSeparateXYZ")
+    links.new(nodes.new("ShaderNodeNewGeometry").outputs["Parametric"], parts.inputs[0])
+    u = math_node(nodes, links, "SUBTRACT", 1.0, parts.outputs["X"])
+    shine_picture(light, picture, u, parts.outputs["Y"], "EXTEND", None)
+    return light
+)python";
+
+constexpr const char* sky_helper = R"python(
 
 def sky_world(name, color, strength, picture):
     world = bpy.data.worlds.new(name)
@@ -143,14 +310,12 @@ def sky_world(name, color, strength, picture):
     background.inputs["Color"].default_value = color + (1.0,)
     background.inputs["Strength"].default_value = strength
     if picture:
-        image = bpy.data.images.load(os.path.join(folder(), picture))
-        image.colorspace_settings.name = "Non-Color"  # its numbers as they are: linear Rec.709
         direction = nodes.new("ShaderNodeTexCoord")
         turned = nodes.new("ShaderNodeMapping")
         turned.inputs["Rotation"].default_value = (0.0, 0.0, math.radians(-90.0))
         links.new(direction.outputs["Generated"], turned.inputs["Vector"])
         sky = nodes.new("ShaderNodeTexEnvironment")
-        sky.image = image
+        sky.image = load_picture(picture)
         links.new(turned.outputs["Vector"], sky.inputs["Vector"])
         links.new(sky.outputs["Color"], background.inputs["Color"])
     links.new(background.outputs[0], nodes.new("ShaderNodeOutputWorld").inputs["Surface"])
@@ -225,6 +390,16 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
     case LightKind::profile:
         return fmt::format("light = profile_light({}, texts[{}], {}, {})\n", quoted(l.name), l.profile, tuple(l.color),
                            l.intensity / scene.profiles[l.profile].peak.value);
+    case LightKind::projector: {
+        const SceneImage& image = scene.images[l.image];
+        return fmt::format("light = projector_light({}, {}, {}, {}, {})\n", quoted(l.name), quoted(image.name + ".exr"),
+                           image.slope_x, image.slope_y, 4.0 * pi * l.intensity / lumens_per_watt);
+    }
+    case LightKind::panel:
+        return fmt::format("light = panel_light({}, {}, {})\n"
+                           "light.shape = \"RECTANGLE\"\nlight.size = {}\nlight.size_y = {}\n",
+                           quoted(l.name), quoted(scene.images[l.image].name + ".exr"),
+                           4.0 * l.width * l.height * l.nits / lumens_per_watt, l.width, l.height);
     case LightKind::sphere:
         return lamp("POINT", 4.0 * pi * pi * l.radius * l.radius * l.nits) +
                fmt::format("light.shadow_soft_size = {}\n", l.radius);
@@ -247,6 +422,15 @@ std::string data_of(const SceneLight& light, const SceneContent& scene) {
     }
 }
 
+std::string text_of(const SceneLuminaire& luminaire) {
+    std::string facing;
+    for (const SceneLuminaire::Facing& face : luminaire.facing)
+        facing += fmt::format("\n    ({}, {}),", tuple(face.normal), face.area);
+    return fmt::format("empty, group = luminaire({}, {}, {}, {}, {}, texts[{}], {}, [{}\n])\n", quoted(luminaire.name),
+                       tuple(luminaire.frame.origin), tuple(luminaire.frame.x), tuple(luminaire.frame.y),
+                       tuple(luminaire.frame.z), luminaire.profile, luminaire.scale, facing);
+}
+
 std::string world_of(const SceneSky& sky) {
     return fmt::format("# {:.6g} lx on the horizontal\nworld = sky_world({}, {}, {}, {})\n", sky.lux, quoted(sky.name),
                        tuple(sky.color), (sky.picture.empty() ? sky.nits : sky.nits_per_unit) / lumens_per_watt,
@@ -256,8 +440,8 @@ std::string world_of(const SceneSky& sky) {
 // The modules that the script imports before Blender's own.
 std::string imports_of(const SceneContent& scene) {
     std::string imports;
-    if (scene.stage || scene.sky) imports += "import math\n";
-    if (scene.sky) imports += "import os\n";
+    if (scene.stage || scene.sky || !scene.luminaires.empty()) imports += "import math\n";
+    if (scene.sky || !scene.images.empty()) imports += "import os\n";
     return imports.empty() ? imports : imports + "\n";
 }
 
@@ -272,6 +456,10 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
     const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
                                    [](const SceneLight& light) { return light.kind == LightKind::tube; });
     if (tubes) text += tube_helper;
+    if (scene.sky || !scene.images.empty()) text += folder_helper;
+    if (!scene.images.empty() || !scene.luminaires.empty()) text += math_helper;
+    if (!scene.images.empty()) text += image_helper;
+    if (!scene.luminaires.empty()) text += luminaire_helper;
     if (scene.sky) text += sky_helper;
     text += "\n\n";
     if (!scene.profiles.empty()) {
@@ -281,14 +469,35 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
                                 literals(finer_profile(profile)));
         text += "]\n";
     }
-    for (const SceneLight& light : scene.lights)
-        text += data_of(light, scene) + fmt::format("place({}, light, {}, {}, {}, {})\n", quoted(light.name),
-                                                    tuple(light.frame.origin), tuple(light.frame.x),
-                                                    tuple(light.frame.y), tuple(light.frame.z));
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const SceneLight& light = scene.lights[i];
+        const std::string placed =
+            fmt::format("place({}, light, {}, {}, {}, {})", quoted(light.name), tuple(light.frame.origin),
+                        tuple(light.frame.x), tuple(light.frame.y), tuple(light.frame.z));
+        if (!light.luminaire) {
+            text += data_of(light, scene) + placed + "\n";
+            continue;
+        }
+        // The faces of a luminaire follow each other.
+        if (i == 0 || scene.lights[i - 1].luminaire != light.luminaire)
+            text += text_of(scene.luminaires[*light.luminaire]);
+        SceneLight face = light;
+        face.nits = lumens_per_watt; // an emission of 1 is 1 W/m²/sr
+        face.color = glm::dvec3(1.0);
+        text += data_of(face, scene) +
+                fmt::format("face_light(light, {}, group)\nattach({}, empty)\n", tuple(light.color), placed);
+    }
     if (scene.stage) text += blender_stage(*scene.stage, lumens_per_watt);
     if (scene.sky) text += world_of(*scene.sky);
     if (scene.sky && scene.stage && !scene.stage->shows_sky) text += "world.cycles_visibility.camera = False\n";
-    return {{scene.name + ".py", std::move(text), {}}};
+    std::vector<AssetFile> files{{scene.name + ".py", std::move(text), {}}};
+    for (const SceneImage& image : scene.images)
+        files.push_back(
+            {image.name + ".exr",
+             {},
+             AssetPicture{image.slope_x > 0.0 ? projected_picture(image, projection_of(image)) : panel_picture(image),
+                          TexelType::half}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

@@ -8,11 +8,13 @@
 //
 // A profile that stays within 60° of its aim is a spot of large p with a projector that is a plane across the aim, −Z
 // (up is +Y, right +X). Other profiles are omni lights with a panorama: its first row is −Y and its middle is +Z,
-// because Godot's projectors of omni lights are upside down. Both are 8-bit and sRGB-encoded with a peak of 1, and a
-// spot's projector needs shadows to be on (godotengine/godot, issues 57704 and 121615).
+// because Godot's projectors of omni lights are upside down. An image is projected like the former. All are 8-bit and
+// sRGB-encoded with a peak of 1, and a spot's projector needs shadows to be on (godotengine/godot, issues 57704 and
+// 121615).
 //
 // A panorama of a sky has +Z in its middle and −X to the right; `background_intensity` is the luminance of a texel
 // of 1.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/color/rgb_space.hpp>
@@ -33,6 +35,11 @@ using std::numbers::pi;
 constexpr double edge_power = 64.0; // p of a profile's spot
 constexpr double edge_of_light = 0.8; // (1 − cosθ)/(1 − cos outer) up to which there is light: 1 − 0.8^64 = 1 − 6e-7
 
+// Half angle of the spot whose steep edge begins at this angle from its axis.
+double widened(double angle) {
+    return std::acos(1.0 - (1.0 - std::cos(angle)) / edge_of_light);
+}
+
 // Half angle of the spot that contains the profile; nothing if the profile needs an omni light.
 std::optional<double> spot_angle(const MeasuredLight& profile) {
     double widest = 1.0;
@@ -41,7 +48,14 @@ std::optional<double> spot_angle(const MeasuredLight& profile) {
         for (std::size_t k = 0; k < web.gammas_deg().size(); ++k)
             if (web.column(plane)[k] > 1e-3 * profile.peak.value) widest = std::max(widest, web.gammas_deg()[k]);
     if (widest > 60.0) return std::nullopt;
-    return std::acos(1.0 - (1.0 - std::cos(widest * pi / 180.0)) / edge_of_light);
+    return widened(widest * pi / 180.0);
+}
+
+AssetPicture projector(const SceneImage& image) {
+    Image picture = projected_picture(image, square_around_cone(image, widened(cone_of(image))));
+    for (float& value : picture.pixels)
+        value = static_cast<float>(encode_srgb(static_cast<double>(value)));
+    return {std::move(picture), TexelType::uint8};
 }
 
 AssetPicture projector(const MeasuredLight& profile) {
@@ -92,6 +106,10 @@ std::string node(const SceneLight& light, const SceneContent& scene) {
             omni();
         amount += fmt::format("light_projector = ExtResource(\"{}\")\nshadow_enabled = true\n", light.profile + 1);
         break;
+    case LightKind::projector:
+        spot(widened(cone_of(scene.images[light.image])), edge_power);
+        amount += fmt::format("light_projector = ExtResource(\"image_{}\")\nshadow_enabled = true\n", light.image + 1);
+        break;
     default:
         omni();
         if (light.radius > 0.0) amount += fmt::format("light_size = {}\n", light.radius);
@@ -125,6 +143,9 @@ std::vector<AssetFile> godot_files(const SceneContent& scene) {
     for (std::size_t i = 0; i < scene.profiles.size(); ++i)
         text += fmt::format("\n[ext_resource type=\"Texture2D\" path=\"{}.png\" id=\"{}\"]\n", scene.profiles[i].name,
                             i + 1);
+    for (std::size_t i = 0; i < scene.images.size(); ++i)
+        text += fmt::format("\n[ext_resource type=\"Texture2D\" path=\"{}.png\" id=\"image_{}\"]\n",
+                            scene.images[i].name, i + 1);
     if (scene.sky) text += environment(*scene.sky);
     text += fmt::format("\n[node name=\"{}\" type=\"Node3D\"]\n", scene.single ? "lights" : scene.name);
     for (const SceneLight& light : scene.lights)
@@ -136,6 +157,8 @@ std::vector<AssetFile> godot_files(const SceneContent& scene) {
     std::vector<AssetFile> files{{scene.name + ".tscn", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".png", {}, projector(profile)});
+    for (const SceneImage& image : scene.images)
+        files.push_back({image.name + ".png", {}, projector(image)});
     return files;
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_sky.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/asset/light_scene.hpp>
@@ -5,6 +6,7 @@
 #include <gonio/base/limits.hpp>
 #include <gonio/light/far_field.hpp>
 #include <gonio/light/light_image.hpp>
+#include <gonio/light/luminaire.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/light/shape_traits.hpp>
@@ -125,11 +127,24 @@ Result<Lumens> flux_of(const Light& light) {
     return Lumens(flux_factor(light.shape, *factors).value * light.intensity.value);
 }
 
+Result<MeasuredLight> luminaire_of(const Light& light, const Web& web, const std::string& file, const std::string& name,
+                                   MeasuredLightOptions options) {
+    options.color = "rgb(1,1,1)";
+    Diagnostics ignored; // of the portable text: those of the rig were reported when it was read
+    ProfileHeader header;
+    header.source = file;
+    Result<MeasuredLight> made = measured_light({file, {}, web, header}, options, ignored);
+    if (!made) return made;
+    made->name = name;
+    made->color = light.color;
+    made->color_text.clear();
+    return made;
+}
+
 // The light's intensity in every direction as a luminaire; exact for a web and for a masked point, which have the
 // light's own frame.
 Result<MeasuredLight> profile_of(const Light& light, const Frame& frame, const std::string& name) {
     MeasuredLightOptions options;
-    options.color = "rgb(1,1,1)";
     std::string file = fmt::format("a {}", kind_of(light.shape));
     std::optional<Web> web;
     if (const auto* profile = std::get_if<ProfileShape>(&light.shape)) {
@@ -146,15 +161,13 @@ Result<MeasuredLight> profile_of(const Light& light, const Frame& frame, const s
         if (!flux) return pass_on(flux);
         options.flux = *flux;
     }
-    Diagnostics ignored; // of the portable text: those of the rig were reported when it was read
-    ProfileHeader header;
-    header.source = file;
-    Result<MeasuredLight> made = measured_light({file, {}, *web, header}, options, ignored);
-    if (!made) return made;
-    made->name = name;
-    made->color = light.color;
-    made->color_text.clear();
-    return made;
+    return luminaire_of(light, *web, file, name, options);
+}
+
+// The mask of an area light as a luminaire whose candela are the luminances of the light [nt].
+Result<MeasuredLight> mask_of_luminances(const Light& light, const std::string& name) {
+    const Mask mask = mask_of(light.shape);
+    return luminaire_of(light, mask.web->scaled(light.web_scale * light.luminance.value), *mask.file, name, {});
 }
 
 // What the profile of a light depends on: lights with equal keys share one.
@@ -246,15 +259,97 @@ private:
     }
 
     Result<void> place_profile(const Light& light, SceneLight made) {
+        Result<std::size_t> profile = index_of_profile(light, made);
+        if (!profile) return pass_on(profile);
+        made.profile = *profile;
+        made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
+        return place_as(LightKind::profile, std::move(made));
+    }
+
+    // Of a profile that `make` makes under a name if no light before has had it.
+    template<class Make>
+    Result<std::size_t> index_of_profile(const Light& light, const SceneLight& made, const Make& make) {
         auto [known, is_new] = shared_.try_emplace(profile_key(light), content_.profiles.size());
         if (is_new) {
-            Result<MeasuredLight> profile = profile_of(light, made.frame, fmt::format("{}.{}", name_, made.name));
+            Result<MeasuredLight> profile = make(fmt::format("{}.{}", name_, made.name));
             if (!profile) return pass_on(profile);
             content_.profiles.push_back(std::move(*profile));
         }
-        made.profile = known->second;
-        made.intensity = content_.profiles[made.profile].peak.value * scale_.intensity;
-        return place_as(LightKind::profile, std::move(made));
+        return known->second;
+    }
+    Result<std::size_t> index_of_profile(const Light& light, const SceneLight& made) {
+        return index_of_profile(light, made,
+                                [&](const std::string& name) { return profile_of(light, made.frame, name); });
+    }
+
+    // The faces of a luminous opening, as area lights of the luminaire.
+    Result<void> place_faces(const Light& light, SceneLight made) {
+        Result<std::size_t> profile = index_of_profile(light, made);
+        if (!profile) return pass_on(profile);
+        SceneLuminaire luminaire{made.name, made.frame, *profile, scale_.intensity, {}};
+        for (const LuminousFace& face : light.body->faces())
+            luminaire.facing.push_back({face.normal, (face.is_flat ? 1.0 : 0.25) * face.area_m2 * scale_.intensity});
+        made.luminaire = content_.luminaires.size();
+        content_.luminaires.push_back(std::move(luminaire));
+        for (const Light& part : *light.parts) {
+            SceneLight face = made;
+            face.name = asset_detail::unique_name(made.name + "_face", names_);
+            face.frame = part.frame;
+            face.frame.origin *= scale_.length;
+            if (Result<void> placed =
+                    std::visit([&](const auto& shape) { return place_face(shape, std::move(face)); }, part.shape);
+                !placed)
+                return placed;
+        }
+        return {};
+    }
+    Result<void> place_face(const RectShape& rect, SceneLight face) {
+        face.width = rect.width.value * scale_.length;
+        face.height = rect.height.value * scale_.length;
+        return place_as(LightKind::rect, std::move(face));
+    }
+    Result<void> place_face(const EllipseShape& ellipse, SceneLight face) {
+        face.width = ellipse.width.value * scale_.length;
+        face.height = ellipse.height.value * scale_.length;
+        return place_as(LightKind::ellipse, std::move(face));
+    }
+    Result<void> place_face(const DiskShape& disk, SceneLight face) {
+        face.radius = disk.radius.value * scale_.length;
+        return place_as(LightKind::disk, std::move(face));
+    }
+    Result<void> place_face(const SphereShape& sphere, SceneLight face) {
+        face.radius = sphere.radius.value * scale_.length;
+        return place_as(LightKind::sphere, std::move(face));
+    }
+    template<class Kind>
+    Result<void> place_face(const Kind& /*no face has it*/, const SceneLight& /*face*/) {
+        return fail(Failure::internal, "a face of a luminous opening is a rectangle, a disk, an ellipse or a sphere");
+    }
+
+    // A light with an image, by a kind of the target's own.
+    Result<void> place_image(const Light& light, LightKind kind, SceneLight made) {
+        auto [known, is_new] = shared_images_.try_emplace(profile_key(light), content_.images.size());
+        if (is_new) content_.images.push_back(asset_detail::scene_image(light, fmt::format("{}.{}", name_, made.name)));
+        made.image = known->second;
+        const double peak = content_.images[made.image].peak;
+        (kind == LightKind::panel ? made.nits : made.intensity) =
+            kind == LightKind::panel ? peak : peak * scale_.intensity;
+        made.color = glm::dvec3(1.0);
+        return place_as(kind, std::move(made));
+    }
+
+    Result<void> place_projected(const Light& light, SceneLight made) {
+        const TargetImages& held = target_.holds.images;
+        if (!(held.widest_projector_deg > 0.0))
+            return place_far(light, std::move(made), fmt::format("{} does not project images", target_.name));
+        const glm::dvec2 covered = covered_by_image(light.shape);
+        const double corner_deg = to_degrees(Radians(std::atan(glm::length(covered))));
+        if (corner_deg > held.widest_projector_deg)
+            return place_far(light, std::move(made),
+                             fmt::format("{} projects images up to {} degrees from the axis", target_.name,
+                                         held.widest_projector_deg));
+        if (!held.loses.empty()) say(light, std::string(held.loses));
+        return place_image(light, LightKind::projector, std::move(made));
     }
 
     Result<void> place_far(const Light& light, SceneLight made, std::string_view why,
@@ -268,19 +363,37 @@ private:
     // An area light: of the target's own kind, or as from far away.
     template<class Area>
     Result<void> place_area(const Light& light, const Area& shape, LightKind kind, bool two_sided, SceneLight made) {
-        if (light.image != nullptr) return place_far(light, std::move(made), "an image on a rectangle");
-        if (shape.mask) return place_far(light, std::move(made), "a mask on an area light");
-        if (!holds(kind))
+        if (light.image != nullptr) {
+            if (!target_.holds.images.has_panels)
+                return place_far(light, std::move(made),
+                                 fmt::format("{} does not have rectangles with an image", target_.name));
+            kind = LightKind::panel;
+        }
+        if (shape.mask) {
+            if (!target_.holds.near_profiles || !holds(kind) || kind == LightKind::tube)
+                return place_far(light, std::move(made), "a mask on an area light");
+            Result<std::size_t> profile =
+                index_of_profile(light, made, [&](const std::string& name) { return mask_of_luminances(light, name); });
+            if (!profile) return pass_on(profile);
+            made.luminaire = content_.luminaires.size();
+            content_.luminaires.push_back({made.name, made.frame, *profile, 1.0, {}});
+            made.name = asset_detail::unique_name(made.name + "_face", names_);
+        }
+        if (kind != LightKind::panel && !holds(kind))
             return place_far(light, std::move(made),
                              fmt::format("{} does not have {} lights", target_.name, kind_of(light.shape)));
-        if (!two_sided) return place_as(kind, std::move(made));
+        const auto place_side = [&](SceneLight side) {
+            return kind == LightKind::panel ? place_image(light, kind, std::move(side))
+                                            : place_as(kind, std::move(side));
+        };
+        if (!two_sided) return place_side(std::move(made));
         say(light, "two lights back to back, for its two sides");
         SceneLight back = made;
         back.name = asset_detail::unique_name(made.name + "_back", names_);
         back.frame.z = -back.frame.z; // turned about Y
         back.frame.x = -back.frame.x;
-        if (Result<void> front = place_as(kind, std::move(made)); !front) return front;
-        return place_as(kind, std::move(back));
+        if (Result<void> front = place_side(std::move(made)); !front) return front;
+        return place_side(std::move(back));
     }
 
     Result<void> place(const Light& light, const PointShape& point, SceneLight made) {
@@ -289,6 +402,7 @@ private:
         return place_profile(light, std::move(made));
     }
     Result<void> place(const Light& light, const ProfileShape& profile, SceneLight made) {
+        if (light.body != nullptr && target_.holds.near_profiles) return place_faces(light, std::move(made));
         if (light.body != nullptr)
             say(light,
                 fmt::format("its luminous opening ({}) is left out: a point, which is within 1 % from {:.2g} m on",
@@ -299,7 +413,7 @@ private:
         const bool hard = spot.falloff == Falloff::hard || !(spot.inner.value < spot.outer.value);
         const TargetHolds& held = target_.holds;
         const bool same = spot.falloff == held.spot_falloff && (held.spot_has_inner || spot.inner.value == 0.0);
-        if (spot.image != nullptr) return place_far(light, std::move(made), "a projected image");
+        if (spot.image != nullptr) return place_projected(light, std::move(made));
         if (spot.mask) return place_far(light, std::move(made), "a mask on a spot");
         if (!held.spot_falloff || (hard ? !held.spot_has_inner : !same))
             return place_far(light, std::move(made),
@@ -313,7 +427,7 @@ private:
         return place_as(LightKind::spot, std::move(made));
     }
     Result<void> place(const Light& light, const FrustumShape& frustum, SceneLight made) {
-        if (frustum.image != nullptr) return place_far(light, std::move(made), "a projected image");
+        if (frustum.image != nullptr) return place_projected(light, std::move(made));
         return place_far(light, std::move(made), fmt::format("{} does not have frustum lights", target_.name));
     }
     Result<void> place(const Light& light, const SphereShape& sphere, SceneLight made) {
@@ -376,6 +490,7 @@ private:
     std::map<const LuminousBody*, double> point_distances_m_;
     asset_detail::TakenNames names_;
     std::map<ProfileKey, std::size_t> shared_; // indices of the content's profiles
+    std::map<ProfileKey, std::size_t> shared_images_;
 };
 
 } // namespace

@@ -6,9 +6,11 @@
 //                                   (a sphere: a point of the same intensity)
 //   a spot of another falloff       the same: a profile of its lobe
 //   a two-sided disk or rectangle   two lights back to back
-//   a mask on an area light         treated as a shape that the target lacks
-//   an image as a mask              the same, without its colours; its details are lost beyond half a degree
-//   a luminous opening              left out: a point, with the distance from which that is good to 1 %
+//   a mask on an area light         treated as a shape that the target lacks, unless its area lights take profiles
+//   an image as a mask              the same without projectors or textured rectangles: without its colours, and its
+//                                   details are lost beyond half a degree
+//   a luminous opening              without area lights that take profiles left out: a point, with the distance from
+//                                   which that is good to 1 %
 //   a range                         left out if the target has no such window
 //   a sky                           left out if the target stores none
 // Flux and intensity are those of the light in all these cases. World: right-handed, Z up, metres; each target's writer

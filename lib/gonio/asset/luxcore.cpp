@@ -4,8 +4,10 @@
 // that intensity times its map over the map's mean, a sphere P/4π²r² nt. LuxCore reads the profile itself and takes
 // only the shape from its candela; with `flipz` its −Z is γ = 0, +X is C0, +Y is C90. A distant light has a luminance
 // over a cone of half angle theta, a glowing material has a luminance. Transformations list columns.
+// A texture's (0, 0) is the top left corner of its file, whose numbers are linear for a `gamma` of 1.
 // An infinite light counts azimuths from its +X in the middle of the left edge towards +Y to the right, which as seen
 // from inside is a mirror image: its transformation mirrors it.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -23,8 +25,8 @@ std::string transformation(const Frame& frame) {
                        triple(frame.origin, " "));
 }
 
-// A glowing mesh in the light's frame.
-std::string glowing(const SceneLight& light, const Mesh& mesh) {
+// A glowing mesh in the light's frame; `emission` is a colour or the name of a texture.
+std::string glowing(const SceneLight& light, const Mesh& mesh, const std::string& emission) {
     const std::string name = identifier(light.name);
     std::string vertices;
     std::string faces;
@@ -41,7 +43,10 @@ std::string glowing(const SceneLight& light, const Mesh& mesh) {
                        "scene.materials.{0}.emission.gain = {4} {4} {4}\n"
                        "scene.objects.{0}.shape = \"{0}\"\n"
                        "scene.objects.{0}.material = \"{0}\"\n",
-                       name, vertices, faces, triple(light.color, " "), light.nits);
+                       name, vertices, faces, emission, light.nits);
+}
+std::string glowing(const SceneLight& light, const Mesh& mesh) {
+    return glowing(light, mesh, triple(light.color, " "));
 }
 
 std::string text_of(const SceneLight& light, const SceneContent& scene) {
@@ -68,6 +73,20 @@ std::string text_of(const SceneLight& light, const SceneContent& scene) {
         return glowing(light, ellipse_mesh(0.5 * light.width, 0.5 * light.height));
     case LightKind::rect:
         return glowing(light, rectangle_mesh(light.width, light.height));
+    case LightKind::panel: {
+        const std::string name = identifier(light.name);
+        const Mesh mesh = rectangle_mesh(light.width, light.height);
+        std::string places;
+        for (const glm::dvec3& point : mesh.points)
+            places += fmt::format(" {} {}", 0.5 - point.x / light.width, 0.5 - point.y / light.height);
+        return fmt::format("scene.textures.{0}.type = \"imagemap\"\n"
+                           "scene.textures.{0}.file = \"{1}.exr\"\n"
+                           "scene.textures.{0}.gamma = 1\n"
+                           "scene.textures.{0}.wrap = \"clamp\"\n"
+                           "scene.shapes.{0}.uvs ={2}\n",
+                           name, scene.images[light.image].name, places) +
+               glowing(light, mesh, fmt::format("\"{}\"", name));
+    }
     case LightKind::tube:
         return glowing(light, capsule_mesh(light.radius, light.width));
     case LightKind::sun:
@@ -102,6 +121,8 @@ std::vector<AssetFile> luxcore_files(const SceneContent& scene) {
     std::vector<AssetFile> files{{scene.name + ".scn", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    for (const SceneImage& image : scene.images)
+        files.push_back({image.name + ".exr", {}, AssetPicture{panel_picture(image), TexelType::half}});
     return files;
 }
 

@@ -5,8 +5,10 @@
 // with θ from its own axis, at u = (1 − x/z)/2 and v = (1 − y/z)/2; its texture has the first row at v = 0 and is
 // filtered linearly. So a texel stores the intensity times cos³θ/π. Spots fall linearly over the angle, along +Z;
 // rectangles and disks emit along +Z. A capsule is a cylinder and two spheres; the inner halves of the spheres only
-// light its inside. An environment map has +Y as its pole and +Z in its middle, with −X to the right.
+// light its inside. A rectangle's texture has its first row at y = −1. An environment map has +Y as its pole and +Z in
+// its middle, with −X to the right.
 #include <gonio/asset/detail/mitsuba_text.hpp>
+#include <gonio/asset/detail/scene_image.hpp>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -93,6 +95,35 @@ std::string emitter(std::string_view type, const std::string& inside) {
     return fmt::format("    <emitter type=\"{}\">\n        {}\n    </emitter>\n", type, inside);
 }
 
+std::string bitmap(std::string_view name, std::string_view file, std::string_view more = {}) {
+    return fmt::format(R"(<texture type="bitmap" name="{}"><string name="filename" value="{}"/>)"
+                       R"(<string name="wrap_mode" value="clamp"/>{}</texture>)",
+                       name, file, more);
+}
+
+AssetFile picture_of(const SceneImage& image) {
+    if (!(image.slope_x > 0.0)) {
+        // The numbers of an area light's texture are its luminances.
+        Image picture = panel_picture(image);
+        for (float& value : picture.pixels)
+            value = static_cast<float>(static_cast<double>(value) * image.peak);
+        return {image.name + ".exr", {}, AssetPicture{std::move(picture), TexelType::float32}};
+    }
+    const Projection projection = square_texels(image);
+    Image picture = projected_picture(image, projection);
+    for (int row = 0; row < projection.height; ++row)
+        for (int column = 0; column < projection.width; ++column) {
+            const double x = (2.0 * (column + 0.5) / projection.width - 1.0) * projection.slopes.x;
+            const double y = (2.0 * (row + 0.5) / projection.height - 1.0) * projection.slopes.y;
+            const double square = 1.0 + x * x + y * y;
+            for (int channel = 0; channel < 3; ++channel) {
+                float& value = picture.at(column, row)[channel];
+                value = static_cast<float>(static_cast<double>(value) / (pi * square * std::sqrt(square)));
+            }
+        }
+    return {image.name + ".exr", {}, AssetPicture{std::move(picture), TexelType::float32}};
+}
+
 std::string text_of(const SceneLight& light, const SceneContent& scene, const std::vector<AssetFile>& faces) {
     const Frame& frame = light.frame;
     constexpr double degree = 180.0 / pi;
@@ -115,14 +146,21 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
             text += emitter(
                 "projector",
                 fmt::format(
-                    "{}\n        <float name=\"fov\" value=\"90\"/><float name=\"scale\" value=\"{}\"/>\n        "
-                    "<texture type=\"bitmap\" name=\"irradiance\"><string name=\"filename\" value=\"{}\"/>"
-                    "<string name=\"wrap_mode\" value=\"clamp\"/></texture>",
+                    "{}\n        <float name=\"fov\" value=\"90\"/><float name=\"scale\" value=\"{}\"/>\n        {}",
                     mitsuba_matrix(frame.to_world(face.x), frame.to_world(face.y), frame.to_world(face.z),
                                    frame.origin),
-                    light.intensity * scaled(light.color).factor, file));
+                    light.intensity * scaled(light.color).factor, bitmap("irradiance", file)));
         }
         return text;
+    }
+    case LightKind::projector: {
+        const SceneImage& image = scene.images[light.image];
+        return emitter("projector",
+                       fmt::format("{}\n        <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" "
+                                   "value=\"x\"/><float name=\"scale\" value=\"{}\"/>\n        {}",
+                                   mitsuba_matrix(-frame.x, frame.y, -frame.z, frame.origin),
+                                   2.0 * std::atan(square_texels(image).slopes.x) * degree, light.intensity,
+                                   bitmap("irradiance", image.name + ".exr")));
     }
     case LightKind::sphere:
         return ball(light, frame.origin);
@@ -132,6 +170,16 @@ std::string text_of(const SceneLight& light, const SceneContent& scene, const st
         return flat("disk", light, 0.5 * light.width, 0.5 * light.height);
     case LightKind::rect:
         return flat("rectangle", light, 0.5 * light.width, 0.5 * light.height);
+    case LightKind::panel: {
+        // The picture's left is at +X, its top at +Y: v is turned about.
+        constexpr std::string_view turned =
+            R"(<transform name="to_uv"><scale x="1" y="-1"/><translate y="1"/></transform>)";
+        return fmt::format(
+            "    <shape type=\"rectangle\">\n        {}\n        <emitter type=\"area\">{}</emitter>\n"
+            "    </shape>\n",
+            mitsuba_matrix(-0.5 * light.width * frame.x, 0.5 * light.height * frame.y, -frame.z, frame.origin),
+            bitmap("radiance", scene.images[light.image].name + ".exr", turned));
+    }
     case LightKind::tube: {
         const glm::dvec3 half = 0.5 * light.width * frame.x;
         return ball(light, frame.origin - half) + ball(light, frame.origin + half) +
@@ -197,6 +245,7 @@ std::vector<AssetFile> mitsuba_files(const SceneContent& scene) {
     text += "</scene>\n";
     std::vector<AssetFile> files{{scene.name + ".xml", std::move(text), {}}};
     std::move(faces.begin(), faces.end(), std::back_inserter(files));
+    std::transform(scene.images.begin(), scene.images.end(), std::back_inserter(files), picture_of);
     return files;
 }
 

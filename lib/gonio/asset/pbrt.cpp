@@ -7,13 +7,20 @@
 // about X. pbrt scales it to `power`, which is exact because the texels have equal solid angles. Spots fall as
 // smoothstep over the cosine.
 //
+// A projection light emits I = `scale` × texel along +Z, without the cosine of a real projector; its picture has +X to
+// the right and +Y on top, `fov` is the full angle of the shorter side, and the nearest texel is looked up. An area
+// light takes a picture in the place of `L`: P00 of its patch is the bottom left corner, P10 the bottom right one.
+//
 // An infinite light looks its square up without that swap: the middle is +Z, the right +X, below +Y. A pixel of 1 at
 // `scale` 1 is 1 nt.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gonio::asset_detail {
@@ -61,6 +68,14 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
                            "    \"float power\" [ {} ]\n",
                            profile.name, color, profile.flux.value * (light.intensity / profile.peak.value));
     }
+    case LightKind::projector: {
+        const SceneImage& image = scene.images[light.image];
+        return fmt::format("  Scale 1 1 -1\n"
+                           "  LightSource \"projection\" \"string filename\" \"{}.exr\"\n"
+                           "    \"float scale\" [ {} ] \"float fov\" [ {} ]\n",
+                           image.name, light.intensity,
+                           2.0 * std::atan(std::min(image.slope_x, image.slope_y)) * degree);
+    }
     case LightKind::sphere:
         return area(light, ball(0.0, light.radius));
     case LightKind::disk: // its normal is +Z
@@ -73,6 +88,13 @@ std::string body(const SceneLight& light, const SceneContent& scene) {
         const double y = 0.5 * light.height;
         return area(light, fmt::format("  Shape \"bilinearmesh\" \"point3 P\" [ {} {} 0  {} {} 0  {} {} 0  {} {} 0 ]\n",
                                        -x, -y, -x, y, x, -y, x, y));
+    }
+    case LightKind::panel: {
+        const double x = 0.5 * light.width;
+        const double y = 0.5 * light.height;
+        return fmt::format("  AreaLightSource \"diffuse\" \"string filename\" \"{}.exr\" \"float scale\" [ {} ]\n"
+                           "  Shape \"bilinearmesh\" \"point3 P\" [ {} {} 0  {} {} 0  {} {} 0  {} {} 0 ]\n",
+                           scene.images[light.image].name, light.nits, x, -y, -x, -y, x, y, -x, y);
     }
     case LightKind::tube:
         // Whole spheres: the halves inside the cylinder only light its inside.
@@ -117,6 +139,13 @@ std::vector<AssetFile> pbrt_files(const SceneContent& scene) {
     std::vector<AssetFile> files{{scene.name + ".pbrt", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".exr", {}, engine_picture("pbrt-v4", profile.web)});
+    constexpr int nearest = 1024; // texels of a side, because none are mixed
+    for (const SceneImage& image : scene.images)
+        files.push_back({image.name + ".exr",
+                         {},
+                         AssetPicture{image.slope_x > 0.0 ? projected_picture(image, square_texels(image, nearest))
+                                                          : panel_picture(image),
+                                      TexelType::half}});
     return files;
 }
 

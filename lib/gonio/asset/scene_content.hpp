@@ -9,12 +9,14 @@
 #include <gonio/asset/target.hpp>
 #include <gonio/base/frame.hpp>
 #include <gonio/base/quantity.hpp>
+#include <gonio/light/light.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/primitives.hpp>
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -75,12 +77,40 @@ struct SceneLight {
     double lux = 0.0;   // of the sun, on a plane across its direction
     double inner = 0.0; // half angles of a spot [rad], 0 ≤ inner < outer
     double outer = 0.0;
-    double radius = 0.0;         // of a sphere, a disk, a tube [unit]
-    double width = 0.0;          // of an ellipse and a rectangle along X; a tube's cylinder
-    double height = 0.0;         // of an ellipse and a rectangle along Y
-    double diameter = 0.0;       // of the sun [rad]
-    std::optional<double> range; // [unit]; only where the target has the window
-    std::size_t profile = 0;     // of a profile: index
+    double radius = 0.0;                  // of a sphere, a disk, a tube [unit]
+    double width = 0.0;                   // of an ellipse and a rectangle along X; a tube's cylinder
+    double height = 0.0;                  // of an ellipse and a rectangle along Y
+    double diameter = 0.0;                // of the sun [rad]
+    std::optional<double> range;          // [unit]; only where the target has the window
+    std::size_t profile = 0;              // of a profile: index
+    std::optional<std::size_t> luminaire; // index; then its luminance is that of the luminaire
+    std::size_t image = 0; // of a projector and a panel: index; `intensity` or `nits` is that of texels of 1
+};
+
+// A luminaire with a size, only for a target whose area lights take profiles: SceneLight::luminaire of its faces names
+// it. Towards a direction ω of its frame all of them have the luminance `scale` I(ω)/Σ areaᵢ max(nᵢ·ω, 0), with the
+// intensity I of its profile and the sum over `facing`; without facing areas `scale` I(ω), and I is a luminance.
+struct SceneLuminaire {
+    struct Facing {
+        glm::dvec3 normal{0.0}; // unit; of a sphere 0, whose projected area is the same from everywhere
+        double area = 0.0;      // [unit²]
+    };
+    std::string name; // unique in the scene
+    Frame frame;
+    std::size_t profile = 0; // index
+    double scale = 1.0;
+    std::vector<Facing> facing;
+};
+
+// The image of a projector or a panel. detail/scene_image.hpp makes pictures of it.
+struct SceneImage {
+    std::string name;                   // of its file, without the ending
+    std::shared_ptr<const Light> light; // in metres
+    double peak = 0.0;                  // cd of a projector or nt of a panel that a channel of 1 stands for
+    int width = 0;                      // of the image as it was given [pixels]
+    int height = 0;
+    double slope_x = 0.0; // of a projector: half of the width that it covers one metre before it [m]
+    double slope_y = 0.0;
 };
 
 // The light from all around. A picture is a file beside that of the target; without one it is uniform.
@@ -99,6 +129,8 @@ struct SceneContent {
     std::string description; // without line ends, ASCII
     double units_per_meter = 1.0;
     std::vector<MeasuredLight> profiles; // with the names of their files
+    std::vector<SceneImage> images;
+    std::vector<SceneLuminaire> luminaires;
     std::vector<SceneLight> lights;
     std::optional<SceneSky> sky;     // only if the target stores skies
     bool single = false;             // a single luminaire, with the profile's own name

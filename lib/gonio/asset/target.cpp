@@ -40,28 +40,37 @@ constexpr TargetSky no_gltf_sky{
     SkyPictureKind::none, false, false,
     "glTF has no skies of its own, and the extension EXT_lights_image_based takes filtered pictures of 8 bits"};
 
+// Projectors within the cone of a spot lose too many texels when they are wider.
+constexpr double widest_cone_deg = 75.0;
+constexpr TargetImages in_cones{widest_cone_deg, false, {}};
+constexpr TargetImages in_narrow_cones{60.0, false, {}}; // Godot's cones are wider than their light
+constexpr TargetImages everywhere{90.0, true, {}};
+constexpr TargetImages panels_alone{0.0, true, {}};
+
 constexpr TargetHolds gltf_holds{point_sun, Falloff::frostbite, true, false, 90.0, TargetLength::meter, false,
                                  false,     no_gltf_sky};
 constexpr TargetHolds babylon_holds{point_sun, Falloff::frostbite, true, true, 90.0, TargetLength::any, false,
                                     false,     latlong_hdr};
 constexpr TargetHolds threejs_holds{
-    point_rect_sun, Falloff::smoothstep_cos, true, true, 90.0, TargetLength::any, false, false, latlong};
+    point_rect_sun, Falloff::smoothstep_cos, true, true, 90.0, TargetLength::any, false, false, latlong, in_cones};
 constexpr TargetHolds blender_holds{
-    all_kinds, std::nullopt, false, false, 90.0, TargetLength::any, false, false, hidden_latlong_or_uniform};
-constexpr TargetHolds pbrt_holds{all_kinds, Falloff::smoothstep_cos, true, false, 90.0, TargetLength::any, false,
-                                 false,     equal_area_or_uniform};
-constexpr TargetHolds mitsuba_holds{all_kinds, Falloff::linear_angle, true, false, 90.0, TargetLength::any, false,
-                                    false,     latlong_or_uniform};
-constexpr TargetHolds luxcore_holds{all_kinds, std::nullopt,      false, false, 90.0, TargetLength::any, false,
-                                    false,     latlong_or_uniform};
+    all_kinds,  std::nullopt, false, false, 90.0, TargetLength::any, false, false, hidden_latlong_or_uniform,
+    everywhere, true};
+constexpr TargetHolds pbrt_holds{all_kinds, Falloff::smoothstep_cos, true,      false, 90.0, TargetLength::any, false,
+                                 false,     equal_area_or_uniform,   everywhere};
+constexpr TargetHolds mitsuba_holds{all_kinds, Falloff::linear_angle, true,      false, 90.0, TargetLength::any, false,
+                                    false,     latlong_or_uniform,    everywhere};
+constexpr TargetHolds luxcore_holds{all_kinds, std::nullopt,       false,       false, 90.0, TargetLength::any, false,
+                                    false,     latlong_or_uniform, panels_alone};
 constexpr TargetHolds radiance_holds{all_kinds,         std::nullopt, false, false,          90.0,
                                      TargetLength::any, false,        false, rgbe_or_uniform};
-constexpr TargetHolds usd_holds{all_kinds, Falloff::smoothstep_angle, true, false, 90.0, TargetLength::any, false,
-                                false,     latlong_or_uniform};
+constexpr TargetHolds usd_holds{
+    all_kinds, Falloff::smoothstep_angle, true,        false, 90.0, TargetLength::any, false,
+    false,     latlong_or_uniform,        panels_alone};
 constexpr TargetHolds godot_holds{point_sun, Falloff::linear_cos, false, true, 90.0, TargetLength::meter, true, false,
-                                  latlong};
+                                  latlong,   in_narrow_cones};
 constexpr TargetHolds unity_holds{
-    point_rect_tube_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter, true, false, latlong};
+    point_rect_tube_sun, Falloff::frostbite, true, true, 89.0, TargetLength::meter, true, false, latlong, in_cones};
 constexpr TargetHolds unreal_holds{
     point_sphere_rect_sun, Falloff::frostbite, true, true, 80.0, TargetLength::centimeter, false, true, latlong_hdr};
 constexpr TargetHolds raw_holds{{}, std::nullopt, false, false, 90.0, TargetLength::none, false, false, latlong};
@@ -83,10 +92,9 @@ constexpr std::array all{
         "the "
         "lights, a luminaire alone NAME, its beam along -Z, C0 along +X. A sky becomes the world of the scene.",
         "Cycles of Blender 3.4: the illuminance of a plane is that of the profile, to 0.01 % in the mean and 0.8 % of "
-        "the greatest anywhere, and that of a rig's lights of every kind to 0.1 % in the mean; a stage under a sky to "
-        "0.2 % in the mean; 177.83 lm are a watt, "
-        "as "
-        "Blender's IES node counts.",
+        "the greatest anywhere, and that of a rig's lights of every kind to 0.1 % in the mean, luminaires with a size, "
+        "masks and images among them; a stage under a sky to 0.2 % in the mean; 177.83 lm are a watt, as Blender's IES "
+        "node counts.",
         "EEVEE ignores IES nodes. Between the table's lines Cycles interpolates by cubics, which differs a little "
         "from every other reader; near a sphere light, older Cycles samples a disk in its place.",
         blender_holds, asset_detail::blender_files},

@@ -45,7 +45,19 @@ struct AssetFile {
     std::optional<AssetEnvironment> environment = {};
 };
 
-enum class LightKind { point, spot, profile, sphere, disk, ellipse, rect, tube, sun };
+enum class LightKind {
+    point,
+    spot,
+    profile,
+    projector, // a spot or a frustum with an image
+    sphere,
+    disk,
+    ellipse,
+    rect,
+    panel, // a rectangle with an image
+    tube,
+    sun
+};
 
 // The picture that a target reads of a sky.
 enum class SkyPictureKind : std::uint8_t {
@@ -64,6 +76,14 @@ struct TargetSky {
     std::string_view reason;  // why it stores none, for a report
 };
 
+// What a target does with the images of lights. A projector that covers a cone alone gets a picture of the square
+// around the cone in which the image lies.
+struct TargetImages {
+    double widest_projector_deg = 0.0; // from the axis to its corners; 0: it has no projectors
+    bool has_panels = false;
+    std::string_view loses; // what its projectors lose, for a report
+};
+
 // A target's unit of length.
 enum class TargetLength { any, meter, centimeter, none };
 
@@ -78,6 +98,8 @@ struct TargetHolds {
     bool point_radius = false; // its points have a radius, for shadows and highlights
     bool profile_size = false; // its profiles have a radius and a length across them, as a tube has
     TargetSky sky = {};
+    TargetImages images = {};
+    bool near_profiles = false; // its area lights take a profile and divide it by a projected area
 };
 
 struct Target {

@@ -8,9 +8,13 @@
 // `focus`, which keeps it away from 180°, where it would collapse. Before r187 the renderer used the first row for
 // every azimuth.
 //
+// The map of a SpotLight is a square around its cone, +X to the right and +Y on top, and needs no shadow. Outside of
+// the map the light is whole, so that the map must cover all of the cone.
+//
 // Points and spots are in candela (with a decay of 2), areas in nits, suns in lux; the window of `distance` is the same
 // as ours; a spot falls as smoothstep over the cosine. An environment is a panorama with +X in its middle and +Z to the
 // right, in nits of its texels × `environmentIntensity`.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -84,6 +88,17 @@ function profileLight(color, candela, range, profile, c90) {{
 }}
 )js";
 
+// The edge of the cone lies beyond the picture's corners: a soft one keeps the shader's step defined.
+constexpr const char* projector_text = R"js(
+// up: of the picture, across the aim.
+function projectorLight(color, candela, range, angle, picture, up) {
+    const light = new SpotLight(color, candela, range, angle, 0.001, 2);
+    light.map = new EXRLoader().load(new URL(picture, import.meta.url).href);
+    light.shadow.camera.up.set(...up);
+    return light;
+}
+)js";
+
 constexpr const char* place_text = R"js(
 function place(light, name, position, aim) {
     light.name = name;
@@ -123,7 +138,7 @@ std::string vector(const glm::dvec3& v) {
 }
 
 // One light of the list; the names that it needs from three.js are added to `imports`.
-std::string entry(const SceneLight& light, std::set<std::string>& imports) {
+std::string entry(const SceneLight& light, const SceneContent& scene, std::set<std::string>& imports) {
     const std::string color = fmt::format("new Color({})", triple(light.color));
     const std::string where =
         fmt::format("{}, {}, {}", quoted(light.name), vector(y_up(light.frame.origin)), vector(y_up(-light.frame.z)));
@@ -136,6 +151,12 @@ std::string entry(const SceneLight& light, std::set<std::string>& imports) {
     case LightKind::profile:
         return fmt::format("place(profileLight({}, {}, {}, {}, {}), {})", color, light.intensity, range, light.profile,
                            vector(y_up(light.frame.y)), where);
+    case LightKind::projector: {
+        imports.insert("SpotLight");
+        const SceneImage& image = scene.images[light.image];
+        return fmt::format("place(projectorLight({}, {}, {}, {}, {}, {}), {})", color, light.intensity, range,
+                           cone_of(image), quoted(image.name + ".exr"), vector(y_up(light.frame.y)), where);
+    }
     case LightKind::rect:
         imports.insert({"RectAreaLight", "Matrix4"});
         return fmt::format("area(new RectAreaLight({}, {}, {}, {}), {}, {}, {}, {}, {})", color, light.nits,
@@ -160,7 +181,7 @@ std::vector<AssetFile> threejs_files(const SceneContent& scene) {
     bool points = false;
     bool areas = false;
     for (const SceneLight& light : scene.lights) {
-        list += "        " + entry(light, imports) + ",\n";
+        list += "        " + entry(light, scene, imports) + ",\n";
         points |= light.kind == LightKind::point;
         areas |= light.kind == LightKind::rect;
     }
@@ -173,6 +194,7 @@ std::vector<AssetFile> threejs_files(const SceneContent& scene) {
             profiles += texture_of(profile.web, profile.peak);
         helpers += fmt::format(profile_text, "columns"_a = columns, "profiles"_a = profiles);
     }
+    if (!scene.images.empty()) helpers += projector_text;
     helpers += place_text;
     if (points)
         helpers += "\nfunction point(light, name, position) {\n    light.name = name;\n"
@@ -186,9 +208,9 @@ std::vector<AssetFile> threejs_files(const SceneContent& scene) {
                    "    return light;\n}\n";
     std::string loader;
     std::string sky;
+    if (scene.sky || !scene.images.empty()) loader = "import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';\n";
     if (scene.sky) {
         imports.insert({"EquirectangularReflectionMapping", "FloatType"});
-        loader = "import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';\n";
         sky = fmt::format(sky_text, "picture"_a = scene.sky->picture, "intensity"_a = scene.sky->nits_per_unit);
     }
     std::string names;
@@ -199,7 +221,13 @@ std::vector<AssetFile> threejs_files(const SceneContent& scene) {
                     "// New lights: add each to the scene, and its target where it has one. Units in a metre: {}.\n"
                     "export function makeLights() {{\n    return [\n{}    ];\n}}\n{}",
                     scene.description, names, loader, helpers, scene.units_per_meter, list, sky);
-    return {{scene.name + ".js", std::move(text), {}}};
+    std::vector<AssetFile> files{{scene.name + ".js", std::move(text), {}}};
+    for (const SceneImage& image : scene.images)
+        files.push_back(
+            {image.name + ".exr",
+             {},
+             AssetPicture{projected_picture(image, square_around_cone(image, cone_of(image))), TexelType::half}});
+    return files;
 }
 
 } // namespace gonio::asset_detail

@@ -5,6 +5,7 @@
 // are in candela, areas in nits and suns in lux, as in HDRP of Unity 6; a tube is a line, in lumens; a spot falls as
 // the square of a linear function of the cosine. Unity's own default range is 10 m, so every light gets one. A lat-long
 // has +Z in its middle and +X to the right; HDRP's sky shows nits of its texels × its multiplier.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 #include <gonio/bake/engine.hpp>
 #include <gonio/web/metrics.hpp>
@@ -25,6 +26,7 @@ class Cookies_{identifier} : AssetPostprocessor
 {{
     static readonly string[] Profiles = {{
 {profiles}    }};
+    static readonly string[] Images = {{ {images} }};
 
     void OnPreprocessTexture()
     {{
@@ -34,6 +36,7 @@ class Cookies_{identifier} : AssetPostprocessor
             spot |= assetPath.EndsWith("/" + profile + ".spot.png");
             point |= assetPath.EndsWith("/" + profile + ".point.exr");
         }}
+        foreach (string image in Images) spot |= assetPath.EndsWith("/" + image + ".cookie.exr");
         if (!point && !spot) return;
         var importer = (TextureImporter)assetImporter;
         importer.textureType = TextureImporterType.Cookie;
@@ -124,9 +127,9 @@ static class Lights_{identifier}
         return light;
     }}
 
-    static Texture Cookie(string profile)
+    static Texture Cookie(string name)
     {{
-        foreach (string guid in AssetDatabase.FindAssets(profile + ".point"))
+        foreach (string guid in AssetDatabase.FindAssets(name))
             return AssetDatabase.LoadAssetAtPath<Texture>(AssetDatabase.GUIDToAssetPath(guid));
         return null;
     }}
@@ -180,6 +183,15 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
                fmt::format("        light.spotAngle = {}f;\n        light.innerSpotAngle = {}f;\n",
                            2.0 * light.outer * degree, 2.0 * light.inner * degree) +
                range;
+    case LightKind::projector: {
+        const SceneImage& image = scene.images[light.image];
+        const double cone = 2.0 * cone_of(image) * degree;
+        return add("Spot", light.intensity, "Candela", light.frame.y) +
+               fmt::format("        light.spotAngle = {}f;\n        light.innerSpotAngle = {}f;\n"
+                           "        light.cookie = Cookie({});\n",
+                           cone, hard_edge * cone, quoted(image.name + ".cookie")) +
+               range;
+    }
     case LightKind::rect:
         return add("Rectangle", light.nits, "Nits", light.frame.y) +
                fmt::format("        light.areaSize = new Vector2({}f, {}f);\n", light.width, light.height) + range;
@@ -191,7 +203,9 @@ std::string statement(const SceneLight& light, const SceneContent& scene) {
         return add("Directional", light.lux, "Lux", light.frame.y);
     case LightKind::profile:
         return add("Point", light.intensity, "Candela", light.frame.x) +
-               fmt::format("        light.cookie = Cookie({});\n", quoted(scene.profiles[light.profile].name)) + range;
+               fmt::format("        light.cookie = Cookie({});\n",
+                           quoted(scene.profiles[light.profile].name + ".point")) +
+               range;
     default:
         return add("Point", light.intensity, "Candela", light.frame.y) + range +
                (light.radius > 0.0 ? fmt::format("        SetRadius(light, {}f);\n", light.radius) : std::string());
@@ -214,6 +228,14 @@ std::vector<AssetFile> unity_files(const SceneContent& scene) {
         profiles +=
             fmt::format("        {}, // {} cd, a cone of {} degrees\n", quoted(profile.name), profile.peak.value, cone);
     }
+    std::string images;
+    for (const SceneImage& image : scene.images) {
+        files.push_back(
+            {image.name + ".cookie.exr",
+             {},
+             AssetPicture{projected_picture(image, square_around_cone(image, cone_of(image))), TexelType::half}});
+        images += (images.empty() ? "" : ", ") + quoted(image.name);
+    }
     std::string lights;
     for (const SceneLight& light : scene.lights)
         lights += statement(light, scene);
@@ -225,7 +247,8 @@ std::vector<AssetFile> unity_files(const SceneContent& scene) {
                     "lx.\nusing UnityEditor;\nusing UnityEngine;\nusing "
                     "UnityEngine.Rendering;\n",
                     scene.description, scene.name, window_loss_lx);
-    if (!scene.profiles.empty()) text += fmt::format(cookies, "identifier"_a = name, "profiles"_a = profiles);
+    if (!scene.profiles.empty() || !scene.images.empty())
+        text += fmt::format(cookies, "identifier"_a = name, "profiles"_a = profiles, "images"_a = images);
     if (scene.sky)
         text += fmt::format(sky_text, "identifier"_a = name, "name"_a = scene.name, "sky"_a = scene.sky->name,
                             "picture"_a = scene.sky->picture, "stem"_a = scene.name + "." + scene.sky->name,

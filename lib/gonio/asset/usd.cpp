@@ -4,7 +4,9 @@
 // emits 1 cd, which a profile scales and a cone cuts. A dome's texture has +Y of the dome as its pole and +Z in its
 // middle, with −X to the right (the lat-long of OpenEXR), wherever the stage's up axis points. The cone's softness is
 // the share of the cone in which the intensity falls, smoothly over the angle. angleScale is never authored, because
-// its formulas differ between renderers.
+// its formulas differ between renderers. A rectangle's texture has its first row and column at (+X, +Y), so that it is
+// upright for a viewer in front.
+#include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
 
 #include <fmt/format.h>
@@ -38,6 +40,7 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
     Prim prim;
     prim.nits = light.nits;
     switch (light.kind) {
+    case LightKind::projector: // the target holds none
     case LightKind::point:
         return as_point(light, scene.units_per_meter);
     case LightKind::spot:
@@ -70,9 +73,13 @@ Prim prim_of(const SceneLight& light, const SceneContent& scene) {
         prim.stretch_y = light.height / light.width;
         return prim;
     case LightKind::rect:
+    case LightKind::panel:
         prim.type = "RectLight";
         prim.inputs = fmt::format("        float inputs:width = {}\n        float inputs:height = {}\n", light.width,
                                   light.height);
+        if (light.kind == LightKind::panel)
+            prim.inputs +=
+                fmt::format("        asset inputs:texture:file = @./{}.exr@\n", scene.images[light.image].name);
         return prim;
     case LightKind::tube:
         // UsdLux has no caps: the cylinder emits as much as the capsule.
@@ -160,6 +167,8 @@ std::vector<AssetFile> usd_files(const SceneContent& scene) {
     std::vector<AssetFile> files{{scene.name + ".usda", std::move(text), {}}};
     for (const MeasuredLight& profile : scene.profiles)
         files.push_back({profile.name + ".ies", profile.portable_ies, {}});
+    for (const SceneImage& image : scene.images)
+        files.push_back({image.name + ".exr", {}, AssetPicture{panel_picture(image), TexelType::half}});
     return files;
 }
 

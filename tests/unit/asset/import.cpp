@@ -1,6 +1,7 @@
 // The output of import: the requested light, and files that describe it.
 #include <gonio/asset/light_scene.hpp>
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/asset/scene_content.hpp>
 #include <gonio/asset/target.hpp>
 #include <gonio/base/file.hpp>
 #include <gonio/color/spectrum.hpp>
@@ -22,6 +23,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -288,7 +290,8 @@ TEST(LightScene, SaysWhatATargetCannotHold) {
         }
         EXPECT_NE(said.find("light 'ray': is dark and is left out"), std::string::npos) << target.name;
         EXPECT_NE(said.find("light 'door':"), std::string::npos) << target.name;
-        EXPECT_NE(said.find("light 'masked': a mask on an area light"), std::string::npos) << target.name;
+        EXPECT_EQ(said.find("light 'masked': a mask on an area light") == std::string::npos, target.holds.near_profiles)
+            << target.name;
         EXPECT_EQ(said.find("light 'sun'") == std::string::npos, target.name != "raw") << target.name << said;
         EXPECT_EQ(said.find("range of 8 m") == std::string::npos, target.holds.range) << target.name;
         for (const char* name : {"point", "key_light", "disk", "panel", "tube", "door", "street", "street_2", "masked",
@@ -304,6 +307,56 @@ TEST(LightScene, SaysWhatATargetCannotHold) {
         EXPECT_EQ(stays("soft"), target.holds.spot_falloff == Falloff::smoothstep_cos) << target.name;
         EXPECT_EQ(stays("angle"), target.holds.spot_falloff == Falloff::smoothstep_angle) << target.name;
         EXPECT_EQ(stays("linear"), target.holds.spot_falloff == Falloff::linear_angle) << target.name;
+    }
+}
+
+SceneContent seen_content;
+
+std::vector<AssetFile> keep_content(const SceneContent& scene) {
+    seen_content = scene;
+    return {};
+}
+
+// What a target whose area lights take profiles gets of an opening: faces whose intensities add up to the light's, in
+// its own unit.
+TEST(LightScene, FacesAddUpToTheProfile) {
+    Target target{"near", "", "", "", "", {}, keep_content};
+    constexpr std::array kinds{LightKind::rect, LightKind::ellipse, LightKind::disk, LightKind::sphere};
+    target.holds.kinds = kinds;
+    target.holds.near_profiles = true;
+    for (const char* const opening : {"rect:w=1.2m,h=0.3m", "box:w=0.5m,h=0.2m,d=0.15m", "sphere:r=0.1m"}) {
+        LightDescription description;
+        description.name = "lamp";
+        description.shape =
+            *parse_shape(fmt::format("ies:{}/profiles/wall-washer.ies,opening={}", test::source_folder, opening));
+        description.intensity = PhotometricValue{3000.0, {find_unit("lm"), std::nullopt, std::nullopt}};
+        description.position = {1.0, 2.0, 3.0};
+        description.direction = {0.3, -0.2, -1.0};
+        Diagnostics ignored;
+        const std::vector<Light> lights{*resolve_light(description, ignored)};
+        const LightScene scene = *light_scene(target, lights, {"near", "", Meters(0.01)});
+        EXPECT_TRUE(scene.instead.empty()) << opening;
+        ASSERT_EQ(seen_content.luminaires.size(), 1U) << opening;
+        const SceneLuminaire& luminaire = seen_content.luminaires.front();
+        EXPECT_EQ(seen_content.lights.size(), luminaire.facing.size()) << opening;
+        const Web& web = seen_content.profiles.at(luminaire.profile).web;
+        for (const glm::dvec3 towards :
+             {glm::dvec3(0.1, 0.2, -1.0), glm::dvec3(-0.6, 0.3, -0.4), glm::dvec3(1, 0, -3)}) {
+            const glm::dvec3 local = luminaire.frame.to_local(glm::normalize(towards));
+            double facing = 0.0;
+            for (const SceneLuminaire::Facing& face : luminaire.facing)
+                facing +=
+                    face.area * (face.normal == glm::dvec3(0.0) ? 1.0 : std::max(glm::dot(face.normal, local), 0.0));
+            double area = 0.0; // of the lights that face there
+            for (const SceneLight& face : seen_content.lights) {
+                const double cosine = std::max(-glm::dot(face.frame.z, glm::normalize(towards)), 0.0);
+                area +=
+                    face.kind == LightKind::sphere ? pi * face.radius * face.radius : face.width * face.height * cosine;
+            }
+            const double luminance = luminaire.scale * web.candela(local) / facing;
+            const double intensity = lights.front().intensity_towards(towards).value;
+            EXPECT_NEAR(luminance * area, 1e4 * intensity, 1e-4 * 1e4 * intensity) << opening;
+        }
     }
 }
 
