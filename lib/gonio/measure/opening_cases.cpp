@@ -1,6 +1,4 @@
 #include <gonio/base/parallel.hpp>
-#include <gonio/light/luminaire.hpp>
-#include <gonio/light/opening.hpp>
 #include <gonio/measure/opening_cases.hpp>
 #include <gonio/measure/random.hpp>
 #include <gonio/scene/reference.hpp>
@@ -32,10 +30,11 @@ transport::Receivers OpeningCases::receivers() const {
 OpeningCases opening_cases(const Light& luminaire, double distance_in_sides, std::size_t count, std::uint64_t seed) {
     OpeningCases cases{std::make_shared<const Light>(luminaire), {}, {}};
     const Light& face = cases.face();
-    const LuminousFace& part = luminaire.body->faces().front();
-    const auto* const rect = std::get_if<RectShape>(&part.shape);
-    const double half_x = rect != nullptr ? 0.5 * rect->width.value : 0.5 * std::sqrt(part.area_m2);
-    const double half_y = rect != nullptr ? 0.5 * rect->height.value : 0.5 * std::sqrt(part.area_m2);
+    const auto* const rect = std::get_if<RectShape>(&face.shape);
+    // Of another outline, the square of the same area.
+    const double half = 0.5 * std::sqrt(face.intensity.value / face.luminance.value);
+    const double half_x = rect != nullptr ? 0.5 * rect->width.value : half;
+    const double half_y = rect != nullptr ? 0.5 * rect->height.value : half;
     const double distance = distance_in_sides * 2.0 * std::max(half_x, half_y);
     Random random(seed);
     while (cases.size() < count) {

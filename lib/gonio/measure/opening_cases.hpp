@@ -1,4 +1,4 @@
-// Receivers in front of a luminaire's luminous opening, for measuring methods of its near field.
+// Receivers in front of a luminaire's luminous opening or a flat area light, for measuring methods of its near field.
 #pragma once
 
 #include <gonio/light/light.hpp>
@@ -16,16 +16,16 @@ namespace gonio::measure {
 inline constexpr std::array opening_distances{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
 
 struct OpeningCases {
-    std::shared_ptr<const Light> luminaire; // with a body of one face
+    std::shared_ptr<const Light> luminaire; // with a body of one face, or a flat light itself
     std::array<std::vector<float>, 3> position;
     std::array<std::vector<float>, 3> normal;
 
     std::size_t size() const { return position[0].size(); }
-    const Light& face() const { return luminaire->parts->front(); }
+    const Light& face() const { return luminaire->body != nullptr ? luminaire->parts->front() : *luminaire; }
     transport::Receivers receivers() const;
 };
 
-// At the origin, aimed down; the light must have faces, of which the first is taken. Half of the receivers face the
+// At the origin, aimed down; of a light with faces the first is taken. Half of the receivers face the
 // light, the others have normals of any direction in which they see some of it. The same seed gives the same poses.
 OpeningCases opening_cases(const Light& luminaire, double distance_in_sides, std::size_t count, std::uint64_t seed);
 

@@ -26,6 +26,7 @@ constexpr std::array all_suites{
           detail::prefilter_contests},
     Suite{"opening", "illuminance near the luminous opening of a measured luminaire", detail::opening_methods,
           detail::opening_contests},
+    Suite{"image", "illuminance near a rectangle with an image", detail::image_methods, detail::image_contests},
 };
 
 } // namespace

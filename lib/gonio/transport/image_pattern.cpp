@@ -125,8 +125,9 @@ void ImagePattern::evaluate(const Light& light, const transport::Receivers& rece
                             const transport::LuminanceKernels& kernels, float* share) const {
     // The same for all instruction sets, so that pictures are alike.
     constexpr std::size_t group = 16;
-    // Sides of a tile over its distance up to which the sum over its nodes is taken.
-    constexpr double largest = 1.0;
+    // Sides of a tile over its distance up to which the sum over its nodes is taken: 1 takes three to five times as
+    // long, and with 2 the 95th percentile of errors stays below 1e-3.
+    constexpr double largest = 2.0;
     struct Tile {
         std::size_t level;
         std::size_t column;

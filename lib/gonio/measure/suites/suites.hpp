@@ -35,6 +35,9 @@ std::vector<ContestMaker> prefilter_contests(const SuiteOptions& options);
 std::vector<std::string> opening_methods();
 std::vector<ContestMaker> opening_contests(const SuiteOptions& options);
 
+std::vector<std::string> image_methods();
+std::vector<ContestMaker> image_contests(const SuiteOptions& options);
+
 // The names of methods, each once, in the order of their first appearance.
 template<class Methods>
 void add_names(const Methods& methods, std::vector<std::string>& names) {
