@@ -1,0 +1,149 @@
+"""Run by run.sh in Blender: check.py -- FOLDER. Leaves rigs and the planes that Cycles renders under the same lights."""
+
+import json
+import math
+import os
+import sys
+
+import bpy
+
+folder = sys.argv[sys.argv.index("--") + 1]
+scene = bpy.context.scene
+bpy.ops.preferences.addon_install(filepath=os.path.join(folder, "gonio_lights.zip"), overwrite=True)
+bpy.ops.preferences.addon_enable(module="gonio_lights")
+
+
+def path(name):
+    return os.path.join(folder, name)
+
+
+def clear():
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+
+
+def load(*names, **options):
+    bpy.ops.import_scene.photometric_light(
+        filepath=path(names[0]), directory=folder, files=[{"name": name} for name in names], **options
+    )
+    return {thing.name: thing for thing in bpy.context.selected_objects}
+
+
+def refused(*names):
+    """What the dialog says: Blender raises it where there is none."""
+    try:
+        load(*names)
+    except RuntimeError as error:
+        return str(error)
+    raise AssertionError(f"{names} was imported")
+
+
+def render(name, samples):
+    material = bpy.data.materials.new("white")
+    material.use_nodes = True
+    nodes = material.node_tree.nodes
+    nodes.clear()
+    diffuse = nodes.new("ShaderNodeBsdfDiffuse")
+    diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    material.node_tree.links.new(diffuse.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    mesh = bpy.data.meshes.new("plane")
+    mesh.from_pydata([(-4, -4, -1), (4, -4, -1), (4, 4, -1), (-4, 4, -1)], [], [(0, 1, 2, 3)])
+    mesh.materials.append(material)
+    plane = bpy.data.objects.new("plane", mesh)
+    scene.collection.objects.link(plane)
+    eye = bpy.data.cameras.new("eye")
+    eye.type = "ORTHO"
+    eye.ortho_scale = 4.0
+    camera = bpy.data.objects.new("eye", eye)
+    camera.location = (0.0, 0.0, -0.9)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new("dark")
+    scene.world.color = (0.0, 0.0, 0.0)
+    scene.render.engine = "CYCLES"
+    scene.cycles.device = "CPU"
+    scene.cycles.samples = samples
+    scene.cycles.use_denoising = False
+    scene.cycles.max_bounces = 0
+    scene.cycles.pixel_filter_type = "BOX"
+    scene.render.resolution_x = scene.render.resolution_y = 32
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = path(name + ".exr")
+    bpy.ops.render.render(write_still=True)
+    values = list(bpy.data.images.load(scene.render.filepath).pixels)
+    with open(path(name + ".csv"), "w", encoding="ascii") as table:
+        table.write("x,y,lux\n")
+        for row in range(32):
+            for column in range(32):
+                red, green, blue = values[4 * (row * 32 + column) :][:3]
+                luminance = 0.21263900587151027 * red + 0.71516867876775592 * green + 0.072192315360733714 * blue
+                x, y = ((place + 0.5) / 8.0 - 2.0 for place in (column, row))
+                table.write(f"{x},{y},{luminance * math.pi * 177.83}\n")
+
+
+# What the tool says of broken files, in its own sentences, and nothing is left in the scene.
+clear()
+for name, sentence in (("cut off.ies", "cut off.ies"), ("text.ies", "text.ies"), ("missing.ies", "cannot read")):
+    said = refused(name)
+    assert "Traceback" not in said and sentence in said and "error[" in said, said
+assert not bpy.data.objects
+
+# The good ones of several, by a file name with a comma, too.
+try:
+    load("street.ies", "text.ies", "wall, washer.ies")
+except RuntimeError as error:
+    assert "text.ies" in str(error)
+assert {"street", "wall, washer"} <= {thing.name for thing in bpy.data.objects}, list(bpy.data.objects)
+
+# Lumens and kelvin, opening and point, turned and moved.
+clear()
+street = load("street.ies")["street"]
+assert street.type == "EMPTY" and street.gonio.has_opening and abs(street.gonio.lumens - 6000.0) < 0.01
+street.location = (-0.6, 0.4, 0.1)
+street.rotation_euler = (0.3, -0.2, 0.5)
+street.gonio.lumens = 1500.0
+street.gonio.has_kelvin = True
+street.gonio.kelvin = 2700.0
+batwing = load("batwing.ldt", size="POINT")["batwing"]
+assert batwing.type == "LIGHT" and not batwing.gonio.has_opening
+batwing.location = (0.7, -0.5, 0.8)
+batwing.rotation_euler = (-0.2, 0.3, 1.0)
+pendant = load("pendant.ies")["pendant"]
+pendant.location = (0.9, 0.9, 0.2)
+pendant.gonio.lumens = 400.0
+bpy.context.view_layer.update()
+assert bpy.ops.export_scene.photometric_rig(filepath=path("measured.json")) == {"FINISHED"}
+render("measured", 1024)
+
+# Blender's own lights.
+clear()
+for kind, place, watts in (("POINT", (-0.8, -0.6, 0.4), 60.0), ("AREA", (0.6, 0.8, 0.0), 40.0), ("SUN", (0, 0, 2), 1.0)):
+    light = bpy.data.lights.new(kind.lower(), kind)
+    light.energy = watts
+    light.color = (1.0, 0.8, 0.6)
+    thing = bpy.data.objects.new(kind.lower(), light)
+    thing.location = place
+    thing.rotation_euler = (0.2, 0.3, 0.4)
+    scene.collection.objects.link(thing)
+bpy.data.lights["point"].shadow_soft_size = 0.0
+bpy.data.lights["area"].shape = "RECTANGLE"
+bpy.data.lights["area"].size, bpy.data.lights["area"].size_y = 0.5, 0.3
+bpy.data.lights["sun"].angle = 0.01
+bpy.context.view_layer.update()
+assert bpy.ops.export_scene.photometric_rig(filepath=path("own.json")) == {"FINISHED"}
+names = [light["name"] for light in json.load(open(path("own.json"), encoding="utf-8"))["lights"]]
+assert names == ["area", "point", "sun"], names
+render("own", 1024)
+
+clear()
+try:
+    bpy.ops.export_scene.photometric_rig(filepath=path("empty.json"))
+    raise AssertionError("a rig without lights was written")
+except RuntimeError as error:
+    assert "no lights" in str(error), error
+assert not os.path.exists(path("empty.json"))
+
+bpy.ops.preferences.addon_disable(module="gonio_lights")
+print("the add-on holds")
