@@ -41,6 +41,7 @@ Result<void> write_manifest(const Catalogue& catalogue, const std::string& recip
             manifest.failed.push_back(batch.inputs[i]);
         else
             manifest.assets.push_back(std::move(assets[i]));
+    sort_by_name(manifest); // a list may have them in another order
     return write_output(*catalogue.manifest, manifest_json(manifest));
 }
 

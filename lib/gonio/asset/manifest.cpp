@@ -53,13 +53,13 @@ private:
     std::string wrong_;
 };
 
+} // namespace
+
 void sort_by_name(Manifest& manifest) {
     std::sort(manifest.assets.begin(), manifest.assets.end(),
               [](const ManifestAsset& a, const ManifestAsset& b) { return a.input.file < b.input.file; });
     std::sort(manifest.failed.begin(), manifest.failed.end());
 }
-
-} // namespace
 
 std::string manifest_json(const Manifest& manifest) {
     Json json{{"schema", "gonio.manifest/1"}, {"tool", std::string("gonio ") + version},

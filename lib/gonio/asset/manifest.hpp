@@ -47,6 +47,9 @@ struct Manifest {
     bool operator==(const Manifest&) const = default;
 };
 
+// Puts assets and failed inputs into the order of their names, whatever the order in which they were made.
+void sort_by_name(Manifest& manifest);
+
 // Keys in a fixed order, two spaces of indentation, a newline at the end.
 std::string manifest_json(const Manifest& manifest);
 
