@@ -132,6 +132,10 @@ bool Arguments::has(std::string_view name) const {
     return find(name).present;
 }
 
+bool Arguments::offers(std::string_view name) const {
+    return std::any_of(given_.begin(), given_.end(), [&](const Given& given) { return given.name == name; });
+}
+
 std::optional<std::string> Arguments::value(std::string_view name) const {
     const Given& given = find(name);
     if (given.values.empty()) return std::nullopt;

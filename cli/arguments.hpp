@@ -22,6 +22,9 @@ public:
     // Whether a switch or option was given, by its last spelling: "--json".
     bool has(std::string_view name) const;
 
+    // Whether the command has the option.
+    bool offers(std::string_view name) const;
+
     // The value of an option; the last one if it is repeatable and was repeated.
     std::optional<std::string> value(std::string_view name) const;
 

@@ -14,7 +14,7 @@ packages=(
     libopenimageio-dev libopencolorio-dev
     libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev libpugixml-dev
 )
-test_packages=(libgtest-dev python3-openimageio jq)
+test_packages=(libgtest-dev python3-openimageio jq man-db mandoc bash-completion zsh fish)
 bench_packages=(libbenchmark-dev libfast-float-dev)
 ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -38,6 +39,13 @@ std::string command_names() {
     std::string names;
     for (const Command* command : commands())
         names += fmt::format("{}{}", names.empty() ? "" : " ", command->name);
+    return names;
+}
+
+std::string list_names() {
+    std::string names;
+    for (const NamedList& list : named_lists())
+        names += fmt::format("{}{}", names.empty() ? "" : " ", list.name);
     return names;
 }
 
@@ -85,14 +93,7 @@ _gonio() {{
 }}
 complete -o filenames -F _gonio gonio
 )",
-                       command_names(),
-                       [] {
-                           std::string names;
-                           for (const NamedList& list : named_lists())
-                               names += fmt::format("{}{}", names.empty() ? "" : " ", list.name);
-                           return names;
-                       }(),
-                       values, options);
+                       command_names(), list_names(), values, options);
 }
 
 // Escapes text for single quotes in zsh and fish.
@@ -105,6 +106,10 @@ std::string in_single_quotes(std::string_view text) {
 
 std::string fish_script() {
     std::string script = "# fish completion of gonio\ncomplete -c gonio -n __fish_use_subcommand -f\n";
+    for (const auto& [command, names] : {std::pair<std::string_view, std::string>{"help", command_names()},
+                                         {"list", list_names()},
+                                         {"completion", "bash zsh fish"}})
+        script += fmt::format("complete -c gonio -n '__fish_seen_subcommand_from {}' -f -a '{}'\n", command, names);
     for (const Command* command : commands()) {
         script += fmt::format("complete -c gonio -n __fish_use_subcommand -a {} -d '{}'\n", command->name,
                               in_single_quotes(command->summary));
@@ -122,9 +127,11 @@ std::string fish_script() {
     return script;
 }
 
-// zsh runs the bash function through its emulation of bash completion.
+// zsh runs the bash function through its emulation of bash completion. Where zsh has loaded this script as the function
+// _gonio, from a folder of completions, it is in the middle of the first completion, which is still to be answered.
 std::string zsh_script() {
-    return "#compdef gonio\nautoload -U +X bashcompinit && bashcompinit\n" + bash_script();
+    return "#compdef gonio\nautoload -U +X bashcompinit && bashcompinit\n" + bash_script() +
+           "[[ ${funcstack[1]} != _gonio ]] || _bash_complete -o filenames -F _gonio\n";
 }
 
 int run(const Arguments& arguments, Console& console) {

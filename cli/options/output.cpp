@@ -193,7 +193,8 @@ Result<std::vector<Job>> plan_outputs(const Arguments& arguments, const std::vec
                 job.skip = input != "-" && !is_newer(input, job.output);
             else if (exists && !arguments.has("--overwrite"))
                 return fail("USE0108", fmt::format("'{}' exists", job.output),
-                            "add --overwrite, or -u to write only outdated files");
+                            arguments.offers("--update") ? "add --overwrite, or -u to write only outdated files"
+                                                         : "add --overwrite");
         }
         jobs.push_back(std::move(job));
     }
