@@ -14,7 +14,7 @@ cd "$root"
 bash cli/install-dependencies.sh --tests
 
 jobs=$(nproc)
-options=(-DBUILD_TESTING=ON)
+options=(-DBUILD_TESTING=ON -DGONIO_SHARED=ON)
 # A value different from the folder's would recompile everything.
 [[ -z ${GONIO_WERROR:-} ]] || options+=("-DGONIO_WERROR=$GONIO_WERROR")
 cmake --preset release "${options[@]}" > /dev/null

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compiles every installed header separately, with no other headers of gonio available.
+# Compiles every installed header separately, with no other headers of gonio available. Checks that what it declares is
+# exported from the shared library.
 #
 #   check_headers.sh COMPILER INCLUDE_FOLDER
 set -euo pipefail
@@ -8,6 +9,8 @@ compiler=${1:?"usage: check_headers.sh COMPILER INCLUDE_FOLDER"}
 folder=${2:?"usage: check_headers.sh COMPILER INCLUDE_FOLDER"}
 
 check() { # COMPILER FOLDER HEADER
+    ! grep -q '^namespace gonio' "$2/$3" || [[ $(grep -cxE '#pragma GCC visibility (push\(default\)|pop)' "$2/$3") == 2 ]] ||
+        { echo "$3 does not put its names between '#pragma GCC visibility push(default)' and '… pop'" >&2; return 1; }
     echo "#include <$3>" | "$1" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I "$2" -x c++ - ||
         { echo "$3 does not compile by itself" >&2; return 1; }
 }

@@ -1,6 +1,6 @@
-# Installs the library into an empty folder and looks at what came there.
+# Installs every component into an empty folder and looks at what came there.
 file(REMOVE_RECURSE "${STAGE}")
-foreach(component library modules)
+foreach(component tool runtime development modules)
     execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${STAGE}" --component ${component}
                     RESULT_VARIABLE status OUTPUT_QUIET)
     if(NOT status EQUAL 0)
@@ -8,9 +8,16 @@ foreach(component library modules)
     endif()
 endforeach()
 
+set(shared "")
+if(SHARED)
+    set(shared "${LIBDIR}/libgonio.so" "${LIBDIR}/cmake/gonio/gonio-shared-targets.cmake")
+endif()
 foreach(wanted "${LIBDIR}/libgonio.a" "${LIBDIR}/gonio/gonio-image.so" "${LIBDIR}/gonio/gonio-color.so"
                "${LIBDIR}/cmake/gonio/gonio-config.cmake" "${LIBDIR}/cmake/gonio/gonio-config-version.cmake"
-               "${LIBDIR}/cmake/gonio/gonio-targets.cmake" "share/gonio/rig.schema.json")
+               "${LIBDIR}/cmake/gonio/gonio-targets.cmake" "${LIBDIR}/pkgconfig/gonio.pc" "share/gonio/rig.schema.json"
+               "bin/gonio" "share/man/man1/gonio.1" "share/man/man1/gonio-bake.1"
+               "share/bash-completion/completions/gonio" "share/zsh/site-functions/_gonio"
+               "share/fish/vendor_completions.d/gonio.fish" ${shared})
     if(NOT EXISTS "${STAGE}/${wanted}")
         message(FATAL_ERROR "not installed: ${wanted}")
     endif()
@@ -29,7 +36,7 @@ if(unlisted OR missing)
 endif()
 
 # The package must work wherever it is moved to, so no file of it may name where it was built or staged.
-file(GLOB package "${STAGE}/${LIBDIR}/cmake/gonio/*.cmake")
+file(GLOB package "${STAGE}/${LIBDIR}/cmake/gonio/*.cmake" "${STAGE}/${LIBDIR}/pkgconfig/*.pc")
 foreach(file IN LISTS package)
     file(READ "${file}" text)
     foreach(place "${SOURCE}" "${BUILD}" "${STAGE}")

@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct LightScene {
@@ -58,3 +59,4 @@ Result<void> check_light_count(std::size_t lights);
 Result<void> check_unit(const Target& target, Meters unit);
 
 } // namespace gonio
+#pragma GCC visibility pop

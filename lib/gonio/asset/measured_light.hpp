@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct MeasuredLight {
@@ -66,3 +67,4 @@ std::string asset_name(std::string_view file);
 std::optional<double> color_temperature_of(std::string_view text);
 
 } // namespace gonio
+#pragma GCC visibility pop

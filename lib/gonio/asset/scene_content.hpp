@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // What every target can store of a material: a Lambertian part, and a GGX lobe with Schlick's reflectance from f0 to 1
@@ -138,3 +139,4 @@ struct SceneContent {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct SkyPicture {
@@ -34,3 +35,4 @@ struct SkyPicture {
 Result<SkyPicture> sky_picture(const Sky& sky, unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -26,6 +26,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 inline constexpr Meters plane_size{2000.0};
@@ -66,3 +67,4 @@ Result<LightScene> stage_scene(const StageFormat& format, const Stage& stage, co
                                std::span<const Light> lights, const StageSceneOptions& options);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class EnvironmentMap; // gonio/sky/environment_map.hpp
@@ -122,3 +123,4 @@ Result<const Target*> find_target(std::string_view name);
 std::string target_readme(const Target& target);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <gonio/base/limits.hpp>
 #include <gonio/web/web.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Greatest width and height of a texture.
@@ -41,3 +42,4 @@ Result<Texture> bake_smallest(const Web& web, const BakeOptions& options, Candel
 Result<Texture> bake_texture(const Web& web, const BakeOptions& options);
 
 } // namespace gonio
+#pragma GCC visibility pop

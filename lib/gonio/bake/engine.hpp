@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Engine {
@@ -30,3 +31,4 @@ std::span<const Engine> engines();
 Result<const Engine*> find_engine(std::string_view name);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class Layout {
@@ -123,3 +124,4 @@ struct LayoutOptions {
 Result<std::vector<PlacedChart>> charts_of(Layout layout, int width, int height, const LayoutOptions& options);
 
 } // namespace gonio
+#pragma GCC visibility pop

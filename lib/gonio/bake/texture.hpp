@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The meaning of a texel of 1.
@@ -77,3 +78,4 @@ struct Texture {
 Image picture_of(const Texture& texture, int x, int width, int channels);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -15,6 +15,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // How strict reading of an input treats a diagnostic.
@@ -103,3 +104,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class Severity : std::uint8_t { note, warning, error };
@@ -34,6 +35,7 @@ std::string to_text(const Diagnostic& diagnostic);
 const char* to_text(Severity severity);
 
 } // namespace gonio
+#pragma GCC visibility pop
 
 // Compiled once, in diagnostics.cpp.
 extern template class std::vector<gonio::Diagnostic>;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // L = 2^(EV−3), in cd/m².
@@ -34,3 +35,4 @@ S ev_of_illuminance(S lux) {
 }
 
 } // namespace gonio
+#pragma GCC visibility pop

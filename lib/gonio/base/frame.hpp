@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // C in [0, 2π) counted from +X towards +Y, γ in [0, π] counted from −Z.
@@ -43,3 +44,4 @@ struct Frame {
 Frame aimed_frame(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& up);
 
 } // namespace gonio
+#pragma GCC visibility pop

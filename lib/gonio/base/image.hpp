@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Rows from top to bottom, pixels from left to right, channels interleaved.
@@ -29,3 +30,4 @@ struct Image {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Limit {
@@ -85,3 +86,4 @@ std::string to_text(const Limit& limit);
 inline constexpr std::string_view limits_hint = "'gonio list limits' describes each limit";
 
 } // namespace gonio
+#pragma GCC visibility pop

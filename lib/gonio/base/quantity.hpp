@@ -10,6 +10,7 @@
 #include <compare>
 #include <numbers>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 template<class Unit>
@@ -66,3 +67,4 @@ inline EvLux ev_lux(Lux illuminance) {
 }
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The values are the exit statuses of the command-line tool.
@@ -95,3 +96,4 @@ Unexpected pass_on(Result<T>& result) {
 }
 
 } // namespace gonio
+#pragma GCC visibility pop

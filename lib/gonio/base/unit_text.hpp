@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class Dimension {
@@ -66,3 +67,4 @@ std::string shortest(double value);
 std::string rounded(double value, int digits = 6);
 
 } // namespace gonio
+#pragma GCC visibility pop

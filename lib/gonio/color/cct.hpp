@@ -16,6 +16,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Cct {
@@ -83,3 +84,4 @@ Result<double> parse_tint(std::string_view text);
 Result<Cct> parse_cct(std::string_view text);
 
 } // namespace gonio
+#pragma GCC visibility pop

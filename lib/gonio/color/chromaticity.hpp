@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Xy {
@@ -67,3 +68,4 @@ inline constexpr Xy d65_white{0.3127, 0.3290};
 inline constexpr Xy aces_white{0.32168, 0.33767};
 
 } // namespace gonio
+#pragma GCC visibility pop

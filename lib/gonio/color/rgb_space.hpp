@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct RgbSpace {
@@ -80,3 +81,4 @@ double decode_srgb(double encoded);
 double encode_srgb(double linear);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class FileScope;
@@ -80,3 +81,4 @@ Result<std::vector<Spectrum>> read_spectra(const std::string& text, FileScope* f
 Result<Spectrum> read_spectrum(const std::string& text, FileScope* files = nullptr);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class EnvironmentTree {
@@ -66,3 +67,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 // cancel.
 #pragma once
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class GgxLobe {
@@ -56,3 +57,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 inline constexpr int most_sh_order = 3;
@@ -52,3 +53,4 @@ private:
 IrradianceSh irradiance_sh(const EnvironmentMap& map, int order, unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

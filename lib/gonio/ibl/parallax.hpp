@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Sides along the axes [m].
@@ -27,3 +28,4 @@ glm::dvec3 parallax_corrected(const ParallaxSphere& sphere, const glm::dvec3& ca
                               const glm::dvec3& direction);
 
 } // namespace gonio
+#pragma GCC visibility pop

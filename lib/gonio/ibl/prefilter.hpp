@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class EnvironmentTree;
@@ -69,3 +70,4 @@ EnvironmentMap irradiance_map(const EnvironmentTree& tree, const EnvironmentGrid
                               unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

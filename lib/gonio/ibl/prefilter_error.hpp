@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct PrefilterError {
@@ -21,3 +22,4 @@ std::vector<PrefilterError> prefilter_errors(const EnvironmentMap& source, std::
                                              int per_level, unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

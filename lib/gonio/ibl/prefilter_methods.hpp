@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct LobeQuery {
@@ -44,3 +45,4 @@ private:
 glm::dvec3 prefiltered_by_filtered_samples(const EnvironmentMips& mips, const LobeQuery& query, int count);
 
 } // namespace gonio
+#pragma GCC visibility pop

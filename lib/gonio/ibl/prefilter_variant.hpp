@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct PrefilterVariant {
@@ -31,3 +32,4 @@ Result<const PrefilterVariant*> parse_prefilter_variant(std::string_view text);
 int levels_of(const PrefilterVariant& variant, int side, int least);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -15,6 +15,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class RoughnessMapping : std::uint8_t { linear, filament, frostbite, ue4 };
@@ -38,3 +39,4 @@ double level_of(RoughnessMapping mapping, double roughness, int last);
 double roughness_of(RoughnessMapping mapping, double level, int last);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class SplitSumModel : std::uint8_t {
@@ -70,3 +71,4 @@ Result<MultipleScattering> parse_multiple_scattering(std::string_view text);
 double specular_albedo(double f0, const SplitSum& sum, double mean, MultipleScattering scheme);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class SplitSumTable {
@@ -45,3 +46,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

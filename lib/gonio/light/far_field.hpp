@@ -5,6 +5,7 @@
 #include <gonio/light/luminous_body.hpp>
 #include <gonio/web/web.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The distance from the middle of the body from which on receivers that face it get what a point with the web's
@@ -14,3 +15,4 @@ namespace gonio {
 Meters point_distance(const LuminousBody& body, const Web& web, double tolerance);
 
 } // namespace gonio
+#pragma GCC visibility pop

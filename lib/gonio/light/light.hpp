@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class ImagePlane;
@@ -94,3 +95,4 @@ Result<void> add_resolved(std::vector<LightDescription> descriptions, std::vecto
                           Diagnostics& diagnostics);
 
 } // namespace gonio
+#pragma GCC visibility pop

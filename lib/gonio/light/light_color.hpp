@@ -8,6 +8,7 @@
 
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class FileScope;
@@ -33,3 +34,4 @@ Result<glm::dvec3> light_color_of(const Spectrum& spectrum, Diagnostics* diagnos
 Result<glm::dvec3> parse_rgb(std::string_view text);
 
 } // namespace gonio
+#pragma GCC visibility pop

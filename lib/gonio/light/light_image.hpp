@@ -25,6 +25,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // One channel of an image, from 0 to 1 at its brightest pixel. Coordinates are (0, 0) at the top left corner of the
@@ -114,3 +115,4 @@ glm::dvec2 place_on(const RectShape& rect, double x_m, double y_m);
 Steradians image_solid_angle(const Shape& shape, const ImagePlane& image);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -20,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A flat face is one-sided and emits along −Z of its frame; a sphere emits all around.
@@ -65,3 +66,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Sizes in metres, all ≥ 0, centred at the light's position. A round opening has its diameters in the two or three
@@ -38,3 +39,4 @@ std::string opening_kinds();
 std::string to_text(const Opening& opening);
 
 } // namespace gonio
+#pragma GCC visibility pop

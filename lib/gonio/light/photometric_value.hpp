@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class FileScope;
@@ -37,3 +38,4 @@ Result<PhotometricUnit> parse_photometric_unit(std::string_view text);
 Result<PhotometricValue> parse_photometric_value(std::string_view text, FileScope* files = nullptr);
 
 } // namespace gonio
+#pragma GCC visibility pop

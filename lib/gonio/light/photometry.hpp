@@ -25,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // One step of the conversion from the given value to the requested one.
@@ -94,3 +95,4 @@ Result<double> convert_unit(const PhotometricValue& value, const PhotometricUnit
 Result<Emission> with_same_flux(const Shape& from, const Emission& emission, const Shape& to);
 
 } // namespace gonio
+#pragma GCC visibility pop

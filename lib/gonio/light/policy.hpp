@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Policy {
@@ -58,3 +59,4 @@ PhotometricValue physical_value(const PolicyMeaning& meaning, PhotometricValue v
 double policy_number(const PolicyMeaning& meaning, const PhotometricUnit& unit, double number);
 
 } // namespace gonio
+#pragma GCC visibility pop

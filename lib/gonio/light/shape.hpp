@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class LightImage;
@@ -202,3 +203,4 @@ std::string kinds_with_parameter(std::string_view name);
 const char* kind_of(const Shape& shape); // "sphere"
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A constant ratio between two quantities of a shape, and its formula.
@@ -40,3 +41,4 @@ Factor facing_factor(const Shape& shape, const ShapeFactors& factors, Meters dis
 bool inverse_square_is_exact(const Shape& shape);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio::media {
 
 struct DisplayOptions {
@@ -66,3 +67,4 @@ Result<void> convert_space(std::span<float> rgb, const std::string& from, const 
                            const std::string& config = {});
 
 } // namespace gonio::media
+#pragma GCC visibility pop

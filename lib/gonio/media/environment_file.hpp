@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio::media {
 
 struct EnvironmentReadOptions {
@@ -47,3 +48,4 @@ Result<std::string> encode_environment(const EnvironmentMap& map, const ImageFor
                                        std::vector<ImageAttribute> attributes);
 
 } // namespace gonio::media
+#pragma GCC visibility pop

@@ -21,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio::media {
 
 enum class Pixel { uint8, uint16, half, float32 };
@@ -102,3 +103,4 @@ Result<PictureDimensions> picture_dimensions(std::string_view bytes);
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_values = max_decoded_values);
 
 } // namespace gonio::media
+#pragma GCC visibility pop

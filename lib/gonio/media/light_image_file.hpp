@@ -6,6 +6,7 @@
 
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace gonio::media {
 
 // OpenEXR, Radiance HDR and floating-point TIFF hold linear values, in the space that an OpenEXR file states by its
@@ -19,3 +20,4 @@ Result<LightImage> read_light_image_file(const std::string& file, Diagnostics& d
 void enable_light_images();
 
 } // namespace gonio::media
+#pragma GCC visibility pop

@@ -8,7 +8,9 @@
 
 #include <cstring>
 #include <dlfcn.h>
+#include <link.h>
 #include <mutex>
+#include <string_view>
 #include <utility>
 
 namespace gonio::media {
@@ -27,12 +29,26 @@ State& state() {
     return instance;
 }
 
+// The folder of the shared object that contains this code; empty if a program contains it.
+std::string shared_object_folder() {
+    Dl_info info{};
+    link_map* object = nullptr; // its name is empty for the program
+    if (::dladdr1(reinterpret_cast<const void*>(&shared_object_folder), &info, reinterpret_cast<void**>(&object),
+                  RTLD_DL_LINKMAP) == 0 ||
+        object == nullptr)
+        return {};
+    const std::string_view path = object->l_name;
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string_view::npos ? std::string() : std::string(path.substr(0, slash));
+}
+
 std::vector<std::string> search_path(const std::vector<std::string>& first) {
     std::vector<std::string> folders = first;
     if (const std::string own = executable_folder(); !own.empty()) {
         folders.push_back(own);
         folders.push_back(own + "/" GONIO_MODULES_FROM_EXECUTABLE);
     }
+    if (const std::string object = shared_object_folder(); !object.empty()) folders.push_back(object + "/gonio");
     return folders;
 }
 
@@ -77,7 +93,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
             Failure::unsupported,
             fmt::format("the module {} ({}) is missing; looked in {}", name.file, name.library,
                         folders.empty() ? std::string("no folder") : fmt::format("{}", fmt::join(folders, ", "))),
-            "install gonio again: the module belongs beside the tool or into lib/gonio");
+            "install the package gonio-media, or put the module beside the tool or into lib/gonio");
 
     // A library that OpenImageIO depends on starts threads while it is loaded, and aborts the process, or waits for
     // ever, if they cannot be started. Two threads more than that are required, for another process of the user.

@@ -2,21 +2,24 @@
 //
 // gonio itself links neither, because a program that links OpenImageIO takes a third of a second to start. Each library
 // is in a separate module, gonio-image.so and gonio-color.so, which is opened when a function of this room first needs
-// it. A module is searched in the folders set here, beside the running executable, and where gonio's installation puts
-// modules relative to the executable (bin/ and lib/gonio/ under one prefix), in this order.
+// it. A module is searched in the folders set here, beside the running executable, where gonio's installation puts
+// modules relative to the executable (bin/ and lib/gonio/ under one prefix), and in gonio/ beside the shared library if
+// the program uses that, in this order.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio::media {
 
 // The folders that are searched before all others; a module that is already open stays open. For programs that are not
-// installed beside gonio's tool: the CMake package provides the folder as gonio_MODULE_DIR. Safe to call from any
-// thread.
+// installed beside gonio's tool and contain the library: the CMake package provides the folder as gonio_MODULE_DIR,
+// pkg-config as the variable `modules`. Safe to call from any thread.
 void set_module_folders(std::vector<std::string> folders);
 
 // Every folder that is searched, in order.
 std::vector<std::string> module_folders();
 
 } // namespace gonio::media
+#pragma GCC visibility pop

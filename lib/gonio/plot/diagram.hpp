@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct PlottedWeb {
@@ -65,3 +66,4 @@ Result<Drawing> isolux_diagram(std::span<const PlottedWeb> webs, const PlotOptio
 Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions& options);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct PagePoint {
@@ -132,3 +133,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A cube-strip of six pictures with `side`² pixels, in cd/m², with the sky where nothing else is seen. Uses these
@@ -26,3 +27,4 @@ Result<LocalProbe> local_probe(const Stage& stage, std::span<const Light> lights
 inline constexpr double farthest_m = 20.0;
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The luminance that becomes 1: 1.2 · 2^EV, saturation-based sensitivity (ISO 12232) through a lens that transmits 65 %
@@ -35,3 +36,4 @@ Lux card_illuminance(Ev100 ev);
 void expose(Image& image, Ev100 ev);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A pixel has one for each light that it shows in part.
@@ -33,3 +34,4 @@ Image parts_of(const Image& picture, std::span<const PartialLight> lights);
 void merge_parts(const Image& parts, std::span<const PartialLight> lights, Image& picture);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Greatest width and height of a picture.
@@ -62,3 +63,4 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
                          const RenderOptions& options = {});
 
 } // namespace gonio
+#pragma GCC visibility pop

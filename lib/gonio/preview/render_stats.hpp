@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A pair is one light and the part of one surface that is visible in one tile of the picture (32×32 pixels); an
@@ -34,3 +35,4 @@ struct RenderStats {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 inline constexpr double ue3_ceiling = 1.0275;
@@ -48,3 +49,4 @@ void apply_ue3(Image& exposed);
 void apply_ue3_inverse(Image& exposed);
 
 } // namespace gonio
+#pragma GCC visibility pop

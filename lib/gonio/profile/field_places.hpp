@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Fields that rules about the light may refer to.
@@ -46,3 +47,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

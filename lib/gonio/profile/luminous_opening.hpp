@@ -3,6 +3,7 @@
 
 #include <gonio/profile/profile.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class OpeningShape {
@@ -37,3 +38,4 @@ struct LuminousOpening {
 LuminousOpening luminous_opening(const Profile& profile);
 
 } // namespace gonio
+#pragma GCC visibility pop

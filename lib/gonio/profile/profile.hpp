@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // ANSI/IES LM-63 ------------------------------------------------------------------------------------------------------
@@ -123,3 +124,4 @@ Location location_of(const Profile& profile, ProfileField field);
 Location location_of_lamps(const Profile& profile, ProfileField field, int lamp_set);
 
 } // namespace gonio
+#pragma GCC visibility pop

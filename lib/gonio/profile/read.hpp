@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class ProfileFormat { ies, ldt, tm33 };
@@ -49,3 +50,4 @@ Result<Profile> read_profile(std::string_view bytes, const std::string& source, 
 Result<Profile> read_profile_file(const std::string& path, const ReadOptions& options = {});
 
 } // namespace gonio
+#pragma GCC visibility pop

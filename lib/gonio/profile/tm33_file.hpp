@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A factor on the whole table for each tilt of the lamp: TILT of LM-63, TiltAngles of TM-33.
@@ -107,3 +108,4 @@ struct Tm33File {
 const char* edition(const Tm33File& file);
 
 } // namespace gonio
+#pragma GCC visibility pop

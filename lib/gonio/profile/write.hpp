@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // In the layout that common loaders read: ten numbers on one line, three on the next, each angle list and each plane
@@ -28,3 +29,4 @@ std::string write_tm33(const Tm33File& file);
 std::string write_profile(const Profile& profile);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Ray {
@@ -45,3 +46,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The emission of the surfaces of that name on the stage.
@@ -50,3 +51,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

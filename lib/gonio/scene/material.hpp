@@ -10,6 +10,7 @@
 #include <string_view>
 #include <variant>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Colours are linear Rec.709, each channel in [0, 1]; every number here is in [0, 1] too. An α of 0 counts as 1e-4: a
@@ -120,3 +121,4 @@ std::span<const CoatOrderName> coat_orders();
 Result<Material> parse_material(std::string_view text);
 
 } // namespace gonio
+#pragma GCC visibility pop

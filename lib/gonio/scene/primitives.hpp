@@ -15,6 +15,7 @@
 #include <optional>
 #include <variant>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // An infinite plane, lit and visible from the side its normal points to.
@@ -90,3 +91,4 @@ std::array<glm::dvec3, 4> corners(const Panel& panel);
 Panel face(const Box& box, int index);
 
 } // namespace gonio
+#pragma GCC visibility pop

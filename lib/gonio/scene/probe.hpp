@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // How the irradiance of a light and the resulting luminance of a surface are computed. Punctual lights: I⟨n·l⟩/d² with
@@ -139,3 +140,4 @@ Spread spread(std::span<const double> values);
 std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct ReferenceGoal {
@@ -53,3 +54,4 @@ ReferenceLuminance reference_luminance(const Light& light, const glm::dvec3& pos
                                        const ReferenceGoal& goal = {});
 
 } // namespace gonio
+#pragma GCC visibility pop

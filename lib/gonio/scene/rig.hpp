@@ -48,6 +48,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // A material for the surfaces of that name on the stage.
@@ -106,3 +107,4 @@ std::span<const std::string_view> rig_light_keys();
 std::span<const std::string_view> rig_camera_keys();
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Surface {
@@ -77,3 +78,4 @@ struct Hit {
 std::optional<Hit> first_hit(const Stage& stage, const Ray& ray);
 
 } // namespace gonio
+#pragma GCC visibility pop

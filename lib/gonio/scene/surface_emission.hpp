@@ -18,6 +18,7 @@
 #include <optional>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class FileScope;
@@ -56,3 +57,4 @@ Result<double> express_emission(const Primitive& geometry, Nits luminance, const
                                 ConversionSteps* steps = nullptr);
 
 } // namespace gonio
+#pragma GCC visibility pop

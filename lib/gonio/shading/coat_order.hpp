@@ -3,8 +3,10 @@
 
 #include <cstdint>
 
+#pragma GCC visibility push(default)
 namespace gonio::shading {
 
 enum class CoatOrder : std::uint8_t { physical, ue4, filament };
 
 } // namespace gonio::shading
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio::simd {
 
 // `avx2` includes FMA; `avx512` means F, DQ, BW and VL. Ascending preference within an architecture.
@@ -34,3 +35,4 @@ std::span<const InstructionSet> available_sets();
 InstructionSet best_available();
 
 } // namespace gonio::simd
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct CieSkyType {
@@ -71,3 +72,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

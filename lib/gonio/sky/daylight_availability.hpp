@@ -14,6 +14,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class Weather : std::uint8_t { clear, partly, overcast };
@@ -49,3 +50,4 @@ Lux extraterrestrial(int day_of_year);
 DaylightAvailability daylight_availability(double elevation_deg, int day_of_year, Weather weather);
 
 } // namespace gonio
+#pragma GCC visibility pop

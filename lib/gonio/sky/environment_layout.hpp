@@ -23,6 +23,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class EnvironmentLayout : std::uint8_t { latlong, cube_cross, cube_cross_vertical, cube_strip, octahedral };
@@ -110,3 +111,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

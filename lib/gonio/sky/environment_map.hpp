@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Pixels that cannot be light: NaN, infinite or negative.
@@ -91,3 +92,4 @@ Result<double> calibration(const EnvironmentMap& map, const Calibration& to, uns
 Result<void> calibrate(EnvironmentMap& map, const Calibration& to, unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

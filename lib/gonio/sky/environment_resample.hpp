@@ -11,6 +11,7 @@
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sun_light.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The greatest number of texels: a limit of its own, so that a size is refused before memory runs out.
@@ -34,3 +35,4 @@ EnvironmentMap environment_of(const Sky& sky, const EnvironmentGrid& to, unsigne
 EnvironmentMap with_sun(const EnvironmentMap& map, const SunLight& sun);
 
 } // namespace gonio
+#pragma GCC visibility pop

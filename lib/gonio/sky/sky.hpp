@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class Sky {
@@ -80,3 +81,4 @@ Result<Sky> resolve_sky(const SkyDescription& description, std::shared_ptr<const
                         unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

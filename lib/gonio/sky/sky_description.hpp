@@ -26,6 +26,7 @@
 #include <string_view>
 #include <variant>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 class FileScope;
@@ -105,3 +106,4 @@ Result<SkyDescription> parse_sky_description(std::string_view text, Diagnostics*
                                              FileScope* files = nullptr);
 
 } // namespace gonio
+#pragma GCC visibility pop

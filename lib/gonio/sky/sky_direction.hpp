@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct SkyAngles {
@@ -49,3 +50,4 @@ inline glm::dvec3 turned(const glm::dvec3& direction, Radians angle) {
 }
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The greatest luminance, and the share of all light (∫ L dω over the sphere, without the sun) from within
@@ -43,3 +44,4 @@ inline constexpr std::array wall_azimuths_deg{0.0, 90.0, 180.0, 270.0};
 SkyMeasures measure(const Sky& sky, unsigned threads = 0);
 
 } // namespace gonio
+#pragma GCC visibility pop

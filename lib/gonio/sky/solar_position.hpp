@@ -10,6 +10,7 @@
 
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct Place {
@@ -53,3 +54,4 @@ double refraction_deg(double elevation_deg, const Air& air = {});
 SkyAngles apparent_solar_position(const Place& place, Instant at, const Air& air = {});
 
 } // namespace gonio
+#pragma GCC visibility pop

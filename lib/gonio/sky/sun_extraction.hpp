@@ -12,6 +12,7 @@
 
 #include <cstddef>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct ExtractedSun {
@@ -26,3 +27,4 @@ struct ExtractedSun {
 Result<ExtractedSun> extract_sun(const EnvironmentMap& map);
 
 } // namespace gonio
+#pragma GCC visibility pop

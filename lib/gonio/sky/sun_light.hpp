@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The mean apparent diameter of the sun's disc, which has 6.8018e-5 sr.
@@ -18,3 +19,4 @@ struct SunLight {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

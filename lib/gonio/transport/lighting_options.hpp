@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct LocalProbe;
@@ -43,3 +44,4 @@ struct LightingOptions {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct LocalProbe {
@@ -16,3 +17,4 @@ struct LocalProbe {
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class SurroundingsMethod : std::uint8_t {
@@ -36,3 +37,4 @@ bool is_of_open_sky(SurroundingsMethod method);
 bool has_local_probe(SurroundingsMethod method);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -4,6 +4,7 @@
 #include <gonio/base/quantity.hpp>
 #include <gonio/web/web.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Φ = ∬ I dω of the interpolant (linear in the table's own angles between them, 0 outside), cell by cell in closed form
@@ -21,3 +22,4 @@ Lumens zonal_flux(const Web& web);
 double integrate_linear_sin(double gamma_low, double gamma_high, double w_low, double w_high);
 
 } // namespace gonio
+#pragma GCC visibility pop

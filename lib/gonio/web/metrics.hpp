@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The greatest intensity and its direction; among equals, the first in the order of the table. The interpolant is
@@ -40,3 +41,4 @@ std::optional<Radians> cie_beam_angle(const Web& web, double c_deg);
 int nema_type(Radians field_angle);
 
 } // namespace gonio
+#pragma GCC visibility pop

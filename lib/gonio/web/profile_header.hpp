@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct ProfileHeader {
@@ -61,3 +62,4 @@ std::string_view keyword_text(const ProfileHeader& header, std::string_view name
 void set_keyword(ProfileHeader& header, std::string_view name, std::string_view text);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 struct ResampledWeb {
@@ -41,3 +42,4 @@ Result<ResampledWeb> resampled_to_c(const Web& web, double tolerance = resamplin
 std::vector<double> even_angles(double first, double last, std::size_t count);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The origin of C. LM-63 puts C0 along a luminaire's length and EULUMDAT across it, so a file of one convention is
@@ -48,3 +49,4 @@ Result<ResolvedWeb> resolve_web(Profile&& profile, const ResolveOptions& options
 std::optional<double> declared_flux_lm(const Profile& profile, const ResolveOptions& options = {});
 
 } // namespace gonio
+#pragma GCC visibility pop

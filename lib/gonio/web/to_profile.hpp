@@ -22,6 +22,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 enum class ProfileTarget {
@@ -82,3 +83,4 @@ ConversionError conversion_error(const Web& source, const Web& made);
 std::string write_profile(const Profile& profile, ProfileTarget target);
 
 } // namespace gonio
+#pragma GCC visibility pop

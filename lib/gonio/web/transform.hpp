@@ -12,6 +12,7 @@
 #include <gonio/web/resample.hpp>
 #include <gonio/web/web.hpp>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Rotated about the axis: the light towards C goes to C + angle. Exact at any angle for type C, and at multiples of 90°
@@ -45,3 +46,4 @@ Result<Web> scaled_to(const Web& web, Lumens flux);
 Result<Web> scaled_by(const Web& web, double factor);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // How the stored grid covers the directions: the mirror symmetries of the light, which the grid omits.
@@ -111,3 +112,4 @@ private:
 };
 
 } // namespace gonio
+#pragma GCC visibility pop

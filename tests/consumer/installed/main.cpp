@@ -16,7 +16,9 @@ int main() {
     options.threads = 4;
     if (!stage || !gonio::render(*stage, {}, stage->camera, options)) return 2;
 
+#ifdef MODULE_DIR
     gonio::media::set_module_folders({MODULE_DIR});
+#endif
     gonio::Image image(4, 4, 3);
     const auto shown = gonio::media::apply_display(image);
     if (!shown) {

@@ -34,7 +34,8 @@ TEST(MediaModule, AMissingOneIsNamedWithThePlacesThatWereSearched) {
     EXPECT_EQ(table.error().failure, Failure::unsupported);
     EXPECT_EQ(reason(table).message,
               "the module gonio-image.so (OpenImageIO) is missing; looked in /nonexistent, /nowhere/lib");
-    EXPECT_FALSE(reason(table).hint.empty());
+    EXPECT_EQ(reason(table).hint,
+              "install the package gonio-media, or put the module beside the tool or into lib/gonio");
     EXPECT_FALSE(open_module(color_module_name, {}));
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
@@ -72,3 +73,4 @@ inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
 static_assert(in_order(failure_codes));
 
 } // namespace gonio
+#pragma GCC visibility pop
