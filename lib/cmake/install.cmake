@@ -14,7 +14,9 @@ if(GONIO_SHARED)
             INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
     install(EXPORT gonio-shared-targets NAMESPACE gonio:: DESTINATION "${gonio_package_dir}" COMPONENT development)
 endif()
-install(TARGETS gonio-image gonio-color LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
+if(GONIO_MODULES)
+    install(TARGETS gonio-image gonio-color LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/gonio" COMPONENT modules)
+endif()
 
 # The public headers, which are a list: what is not on it may change at any time. The test consumer.install compares the
 # list with what was installed and compiles each header against nothing but these.
@@ -34,11 +36,7 @@ endforeach()
 
 # The CIE's numbers are compiled in; their licence wants to go with them.
 foreach(component tool runtime development)
-    set(folder "${CMAKE_INSTALL_DOCDIR}")
-    if(NOT component STREQUAL "tool") # packages of one system may not have the same file
-        string(APPEND folder "-${component}")
-    endif()
-    install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${folder}"
+    install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/gonio/color/data/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
             COMPONENT ${component} RENAME NOTICE.cie-tables)
 endforeach()
 

@@ -90,7 +90,7 @@ Result<const void*> open_module(const ModuleName& name, const std::vector<std::s
     }
     if (path.empty())
         return fail(
-            Failure::unsupported,
+            "UNS0102",
             fmt::format("the module {} ({}) is missing; looked in {}", name.file, name.library,
                         folders.empty() ? std::string("no folder") : fmt::format("{}", fmt::join(folders, ", "))),
             "install the package gonio-media, or put the module beside the tool or into lib/gonio");
