@@ -5,6 +5,7 @@
 #   cli/install-dependencies.sh --tests   … and running tests/run.sh
 #   cli/install-dependencies.sh --bench   … and the benchmark programs (-DGONIO_BENCH=ON)
 #   cli/install-dependencies.sh --ci      … and running .ci/run (those, clang, its sanitizers, clang-tidy, ccache)
+#   cli/install-dependencies.sh --packages   what building the packages and trying them needs (tests/package/run.sh)
 #
 # Needs root or sudo, and only when something is missing.
 set -euo pipefail
@@ -16,6 +17,7 @@ packages=(
 )
 test_packages=(libgtest-dev python3-openimageio jq man-db mandoc bash-completion zsh fish)
 bench_packages=(libbenchmark-dev libfast-float-dev)
+package_packages=(dpkg-dev lintian mmdebstrap)
 ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
 
 for argument in "$@"; do
@@ -23,12 +25,13 @@ for argument in "$@"; do
     --tests) packages+=("${test_packages[@]}") ;;
     --bench) packages+=("${test_packages[@]}" "${bench_packages[@]}") ;;
     --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${ci_packages[@]}") ;;
+    --packages) packages+=("${package_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0
         ;;
     *)
-        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci)" >&2
+        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --packages)" >&2
         exit 2
         ;;
     esac
