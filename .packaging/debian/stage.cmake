@@ -23,10 +23,6 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     # -n: without the time.
     execute_process(COMMAND gzip --best --no-name ${compressed} COMMAND_ERROR_IS_FATAL ANY)
 
-    # Whatever the umask was.
-    file(CHMOD_RECURSE "${share}" FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ
-         DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-
     file(GLOB archives "${CPACK_TEMPORARY_DIRECTORY}/${component}/usr/lib/*.a"
                        "${CPACK_TEMPORARY_DIRECTORY}/${component}/usr/lib/*/*.a")
     foreach(archive IN LISTS archives)
@@ -34,3 +30,6 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
                         COMMAND_ERROR_IS_FATAL ANY)
     endforeach()
 endforeach()
+
+# Whatever the umask is.
+execute_process(COMMAND chmod -R u=rwX,go=rX "${CPACK_TEMPORARY_DIRECTORY}" COMMAND_ERROR_IS_FATAL ANY)

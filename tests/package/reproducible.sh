@@ -22,14 +22,12 @@ for place in "${places[@]}"; do
     echo "building in $place"
     (
         cd "$place"
-        # The second one in another zone and language, with other permissions.
-        if [[ $place != "${places[0]}" ]]; then
-            export TZ=Pacific/Auckland LC_ALL=C.UTF-8
-            umask 027
-        fi
+        # The second one in another zone and language. Not with another umask: cpack writes the one that it had into
+        # the outermost layer of a Debian package.
+        [[ $place == "${places[0]}" ]] || export TZ=Pacific/Auckland LC_ALL=C.UTF-8
         cmake --preset package > /dev/null
         cmake --build --preset package --parallel "$(nproc)" | tail -n 1
-        cpack --preset package > cpack.log || { cat cpack.log; exit 1; }
+        cpack --preset package > cpack.log 2>&1 || { cat cpack.log; exit 1; }
     )
 done
 
