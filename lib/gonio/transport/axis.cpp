@@ -12,7 +12,8 @@ Axis::Axis(std::vector<double> lines)
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         narrowest = std::min(narrowest, lines_[i + 1] - lines_[i]);
     constexpr double most = 4096.0;
-    const double buckets = std::clamp(std::ceil(length / narrowest), 1.0, most);
+    // Half as wide as the narrowest interval, so that no two lines share one.
+    const double buckets = std::clamp(std::ceil(2.0 * length / narrowest), 1.0, most);
     per_ = buckets / length;
     last_bucket_ = buckets - 1.0;
     first_.resize(static_cast<std::size_t>(buckets));
@@ -29,6 +30,21 @@ Axis::Axis(std::vector<double> lines)
         first_[bucket] = static_cast<std::uint16_t>(interval);
     }
     is_crowded_ = is_crowded_ || last_ > first_.back() + 1U;
+    steps_.clear();
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
+        steps_.push_back({static_cast<float>(ends_[i]), static_cast<float>(lines_[i]),
+                          static_cast<float>(at(static_cast<double>(i) + 1.0 - 0.5 / parts)),
+                          static_cast<float>(parts / (lines_[i + 1] - lines_[i]))});
+    middles_.clear();
+    const auto width = [&](std::size_t i) { return lines_[i + 1] - lines_[i]; };
+    const std::size_t count = lines_.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double to_last = 2.0 / (width(i) + width(i > 0 ? i - 1 : count - 1));
+        const double to_next = 2.0 / (width(i) + width(i + 1 < count ? i + 1 : 0));
+        middles_.push_back({static_cast<float>(at(static_cast<double>(i) + 0.5)),
+                            {static_cast<float>(-to_last), static_cast<float>(to_next)}});
+    }
+    fast_ = {static_cast<float>(low_), static_cast<float>(per_), static_cast<float>(last_bucket_)};
 }
 
 } // namespace gonio::detail

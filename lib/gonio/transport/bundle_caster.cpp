@@ -131,32 +131,34 @@ void BundleCaster::run(const DirectionArrays& directions) {
         frame, arrays, directions.size(), {target_.data(), distance_.data(), u_.data(), v_.data()});
 }
 
-void BundleCaster::cast(const DirectionArrays& directions, std::span<std::uint32_t> ends,
+void BundleCaster::cast(const DirectionArrays& directions, std::span<PatchPoint> ends,
                         std::span<std::uint32_t> charts) {
     run(directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
-        ends[i] = charts[i] = no_patch;
+        const auto target = static_cast<std::int32_t>(target_[i]); // negative: none, or not known
+        if (target >= 0 && static_cast<std::size_t>(target) < rectangles_.size()) {
+            const Target& rectangle = of_rectangles_[static_cast<std::size_t>(target)];
+            ends[i] = rectangle.blocks ? PatchPoint(back_side) : rectangle.grid->point(u_[i], v_[i]);
+            charts[i] = rectangle.blocks ? no_patch : rectangle.chart;
+            continue;
+        }
+        ends[i] = PatchPoint(no_patch);
+        charts[i] = no_patch;
         if (target_[i] == transport::RayHits::nothing) continue;
+        glm::dvec2 at;
         if (target_[i] == transport::RayHits::unknown) {
             const RayEnd end = caster_.cast({from_.origin, from_.to_world(directions.of(i))}, own_);
             if (end.surface == RayEnd::nothing) {
-                if (!end.leaves()) ends[i] = back_side;
+                if (!end.leaves()) ends[i] = PatchPoint(back_side);
                 continue;
             }
             charts[i] = static_cast<std::uint32_t>(patches_.charts().index_of(end.surface, end.face));
-            ends[i] = patches_.at(charts[i], end.position);
-        } else if (const auto target = static_cast<std::size_t>(target_[i]); target < rectangles_.size()) {
-            if (of_rectangles_[target].blocks) {
-                ends[i] = back_side;
-                continue;
-            }
-            charts[i] = of_rectangles_[target].chart;
-            ends[i] = of_rectangles_[target].grid->patch(static_cast<double>(u_[i]), static_cast<double>(v_[i]));
+            at = patches_.charts().all()[charts[i]].coordinates(end.position);
         } else {
-            charts[i] = of_spheres_[target - rectangles_.size()];
-            ends[i] = patches_.at(charts[i], patches_.charts().all()[charts[i]].on_sphere(static_cast<double>(u_[i]),
-                                                                                          static_cast<double>(v_[i])));
+            charts[i] = of_spheres_[static_cast<std::size_t>(target) - rectangles_.size()];
+            at = patches_.charts().all()[charts[i]].on_sphere(static_cast<double>(u_[i]), static_cast<double>(v_[i]));
         }
+        ends[i] = patches_.grid(charts[i]).point(static_cast<float>(at.x), static_cast<float>(at.y));
     }
 }
 

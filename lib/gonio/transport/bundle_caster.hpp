@@ -43,8 +43,8 @@ public:
     // All rays that follow start here. `own`: as RayCaster::cast().
     void begin(const Frame& from, std::size_t own);
 
-    // The patch that each ray ends on, or `no_patch` or `back_side`, and its chart, or `no_patch`.
-    void cast(const DirectionArrays& directions, std::span<std::uint32_t> ends, std::span<std::uint32_t> charts);
+    // Where each ray ends, or `no_patch` or `back_side`, and on which chart, or `no_patch`.
+    void cast(const DirectionArrays& directions, std::span<PatchPoint> ends, std::span<std::uint32_t> charts);
 
     // The chart that each ray meets first, or `no_patch`.
     void cast(const DirectionArrays& directions, std::span<std::uint32_t> charts);

@@ -1,18 +1,32 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/shape_traits.hpp>
 #include <gonio/scene/primitives.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gonio::detail {
 
 namespace {
 
-std::vector<glm::dvec3> positions_of(std::span<const Light> lights) {
+std::vector<LightPlace> places_of(std::span<const Light> lights) {
+    std::vector<LightPlace> places;
+    for (const Light& light : lights) {
+        if (std::holds_alternative<SunShape>(light.shape)) continue;
+        const Radians cone =
+            with_traits(light.shape, [](const auto& kind, auto traits) { return traits.half_cone(kind); });
+        const bool has_side = cone.value <= 0.5 * std::numbers::pi;
+        places.push_back({light.frame.origin, has_side ? -light.frame.z : glm::dvec3(0.0)});
+    }
+    return places;
+}
+
+std::vector<glm::dvec3> positions_of(std::span<const LightPlace> lights) {
     std::vector<glm::dvec3> positions;
-    for (const Light& light : lights)
-        if (!std::holds_alternative<SunShape>(light.shape)) positions.push_back(light.frame.origin);
+    for (const LightPlace& light : lights)
+        positions.push_back(light.position);
     return positions;
 }
 
@@ -41,9 +55,9 @@ struct Same {
 ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, const ExchangeQuality& quality,
                                    unsigned threads, simd::InstructionSet set)
     : stage_(std::move(stage)),
-      light_positions_(positions_of(lights)),
+      lights_(places_of(lights)),
       quality_(quality),
-      patches_(stage_, interest_of(stage_, light_positions_), light_positions_, quality.patches, threads) {
+      patches_(stage_, interest_of(stage_, positions_of(lights_)), lights_, quality.patches, threads) {
     // Stages with many things in them get fewer nodes for each.
     const double most = 3.0 * quality.patches;
     for (double spacing = quality.node_spacing;;) {
@@ -51,11 +65,12 @@ ExchangeGeometry::ExchangeGeometry(Stage stage, std::span<const Light> lights, c
         trees_.assign(charts.size(), NodeTree());
         std::vector<std::vector<Node>> made(charts.size());
         parallel_for(charts.size(), threads, [&](std::size_t i) {
-            trees_[i] = NodeTree(stage_, light_positions_, charts[i], patches_.square_m(), spacing, made[i]);
+            trees_[i] = NodeTree(stage_, lights_, charts[i], patches_.square_m(), spacing, made[i]);
         });
         nodes_.clear();
+        slopes_.clear();
         for (std::size_t i = 0; i < charts.size(); ++i)
-            trees_[i].append(made[i], nodes_);
+            trees_[i].append(made[i], nodes_, slopes_);
         const auto gathering = static_cast<double>(
             std::count_if(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.gathers(); }));
         if (gathering <= most || spacing > 10.0 * quality.node_spacing) break;
@@ -105,11 +120,52 @@ void ExchangeGeometry::order_between() {
         if (nodes_[i].is_between() && state[i] == State::unseen) visit(visit, i);
 }
 
-void ExchangeGeometry::fill_between(std::span<glm::dvec3> of_nodes) const {
+namespace {
+
+// How a node between two others follows from the curve between them, whose ends have slopes. What comes from a pole
+// has none along this curve, and the curve is straight.
+struct OnCurve {
+    explicit OnCurve(const Node& node, const std::vector<Node>& nodes)
+        : share(node.share),
+          axis(static_cast<std::size_t>(node.axis)),
+          per_length(1.0 / node.length),
+          ends{!nodes[node.ends[0]].is_pole, !nodes[node.ends[1]].is_pole} {
+        if (!ends[0] || !ends[1]) return;
+        bulge = 0.5 * node.length * share * (1.0 - share);
+        turn = 0.5 * (1.0 - 2.0 * share);
+    }
+
+    double share;
+    std::size_t axis;
+    double per_length;
+    std::array<bool, 2> ends; // whether they have slopes along u and v
+    double bulge = 0.0;       // of the value, by the difference of the slopes of the ends
+    double turn = 0.0;        // of the slope
+};
+
+} // namespace
+
+std::vector<NodeValue> ExchangeGeometry::field_of(std::span<const glm::dvec3> gathered) const {
+    std::vector<NodeValue> field(gathered.size());
+    for (std::size_t i = 0; i < field.size(); ++i)
+        field[i].value = gathered[i];
+    for (const SlopeTerm& term : slopes_)
+        for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
+            field[term.of].slope[axis] +=
+                term.weight[static_cast<int>(axis)] * (gathered[term.from] - gathered[term.of]);
     for (const std::uint32_t index : between_) {
         const Node& node = nodes_[index];
-        of_nodes[index] = (1.0 - node.share) * of_nodes[node.ends[0]] + node.share * of_nodes[node.ends[1]];
+        const OnCurve curve(node, nodes_);
+        const NodeValue& a = field[node.ends[0]];
+        const NodeValue& b = field[node.ends[1]];
+        const glm::dvec3 bend = a.slope[curve.axis] - b.slope[curve.axis];
+        field[index].value = (1.0 - curve.share) * a.value + curve.share * b.value + curve.bulge * bend;
+        field[index].slope[curve.axis] = curve.per_length * (b.value - a.value) + curve.turn * bend;
+        const std::size_t across = 1 - curve.axis;
+        field[index].slope[across] = (curve.ends[0] ? 1.0 - curve.share : 0.0) * a.slope[across] +
+                                     (curve.ends[1] ? curve.share : 0.0) * b.slope[across];
     }
+    return field;
 }
 
 void ExchangeGeometry::balance() {
@@ -118,7 +174,8 @@ void ExchangeGeometry::balance() {
     std::vector<double> by_cells(charts, 0.0); // and what arrives at cells and at nodes
     std::vector<double> by_nodes(charts, 0.0);
     std::vector<double> area(charts, 0.0);
-    std::vector<double> node_area(nodes_.size(), 0.0);
+    std::vector<double> node_area(nodes_.size(), 0.0); // the transpose of field_of() and its means
+    std::vector<glm::dvec2> slope_area(nodes_.size(), glm::dvec2(0.0));
     for (std::uint32_t patch = 0; patch < patches_.count(); ++patch) {
         const double area_m2 = patches_.area_m2(patch);
         if (!(area_m2 > 0.0)) continue;
@@ -127,14 +184,32 @@ void ExchangeGeometry::balance() {
         area[chart] += area_m2;
         sent[chart] += area_m2 * (1.0 - escaping_[cell]);
         const NodeMean& mean = around_[patch];
-        for (std::size_t i = 0; i < mean.count; ++i)
+        for (std::size_t i = 0; i < mean.count; ++i) {
             node_area[mean.node[i]] += mean.weight[i] * area_m2;
+            slope_area[mean.node[i]] += mean.of_slopes[i] * area_m2;
+        }
     }
     for (std::size_t i = between_.size(); i-- > 0;) {
         const Node& node = nodes_[between_[i]];
-        node_area[node.ends[0]] += (1.0 - node.share) * node_area[between_[i]];
-        node_area[node.ends[1]] += node.share * node_area[between_[i]];
+        const OnCurve curve(node, nodes_);
+        const auto axis = static_cast<int>(curve.axis);
+        const int across = 1 - axis;
+        const double area_m2 = node_area[between_[i]];
+        const glm::dvec2 of_slopes = slope_area[between_[i]];
+        const double by_slope = curve.per_length * of_slopes[axis];
+        const double by_bend = curve.bulge * area_m2 + curve.turn * of_slopes[axis];
+        node_area[node.ends[0]] += (1.0 - curve.share) * area_m2 - by_slope;
+        node_area[node.ends[1]] += curve.share * area_m2 + by_slope;
+        slope_area[node.ends[0]][axis] += by_bend;
+        slope_area[node.ends[1]][axis] -= by_bend;
+        if (curve.ends[0]) slope_area[node.ends[0]][across] += (1.0 - curve.share) * of_slopes[across];
+        if (curve.ends[1]) slope_area[node.ends[1]][across] += curve.share * of_slopes[across];
         node_area[between_[i]] = 0.0;
+    }
+    for (const SlopeTerm& term : slopes_) {
+        const double by_difference = term.weight.x * slope_area[term.of].x + term.weight.y * slope_area[term.of].y;
+        node_area[term.from] += by_difference;
+        node_area[term.of] -= by_difference;
     }
     for (std::size_t chart = 0; chart < charts; ++chart) {
         for (std::uint32_t i = 0; i < patches_.cells().size(); ++i)
@@ -156,15 +231,15 @@ bool ExchangeGeometry::fits(const Stage& stage, std::span<const Light> lights, c
     if (!(quality == quality_) || stage.surfaces.size() != stage_.surfaces.size()) return false;
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (!std::visit(Same(), stage.surfaces[i].geometry, stage_.surfaces[i].geometry)) return false;
-    const std::vector<glm::dvec3> positions = positions_of(lights);
-    if (patches_.charts().uses_interest())
-        return stage.light.position == stage_.light.position && stage.camera.position == stage_.camera.position &&
-               stage.camera.target == stage_.camera.target && positions == light_positions_;
-    return positions == light_positions_;
+    if (patches_.charts().uses_interest() &&
+        !(stage.light.position == stage_.light.position && stage.camera.position == stage_.camera.position &&
+          stage.camera.target == stage_.camera.target))
+        return false;
+    return places_of(lights) == lights_;
 }
 
 NodeMean ExchangeGeometry::around(std::size_t chart, const glm::dvec3& position) const {
-    return trees_[chart].around(patches_.charts().all()[chart], position, nodes_);
+    return trees_[chart].around(patches_.charts().all()[chart], position);
 }
 
 std::size_t ExchangeGeometry::own(std::size_t surface) const {
@@ -173,7 +248,7 @@ std::size_t ExchangeGeometry::own(std::size_t surface) const {
 
 std::size_t ExchangeGeometry::memory() const {
     return from_cells_.memory() + from_nodes_.memory() + nodes_.size() * sizeof(Node) +
-           patches_.cells().size() * (sizeof(Cell) + 2 * sizeof(double)) +
+           slopes_.size() * sizeof(SlopeTerm) + patches_.cells().size() * (sizeof(Cell) + 2 * sizeof(double)) +
            patches_.count() * (2 * sizeof(std::uint32_t) + 5 * sizeof(double)) + around_.size() * sizeof(NodeMean);
 }
 

@@ -21,8 +21,8 @@ public:
     const Stage& stage() const { return stage_; }
     const Patches& patches() const { return patches_; }
     const std::vector<Node>& nodes() const { return nodes_; }
-    // From what nodes gathered to all of them.
-    void fill_between(std::span<glm::dvec3> of_nodes) const;
+    // From what nodes gathered, by node, to all of them and their slopes.
+    std::vector<NodeValue> field_of(std::span<const glm::dvec3> gathered) const;
 
     const Bundles& from_cells() const { return from_cells_; }
     const Bundles& from_nodes() const { return from_nodes_; }
@@ -50,11 +50,12 @@ private:
     void balance();
 
     Stage stage_;
-    std::vector<glm::dvec3> light_positions_;
+    std::vector<LightPlace> lights_; // that are not at infinity
     ExchangeQuality quality_;
     Patches patches_;
     std::vector<Node> nodes_;
     std::vector<NodeTree> trees_;        // by chart
+    std::vector<SlopeTerm> slopes_;      // of the nodes
     std::vector<std::uint32_t> between_; // nodes between others, after those
     std::vector<NodeMean> around_;       // by patch
     Bundles from_cells_;

@@ -37,13 +37,6 @@ Result<void> has_solution(const ExchangeGeometry& geometry, std::span<const glm:
                 "give a surface an albedo below 1, or ask for a number of bounces");
 }
 
-glm::dvec3 mean_of(const detail::NodeMean& mean, std::span<const glm::dvec3> nodes_lx) {
-    glm::dvec3 lx(0.0);
-    for (std::size_t i = 0; i < mean.count; ++i)
-        lx += mean.weight[i] * nodes_lx[mean.node[i]];
-    return lx;
-}
-
 } // namespace
 
 glm::dvec3 hemispherical_albedo(const Material& material, bool specular) {
@@ -65,10 +58,12 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     Interreflection exchange;
     exchange.receiver_rays_ = quality.receiver_rays;
     exchange.instruction_set_ = options.instruction_set;
+    ExchangeQuality used = quality;
+    if (!options.sky.is_dark() && used.node_rays > 0) used.node_rays = std::max(used.node_rays, used.sky_rays);
     exchange.geometry_ =
-        known != nullptr && known->geometry_->fits(stage, lights, quality)
+        known != nullptr && known->geometry_->fits(stage, lights, used)
             ? known->geometry_
-            : std::make_shared<ExchangeGeometry>(stage, lights, quality, options.threads, options.instruction_set);
+            : std::make_shared<ExchangeGeometry>(stage, lights, used, options.threads, options.instruction_set);
     const ExchangeGeometry& geometry = *exchange.geometry_;
     const Patches& patches = geometry.patches();
     exchange.albedo_.resize(stage.surfaces.size());
@@ -105,7 +100,8 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
         exchange.thrown_ =
             std::make_shared<const detail::ThrownLight>(patches, scene.all_lights, direct.throwing, lobes);
     }
-    exchange.thrown_lx_ = exchange.thrown_to_nodes(options.threads);
+    exchange.slopes_ = std::make_shared<const detail::SentSlopes>(slopes_of(patches, exchange.direct_spread_lx_));
+    exchange.direct_to_nodes_lx_ = exchange.finely_to_nodes(options.threads);
     // Cells are coarse, so what they solve is gathered twice: at nodes, and from what patches then receive at nodes
     // again.
     const bool to_the_end = options.bounces == all_bounces;
@@ -117,12 +113,20 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
     for (std::uint32_t i = 0; i < indirect_lx.size(); ++i)
         indirect_lx[i] = cells_lx[patches.cell_of(i)];
     exchange.sent_ = exchange.seen_from_nodes(indirect_lx);
-    exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
+    // What is gathered again needs fewer rays.
+    exchange.nodes_lx_ = exchange.gathered(exchange.sent_, twice ? 3 : 1, options.threads);
     if (twice) {
         exchange.sent_ = exchange.seen_from_nodes(exchange.on_patches(exchange.nodes_lx_, options.threads));
-        exchange.nodes_lx_ = exchange.gathered(exchange.sent_, options.threads);
+        exchange.nodes_lx_ = exchange.gathered(exchange.sent_, 1, options.threads);
     }
     exchange.sum_up(to_the_end, options.threads);
+    exchange.shown_lx_.resize(patches.count());
+    for (std::uint32_t i = 0; i < exchange.shown_lx_.size(); ++i) {
+        // A covered patch is dark, and no ray meets its covered part.
+        if (!(patches.area_m2(i) > 0.0)) continue;
+        exchange.shown_lx_[i] = detail::Sent(exchange.sent_[i].rgb() / static_cast<double>(patches.by_rays(i)));
+        exchange.shown_lx_[i].value[3] = 1.0F;
+    }
     return exchange;
 }
 
@@ -131,17 +135,21 @@ glm::dvec3 Interreflection::reflected_lx(std::uint32_t patch, const glm::dvec3& 
     return direct_spread_lx_[patch] + albedo_[geometry_->patches().surface_of(patch)] * indirect_lx;
 }
 
-// What nodes gather of the light that glossy lobes throw.
-std::vector<glm::dvec3> Interreflection::thrown_to_nodes(unsigned threads) const {
+// What nodes gather of the direct light that means over patches do not have: of its slopes, and of what glossy lobes
+// throw.
+std::vector<glm::dvec3> Interreflection::finely_to_nodes(unsigned threads) const {
     const std::vector<detail::Node>& nodes = geometry_->nodes();
+    const detail::Bundles& bundles = geometry_->from_nodes();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
-    if (thrown_->empty()) return lx;
-    const detail::DirectionArrays directions(detail::cosine_directions(geometry_->from_nodes().rays()));
+    const detail::DirectionArrays directions(detail::cosine_directions(bundles.rays()));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
-        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
-            if (nodes[i].gathers())
-                lx[i] = thrown_->gathered(geometry_->from_nodes(), i, {nodes[i].position, nodes[i].normal}, directions);
+        for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
+            if (!nodes[i].gathers()) continue;
+            lx[i] = bundles.gathered(i, *slopes_);
+            if (!thrown_->empty())
+                lx[i] += thrown_->gathered(bundles, i, {nodes[i].position, nodes[i].normal}, directions);
+        }
     });
     return lx;
 }
@@ -155,20 +163,20 @@ std::vector<detail::Sent> Interreflection::seen_from_nodes(std::span<const glm::
     return with_cells(patches, sent);
 }
 
-std::vector<glm::dvec3> Interreflection::gathered(std::span<const detail::Sent> sent, unsigned threads) const {
+std::vector<detail::NodeValue> Interreflection::gathered(std::span<const detail::Sent> sent, std::size_t step,
+                                                         unsigned threads) const {
     const std::vector<detail::Node>& nodes = geometry_->nodes();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i)
-            if (nodes[i].gathers()) lx[i] = geometry_->from_nodes().gathered(i, sent) + thrown_lx_[i];
+            if (nodes[i].gathers()) lx[i] = geometry_->from_nodes().gathered(i, sent, step) + direct_to_nodes_lx_[i];
     });
-    geometry_->fill_between(lx);
-    return lx;
+    return geometry_->field_of(lx);
 }
 
 // What nodes gather of 1 lx on all patches.
-std::vector<glm::dvec3> Interreflection::gathered_of_uniform() const {
+std::vector<detail::NodeValue> Interreflection::gathered_of_uniform() const {
     const std::vector<detail::Node>& nodes = geometry_->nodes();
     const std::vector<detail::Chart>& charts = geometry_->patches().charts().all();
     std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
@@ -176,16 +184,16 @@ std::vector<glm::dvec3> Interreflection::gathered_of_uniform() const {
         for (std::size_t chart = 0; nodes[i].gathers() && chart < charts.size(); ++chart)
             lx[i] += geometry_->from_nodes().of_chart(i, chart) * geometry_->node_factor(chart) *
                      albedo_[charts[chart].surface];
-    geometry_->fill_between(lx);
-    return lx;
+    return geometry_->field_of(lx);
 }
 
-std::vector<glm::dvec3> Interreflection::on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const {
+std::vector<glm::dvec3> Interreflection::on_patches(std::span<const detail::NodeValue> nodes_lx,
+                                                    unsigned threads) const {
     std::vector<glm::dvec3> lx(geometry_->patches().count(), glm::dvec3(0.0));
     constexpr std::size_t together = 1024;
     parallel_for((lx.size() + together - 1) / together, threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, lx.size()); ++i)
-            lx[i] = mean_of(geometry_->around(static_cast<std::uint32_t>(i)), nodes_lx);
+            lx[i] = geometry_->around(static_cast<std::uint32_t>(i))(nodes_lx);
     });
     return lx;
 }
@@ -207,7 +215,7 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
         const glm::dvec3 sent_lm = sum([&](std::uint32_t i) { return direct_reflected_lx_[i]; });
         const glm::dvec3 returned_lm = sum([&](std::uint32_t i) { return direct_reflected_lx_[i] * stays(i); });
         if (returned_lm.x >= 0.5 * sent_lm.x && returned_lm.y >= 0.5 * sent_lm.y && returned_lm.z >= 0.5 * sent_lm.z) {
-            const std::vector<glm::dvec3> shape = gathered_of_uniform();
+            const std::vector<detail::NodeValue> shape = gathered_of_uniform();
             const std::vector<glm::dvec3> shape_on_patch = on_patches(shape, threads);
             const glm::dvec3 missing_lm =
                 returned_lm - sum([&](std::uint32_t i) { return on_patch[i] * (1.0 - albedo(i) * stays(i)); });
@@ -216,8 +224,11 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
             glm::dvec3 level(0.0);
             for (int channel = 0; channel < 3; ++channel)
                 if (of_shape_lm[channel] > 0.0) level[channel] = missing_lm[channel] / of_shape_lm[channel];
-            for (std::size_t i = 0; i < nodes_lx_.size(); ++i)
-                nodes_lx_[i] += level * shape[i];
+            for (std::size_t i = 0; i < nodes_lx_.size(); ++i) {
+                nodes_lx_[i].value += level * shape[i].value;
+                for (const std::size_t axis : {std::size_t{0}, std::size_t{1}})
+                    nodes_lx_[i].slope[axis] += level * shape[i].slope[axis];
+            }
             for (std::size_t i = 0; i < on_patch.size(); ++i)
                 on_patch[i] += level * shape_on_patch[i];
         }
@@ -236,44 +247,29 @@ void Interreflection::sum_up(bool to_the_end, unsigned threads) {
     balance_.escaped_lm = sum([&](std::uint32_t i) { return leaves(i) * (1.0 - stays(i)); });
 }
 
-glm::dvec3 Interreflection::interpolated(std::size_t chart, const glm::dvec3& position,
-                                         std::span<const glm::dvec3> nodes_lx) const {
-    return mean_of(geometry_->around(chart, position), nodes_lx);
-}
-
 glm::dvec3 Interreflection::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
-    return interpolated(geometry_->patches().charts().index_of(surface, face), position, nodes_lx_);
+    return geometry_->around(geometry_->patches().charts().index_of(surface, face), position)(nodes_lx_);
 }
 
 glm::vec3 Interreflection::luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const {
     const Patches& patches = geometry_->patches();
-    const std::uint32_t within = patches.at(place.chart, glm::dvec2(place.u, place.v));
     const float between_rays = fine_m / std::max(place.distance_m, 1e-6F);
-    if (patches.area_m2(within) > 0.0 && patches.half_diagonal(within) < 0.5 * static_cast<double>(fine_m)) {
-        const float* const value = sent_[within].value;
-        glm::vec3 sent(value[0], value[1], value[2]);
-        if (!thrown_->empty()) sent += thrown_->along(detail::PatchMean{{within}, {1.0F}}, towards, between_rays);
-        return std::numbers::inv_pi_v<float> * sent;
-    }
-    const detail::PatchMean mean = patches.around(place.chart, {place.u, place.v});
-    glm::vec3 sum(0.0F);
-    float weights = 0.0F;
-    for (std::size_t i = 0; i < 4; ++i) {
-        // A covered patch is dark, and no ray meets its covered part.
-        const float weight = patches.area_m2(mean.patch[i]) > 0.0 ? mean.weight[i] : 0.0F;
-        const float* const value = sent_[mean.patch[i]].value;
-        sum += weight * glm::vec3(value[0], value[1], value[2]);
-        weights += weight;
-    }
-    if (!thrown_->empty()) sum += thrown_->along(mean, towards, between_rays);
-    return weights > 0.0F ? std::numbers::inv_pi_v<float> / weights * sum : glm::vec3(0.0F);
+    const detail::PatchMean around = patches.around(place.chart, place.u, place.v);
+    detail::SentSum sum;
+    for (std::size_t i = 0; i < around.patch.size(); ++i)
+        sum.add(around.weight[i], shown_lx_[around.patch[i]]);
+    if (sum.is_empty()) return glm::vec3(0.0F);
+    glm::vec3 sent = sum.mean();
+    if (thrown_->comes_from(patches.charts().all()[place.chart].surface))
+        sent += thrown_->along(around, towards, between_rays) / sum.weight();
+    return std::numbers::inv_pi_v<float> * sent;
 }
 
 glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& normal) const {
     const detail::Receivers::Place place{position + Patches::lift(geometry_->patches().square_m()) * normal, normal};
     const detail::Bundles bundle(geometry_->stage(), geometry_->patches(), {&place, 1}, receiver_rays_, 1,
                                  instruction_set_);
-    glm::dvec3 lx = bundle.gathered(0, sent_);
+    glm::dvec3 lx = bundle.gathered(0, sent_) + bundle.gathered(0, *slopes_);
     if (!thrown_->empty())
         lx += thrown_->gathered(bundle, 0, place, detail::DirectionArrays(detail::cosine_directions(receiver_rays_)));
     return lx;
@@ -287,10 +283,10 @@ std::size_t Interreflection::patch_count() const {
 }
 std::size_t Interreflection::memory() const {
     return geometry_->memory() +
-           (direct_lx_.size() + direct_reflected_lx_.size() + direct_spread_lx_.size() + thrown_lx_.size() +
-            nodes_lx_.size()) *
+           (direct_lx_.size() + direct_reflected_lx_.size() + direct_spread_lx_.size() + direct_to_nodes_lx_.size()) *
                sizeof(glm::dvec3) +
-           sent_.size() * sizeof(detail::Sent) + thrown_->memory();
+           nodes_lx_.size() * sizeof(detail::NodeValue) +
+           (sent_.size() + shown_lx_.size() + 2 * slopes_->size()) * sizeof(detail::Sent) + thrown_->memory();
 }
 
 } // namespace gonio

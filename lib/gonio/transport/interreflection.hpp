@@ -26,16 +26,19 @@ class ExchangeGeometry;
 class SkyLight;
 struct PatchPlace;
 class ThrownLight;
+struct NodeValue;
 struct Sent;
+struct SentSlope;
 } // namespace detail
 
 // How finely a stage is divided. The defaults are those of the benchmark's front.
 struct ExchangeQuality {
     double patches = 8000.0;          // about as many carry direct light
-    std::size_t cell_rays = 256;      // of each cell of 2×2 patches, in the solution; 0: for a sky alone
-    std::size_t node_rays = 768;      // of each node, in the last gathering; 0: for receivers alone
+    std::size_t cell_rays = 128;      // of each cell of 2×2 patches, in the solution; 0: for a sky alone
+    std::size_t node_rays = 512;      // of each node, in the last gathering; 0: for receivers alone
     double node_spacing = 1.0;        // multiplies the distances between nodes
     std::size_t receiver_rays = 8192; // of a point that is not on a surface
+    std::size_t sky_rays = 1024;      // of each node under a sky, whose light no surface has spread before
 
     friend bool operator==(const ExchangeQuality&, const ExchangeQuality&) = default;
 };
@@ -65,8 +68,8 @@ public:
     glm::dvec3 at(const glm::dvec3& position, const glm::dvec3& normal) const;
 
     // The luminance that a point of a chart sends along a ray to its unit direction `towards`, per channel [nt], direct
-    // light included: between the middles of patches, or of the patch itself if it is smaller than `fine_m`, the
-    // distance to the next ray. For the transport room itself.
+    // light included: between the middles of patches. `fine_m`: the distance to the next ray. For the transport room
+    // itself.
     glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const;
     const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
     // What surfaces receive of the options' sky; null without one.
@@ -88,12 +91,12 @@ private:
     Interreflection();
     void sum_up(bool to_the_end, unsigned threads);
     glm::dvec3 reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const;
-    std::vector<glm::dvec3> thrown_to_nodes(unsigned threads) const;
+    std::vector<glm::dvec3> finely_to_nodes(unsigned threads) const;
     std::vector<detail::Sent> seen_from_nodes(std::span<const glm::dvec3> indirect_lx) const;
-    std::vector<glm::dvec3> gathered(std::span<const detail::Sent> sent, unsigned threads) const;
-    std::vector<glm::dvec3> gathered_of_uniform() const;
-    std::vector<glm::dvec3> on_patches(std::span<const glm::dvec3> nodes_lx, unsigned threads) const;
-    glm::dvec3 interpolated(std::size_t chart, const glm::dvec3& position, std::span<const glm::dvec3> nodes_lx) const;
+    std::vector<detail::NodeValue> gathered(std::span<const detail::Sent> sent, std::size_t step,
+                                            unsigned threads) const;
+    std::vector<detail::NodeValue> gathered_of_uniform() const;
+    std::vector<glm::dvec3> on_patches(std::span<const detail::NodeValue> nodes_lx, unsigned threads) const;
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
     std::shared_ptr<const detail::SkyLight> sky_;
@@ -102,9 +105,11 @@ private:
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again
     std::vector<glm::dvec3> direct_spread_lx_;    // what of that goes in all directions alike
     std::shared_ptr<const detail::ThrownLight> thrown_;
-    std::vector<glm::dvec3> thrown_lx_; // by node, what it gathers of it
-    std::vector<glm::dvec3> nodes_lx_;  // by node
-    std::vector<detail::Sent> sent_;    // by patch and then by cell [lx]
+    std::shared_ptr<const std::vector<detail::SentSlope>> slopes_; // of the direct light
+    std::vector<glm::dvec3> direct_to_nodes_lx_;                   // of slopes and of what is thrown
+    std::vector<detail::NodeValue> nodes_lx_;
+    std::vector<detail::Sent> sent_;     // what rays and links carry, by patch and then by cell [lx]
+    std::vector<detail::Sent> shown_lx_; // all that is sent, by patch
     ExchangeBalance balance_;
     std::size_t receiver_rays_ = 0;
     simd::InstructionSet instruction_set_ = simd::best_available();

@@ -60,23 +60,35 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
         const vec3<S> direction =
             mul_add(frame_x, packet.load(directions[0]),
                     mul_add(frame_y, packet.load(directions[1]), frame_z * packet.load(directions[2])));
-        S nearest(3e38F);
+        // A rectangle is met at height/facing, and the nearest one is found without a division: both are at least 0.
+        S height(3e38F);
+        S facing(1.0F);
         S target(RayHits::nothing);
         S u(0.0F);
         S v(0.0F);
         for (std::size_t i = 0; i < targets.rectangle_count; ++i) {
             const RayRectangle& rectangle = targets.rectangles[i];
-            const S distance = S(rectangle.height) / dot(spread<S>(rectangle.normal), direction);
-            const S along_x = simd::mul_add(distance, dot(spread<S>(rectangle.x), direction), -S(rectangle.middle[0]));
-            const S along_y = simd::mul_add(distance, dot(spread<S>(rectangle.y), direction), -S(rectangle.middle[1]));
-            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]),
-                                           simd::abs(along_y) <= S(rectangle.half_size[1]));
-            const auto first = simd::both(simd::both(distance > S(0.0F), distance < nearest), within);
-            nearest = simd::select(first, distance, nearest);
+            const float sign = rectangle.height < 0.0F ? -1.0F : 1.0F;
+            const S its_height(sign * rectangle.height);
+            const S its_facing = S(sign) * dot(spread<S>(rectangle.normal), direction);
+            const S along_x =
+                simd::mul_add(its_height, dot(spread<S>(rectangle.x), direction), S(-rectangle.middle[0]) * its_facing);
+            const S along_y =
+                simd::mul_add(its_height, dot(spread<S>(rectangle.y), direction), S(-rectangle.middle[1]) * its_facing);
+            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]) * its_facing,
+                                           simd::abs(along_y) <= S(rectangle.half_size[1]) * its_facing);
+            const auto is_nearer = its_height * facing < height * its_facing;
+            const auto first = simd::both(simd::both(its_facing > S(0.0F), is_nearer), within);
+            height = simd::select(first, its_height, height);
+            facing = simd::select(first, its_facing, facing);
             target = simd::select(first, S(static_cast<float>(i)), target);
             u = simd::select(first, along_x, u);
             v = simd::select(first, along_y, v);
         }
+        const S per_facing = S(1.0F) / facing;
+        S nearest = height * per_facing;
+        u = u * per_facing;
+        v = v * per_facing;
         SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
             S exit;

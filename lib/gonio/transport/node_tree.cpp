@@ -3,6 +3,7 @@
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -23,14 +24,14 @@ constexpr double widest = 2.8;
 constexpr double narrowest = 0.25;
 constexpr double inset = 1e-3; // of the nodes at edges
 
-constexpr double per_radius = 4.0;        // distances between the nodes of a sphere
-constexpr double near_solid = 0.25;       // of its radius, between nodes that it touches
-constexpr double near_sheet = 0.25;       // of the radius of the sphere that touches it
-constexpr double least_near_thin = 0.1;   // squares
-constexpr double growth = 0.4;            // with the distance from a solid
-constexpr double near_light = 1.0 / 3.0;  // of the distance from a light
-constexpr double near_contact = 0.5;      // of the distance along the surface from where something round touches,
-constexpr double least_at_contact = 0.08; // and at least this share of its radius
+constexpr double per_radius = 4.2;       // distances between the nodes of a sphere
+constexpr double near_solid = 0.25;      // of its radius, between nodes that it touches
+constexpr double near_sheet = 0.25;      // of the radius of the sphere that touches it
+constexpr double least_near_thin = 0.1;  // squares
+constexpr double growth = 0.4;           // with the distance from a solid
+constexpr double near_light = 1.0 / 3.0; // of the distance from a light
+constexpr double near_contact = 0.6;     // of the distance along the surface from where something round touches,
+constexpr double least_at_contact = 0.1; // and at least this share of its radius
 
 // What brings nodes closer together, besides edges.
 struct Attraction {
@@ -39,10 +40,10 @@ struct Attraction {
     double radius_m;  // of what is round where they touch; 0: neither is
 };
 
-std::vector<LightSphere> points_of(std::span<const glm::dvec3> lights) {
+std::vector<LightSphere> points_of(std::span<const LightPlace> lights) {
     std::vector<LightSphere> points;
-    for (const glm::dvec3& light : lights)
-        points.push_back({light, 0.0, static_cast<std::uint32_t>(points.size())});
+    for (const LightPlace& light : lights)
+        points.push_back({light.position, 0.0, static_cast<std::uint32_t>(points.size())});
     return points;
 }
 
@@ -59,7 +60,7 @@ std::optional<double> size_of(const Primitive& geometry) {
 
 class NodeTreeMaker {
 public:
-    NodeTreeMaker(NodeTree& tree, const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
+    NodeTreeMaker(NodeTree& tree, const Stage& stage, std::span<const LightPlace> lights, const Chart& chart,
                   double square_m, double coarseness, std::vector<Node>& nodes)
         : tree_(tree),
           stage_(stage),
@@ -82,6 +83,11 @@ public:
         if (tree_.parts_.size() > roots_)
             for (std::size_t i = 0; i < nodes_.size(); ++i)
                 find_ends(static_cast<std::uint32_t>(i));
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (nodes_[i].gathers() && !nodes_[i].is_pole)
+                for (const int axis : {0, 1})
+                    find_slope(static_cast<std::uint32_t>(i), axis);
+        if (is_round_) find_slopes_of_poles();
     }
 
 private:
@@ -141,6 +147,7 @@ private:
             node.normal = chart_.normal(at);
             node.position = chart_.position(at) + lift_m_ * node.normal;
             node.covered = Patches::is_covered(stage_, chart_.surface, node.position, node.normal, lift_m_);
+            node.is_pole = is_round_ && (at.y == chart_.v.low || at.y == chart_.v.high);
             nodes_.push_back(node);
             places_.push_back(at);
         }
@@ -196,7 +203,8 @@ private:
         near_.clear();
         light_tree_.meeting_box(middle - reach_m, middle + reach_m, near_);
         for (const std::uint32_t light : near_) {
-            const glm::dvec3 to = lights_[light] - middle;
+            const glm::dvec3 to = lights_[light].position - middle;
+            if (!lights_[light].may_light(middle, half_diagonal_m)) continue;
             if (glm::dot(to, normal) + half_diagonal_m < 0.0) continue; // behind
             const double away_m = std::max(glm::length(to) - half_diagonal_m, 0.5 * least_m_);
             spacing_m = std::min(spacing_m, coarseness_ * near_light * away_m);
@@ -289,12 +297,113 @@ private:
         if (nodes_[index].covered || nodes_[ends[0]].covered || nodes_[ends[1]].covered) return true; // gathers itself
         nodes_[index].ends = ends;
         nodes_[index].share = share;
+        nodes_[index].axis = at.y == extent.low.y || at.y == extent.high.y ? 0 : 1;
+        nodes_[index].length = extent.high[nodes_[index].axis] - extent.low[nodes_[index].axis];
         return true;
+    }
+
+    struct Beside {
+        std::uint32_t node = Node::none;
+        double distance = 0.0; // along the axis
+    };
+
+    // The nearest node that gathers, along an axis, on one side of a place that is the corner of a rectangle there.
+    // None beyond a cut and what is covered.
+    Beside beside(std::uint32_t index, int axis, bool above) const {
+        glm::dvec2 at = places_[index];
+        double distance = 0.0;
+        constexpr int most_steps = 4; // over nodes between others
+        for (int step = 0; step < most_steps; ++step) {
+            if (is_round_ && axis == 0) {
+                if (above && at.x == chart_.u.high) at.x = chart_.u.low;
+                if (!above && at.x == chart_.u.low) at.x = chart_.u.high;
+            }
+            double nearest = std::numeric_limits<double>::infinity();
+            std::uint32_t found = Node::none;
+            for (const bool across : {false, true}) {
+                const std::optional<std::uint32_t> leaf =
+                    axis == 0 ? leaf_beside(at, above, across) : leaf_beside(at, across, above);
+                if (!leaf) continue;
+                const Extent& extent = extents_[*leaf];
+                const glm::dvec2 low = extent.low;
+                const glm::dvec2 high = extent.high;
+                const int other = 1 - axis;
+                const bool is_corner = (above ? at[axis] == low[axis] : at[axis] == high[axis]) &&
+                                       (at[other] == low[other] || at[other] == high[other]);
+                const double size = high[axis] - low[axis];
+                if (!is_corner || size >= nearest || size < tree_.gap_m_) continue;
+                const std::size_t beyond = above ? 1 : 0;
+                const std::size_t aside = at[other] == high[other] ? 1 : 0;
+                const std::uint32_t node =
+                    tree_.parts_[*leaf].corner.at(axis == 0 ? 2 * aside + beyond : 2 * beyond + aside);
+                if (nodes_[node].covered) continue;
+                nearest = size;
+                found = node;
+            }
+            if (found == Node::none) return {};
+            distance += nearest;
+            if (nodes_[found].gathers()) return {found, distance};
+            at[axis] += above ? nearest : -nearest;
+            at = {axis == 0 ? places_[found].x : at.x, axis == 1 ? places_[found].y : at.y};
+        }
+        return {};
+    }
+
+    // Exact for quadratic functions, with two nodes beside it; with one, what keeps a line straight.
+    void find_slope(std::uint32_t index, int axis) {
+        const Beside low = beside(index, axis, false);
+        const Beside high = beside(index, axis, true);
+        const auto add = [&](std::uint32_t from, double weight) {
+            SlopeTerm term{index, from, glm::dvec2(0.0)};
+            term.weight[axis] = weight;
+            tree_.slopes_.push_back(term);
+        };
+        if (low.node != Node::none && high.node != Node::none) {
+            const double both = low.distance + high.distance;
+            add(low.node, -high.distance / (low.distance * both));
+            add(high.node, low.distance / (high.distance * both));
+        } else if (low.node != Node::none) {
+            add(low.node, -1.0 / low.distance);
+        } else if (high.node != Node::none) {
+            add(high.node, 1.0 / high.distance);
+        }
+    }
+
+    // The first harmonic of the nodes around each pole.
+    void find_slopes_of_poles() {
+        for (std::size_t part = 0; part < tree_.parts_.size(); ++part) {
+            const NodeTree::Part& leaf = tree_.parts_[part];
+            if (leaf.first_part != 0) continue;
+            const Extent& extent = extents_[part];
+            for (const bool above : {false, true}) {
+                if (above ? extent.high.y != chart_.v.high : extent.low.y != chart_.v.low) continue;
+                const std::uint32_t pole = leaf.corner.at(above ? 2 : 0);
+                if (!nodes_[pole].gathers()) continue;
+                const double half =
+                    0.5 * (extent.high.x - extent.low.x) / (std::numbers::pi * (extent.high.y - extent.low.y));
+                for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                    const double azimuth = side == 0 ? extent.low.x : extent.high.x;
+                    add_to_pole(pole, leaf.corner.at((above ? 0 : 2) + side),
+                                half * glm::dvec2(std::cos(azimuth), std::sin(azimuth)));
+                }
+            }
+        }
+    }
+
+    void add_to_pole(std::uint32_t pole, std::uint32_t from, const glm::dvec2& weight) {
+        const Node& node = nodes_[from];
+        if (node.covered) return;
+        if (!node.is_between()) {
+            tree_.slopes_.push_back({pole, from, weight});
+            return;
+        }
+        add_to_pole(pole, node.ends[0], (1.0 - node.share) * weight);
+        add_to_pole(pole, node.ends[1], node.share * weight);
     }
 
     NodeTree& tree_;
     const Stage& stage_;
-    std::span<const glm::dvec3> lights_;
+    std::span<const LightPlace> lights_;
     LightTree light_tree_;
     const Chart& chart_;
     bool is_round_;
@@ -308,16 +417,22 @@ private:
     std::vector<std::uint32_t> near_; // lights
 };
 
-NodeTree::NodeTree(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
+NodeTree::NodeTree(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart, double square_m,
                    double coarseness, std::vector<Node>& nodes) {
     NodeTreeMaker(*this, stage, lights, chart, square_m, coarseness, nodes).make();
 }
 
-void NodeTree::append(std::span<const Node> made, std::vector<Node>& nodes) {
+void NodeTree::append(std::span<const Node> made, std::vector<Node>& nodes, std::vector<SlopeTerm>& slopes) {
     const auto first = static_cast<std::uint32_t>(nodes.size());
+    for (const SlopeTerm& term : slopes_)
+        slopes.push_back({term.of + first, term.from + first, term.weight});
+    slopes_ = {};
     for (Part& part : parts_)
-        for (std::uint32_t& corner : part.corner)
-            corner += first;
+        for (std::size_t i = 0; i < part.corner.size(); ++i) {
+            part.is_covered[i] = made[part.corner[i]].covered;
+            part.is_pole[i] = made[part.corner[i]].is_pole;
+            part.corner[i] += first;
+        }
     for (Node node : made) {
         if (node.is_between())
             for (std::uint32_t& end : node.ends)
@@ -341,18 +456,24 @@ NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
     };
     const Place column = place(columns_, at.x);
     const Place row = place(rows_, at.y);
-    Spot spot{row.index * columns_.intervals() + column.index, column.share, row.share};
+    Spot spot{row.index * columns_.intervals() + column.index,
+              column.share,
+              row.share,
+              {columns_.line(column.index + 1) - columns_.line(column.index),
+               rows_.line(row.index + 1) - rows_.line(row.index)}};
     while (parts_[spot.part].first_part != 0) {
         const Part& whole = parts_[spot.part];
         std::uint32_t next = whole.first_part;
         if (whole.along_v) {
             const bool high = spot.v >= 0.5;
             spot.v = 2.0 * spot.v - (high ? 1.0 : 0.0);
+            spot.size.y *= 0.5;
             if (high) next += whole.along_u ? 2 : 1;
         }
         if (whole.along_u) {
             const bool high = spot.u >= 0.5;
             spot.u = 2.0 * spot.u - (high ? 1.0 : 0.0);
+            spot.size.x *= 0.5;
             if (high) ++next;
         }
         spot.part = next;
@@ -360,39 +481,57 @@ NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
     return spot;
 }
 
-NodeMean NodeTree::around(const Chart& chart, const glm::dvec3& position, const std::vector<Node>& nodes) const {
-    const Spot in = spot(chart.coordinates(position));
+NodeMean NodeTree::around(const Chart& chart, const glm::dvec3& position) const {
+    const glm::dvec2 place = chart.coordinates(position);
+    const Spot in = spot(place);
     const std::array<double, 4> weight{(1.0 - in.u) * (1.0 - in.v), in.u * (1.0 - in.v), (1.0 - in.u) * in.v,
                                        in.u * in.v};
     NodeMean mean;
     double sum = 0.0;
-    const auto add = [&](std::uint32_t node, double of) {
-        if (nodes[node].covered || !(of > 0.0)) return;
-        mean.node[mean.count] = node;
+    const auto add = [&](const Part& part, std::size_t i, double of, const glm::dvec2& from_node) {
+        if (part.is_covered[i] || !(of > 0.0)) return;
+        mean.node[mean.count] = part.corner[i];
+        mean.of_slopes[mean.count] = 0.5 * of * from_node;
         mean.weight[mean.count++] = of;
         sum += of;
     };
-    for (std::size_t i = 0; i < 4; ++i)
-        add(parts_[in.part].corner[i], weight[i]);
+    const Part& here = parts_[in.part];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec2 from_node = in.size * glm::dvec2(in.u - (i % 2 == 1 ? 1.0 : 0.0), in.v - (i > 1 ? 1.0 : 0.0));
+        add(here, i, weight[i],
+            here.is_pole[i] ? std::abs(from_node.y) * glm::dvec2(std::cos(place.x), std::sin(place.x)) : from_node);
+    }
     // All covered: a free corner of the same rectangle, or of one around it.
     for (std::size_t i = 0; mean.count == 0 && i < 4; ++i)
-        add(parts_[in.part].corner[i], 1.0);
+        add(here, i, 1.0, glm::dvec2(0.0));
     if (mean.count == 0) {
-        const glm::dvec2 at = chart.coordinates(position);
         const std::int64_t columns = columns_.intervals();
         const std::int64_t rows = rows_.intervals();
-        const std::int64_t column = columns_.index(at.x);
-        const std::int64_t row = rows_.index(at.y);
+        const std::int64_t column = columns_.index(place.x);
+        const std::int64_t row = rows_.index(place.y);
         for (std::int64_t ring = 1; mean.count == 0 && ring < 4; ++ring)
             for (std::int64_t r = std::max<std::int64_t>(row - ring, 0); r <= std::min(row + ring, rows - 1); ++r)
                 for (std::int64_t c = std::max<std::int64_t>(column - ring, 0);
                      c <= std::min(column + ring, columns - 1); ++c)
                     for (std::size_t i = 0; mean.count == 0 && i < 4; ++i)
-                        add(parts_[static_cast<std::size_t>(r * columns + c)].corner[i], 1.0);
+                        add(parts_[static_cast<std::size_t>(r * columns + c)], i, 1.0, glm::dvec2(0.0));
     }
-    for (std::size_t i = 0; i < mean.count; ++i)
+    if (sum == 1.0) return mean;
+    for (std::size_t i = 0; i < mean.count; ++i) {
         mean.weight[i] /= sum;
+        mean.of_slopes[i] /= sum;
+    }
     return mean;
+}
+
+glm::dvec3 NodeMean::operator()(std::span<const NodeValue> of_nodes) const {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const NodeValue& of_node = of_nodes[node[i]];
+        sum += weight[i] * of_node.value + of_slopes[i].x * of_node.slope[0] + of_slopes[i].y * of_node.slope[1];
+    }
+    // Beside a steep rise the curve between nodes passes below what light can be.
+    return glm::max(sum, glm::dvec3(0.0));
 }
 
 bool brings_nodes_closer(double distance_m, double square_m, double coarseness) {

@@ -16,8 +16,11 @@ namespace {
 
 constexpr double least_columns = 6.0;      // around the smallest solid
 constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of its dark side is in the right place
+constexpr double patches_beside = 9.0;     // per radius, if another solid is closer to it than its radius
 constexpr std::uint32_t cell_side = 2;     // patches
 constexpr double small = 6.0;              // squares; no rays miss parts of larger solids
+constexpr double bright = 3.0;             // times the mean: what rays carry of a cell close to a light
+constexpr std::size_t most_bright = 400;   // cells
 
 std::vector<double> uniform(const Range& range, double size_m, double least) {
     constexpr double most_intervals = 400.0;
@@ -34,10 +37,22 @@ struct Lines {
     double patches() const { return static_cast<double>(u.size() - 1) * static_cast<double>(v.size() - 1); }
 };
 
-Lines lines_on(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart, double square_m,
+// What is bright and close in one part of a patch weighs too little, as below a light.
+bool is_beside_another(const Stage& stage, const Chart& chart) {
+    for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
+        const Primitive& other = stage.surfaces[i].geometry;
+        if (i != chart.surface && !is_sheet(other) &&
+            distance_to_surface(other, chart.frame.origin) < chart.half_length + 2.0 * chart.radius)
+            return true;
+    }
+    return false;
+}
+
+Lines lines_on(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart, double square_m,
                double coarseness) {
     if (chart.kind == Chart::Kind::round) {
-        const double size_m = std::min(square_m, coarseness * chart.radius / patches_per_radius);
+        const double per_radius = is_beside_another(stage, chart) ? patches_beside : patches_per_radius;
+        const double size_m = std::min(square_m, coarseness * chart.radius / per_radius);
         std::vector<double> around = uniform({0.0, 2.0 * std::numbers::pi * chart.radius}, size_m, least_columns);
         for (double& line : around)
             line /= chart.radius;
@@ -61,7 +76,7 @@ Lines lines_on(const Stage& stage, std::span<const glm::dvec3> lights, const Cha
 
 } // namespace
 
-Patches::Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count,
+Patches::Patches(const Stage& stage, const Interest& interest, std::span<const LightPlace> lights, double count,
                  unsigned threads)
     : charts_(stage, interest), square_m_(charts_.square_of(count)), coarseness_(std::sqrt(8000.0 / count)) {
     std::vector<Lines> lines;
@@ -100,46 +115,77 @@ Patches::Patches(const Stage& stage, const Interest& interest, std::span<const g
     std::vector<std::uint32_t> next(first_of_.begin(), first_of_.end() - 1);
     for (std::uint32_t patch = 0; patch < cell_of_.size(); ++patch)
         patches_of_[next[cell_of_[patch]]++] = patch;
+    link_to_bright_cells(lights, square_m_ * square_m_ * count);
 }
 
-PatchMean Patches::around(std::size_t chart, const glm::dvec2& coordinates) const {
+std::array<glm::dvec3, 4> Patches::corners(std::uint32_t patch) const {
+    const PatchGrid& grid = grids_[chart_of_[patch]];
+    const Chart& chart = charts_.all()[chart_of_[patch]];
+    const std::uint32_t column = (patch - grid.first_patch) % grid.columns;
+    const std::uint32_t row = (patch - grid.first_patch) / grid.columns;
+    const auto at = [&](std::uint32_t u, std::uint32_t v) { return chart.position(grid.corner(column + u, row + v)); };
+    return {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+}
+
+double Patches::mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const {
+    const Chart& chart = charts_.all()[chart_of_[patch]];
+    if (chart.kind != Chart::Kind::round) return std::max(glm::dot(normal_[patch], towards), 0.0);
+    // A cos(u − u₀) + B, for the azimuth u of the normal.
+    const glm::dvec3 local = chart.frame.to_local(towards);
+    const double rise = glm::dot(normal_[patch], chart.frame.z);
+    const double a = std::sqrt(std::max(1.0 - rise * rise, 0.0)) * std::hypot(local.x, local.y);
+    const double b = rise * local.z;
+    const PatchGrid& grid = grids_[chart_of_[patch]];
+    const std::uint32_t column = (patch - grid.first_patch) % grid.columns;
+    const double half = 0.5 * (grid.u.line(column + 1) - grid.u.line(column));
+    const double middle =
+        std::remainder(grid.u.at(column + 0.5) - std::atan2(local.y, local.x), 2.0 * std::numbers::pi);
+    const double lit = a > std::abs(b) ? std::acos(-b / a) : b > 0.0 ? std::numbers::pi : 0.0;
+    double sum = 0.0;
+    for (const double turn : {-2.0 * std::numbers::pi, 0.0, 2.0 * std::numbers::pi}) {
+        const double low = std::max(middle - half, turn - lit);
+        const double high = std::min(middle + half, turn + lit);
+        if (low < high) sum += a * (std::sin(high) - std::sin(low)) + b * (high - low);
+    }
+    return std::max(sum / (2.0 * half), 0.0);
+}
+
+PatchMean Patches::around(std::size_t chart, float u, float v) const {
     const PatchGrid& grid = grids_[chart];
-    const bool is_round = charts_.all()[chart].kind == Chart::Kind::round;
-    struct Place {
-        std::uint32_t low, high;
-        float share;
-    };
-    // Between the middles of two intervals.
-    const auto place = [](const Axis& axis, double x, bool goes_round) {
-        const std::uint32_t in = axis.index(x);
-        const std::uint32_t last = axis.intervals() - 1;
-        const auto middle = [&](std::uint32_t interval) { return axis.at(interval + 0.5); };
-        const double from_middle = x - middle(in);
-        const std::uint32_t beside = from_middle < 0.0 ? (in > 0       ? in - 1
-                                                          : goes_round ? last
-                                                                       : in)
-                                                       : (in < last    ? in + 1
-                                                          : goes_round ? 0
-                                                                       : in);
-        if (beside == in) return Place{in, in, 0.0F};
-        const double between = 0.5 * (axis.line(in + 1) - axis.line(in) + axis.line(beside + 1) - axis.line(beside));
-        return Place{in, beside, static_cast<float>(std::min(std::abs(from_middle) / between, 1.0))};
-    };
-    const Place column = place(grid.u, coordinates.x, is_round);
-    const Place row = place(grid.v, coordinates.y, false);
+    const Axis::Between column = grid.u.between(u, charts_.all()[chart].kind == Chart::Kind::round);
+    const Axis::Between row = grid.v.between(v, false);
     const auto patch = [&](std::uint32_t c, std::uint32_t r) { return grid.first_patch + r * grid.columns + c; };
-    return {{patch(column.low, row.low), patch(column.high, row.low), patch(column.low, row.high),
-             patch(column.high, row.high)},
+    return {{patch(column.in, row.in), patch(column.beside, row.in), patch(column.in, row.beside),
+             patch(column.beside, row.beside)},
             {(1.0F - column.share) * (1.0F - row.share), column.share * (1.0F - row.share),
              (1.0F - column.share) * row.share, column.share * row.share}};
 }
 
-bool Patches::same_under(const Stage& stage, std::span<const glm::dvec3> lights) const {
-    for (std::size_t c = 0; c < charts_.all().size(); ++c) {
-        const Lines lines = lines_on(stage, lights, charts_.all()[c], square_m_, coarseness_);
-        if (!grids_[c].u.has(lines.u) || !grids_[c].v.has(lines.v)) return false;
-    }
-    return true;
+std::array<glm::dvec3, 2> Patches::change_over(std::uint32_t patch, std::span<const glm::dvec3> by_patch) const {
+    const PatchGrid& grid = grids_[chart_of_[patch]];
+    const bool is_round = charts_.all()[chart_of_[patch]].kind == Chart::Kind::round;
+    const std::uint32_t column = (patch - grid.first_patch) % grid.columns;
+    const std::uint32_t row = (patch - grid.first_patch) / grid.columns;
+    const auto is_whole = [&](std::uint32_t of) { return area_m2_[of] > 0.0 && is_partial_[of] == 0; };
+    const auto change = [&](const Axis& axis, std::uint32_t in, std::uint32_t step, bool goes_round) {
+        const std::uint32_t last = axis.intervals() - 1;
+        const auto width = [&](std::uint32_t interval) { return axis.line(interval + 1) - axis.line(interval); };
+        const auto beside = [&](bool above) {
+            return above ? (in < last ? in + 1 : goes_round ? 0 : in) : (in > 0 ? in - 1 : goes_round ? last : in);
+        };
+        double between = 0.0;
+        std::array<std::uint32_t, 2> ends{patch, patch};
+        for (const bool above : {false, true}) {
+            const std::uint32_t other = beside(above);
+            const std::uint32_t of = patch + other * step - in * step;
+            if (other == in || !is_whole(of)) continue;
+            ends.at(above ? 1 : 0) = of;
+            between += 0.5 * (width(in) + width(other));
+        }
+        return between > 0.0 ? width(in) / between * (by_patch[ends[1]] - by_patch[ends[0]]) : glm::dvec3(0.0);
+    };
+    if (!is_whole(patch)) return {glm::dvec3(0.0), glm::dvec3(0.0)};
+    return {change(grid.u, column, 1, is_round), change(grid.v, row, grid.columns, false)};
 }
 
 namespace {
@@ -236,13 +282,74 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
             };
             cell.covered = !place(at) && !place(grid.corner(in_largest.x, in_largest.y));
             for (const double v : {static_cast<double>(row), static_cast<double>(end_row)})
-                for (const double u : {static_cast<double>(column), static_cast<double>(end_column)})
+                for (const double u : {static_cast<double>(column), static_cast<double>(end_column)}) {
+                    const glm::dvec2 corner = grid.corner(u, v);
                     cell.half_diagonal_m =
-                        std::max(cell.half_diagonal_m, glm::distance(cell.position, chart.position(grid.corner(u, v))));
-            if (is_small) cells_of_solids_.push_back(static_cast<std::uint32_t>(cells_.size()));
+                        std::max(cell.half_diagonal_m, glm::distance(cell.position, chart.position(corner)));
+                    if (chart.kind != Chart::Kind::round) continue;
+                    const double cosine = glm::dot(chart.normal(corner), cell.normal);
+                    cell.spread =
+                        std::max(cell.spread, cosine > 0.0 ? std::sqrt(1.0 - std::min(cosine * cosine, 1.0)) : 1.0);
+                }
+            cell.is_of_small = is_small;
+            if (is_small) linked_cells_.push_back(static_cast<std::uint32_t>(cells_.size()));
             cells_.push_back(cell);
             cell_area_m2_.push_back(cell.covered ? 0.0 : area_m2);
         }
+}
+
+// A patch that a point light makes many times as bright as the mean of `area_m2`, which all of its light falls on,
+// sends rays no more than a few times the mean, and links all above it: light then has no edge that rays would draw.
+// Amounts do not matter, so parts of the light add up.
+void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double area_m2) {
+    by_rays_.assign(cell_of_.size(), 1.0F);
+    by_links_.assign(cells_.size(), 1.0F);
+    const auto times_the_mean = [&](const glm::dvec3& position, const glm::dvec3& normal, double least_m) {
+        double most = 0.0;
+        for (const LightPlace& light : lights) {
+            if (!light.may_light(position, 0.0)) continue;
+            const glm::dvec3 to = light.position - position;
+            const double distance = std::max(glm::length(to), least_m);
+            most = std::max(most, glm::dot(to, normal) / (distance * distance * distance));
+        }
+        return most * area_m2 / (4.0 * std::numbers::pi);
+    };
+    struct Bright {
+        double times;
+        std::uint32_t cell;
+    };
+    std::vector<Bright> found;
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+        const Cell& cell = cells_[i];
+        if (cell.covered || cell.is_of_small || charts_.all()[cell.chart].kind == Chart::Kind::round) continue;
+        const double times = times_the_mean(cell.position, cell.normal, cell.half_diagonal_m);
+        if (times > bright) found.push_back({times, i});
+    }
+    double by_rays = bright;
+    if (found.size() > most_bright) {
+        const auto is_before = [](const Bright& a, const Bright& b) { return a.times > b.times; };
+        std::nth_element(found.begin(), found.begin() + most_bright, found.end(), is_before);
+        by_rays = found[most_bright].times;
+    }
+    for (const Bright& one : found) {
+        if (!(one.times > by_rays)) continue;
+        cells_[one.cell].is_bright = true;
+        linked_cells_.push_back(one.cell);
+        by_links_[one.cell] = 0.0F;
+        glm::dvec3 moment(0.0);
+        double sum = 0.0;
+        for (const std::uint32_t patch : patches_of(one.cell)) {
+            const double times = times_the_mean(middle_[patch], normal_[patch], half_diagonal_m_[patch]);
+            by_rays_[patch] = static_cast<float>(std::min(by_rays / times, 1.0));
+            const double share = cell_area_m2_[one.cell] > 0.0 ? area_m2_[patch] / cell_area_m2_[one.cell] : 0.0;
+            const double by_links = 1.0 - static_cast<double>(by_rays_[patch]);
+            by_links_[one.cell] += static_cast<float>(share * by_links);
+            moment += share * by_links * times * middle_[patch];
+            sum += share * by_links * times;
+        }
+        cells_[one.cell].bright_middle = sum > 0.0 ? moment / sum : cells_[one.cell].position;
+    }
+    std::sort(linked_cells_.begin(), linked_cells_.end());
 }
 
 bool Patches::is_covered(const Stage& stage, std::size_t surface, const glm::dvec3& above, const glm::dvec3& normal,

@@ -4,10 +4,12 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/transport/axis.hpp>
 #include <gonio/transport/chart.hpp>
+#include <gonio/transport/spacing.hpp>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +17,33 @@
 #include <vector>
 
 namespace gonio::detail {
+
+// A patch and a point of it in four bytes: rays are many.
+class PatchPoint {
+public:
+    // Patches have lower numbers; higher ones are what `PatchPoint(number)` says without a patch.
+    static constexpr std::uint32_t most_patches = 0xfffff0U;
+
+    PatchPoint() = default;
+    explicit PatchPoint(std::uint32_t number) : bits_(number) {}
+    PatchPoint(std::uint32_t patch, std::uint32_t part_u, std::uint32_t part_v)
+        : bits_(patch << 8U | part_v << 4U | part_u) {}
+
+    bool is_on_patch() const { return bits_ < most_patches << 8U; }
+    std::uint32_t number() const { return bits_; }
+    std::uint32_t patch() const { return bits_ >> 8U; }
+    // From the middle of the patch, in sides.
+    float u() const { return from_middle(bits_ & 15U); }
+    float v() const { return from_middle(bits_ >> 4U & 15U); }
+
+private:
+    static_assert(Axis::parts == 16);
+    static float from_middle(std::uint32_t part) {
+        return (static_cast<float>(static_cast<std::int32_t>(part)) + 0.5F) / Axis::parts - 0.5F;
+    }
+
+    std::uint32_t bits_ = 0;
+};
 
 // One chart in a grid of patches, numbered row by row (along u first) from `first_patch`.
 struct PatchGrid {
@@ -29,6 +58,11 @@ struct PatchGrid {
     std::uint32_t patch(double at_u, double at_v) const {
         return first_patch + v.index(at_v) * columns + u.index(at_u);
     }
+    PatchPoint point(float at_u, float at_v) const {
+        const Axis::Spot column = u.spot(at_u);
+        const Axis::Spot row = v.spot(at_v);
+        return {first_patch + row.interval * columns + column.interval, column.part, row.part};
+    }
 };
 
 struct Cell {
@@ -36,7 +70,11 @@ struct Cell {
     glm::dvec3 normal{0.0};
     std::uint32_t chart = 0;
     double half_diagonal_m = 0.0;
-    bool covered = false; // lies in a solid or against another surface: it neither gets nor sends light
+    double spread = 0.0;      // the sine of the greatest angle between its normals and `normal`; 1 for more than 90°
+    bool covered = false;     // lies in a solid or against another surface: it neither gets nor sends light
+    bool is_of_small = false; // of a solid that is not large: links carry what rays would miss
+    glm::dvec3 bright_middle{0.0}; // of a bright one, the middle of what links carry
+    bool is_bright = false;        // flat and close to a light: links carry a part of what it sends
 };
 
 // The patches whose middles are around a point, with weights that add up to 1.
@@ -51,16 +89,13 @@ public:
     static double lift(double square_m) { return 1e-4 * square_m; }
 
     // About `count` of them, smaller where `lights` are close and solids stand.
-    Patches(const Stage& stage, const Interest& interest, std::span<const glm::dvec3> lights, double count,
+    Patches(const Stage& stage, const Interest& interest, std::span<const LightPlace> lights, double count,
             unsigned threads);
 
     const Charts& charts() const { return charts_; }
     const PatchGrid& grid(std::size_t chart) const { return grids_[chart]; }
     std::size_t count() const { return cell_of_.size(); } // of patches
     double square_m() const { return square_m_; }         // the side of an ordinary one
-    // Whether lights at other places divide the stage in the same way.
-    bool same_under(const Stage& stage, std::span<const glm::dvec3> lights) const;
-
     // The patch that contains the point of the surface; the outermost ones continue without an end.
     std::uint32_t at(std::size_t chart, const glm::dvec3& position) const {
         return at(chart, charts_.all()[chart].coordinates(position));
@@ -68,7 +103,10 @@ public:
     std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const {
         return grids_[chart].patch(coordinates.x, coordinates.y);
     }
-    PatchMean around(std::size_t chart, const glm::dvec2& coordinates) const;
+    PatchMean around(std::size_t chart, float u, float v) const;
+    // How much what is known by patch changes over a patch, along u and v: by the patches beside it. 0 where something
+    // covers one of them.
+    std::array<glm::dvec3, 2> change_over(std::uint32_t patch, std::span<const glm::dvec3> by_patch) const;
 
     std::uint32_t cell_of(std::uint32_t patch) const { return cell_of_[patch]; }
     std::size_t surface_of(std::uint32_t patch) const { return surface_of_[patch]; }
@@ -76,11 +114,23 @@ public:
     glm::dvec3 middle(std::uint32_t patch) const { return middle_[patch]; }
     glm::dvec3 normal(std::uint32_t patch) const { return normal_[patch]; }
     double half_diagonal(std::uint32_t patch) const { return half_diagonal_m_[patch]; }
-    // The cells of boxes, spheres and capsules that are not large, and the patches of a cell.
-    const std::vector<std::uint32_t>& cells_of_solids() const { return cells_of_solids_; }
+    // In order: the cells of boxes, spheres and capsules that are not large, which rays would miss, and flat cells
+    // close to a light, which few rays would meet.
+    const std::vector<std::uint32_t>& linked_cells() const { return linked_cells_; }
+    // The patches of a cell.
     std::span<const std::uint32_t> patches_of(std::uint32_t cell) const {
         return std::span(patches_of_).subspan(first_of_[cell], first_of_[cell + 1] - first_of_[cell]);
     }
+    // Of what a patch sends, the share that rays carry, above 0; links carry the rest. 1 for all that is not close to a
+    // light.
+    float by_rays(std::uint32_t patch) const { return by_rays_[patch]; }
+    // What rays carry of a patch, or links of a cell (from the number of patches on).
+    float carried(std::uint32_t sender) const {
+        return sender < by_rays_.size() ? by_rays_[sender] : by_links_[sender - by_rays_.size()];
+    }
+    std::array<glm::dvec3, 4> corners(std::uint32_t patch) const; // of a flat one, one after the other
+    // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
+    double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
     // Whether the edge of what covers it crosses the patch.
     bool is_partial(std::uint32_t patch) const { return is_partial_[patch] != 0; }
@@ -95,6 +145,7 @@ private:
     void add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index,
                      unsigned threads);
     void add_cells(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index);
+    void link_to_bright_cells(std::span<const LightPlace> lights, double area_m2);
 
     Charts charts_;
     double square_m_ = 0.0;
@@ -106,7 +157,9 @@ private:
     std::vector<glm::dvec3> middle_;
     std::vector<glm::dvec3> normal_;
     std::vector<double> half_diagonal_m_;
-    std::vector<std::uint32_t> cells_of_solids_;
+    std::vector<std::uint32_t> linked_cells_;
+    std::vector<float> by_rays_;          // by patch
+    std::vector<float> by_links_;         // by cell: 1 but for bright ones
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_
     std::vector<std::uint32_t> patches_of_;
     std::vector<double> area_m2_;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,10 +12,14 @@ namespace gonio::detail {
 
 namespace {
 
-// A link stands for a part of a solid that is at least as many of its half diagonals away.
-constexpr double least_distance = 5.0;
+// A link stands for a part of a surface that is at least as many of its half diagonals away. A cell that is closer is
+// divided into its patches, and rays meet those that are still closer.
+constexpr double least_of_cell = 8.0;
+constexpr double least_of_patch = 5.0;
+// The sine of half an angle. A cell whose normals differ by more is divided too.
+constexpr double most_spread = 0.4;
 
-bool is_far(double distance2, double half_diagonal_m) {
+bool is_far(double distance2, double half_diagonal_m, double least_distance) {
     const double least = least_distance * half_diagonal_m;
     return distance2 > least * least;
 }
@@ -33,7 +38,9 @@ struct Way {
           distance2(glm::dot(to, to)) {}
 
     bool is_seen() const { return here > 0.0 && there > 0.0; }
-    bool is_far(double half_diagonal_m) const { return detail::is_far(distance2, half_diagonal_m); }
+    bool is_far(double half_diagonal_m, double least_distance) const {
+        return detail::is_far(distance2, half_diagonal_m, least_distance);
+    }
 
     glm::dvec3 to;
     double here, there; // cosines, times the distance
@@ -45,13 +52,29 @@ class Bundle {
 public:
     Bundle(const Stage& stage, const RayCaster& caster, const Patches& patches, simd::InstructionSet set)
         : caster_(stage, caster, patches, set), patches_(patches), by_link_(patches.cells().size(), By::rays) {
-        for (const Chart& chart : patches.charts().all())
-            is_solid_.push_back(is_sheet(stage.surfaces[chart.surface].geometry) ? 0 : 1);
-        is_before_.resize(is_solid_.size());
+        is_small_.resize(patches.charts().all().size(), 0);
+        is_bright_.resize(is_small_.size(), 0);
+        is_before_.resize(is_small_.size());
+        for (const std::uint32_t linked_cell : patches.linked_cells()) {
+            const Cell& cell = patches.cells()[linked_cell];
+            const std::size_t index = position_[0].size();
+            if (linked_.empty() || linked_.back().chart != cell.chart) linked_.push_back({cell.chart, index, index});
+            linked_.back().last = index + 1;
+            if (cell.is_of_small) is_small_[cell.chart] = 1;
+            if (cell.is_bright) is_bright_[cell.chart] = 1;
+            if (index == 0) anchor_ = cell.position;
+            for (int axis = 0; axis < 3; ++axis) {
+                position_.at(static_cast<std::size_t>(axis))
+                    .push_back(static_cast<float>(cell.position[axis] - anchor_[axis]));
+                normal_.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(cell.normal[axis]));
+            }
+            spread_.push_back(static_cast<float>(cell.spread));
+        }
+        faces_.resize(patches.linked_cells().size());
     }
 
     // `of_charts`: the sum of the shares of each.
-    void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<std::uint32_t> ends,
+    void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<PatchPoint> ends,
               std::vector<Link>& links, std::span<float> of_charts) {
         caster_.begin(frame_about(place.position, place.normal), place.own);
         link(place, links, of_charts);
@@ -62,11 +85,15 @@ public:
         const std::size_t charts = of_charts.size();
         count_.assign(turns * charts, 0);
         for (std::size_t i = 0; i < ends.size(); ++i) {
-            if (charts_[i] == no_patch) continue;
-            if (is_solid_[charts_[i]] != 0 && is_linked(place, ends[i]))
-                ends[i] = linked;
-            else
-                ++count_[i % turns * charts + charts_[i]];
+            const std::uint32_t chart = charts_[i];
+            if (chart == no_patch) continue;
+            if (is_small_[chart] != 0 && is_linked(place, ends[i].patch())) {
+                ends[i] = PatchPoint(linked);
+                continue;
+            }
+            ++count_[i % turns * charts + chart];
+            if (is_bright_[chart] != 0)
+                of_charts[chart] -= (1.0F - patches_.by_rays(ends[i].patch())) / static_cast<float>(directions.size());
         }
         for (std::size_t chart = 0; chart < charts; ++chart) {
             std::uint32_t rays = 0;
@@ -81,8 +108,8 @@ private:
 
     bool is_linked(const Receivers::Place& place, std::uint32_t patch) const {
         const By by = by_link_[patches_.cell_of(patch)];
-        return by == By::cell || (by == By::patches &&
-                                  is_far(distance2_of(place, patches_.middle(patch)), patches_.half_diagonal(patch)));
+        return by == By::cell || (by == By::patches && is_far(distance2_of(place, patches_.middle(patch)),
+                                                              patches_.half_diagonal(patch), least_of_patch));
     }
 
     // Whether any point of the chart may see the place: not on the place's own solid or on a face that is turned away.
@@ -96,52 +123,131 @@ private:
         possible_charts_.clear();
         towards_.clear();
         const Frame frame = frame_about(place.position, place.normal);
-        for (std::size_t chart = 0; chart < is_solid_.size(); ++chart)
+        for (std::size_t chart = 0; chart < is_small_.size(); ++chart)
             is_before_[chart] = may_be_seen(place, patches_.charts().all()[chart]) ? 1 : 0;
-        for (const std::uint32_t of_solid : patches_.cells_of_solids()) {
-            const Cell& sender = patches_.cells()[of_solid];
-            by_link_[of_solid] = By::rays;
-            if (is_before_[sender.chart] == 0) continue;
-            const Way way(place, sender.position, sender.normal);
-            // What faces away is seen at most at its edge, by rays.
-            if (!way.is_seen()) continue;
-            if (sender.covered) continue;
-            if (way.is_far(sender.half_diagonal_m)) {
-                by_link_[of_solid] = By::cell;
-                consider(way, frame, patches_.cell_area_m2(of_solid),
-                         static_cast<std::uint32_t>(patches_.count()) + of_solid, sender.chart);
-                continue;
-            }
-            by_link_[of_solid] = By::patches;
-            for (const std::uint32_t patch : patches_.patches_of(of_solid)) {
-                const Way to_patch(place, patches_.middle(patch), patches_.normal(patch));
-                if (to_patch.is_far(patches_.half_diagonal(patch)) && to_patch.is_seen())
-                    consider(to_patch, frame, patches_.area_m2(patch), patch, sender.chart);
-            }
+        for (const OfChart& cells : linked_) {
+            for (std::size_t i = cells.first; i < cells.last; ++i)
+                by_link_[patches_.linked_cells()[i]] = By::rays;
+            if (is_before_[cells.chart] == 0) continue;
+            find_facing(place, cells.first, cells.last);
+            for (std::size_t i = cells.first; i < cells.last; ++i)
+                if (faces_[i] > 0.0F) link(place, frame, patches_.linked_cells()[i]);
         }
+        if (possible_.empty()) return;
         charts_.resize(possible_.size());
         caster_.cast(towards_, charts_);
         for (std::size_t i = 0; i < possible_.size(); ++i) {
             if (charts_[i] != possible_charts_[i]) continue;
             links.push_back(possible_[i]);
-            of_charts[charts_[i]] += possible_[i].share;
+            of_charts[charts_[i]] += possible_[i].share * patches_.carried(possible_[i].sender);
         }
     }
 
-    void consider(const Way& way, const Frame& frame, double area_m2, std::uint32_t number, std::uint32_t chart) {
-        if (!(area_m2 > 0.0)) return;
-        possible_.push_back({number, static_cast<float>(way.here * way.there * area_m2 /
-                                                        (std::numbers::pi * way.distance2 * way.distance2))});
+    void link(const Receivers::Place& place, const Frame& frame, std::uint32_t cell) {
+        const Cell& sender = patches_.cells()[cell];
+        if (sender.covered) return;
+        const Way way(place, sender.is_bright ? sender.bright_middle : sender.position, sender.normal);
+        const bool is_wide = sender.spread > most_spread;
+        if (!is_wide && way.is_far(sender.half_diagonal_m, least_of_cell)) {
+            by_link_[cell] = By::cell;
+            consider(way, frame, form_factor(way, facing(way, sender.spread), patches_.cell_area_m2(cell)),
+                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart);
+            return;
+        }
+        by_link_[cell] = By::patches;
+        for (const std::uint32_t patch : patches_.patches_of(cell)) {
+            const Way to_patch(place, patches_.middle(patch), patches_.normal(patch));
+            if (!(to_patch.here > 0.0)) continue;
+            const double by_rays = patches_.by_rays(patch);
+            const double share = sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0;
+            if (to_patch.is_far(patches_.half_diagonal(patch), least_of_patch)) {
+                const double cosine = is_wide
+                                          ? patches_.mean_cosine(patch, -to_patch.to / std::sqrt(to_patch.distance2))
+                                          : facing(to_patch, 0.5 * sender.spread);
+                consider(to_patch, frame, share * form_factor(to_patch, cosine, patches_.area_m2(patch)), patch,
+                         sender.chart);
+            } else if (sender.is_bright && to_patch.is_seen()) {
+                consider(to_patch, frame, share * exact_form_factor(place, patch), patch, sender.chart);
+            }
+        }
+    }
+
+    // The mean of the cosine at a sender that is round, 0 where it faces away: its cosines lie close together.
+    static double facing(const Way& way, double spread) {
+        const double cosine = way.there / std::sqrt(way.distance2);
+        const double half = std::numbers::sqrt2 * 0.5 * spread; // to the sides, not to the corners
+        if (cosine >= half) return cosine;
+        return cosine > -half ? (cosine + half) * (cosine + half) / (4.0 * half) : 0.0;
+    }
+
+    // Of what is small as seen from the place. `cosine`: at the sender.
+    static double form_factor(const Way& way, double cosine, double area_m2) {
+        return way.here * cosine * area_m2 / (std::numbers::pi * way.distance2 * std::sqrt(way.distance2));
+    }
+
+    // Of a flat patch (J. H. Lambert, 1760), whose covered part is taken to lie all over it.
+    double exact_form_factor(const Receivers::Place& place, std::uint32_t patch) const {
+        const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const glm::dvec3 a = corners[i] - place.position;
+            const glm::dvec3 b = corners[(i + 1) % 4] - place.position;
+            const glm::dvec3 across = glm::cross(a, b);
+            const double length = glm::length(across);
+            if (length > 0.0) sum += std::atan2(length, glm::dot(a, b)) * glm::dot(place.normal, across) / length;
+        }
+        const double whole_m2 = glm::length(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
+        return std::abs(sum) / (2.0 * std::numbers::pi) * patches_.area_m2(patch) / whole_m2;
+    }
+
+    // Of linked cells [first, last), the less of the two distances from the planes of place and cell to the other,
+    // above 0 where they see each other. Of a round one the plane that faces the place most.
+    void find_facing(const Receivers::Place& place, std::size_t first, std::size_t last) {
+        const glm::vec3 from(place.position - anchor_);
+        const glm::vec3 normal(place.normal);
+        const float* const x = position_[0].data();
+        const float* const y = position_[1].data();
+        const float* const z = position_[2].data();
+        const float* const normal_x = normal_[0].data();
+        const float* const normal_y = normal_[1].data();
+        const float* const normal_z = normal_[2].data();
+        const float* const spread = spread_.data();
+        float* const faces = faces_.data();
+        for (std::size_t i = first; i < last; ++i) {
+            const float to_x = x[i] - from.x;
+            const float to_y = y[i] - from.y;
+            const float to_z = z[i] - from.z;
+            const float here = normal.x * to_x + normal.y * to_y + normal.z * to_z;
+            const float there = -(normal_x[i] * to_x + normal_y[i] * to_y + normal_z[i] * to_z);
+            const float turned = spread[i] * std::sqrt(to_x * to_x + to_y * to_y + to_z * to_z);
+            faces[i] = std::min(here, there + turned);
+        }
+    }
+
+    void consider(const Way& way, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart) {
+        if (!(share > 0.0)) return;
+        possible_.push_back({number, static_cast<float>(share)});
         possible_charts_.push_back(chart);
         towards_.add(frame.to_local(way.to / std::sqrt(way.distance2)));
     }
 
     BundleCaster caster_;
     const Patches& patches_;
-    std::vector<std::uint8_t> is_solid_;  // by chart
+    std::vector<std::uint8_t> is_small_;  // by chart: a solid with links instead of rays,
+    std::vector<std::uint8_t> is_bright_; // or one with cells whose light rays and links share
     std::vector<std::uint8_t> is_before_; // by chart, of the current place
+    struct OfChart {
+        std::uint32_t chart;
+        std::size_t first, last; // of the linked cells
+    };
+    std::vector<OfChart> linked_;
+    // Of the linked cells:
+    glm::dvec3 anchor_{0.0}; // of positions
+    std::array<std::vector<float>, 3> position_, normal_;
+    std::vector<float> spread_;
     // For the current place:
-    std::vector<By> by_link_; // by cell
+    std::vector<float> faces_; // of the linked cells
+    std::vector<By> by_link_;  // by cell
     std::vector<Link> possible_;
     std::vector<std::uint32_t> possible_charts_;
     DirectionArrays towards_;
@@ -178,7 +284,7 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
 Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
                  unsigned threads, simd::InstructionSet set)
     : rays_(rays),
-      ends_(places.size() * rays, no_patch),
+      ends_(places.size() * rays),
       charts_(patches.charts().all().size()),
       of_charts_(places.size() * charts_, 0.0F) {
     const DirectionArrays directions(cosine_directions(rays));
@@ -190,9 +296,13 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
     parallel_for(blocks, threads, [&](std::size_t block) {
         Bundle bundle(stage, caster, patches, set);
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
-            if (places[i].left_out) continue;
+            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(i * rays, rays);
+            if (places[i].left_out) {
+                std::fill(ends_of_place.begin(), ends_of_place.end(), PatchPoint(no_patch));
+                continue;
+            }
             const std::size_t before = links[block].size();
-            bundle.make(places[i], directions, std::span(ends_).subspan(i * rays, rays), links[block],
+            bundle.make(places[i], directions, ends_of_place, links[block],
                         std::span(of_charts_).subspan(i * charts_, charts_));
             count[i] = static_cast<std::uint32_t>(links[block].size() - before);
         }
@@ -205,36 +315,69 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
         links_.insert(links_.end(), of_block.begin(), of_block.end());
 }
 
-glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent) const {
-    // Floats in runs that keep their digits, then doubles.
-    constexpr std::size_t run = 64;
-    const std::span<const std::uint32_t> of_place = ends(place);
-    glm::dvec3 by_rays(0.0);
-    for (std::size_t first = 0; first < of_place.size(); first += run) {
-        Sent sum;
-        for (std::size_t i = first; i < std::min(first + run, of_place.size()); ++i)
-            if (of_place[i] < back_side) sum.add(sent[of_place[i]]);
-        by_rays += sum.rgb();
+namespace {
+
+constexpr std::size_t run = 64; // floats add up in runs that keep their digits, then doubles
+
+template<class Add>
+glm::dvec3 mean_over(std::span<const PatchPoint> ends, std::size_t step, const Add& add) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t first = 0; first < ends.size(); first += run * step) {
+        SentSum part;
+        for (std::size_t i = first; i < std::min(first + run * step, ends.size()); i += step)
+            if (ends[i].is_on_patch()) add(part, ends[i]);
+        sum += part.rgb();
     }
+    return sum / static_cast<double>((ends.size() + step - 1) / step);
+}
+
+} // namespace
+
+glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent, std::size_t step) const {
+    const glm::dvec3 by_rays =
+        mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) { sum.add(sent[end.patch()]); });
     glm::dvec3 by_links(0.0);
     for (std::uint32_t i = first_link_[place]; i < first_link_[place + 1]; ++i)
         by_links += static_cast<double>(links_[i].share) * sent[links_[i].sender].rgb();
-    return by_rays / static_cast<double>(rays_) + by_links;
+    return by_rays + by_links;
+}
+
+glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const {
+    constexpr std::size_t step = 2; // they add a little
+    return mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) {
+        const SentSlope& slope = slopes[end.patch()];
+        sum.add(end.u(), slope.along_u);
+        sum.add(end.v(), slope.along_v);
+    });
 }
 
 double Bundles::escaping(std::size_t place) const {
-    const std::span<const std::uint32_t> of_place = ends(place);
-    const auto lost = std::count_if(of_place.begin(), of_place.end(),
-                                    [](std::uint32_t end) { return end == no_patch || end == back_side; });
+    const std::span<const PatchPoint> of_place = ends(place);
+    const auto lost = std::count_if(of_place.begin(), of_place.end(), [](const PatchPoint& end) {
+        return end.number() == no_patch || end.number() == back_side;
+    });
     return static_cast<double>(lost) / static_cast<double>(rays_);
 }
 
 glm::dvec3 Bundles::leaving(std::size_t place, std::span<const glm::dvec3> along) const {
-    const std::span<const std::uint32_t> of_place = ends(place);
+    const std::span<const PatchPoint> of_place = ends(place);
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < of_place.size(); ++i)
-        if (of_place[i] == no_patch) sum += along[i];
+        if (of_place[i].number() == no_patch) sum += along[i];
     return sum / static_cast<double>(rays_);
+}
+
+SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
+    std::vector<glm::dvec3> by_rays(sent.begin(), sent.end());
+    for (std::uint32_t patch = 0; patch < by_rays.size(); ++patch)
+        by_rays[patch] *= patches.by_rays(patch);
+    SentSlopes slopes;
+    slopes.reserve(sent.size());
+    for (std::uint32_t patch = 0; patch < sent.size(); ++patch) {
+        const std::array<glm::dvec3, 2> change = patches.change_over(patch, by_rays);
+        slopes.push_back({Sent(change[0]), Sent(change[1])});
+    }
+    return slopes;
 }
 
 std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches) {
@@ -242,10 +385,12 @@ std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3>
     std::vector<Sent> sent(count + patches.cells().size());
     std::vector<glm::dvec3> of_cells(patches.cells().size(), glm::dvec3(0.0));
     for (std::uint32_t patch = 0; patch < count; ++patch) {
-        sent[patch] = Sent(of_patches[patch]);
+        const double by_rays = patches.by_rays(patch);
+        sent[patch] = Sent(by_rays * of_patches[patch]);
         const std::uint32_t cell = patches.cell_of(patch);
         const double area_m2 = patches.cell_area_m2(cell);
-        if (area_m2 > 0.0) of_cells[cell] += patches.area_m2(patch) / area_m2 * of_patches[patch];
+        const double by_links = patches.cells()[cell].is_bright ? 1.0 - by_rays : 1.0;
+        if (area_m2 > 0.0) of_cells[cell] += by_links * patches.area_m2(patch) / area_m2 * of_patches[patch];
     }
     for (std::size_t cell = 0; cell < of_cells.size(); ++cell)
         sent[count + cell] = Sent(of_cells[cell]);

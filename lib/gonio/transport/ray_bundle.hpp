@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -33,12 +34,37 @@ struct alignas(16) Sent {
     Sent() = default;
     explicit Sent(const glm::dvec3& rgb)
         : value{static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z), 0.0F} {}
-    void add(const Sent& other) {
-        for (int i = 0; i < 4; ++i)
-            value[i] += other.value[i];
-    }
     glm::dvec3 rgb() const { return {value[0], value[1], value[2]}; }
 };
+
+// A sum that stays in one register.
+class SentSum {
+public:
+    void add(const Sent& sent) { four_ += four(sent); }
+    void add(float weight, const Sent& sent) { four_ += weight * four(sent); }
+    glm::dvec3 rgb() const { return {four_[0], four_[1], four_[2]}; }
+    // By the sum of the fourth numbers, which must not be 0.
+    glm::vec3 mean() const { return glm::vec3(four_[0], four_[1], four_[2]) / four_[3]; }
+    float weight() const { return four_[3]; }
+    bool is_empty() const { return weight() == 0.0F; }
+
+private:
+    using Four [[gnu::vector_size(16)]] = float;
+    static Four four(const Sent& sent) {
+        Four four;
+        std::memcpy(&four, sent.value, sizeof four);
+        return four;
+    }
+    Four four_ = {};
+};
+
+// How much what rays carry of each patch changes over it, along u and v. With means alone, light that is brighter in
+// the nearer part of a patch would weigh too little, by 1 % on a ceiling beside a lit wall.
+struct SentSlope {
+    Sent along_u, along_v;
+};
+using SentSlopes = std::vector<SentSlope>; // by patch
+SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent);
 
 // A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
 struct Link {
@@ -63,8 +89,11 @@ public:
     Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
             unsigned threads, simd::InstructionSet set);
 
-    // Of senders that are patches, and then cells, the sum of sent · share.
-    glm::dvec3 gathered(std::size_t place, std::span<const Sent> sent) const;
+    // Of senders that are patches, and then cells, the sum of sent · share; by every `step`th ray.
+    glm::dvec3 gathered(std::size_t place, std::span<const Sent> sent, std::size_t step = 1) const;
+
+    // What slopes add to it.
+    glm::dvec3 gathered(std::size_t place, const SentSlopes& slopes) const;
 
     // The sum of the shares of all patches and cells of a chart.
     double of_chart(std::size_t place, std::size_t chart) const {
@@ -76,20 +105,18 @@ public:
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
     std::size_t memory() const {
-        return ends_.size() * sizeof(std::uint32_t) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
+        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
     }
 
-    // Of each ray the patch that it ends on, or `linked`, `no_patch` or `back_side`.
-    std::span<const std::uint32_t> ends(std::size_t place) const {
-        return std::span(ends_).subspan(place * rays_, rays_);
-    }
+    // Where each ray ends, or `linked`, `no_patch` or `back_side`.
+    std::span<const PatchPoint> ends(std::size_t place) const { return std::span(ends_).subspan(place * rays_, rays_); }
     std::span<const Link> links(std::size_t place) const {
         return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
     }
 
 private:
     std::size_t rays_ = 1;
-    std::vector<std::uint32_t> ends_;
+    std::vector<PatchPoint> ends_;
     std::vector<Link> links_;
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;

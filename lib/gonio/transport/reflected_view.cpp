@@ -44,7 +44,7 @@ const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& sam
         const glm::vec3 origin(samples.position_of(first + i) - samples.anchor + lift_m * normal);
         for (const LobeRay& ray : rays_) {
             if (ray.weight == glm::vec3(0.0F)) continue;
-            const glm::vec3 direction = glm::normalize(ray.direction.x * x + ray.direction.y * y + ray.direction.z * z);
+            const glm::vec3 direction = ray.direction.x * x + ray.direction.y * y + ray.direction.z * z;
             for (int axis = 0; axis < 3; ++axis) {
                 origin_[static_cast<std::size_t>(axis)][rays] = origin[axis];
                 direction_[static_cast<std::size_t>(axis)][rays] = direction[axis];

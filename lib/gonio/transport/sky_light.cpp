@@ -66,7 +66,7 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
     });
 
     const std::vector<Node>& nodes = geometry_->nodes();
-    lx_.assign(nodes.size(), glm::dvec3(0.0));
+    std::vector<glm::dvec3> lx(nodes.size(), glm::dvec3(0.0));
     constexpr std::size_t together = 64;
     parallel_for((nodes.size() + together - 1) / together, options.threads, [&](std::size_t block) {
         for (std::size_t i = block * together; i < std::min((block + 1) * together, nodes.size()); ++i) {
@@ -77,10 +77,10 @@ SkyLight::SkyLight(const LightingOptions& options, std::shared_ptr<const Exchang
             const std::vector<glm::dvec3> round =
                 flat.empty() ? luminance_along(sky_, directions, node.normal) : std::vector<glm::dvec3>();
             const std::vector<glm::dvec3>& nt = flat.empty() ? round : flat;
-            lx_[i] = pi * (options.shadows == Shadows::off ? mean_of(nt) : bundles.leaving(i, nt));
+            lx[i] = pi * (options.shadows == Shadows::off ? mean_of(nt) : bundles.leaving(i, nt));
         }
     });
-    geometry_->fill_between(lx_);
+    lx_ = geometry_->field_of(lx);
 }
 
 std::shared_ptr<const SkyLight> SkyLight::on(const Stage& stage, std::span<const Light> lights,
@@ -89,17 +89,14 @@ std::shared_ptr<const SkyLight> SkyLight::on(const Stage& stage, std::span<const
     if (indirect != nullptr) return indirect->sky();
     ExchangeQuality quality;
     quality.cell_rays = 0;
+    quality.node_rays = quality.sky_rays;
     return std::make_shared<const SkyLight>(
         options,
         std::make_shared<const ExchangeGeometry>(stage, lights, quality, options.threads, options.instruction_set));
 }
 
 glm::dvec3 SkyLight::on_surface(std::size_t surface, int face, const glm::dvec3& position) const {
-    const NodeMean around = geometry_->around(geometry_->patches().charts().index_of(surface, face), position);
-    glm::dvec3 lx(0.0);
-    for (std::size_t i = 0; i < around.count; ++i)
-        lx += around.weight[i] * lx_[around.node[i]];
-    return glm::max(lx, glm::dvec3(0.0));
+    return geometry_->around(geometry_->patches().charts().index_of(surface, face), position)(lx_);
 }
 
 glm::dvec3 sky_light_at(const BlurredSky& sky, const LightingOptions& options, const ExchangeGeometry& geometry,

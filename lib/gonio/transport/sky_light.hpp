@@ -9,6 +9,7 @@
 #include <gonio/scene/stage.hpp>
 #include <gonio/sky/blurred_sky.hpp>
 #include <gonio/transport/lighting_options.hpp>
+#include <gonio/transport/node_tree.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -45,7 +46,7 @@ public:
 private:
     std::shared_ptr<const ExchangeGeometry> geometry_;
     BlurredSky sky_;
-    std::vector<glm::dvec3> lx_; // by node
+    std::vector<NodeValue> lx_;
 };
 
 // The same at any point, with `rays` rays of its own; `normal` is unit, and `open_lx` the illuminance of an open plane

@@ -14,7 +14,7 @@ namespace {
 // Beyond the core of a range lines lie farther apart in proportion to the distance from it.
 constexpr double growth_of_nodes_beyond = 0.3;
 constexpr double growth_of_patches_beyond = 0.15;
-constexpr double growth_of_nodes = 0.5;
+constexpr double growth_of_nodes = 0.8;
 constexpr double growth_of_patches = 0.2;
 
 // Patches below a light at distance d are d times this: its light changes by a few per cent from one to the next.
@@ -173,12 +173,13 @@ SpacingPair spacing_of_nodes(const Stage& stage, const Chart& chart, double wide
     return pair;
 }
 
-SpacingPair spacing_of_patches(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
+SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart,
                                double widest_m, double coarseness) {
     SpacingPair pair{{chart.u, widest_m, growth_of_patches, growth_of_patches_beyond, {}, {}},
                      {chart.v, widest_m, growth_of_patches, growth_of_patches_beyond, {}, {}}};
-    for (const glm::dvec3& light : lights) {
-        const glm::dvec3 at = chart.frame.to_local(light - chart.frame.origin);
+    for (const LightPlace& light : lights) {
+        const glm::dvec3 at = chart.frame.to_local(light.position - chart.frame.origin);
+        if (!light.may_light(light.position - at.z * chart.frame.z, 0.5 * at.z)) continue;
         const double spacing_m = std::max(coarseness * patches_by_distance * at.z, least_spacing * widest_m);
         if (!(at.z > 0.0) || spacing_m >= widest_m) continue;
         pair.u.gradings.push_back({at.x, at.x, spacing_m});

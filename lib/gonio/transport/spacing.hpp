@@ -11,6 +11,18 @@
 
 namespace gonio::detail {
 
+// Where a light is, as far as the division of a stage depends on it.
+struct LightPlace {
+    glm::dvec3 position{0.0};
+    glm::dvec3 side{0.0}; // unit, of a light that emits to one side of its plane alone; else 0
+
+    // Whether any point of a sphere is before the light.
+    bool may_light(const glm::dvec3& middle, double radius_m) const {
+        return glm::dot(middle - position, side) >= -radius_m;
+    }
+    friend bool operator==(const LightPlace&, const LightPlace&) = default;
+};
+
 // An interval of the coordinate, and the distance between lines there.
 struct Grading {
     double low;
@@ -39,7 +51,7 @@ SpacingPair spacing_of_nodes(const Stage& stage, const Chart& chart, double wide
 
 // Of the patches of direct light: closer near lights, at edges of other surfaces, which lie between patches, and at the
 // feet of solids, there in proportion to `coarseness`.
-SpacingPair spacing_of_patches(const Stage& stage, std::span<const glm::dvec3> lights, const Chart& chart,
+SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart,
                                double widest_m, double coarseness);
 
 // From one end of the range to the other, no farther apart than `spacing` says. Those at ends and cuts are moved

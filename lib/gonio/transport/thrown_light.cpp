@@ -124,13 +124,14 @@ ThrownLight::ThrownLight(const Patches& patches, std::span<const Light> lights, 
             return;
         }
         index_[number] = static_cast<std::uint32_t>(senders_.size());
-        senders_.push_back({glm::vec3(normal), glm::vec3(position), static_cast<std::uint32_t>(chart.surface), first});
+        senders_.push_back({glm::vec3(normal), glm::vec3(position), static_cast<std::uint32_t>(chart.surface), first,
+                            patches.carried(number)});
     };
     for (std::uint32_t i = 0; i < count; ++i)
         if (lobes_[patches.surface_of(i)])
             add(i, patches.chart_of(i), patches.middle(i), patches.normal(i), patches.half_diagonal(i),
                 [&](const ThrowingLight& light) { return glm::dvec3(light.lx[i]); });
-    for (const std::uint32_t i : patches.cells_of_solids())
+    for (const std::uint32_t i : patches.linked_cells())
         if (lobes_[patches.charts().all()[cells[i].chart].surface] && patches.cell_area_m2(i) > 0.0)
             add(count + i, cells[i].chart, cells[i].position, cells[i].normal, cells[i].half_diagonal_m,
                 [&](const ThrowingLight& light) {
@@ -157,12 +158,39 @@ glm::vec3 ThrownLight::along(const Sender& sender, const glm::vec3& direction, f
     return sum;
 }
 
+// The lobe is evaluated once, for the light as it lies between the patches.
 glm::vec3 ThrownLight::along(const PatchMean& around, const glm::vec3& direction, float between_rays) const {
-    glm::vec3 sum(0.0F);
+    std::array<const Sender*, 4> senders{};
+    std::size_t count = 0;
+    std::array<float, 4> weights{};
+    glm::vec3 normal(0.0F);
     for (std::size_t i = 0; i < around.patch.size(); ++i) {
         const std::uint32_t index = index_[around.patch[i]];
-        if (index != nothing && around.weight[i] > 0.0F)
-            sum += around.weight[i] * along(senders_[index], direction, 0.5F * between_rays * between_rays);
+        if (index == nothing || !(around.weight[i] > 0.0F)) continue;
+        senders[count] = &senders_[index];
+        weights[count++] = around.weight[i];
+        normal += around.weight[i] * senders_[index].normal;
+    }
+    glm::vec3 sum(0.0F);
+    if (count == 0) return sum;
+    normal = glm::normalize(normal);
+    const float n_dot_v = glm::dot(normal, direction);
+    if (!(n_dot_v > least)) return sum;
+    for (std::uint32_t light = 0; light < lights_; ++light) {
+        Share share;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Share& of = shares_[senders[i]->first + light];
+            share.lx += weights[i] * of.lx;
+            share.towards += weights[i] * of.towards;
+            share.widening2 += weights[i] * of.widening2;
+        }
+        if (share.lx == glm::vec3(0.0F)) continue;
+        share.towards = glm::normalize(share.towards);
+        const float n_dot_l = glm::dot(normal, share.towards);
+        if (n_dot_l > least)
+            sum += pi * share.lx *
+                   value_of(*lobes_[senders[0]->surface], normal, share.towards, direction, n_dot_l, n_dot_v,
+                            share.widening2 + 0.5F * between_rays * between_rays);
     }
     return sum;
 }
@@ -173,7 +201,7 @@ glm::dvec3 ThrownLight::gathered(const Bundles& bundles, std::size_t place, cons
     const glm::vec3 x(frame.x);
     const glm::vec3 y(frame.y);
     const glm::vec3 z(frame.z);
-    const std::span<const std::uint32_t> ends = bundles.ends(place);
+    const std::span<const PatchPoint> ends = bundles.ends(place);
     // Between rays the direction changes by √(π/n), and the point that they meet with it. Every other ray is enough for
     // wide lobes.
     const auto count = static_cast<float>(ends.size());
@@ -181,19 +209,22 @@ glm::dvec3 ThrownLight::gathered(const Bundles& bundles, std::size_t place, cons
     const float weight_of_half = count / static_cast<float>(half);
     glm::dvec3 by_rays(0.0);
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (ends[i] >= back_side || index_[ends[i]] == nothing) continue;
-        const Sender& sender = senders_[index_[ends[i]]];
+        if (!ends[i].is_on_patch()) continue;
+        const std::uint32_t index = index_[ends[i].patch()];
+        if (index == nothing) continue;
+        const Sender& sender = senders_[index];
         const bool is_wide = lobes_[sender.surface]->alpha > wide;
         if (is_wide && i % 2 == 1) continue;
         const glm::vec3 direction = directions.axes[0][i] * x + directions.axes[1][i] * y + directions.axes[2][i] * z;
-        by_rays += glm::dvec3((is_wide ? weight_of_half : 1.0F) * along(sender, -direction, pi / count));
+        by_rays +=
+            glm::dvec3((is_wide ? weight_of_half : 1.0F) * sender.carried * along(sender, -direction, pi / count));
     }
     glm::dvec3 by_links(0.0);
     for (const Link& link : bundles.links(place)) {
         if (index_[link.sender] == nothing) continue;
         const Sender& sender = senders_[index_[link.sender]];
         const glm::vec3 direction = glm::normalize(glm::vec3(at.position) - sender.position);
-        by_links += static_cast<double>(link.share) * glm::dvec3(along(sender, direction, 0.0F));
+        by_links += static_cast<double>(link.share) * glm::dvec3(sender.carried * along(sender, direction, 0.0F));
     }
     return by_rays / static_cast<double>(ends.size()) + by_links;
 }

@@ -55,6 +55,7 @@ public:
                 std::span<const std::optional<ThrowingLobe>> lobes);
 
     bool empty() const { return lobes_.empty(); }
+    bool comes_from(std::size_t surface) const { return !empty() && lobes_[surface].has_value(); }
 
     // π times the luminance that the patches around a point send along a unit direction, to a ray that is this far from
     // others [rad].
@@ -73,6 +74,7 @@ private:
         glm::vec3 position{0.0F};
         std::uint32_t surface = 0;
         std::uint32_t first = 0; // of its shares, one for each light that is not dark
+        float carried = 1.0F;    // Patches::carried()
     };
     struct Share {
         glm::vec3 lx{0.0F};

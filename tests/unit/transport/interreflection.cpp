@@ -41,7 +41,7 @@ Interreflection solved(const Stage& stage, std::span<const Light> lights,
 TEST(Collocation, AgreesWithNineThousandCells) {
     const test::ExtrapolatedCollocation truth(six_reflectances);
     for (const WallPoint& point : wall_points)
-        EXPECT_NEAR(truth.indirect_lx(point.at, inwards(point.face)) / point.indirect_lx, 1.0, 2e-3);
+        EXPECT_NEAR(truth.indirect_lx(point.at, inwards(point.face)) / point.indirect_lx, 1.0, 3e-4);
 }
 
 // A point's own 8192 rays leave 0.1 %; between nodes, 0.5 % in a corner.
@@ -54,10 +54,16 @@ TEST(Interreflection, BoxOfSixReflectances) {
     }
 }
 
+// The last five have the light close to a ceiling, a corner or a wall, which is then much brighter than all else.
 TEST(Interreflection, OtherBoxesAgreeWithCollocation) {
     const std::array rooms{BoxRoom{{2.0, 7.0, 2.4}, {0.7, 0.3, 0.5, 0.5, 0.1, 0.9}, {1.2, 5.0, 1.1}, 250.0},
                            BoxRoom{{8.0, 8.0, 3.5}, {0.5, 0.5, 0.05, 0.8, 0.3, 0.7}, {4.0, 4.0, 2.8}, 1000.0},
-                           BoxRoom{{0.3, 0.4, 0.5}, {0.9, 0.8, 0.7, 0.9, 0.85, 0.9}, {0.1, 0.2, 0.3}, 1.0}};
+                           BoxRoom{{0.3, 0.4, 0.5}, {0.9, 0.8, 0.7, 0.9, 0.85, 0.9}, {0.1, 0.2, 0.3}, 1.0},
+                           BoxRoom{{4.0, 4.0, 4.0}, {0.8, 0.1, 0.5, 0.3, 0.6, 0.7}, {2.0, 2.0, 3.8}, 100.0},
+                           BoxRoom{{6.0, 3.0, 2.5}, {0.2, 0.7, 0.45, 0.6, 0.3, 0.8}, {0.5, 0.4, 2.2}, 300.0},
+                           BoxRoom{{10.0, 6.0, 3.0}, {0.5, 0.4, 0.6, 0.3, 0.2, 0.75}, {9.0, 1.0, 0.5}, 500.0},
+                           BoxRoom{{4.0, 3.0, 2.5}, {0.7, 0.5, 0.3, 0.6, 0.2, 0.8}, {0.15, 1.5, 1.2}, 100.0},
+                           BoxRoom{{3.0, 5.0, 2.7}, {0.35, 0.65, 0.55, 0.15, 0.25, 0.85}, {2.7, 4.6, 2.4}, 100.0}};
     for (const BoxRoom& room : rooms) {
         const test::ExtrapolatedCollocation truth(room);
         const Light light = bulb(room.light, room.intensity_cd);
@@ -68,9 +74,11 @@ TEST(Interreflection, OtherBoxesAgreeWithCollocation) {
                 const int axis = static_cast<int>(face / 2);
                 at[axis] = face % 2 == 0 ? 0.0 : room.size[axis];
                 const double lx = truth.indirect_lx(at, inwards(face));
-                EXPECT_NEAR(indirect.at(at, inwards(face)).x / lx, 1.0, 5e-3) << face << ": " << at.x << ' ' << at.y;
-                EXPECT_NEAR(indirect.on_surface(face, 0, at).x / lx, 1.0, 1.5e-2)
-                    << face << ": " << at.x << ' ' << at.y;
+                const auto where = [&] {
+                    return testing::Message() << room.size.x << " m: " << face << ": " << share.x;
+                };
+                EXPECT_NEAR(indirect.at(at, inwards(face)).x / lx, 1.0, 3e-3) << where();
+                EXPECT_NEAR(indirect.on_surface(face, 0, at).x / lx, 1.0, 1.5e-2) << where();
             }
     }
 }
@@ -102,7 +110,7 @@ TEST(Interreflection, TwoInfinitePlanes) {
     const Interreflection indirect = solved(stage, {&light, 1});
     for (const test::PlanesRow& row : test::planes_rows) {
         // Of the greatest value: far away, patches are as large as a tenth of the distance. On the surface it is
-        // interpolated between nodes of 768 rays each, good for about 0.5 %.
+        // interpolated between nodes of 512 rays each, good for about 0.5 %.
         EXPECT_NEAR(indirect.at({row.r, 0.0, 0.0}, {0.0, 0.0, 1.0}).x, row.below_lx, 2.5e-3 * 9.25);
         EXPECT_NEAR(indirect.at({0.0, row.r, 3.0}, {0.0, 0.0, -1.0}).x, row.above_lx, 3e-3 * 3.34);
         EXPECT_NEAR(indirect.on_surface(0, 0, {row.r, 0.0, 0.0}).x, row.below_lx, 1e-2 * 9.25);

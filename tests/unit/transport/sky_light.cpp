@@ -36,7 +36,9 @@ LightingOptions under(const char* text) {
 }
 
 std::shared_ptr<const ExchangeGeometry> geometry_of(const Stage& stage) {
-    return std::make_shared<const ExchangeGeometry>(stage, std::span<const Light>(), ExchangeQuality(), 0,
+    ExchangeQuality quality;
+    quality.node_rays = quality.sky_rays;
+    return std::make_shared<const ExchangeGeometry>(stage, std::span<const Light>(), quality, 0,
                                                     LightingOptions().instruction_set);
 }
 
@@ -171,7 +173,7 @@ TEST(SkyLight, IsLinear) {
     }
 }
 
-// Without shadows everything sees all of its hemisphere; on a sphere, by 768 directions and between nodes.
+// Without shadows everything sees all of its hemisphere; on a sphere, by 1024 directions and between nodes.
 TEST(SkyLight, WithoutShadowsIsThatOfAnOpenPlane) {
     const Stage stage = make_stage("floor").value();
     LightingOptions options = under(high_sun);

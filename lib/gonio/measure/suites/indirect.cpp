@@ -66,8 +66,8 @@ struct Fineness {
     ExchangeQuality quality;
 };
 
-constexpr std::array finenesses{Fineness{"patches-2000", {2000.0, 128, 256, 1.0, 8192}}, Fineness{"patches-8000", {}},
-                                Fineness{"patches-16000", {16000.0, 512, 2048, 1.0, 8192}}};
+constexpr std::array finenesses{Fineness{"patches-2000", {2000.0, 64, 256, 1.0, 8192}}, Fineness{"patches-8000", {}},
+                                Fineness{"patches-16000", {16000.0, 256, 1024, 1.0, 8192}}};
 constexpr std::array path_counts{16, 256};
 
 Result<Contest> of_stage(std::string_view name, const SuiteOptions& options) {
