@@ -16,7 +16,6 @@ public:
     explicit Axis(std::vector<double> lines);
 
     std::uint32_t intervals() const { return last_ + 1; }
-    bool has(const std::vector<double>& lines) const { return lines_ == lines; }
     double line(std::size_t index) const { return lines_[index]; }
     // The value at a share of an interval: 2.5 is the middle of the third.
     double at(double interval) const {

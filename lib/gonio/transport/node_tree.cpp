@@ -534,8 +534,4 @@ glm::dvec3 NodeMean::operator()(std::span<const NodeValue> of_nodes) const {
     return glm::max(sum, glm::dvec3(0.0));
 }
 
-bool brings_nodes_closer(double distance_m, double square_m, double coarseness) {
-    return near_light * distance_m < widest * square_m * coarseness;
-}
-
 } // namespace gonio::detail

@@ -102,7 +102,4 @@ private:
     double gap_m_ = 0.0;            // narrower rectangles lie between the two lines of a cut
 };
 
-// Whether a light at this distance from a surface brings its nodes closer together.
-bool brings_nodes_closer(double distance_m, double square_m, double coarseness);
-
 } // namespace gonio::detail

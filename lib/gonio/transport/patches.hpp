@@ -55,9 +55,7 @@ struct PatchGrid {
     Axis u, v;
 
     glm::dvec2 corner(double column, double row) const { return {u.at(column), v.at(row)}; }
-    std::uint32_t patch(double at_u, double at_v) const {
-        return first_patch + v.index(at_v) * columns + u.index(at_u);
-    }
+    // The patch that contains the point; the outermost ones continue without an end.
     PatchPoint point(float at_u, float at_v) const {
         const Axis::Spot column = u.spot(at_u);
         const Axis::Spot row = v.spot(at_v);
@@ -96,13 +94,7 @@ public:
     const PatchGrid& grid(std::size_t chart) const { return grids_[chart]; }
     std::size_t count() const { return cell_of_.size(); } // of patches
     double square_m() const { return square_m_; }         // the side of an ordinary one
-    // The patch that contains the point of the surface; the outermost ones continue without an end.
-    std::uint32_t at(std::size_t chart, const glm::dvec3& position) const {
-        return at(chart, charts_.all()[chart].coordinates(position));
-    }
-    std::uint32_t at(std::size_t chart, const glm::dvec2& coordinates) const {
-        return grids_[chart].patch(coordinates.x, coordinates.y);
-    }
+    // Of a point of a chart, by its coordinates.
     PatchMean around(std::size_t chart, float u, float v) const;
     // How much what is known by patch changes over a patch, along u and v: by the patches beside it. 0 where something
     // covers one of them.
