@@ -31,6 +31,9 @@ Axis::Axis(std::vector<double> lines)
     }
     is_crowded_ = is_crowded_ || last_ > first_.back() + 1U;
     steps_.clear();
+    per_width_.clear();
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
+        per_width_.push_back(1.0 / (lines_[i + 1] - lines_[i]));
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i)
         steps_.push_back({static_cast<float>(ends_[i]), static_cast<float>(lines_[i]),
                           static_cast<float>(at(static_cast<double>(i) + 1.0 - 0.5 / parts)),

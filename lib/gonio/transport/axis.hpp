@@ -23,6 +23,9 @@ public:
         return lines_[whole] + (interval - whole) * (lines_[whole + 1] - lines_[whole]);
     }
 
+    // Where in an interval a value lies: 0 and 1 are its lines.
+    double share(std::size_t interval, double x) const { return (x - lines_[interval]) * per_width_[interval]; }
+
     // The interval that contains `x`, or the one at that end; any one for NaN.
     std::uint32_t index(double x) const {
         const double bucket = std::min(std::max(0.0, (x - low_) * per_), last_bucket_); // 0 for NaN
@@ -72,6 +75,7 @@ private:
     }
 
     std::vector<double> lines_{0.0, 1.0};
+    std::vector<double> per_width_{1.0};                                // of the intervals
     std::vector<double> ends_{std::numeric_limits<double>::infinity()}; // of the intervals; the last has none
     // The interval in which each of many equal parts of the range begins.
     std::vector<std::uint16_t> first_{0};

@@ -119,7 +119,9 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
     simd::for_each_packet<simd::Packet<S>>(count, [&](const simd::Packet<S>& packet) {
         const vec3<S> origin{packet.load(origins[0]), packet.load(origins[1]), packet.load(origins[2])};
         const vec3<S> direction{packet.load(directions[0]), packet.load(directions[1]), packet.load(directions[2])};
-        S nearest(3e38F);
+        // As in first_hits(), where a rectangle is met at height/steepness.
+        S height(3e38F);
+        S steepness(1.0F);
         S target(RayHits::nothing);
         S u(0.0F);
         S v(0.0F);
@@ -127,21 +129,32 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
             const RayRectangle& rectangle = targets.rectangles[i];
             const vec3<S> normal = spread<S>(rectangle.normal);
             const S facing = dot(normal, direction);
-            const S distance = (S(rectangle.height) - dot(normal, origin)) / facing;
-            const vec3<S> at = mul_add(direction, distance, origin);
-            const S along_x = dot(spread<S>(rectangle.x), at) - S(rectangle.middle[0]);
-            const S along_y = dot(spread<S>(rectangle.y), at) - S(rectangle.middle[1]);
-            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]),
-                                           simd::abs(along_y) <= S(rectangle.half_size[1]));
-            auto first = simd::both(simd::both(distance > S(0.0F), distance < nearest), within);
             const auto is_front = facing < S(0.0F);
+            const S above = S(rectangle.height) - dot(normal, origin);
+            const S its_height = simd::select(is_front, -above, above);
+            const S its_steepness = simd::abs(facing);
+            const S along_x =
+                simd::mul_add(dot(spread<S>(rectangle.x), direction), its_height,
+                              (dot(spread<S>(rectangle.x), origin) - S(rectangle.middle[0])) * its_steepness);
+            const S along_y =
+                simd::mul_add(dot(spread<S>(rectangle.y), direction), its_height,
+                              (dot(spread<S>(rectangle.y), origin) - S(rectangle.middle[1])) * its_steepness);
+            const auto within = simd::both(simd::abs(along_x) <= S(rectangle.half_size[0]) * its_steepness,
+                                           simd::abs(along_y) <= S(rectangle.half_size[1]) * its_steepness);
+            const auto is_nearer = its_height * steepness < height * its_steepness;
+            auto first = simd::both(simd::both(its_height > S(0.0F), is_nearer), within);
             if (rectangle.is_solid) first = simd::both(first, is_front);
             const S number = simd::select(is_front, S(static_cast<float>(i)), S(RayHits::back));
-            nearest = simd::select(first, distance, nearest);
+            height = simd::select(first, its_height, height);
+            steepness = simd::select(first, its_steepness, steepness);
             target = simd::select(first, number, target);
             u = simd::select(first, along_x, u);
             v = simd::select(first, along_y, v);
         }
+        const S per_steepness = S(1.0F) / steepness;
+        S nearest = height * per_steepness;
+        u = u * per_steepness;
+        v = v * per_steepness;
         SphereHit<S> on_sphere;
         for (std::size_t i = 0; i < targets.sphere_count; ++i) {
             S exit;

@@ -143,8 +143,8 @@ void LobeRays::at(double cosine, std::vector<LobeRay>& rays) const {
     for (std::size_t i = 0; i < rays_; ++i) {
         const LobeRay& a = table_[place.node * rays_ + i];
         const LobeRay& b = table_[(place.node + 1) * rays_ + i];
-        const glm::vec3 facet = glm::normalize((1.0F - share) * a.direction + share * b.direction);
-        rays[i].direction = 2.0F * glm::dot(view, facet) * facet - view;
+        const glm::vec3 facet = (1.0F - share) * a.direction + share * b.direction;
+        rays[i].direction = 2.0F * glm::dot(view, facet) / glm::dot(facet, facet) * facet - view;
         rays[i].weight = (1.0F - share) * a.weight + share * b.weight;
         rays[i].width = (1.0F - share) * a.width + share * b.width;
         if (!(rays[i].direction.z > 0.0F)) rays[i].weight = glm::vec3(0.0F);

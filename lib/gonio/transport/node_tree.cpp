@@ -449,7 +449,7 @@ NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
     const auto place = [&](const Axis& axis, double x) {
         const std::uint32_t in = axis.index(x);
         const double width = axis.line(in + 1) - axis.line(in);
-        const double share = width > 0.0 ? std::clamp((x - axis.line(in)) / width, 0.0, 1.0) : 0.0;
+        const double share = width > 0.0 ? std::clamp(axis.share(in, x), 0.0, 1.0) : 0.0;
         if (width >= gap_m_ || axis.intervals() < 3) return Place{in, share};
         // Between the two lines of a cut: the nearer one.
         return share < 0.5 ? Place{in - 1, 1.0} : Place{in + 1, 0.0};

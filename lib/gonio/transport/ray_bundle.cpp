@@ -328,7 +328,8 @@ glm::dvec3 mean_over(std::span<const PatchPoint> ends, std::size_t step, const A
             if (ends[i].is_on_patch()) add(part, ends[i]);
         sum += part.rgb();
     }
-    return sum / static_cast<double>((ends.size() + step - 1) / step);
+    const std::size_t used = (ends.size() + step - 1) / step;
+    return sum / static_cast<double>(used);
 }
 
 } // namespace
