@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
 
@@ -304,9 +305,19 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
 void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double area_m2) {
     by_rays_.assign(cell_of_.size(), 1.0F);
     by_links_.assign(cells_.size(), 1.0F);
+    // From farther away none makes anything that bright.
+    const double reach_m = std::sqrt(area_m2 / (4.0 * std::numbers::pi * bright));
+    std::vector<LightSphere> reaches;
+    for (const LightPlace& light : lights)
+        reaches.push_back({light.position, reach_m, static_cast<std::uint32_t>(reaches.size())});
+    const LightTree tree(reaches);
+    std::vector<std::uint32_t> near;
     const auto times_the_mean = [&](const glm::dvec3& position, const glm::dvec3& normal, double least_m) {
+        near.clear();
+        tree.meeting_box(position, position, near);
         double most = 0.0;
-        for (const LightPlace& light : lights) {
+        for (const std::uint32_t index : near) {
+            const LightPlace& light = lights[index];
             if (!light.may_light(position, 0.0)) continue;
             const glm::dvec3 to = light.position - position;
             const double distance = std::max(glm::length(to), least_m);
