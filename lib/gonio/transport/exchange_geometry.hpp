@@ -35,7 +35,7 @@ public:
     double cell_factor(std::size_t chart) const { return cell_factor_[chart]; }
     double node_factor(std::size_t chart) const { return node_factor_[chart]; }
 
-    // Whether these surfaces and positions of lights are those of this geometry.
+    // Whether these surfaces, positions of lights and sides that they emit to are those of this geometry.
     bool fits(const Stage& stage, std::span<const Light> lights, const ExchangeQuality& quality) const;
 
     NodeMean around(std::size_t chart, const glm::dvec3& position) const;

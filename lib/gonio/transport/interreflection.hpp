@@ -55,8 +55,8 @@ class Interreflection {
 public:
     // Stage and lights are not needed afterwards. Uses these options: bounces, of which there must be at least one;
     // shadows, sky, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no
-    // solution. `known`: for the same surfaces in any materials, and lights at the same positions, what depends on
-    // these alone is taken from it.
+    // solution. `known`: for the same surfaces in any materials, and lights at the same positions that emit to the same
+    // sides, what depends on these alone is taken from it.
     static Result<Interreflection> of(const Stage& stage, std::span<const Light> lights, const LightingOptions& options,
                                       const ExchangeQuality& quality = {}, const Interreflection* known = nullptr);
 

@@ -1,5 +1,5 @@
-// What points of a stage see: fixed bundles of rays, and links to small parts of solids that rays would miss. They
-// depend on the stage alone, so they are made once for all lights, colours and bounces.
+// What points of a stage see: fixed bundles of rays, and links to small parts of surfaces that rays would miss. They
+// depend on the stage and on where lights are alone, so they are made once for all amounts, colours and bounces.
 #pragma once
 
 #include <gonio/base/frame.hpp>
@@ -17,7 +17,7 @@
 
 namespace gonio::detail {
 
-// The end of a ray that meets a part of a solid which a link stands for.
+// The end of a ray that meets a part of a small solid which a link stands for.
 inline constexpr std::uint32_t linked = 0xfffffffeU;
 
 // Directions about +Z with the density cosθ/π: a spiral of the golden angle over the unit disk (H. Vogel, 1979), so
