@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/base/stop.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +16,17 @@ namespace {
 // Threads that loops have yet to start: a caller that asks for its own threads meanwhile must not count on these.
 std::atomic<unsigned> threads_to_come{0};
 
+thread_local const std::atomic<bool>* stop_flag = nullptr; // of this thread's StopLoops
+
 } // namespace
+
+StopLoops::StopLoops(const std::atomic<bool>& flag) : before_(stop_flag) {
+    stop_flag = &flag;
+}
+
+StopLoops::~StopLoops() {
+    stop_flag = before_;
+}
 
 unsigned available_threads() {
     // hardware_concurrency() counts the machine; a container or taskset may have given us less.
@@ -51,17 +62,20 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     if (threads == 0) threads = available_threads();
     const auto helpers = static_cast<unsigned>(std::min<std::size_t>(threads, count));
     if (helpers <= 1) {
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
+            if (stop_flag != nullptr && *stop_flag) throw LoopsStopped();
             work(i);
+        }
         return;
     }
 
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
     std::mutex failure_mutex;
-    const auto drain = [&] {
+    const auto drain = [&, stop = stop_flag] {
         for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) {
             try {
+                if (stop != nullptr && *stop) throw LoopsStopped();
                 work(i);
             } catch (...) {
                 const std::scoped_lock lock(failure_mutex);
