@@ -1,0 +1,218 @@
+// Colours: temperatures and chromaticities, RGB of lights, spectra.
+#include <gonio/base/parallel.hpp>
+#include <gonio/color/cct.hpp>
+#include <gonio/color/kernels.hpp>
+#include <gonio/color/rgb_space.hpp>
+#include <gonio/color/spectrum.hpp>
+#include <gonio/light/light_color.hpp>
+
+#include "binding.hpp"
+
+#include <pybind11/stl.h>
+
+namespace gonio::python {
+
+namespace {
+
+const RgbSpace& space_named(const std::string& name) {
+    const RgbSpace* const space = find_rgb_space(name);
+    if (space == nullptr) {
+        std::string all;
+        for (const RgbSpaceName& known : rgb_spaces())
+            all += (all.empty() ? "there are: " : ", ") + std::string(known.name);
+        throw Failed{fail("USE0103", "unknown space '" + name + "'", all).value()};
+    }
+    return *space;
+}
+
+std::vector<py::ssize_t> with_axis(const py::array& array, py::ssize_t last) {
+    std::vector<py::ssize_t> shape(array.shape(), array.shape() + array.ndim());
+    shape.push_back(last);
+    return shape;
+}
+
+// The sum over the spectrum, in double; x and y of each.
+Doubles chromaticity(const Doubles& temperature, const Doubles& duv, const std::string& locus) {
+    const Locus curve = value_of(parse_locus(locus));
+    const auto [kelvin, distance] = broadcast(temperature, duv);
+    Doubles result(with_axis(kelvin, 2));
+    double* to = result.mutable_data();
+    for (py::ssize_t i = 0; i < kelvin.size(); ++i, to += 2) {
+        const Xy xy = to_xy(value_of(exact_uv({Kelvin(kelvin.data()[i]), distance.data()[i]}, curve)));
+        to[0] = xy.x;
+        to[1] = xy.y;
+    }
+    return result;
+}
+
+py::tuple temperature_of(const Doubles& x, const Doubles& y) {
+    const auto [xs, ys] = broadcast(x, y);
+    Doubles kelvin = like(xs);
+    Doubles duv = like(xs);
+    for (py::ssize_t i = 0; i < xs.size(); ++i) {
+        const Cct cct = fast_cct(to_uv(Xy{xs.data()[i], ys.data()[i]}));
+        kelvin.mutable_data()[i] = cct.temperature.value;
+        duv.mutable_data()[i] = cct.duv;
+    }
+    return py::make_tuple(number_or_array(kelvin), number_or_array(duv));
+}
+
+// In double by the exact sum or its fit; each fails on its own values, as the tool does.
+Doubles rgb_in_double(const Doubles& temperature, const Doubles& duv, const RgbSpace& space) {
+    const auto [kelvin, distance] = broadcast(temperature, duv);
+    Doubles result(with_axis(kelvin, 3));
+    double* to = result.mutable_data();
+    for (py::ssize_t i = 0; i < kelvin.size(); ++i, to += 3) {
+        const SpaceColor color = to_space(value_of(uv_of({Kelvin(kelvin.data()[i]), distance.data()[i]})), space);
+        for (int channel = 0; channel < 3; ++channel)
+            to[channel] = color.rgb[channel];
+    }
+    return result;
+}
+
+using Floats = py::array_t<float, py::array::c_style>;
+
+// In packs of floats: structures of arrays in pieces that stay in the cache, interleaved on the way out.
+Floats rgb_in_packs(const Floats& temperature, const RgbSpace& space) {
+    const color::Kernels& kernels = color::kernels(simd::best_available());
+    const color::RgbConstants constants = color::rgb_constants(space);
+    Floats result(with_axis(temperature, 3));
+    const float* const kelvin = temperature.data();
+    float* const to = result.mutable_data();
+    const auto count = static_cast<std::size_t>(temperature.size());
+    constexpr std::size_t piece = 4096;
+    const py::gil_scoped_release released;
+    std::vector<float> channels(3 * piece);
+    for (std::size_t begin = 0; begin < count; begin += piece) {
+        const std::size_t size = std::min(piece, count - begin);
+        float* const rgb[3] = {channels.data(), channels.data() + piece, channels.data() + 2 * piece};
+        kernels.planckian_rgb(kelvin + begin, size, constants, rgb);
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                to[3 * (begin + i) + channel] = rgb[channel][i];
+    }
+    return result;
+}
+
+} // namespace
+
+void add_colors(py::module_& module) {
+    module.def("chromaticity", &chromaticity, py::arg("temperature_k"), py::arg("duv") = 0.0, py::kw_only(),
+               py::arg("locus") = "planckian",
+               "CIE 1931 x, y (…, 2) of colour temperatures [K], from the sum over the spectrum. `locus`: planckian,\n"
+               "daylight or blend.");
+    module.def(
+        "temperature", &temperature_of, py::arg("x"), py::arg("y"),
+        "Correlated colour temperature [K] and Duv of CIE 1931 x and y, which are broadcast; NaN where a colour\n"
+        "has none. Within 1e-5 K of the exact one over 1500–40000 K.");
+    module.def(
+        "rgb",
+        [](const py::object& temperature, const Doubles& duv, const std::string& name) -> py::object {
+            const RgbSpace& space = space_named(name);
+            const bool plain = duv.size() == 1 && *duv.data() == 0.0;
+            if (plain && py::isinstance<Floats>(temperature)) return rgb_in_packs(temperature, space);
+            const auto kelvin = Doubles::ensure(temperature);
+            if (!kelvin) throw py::error_already_set();
+            return rgb_in_double(kelvin, duv, space);
+        },
+        py::arg("temperature_k"), py::arg("duv") = 0.0, py::kw_only(), py::arg("space") = "rec709",
+        "Linear RGB of luminance 1 (…, 3) of colour temperatures [K]; negative outside the gamut. Arrays of float32 "
+        "run\n"
+        "on the vector units, within 4e-7 in u'v', and give NaN outside 800 K to 1e6 K; others are computed in "
+        "double.");
+    module.def(
+        "light_color",
+        [](const std::string& text) {
+            Diagnostics diagnostics;
+            const glm::dvec3 color = value_of(parse_light_color(text, &diagnostics));
+            warn(diagnostics);
+            return to_array(color);
+        },
+        py::arg("text"),
+        "Linear Rec.709 of luminance 1 (3) of a light's colour: '2700K', '2700K/0.003', 'd65', 'spectrum:FILE',\n"
+        "'rgb(r,g,b)' or '#ffd9a0'.");
+    module.def(
+        "rgb_spaces",
+        [] {
+            std::vector<std::string> names;
+            for (const RgbSpaceName& space : rgb_spaces())
+                names.emplace_back(space.name);
+            return names;
+        },
+        "The names of the RGB spaces.");
+    module.def(
+        "illuminants",
+        [] {
+            std::vector<std::string> names;
+            for (const std::string_view name : illuminant_names())
+                names.emplace_back(name);
+            return names;
+        },
+        "The names of the CIE illuminants.");
+
+    py::class_<SpectrumColor>(module, "SpectrumColor", "The colour of a spectrum.")
+        .def_property_readonly(
+            "xyz", [](const SpectrumColor& c) { return to_array(c.xyz); }, "CIE 1931 XYZ with Y = 1 (3).")
+        .def_property_readonly(
+            "xy",
+            [](const SpectrumColor& c) {
+                const Xy xy = to_xy(c.uv);
+                return std::pair(xy.x, xy.y);
+            },
+            "CIE 1931 x and y.")
+        .def_readonly("efficacy_lm_per_w", &SpectrumColor::efficacy_lm_per_w,
+                      "Luminous flux over the radiant flux in the band [lm/W].")
+        .def_property_readonly(
+            "temperature_k", [](const SpectrumColor& c) { return value_of(exact_cct(c.uv)).temperature.value; },
+            "Correlated colour temperature [K].")
+        .def_property_readonly(
+            "duv", [](const SpectrumColor& c) { return value_of(exact_cct(c.uv)).duv; },
+            "Distance from the black bodies in u, v of 1960; greener above 0.");
+
+    py::class_<Spectrum>(module, "Spectrum", "Spectral power over wavelength, relative or absolute.")
+        .def(py::init([](const Doubles& wavelengths, const Doubles& power, const std::string& name) {
+                 std::string text;
+                 if (wavelengths.ndim() != 1 || power.ndim() != 1 || wavelengths.size() != power.size())
+                     throw Failed{
+                         fail("USE0105", "a spectrum needs as many wavelengths as powers, in one row").value()};
+                 // By the reader, which checks what a table must have.
+                 for (py::ssize_t i = 0; i < power.size(); ++i)
+                     text += py::repr(py::float_(wavelengths.data()[i])).cast<std::string>() + "," +
+                             py::repr(py::float_(power.data()[i])).cast<std::string>() + "\n";
+                 return value_of(parse_spectrum_csv(text, name));
+             }),
+             py::arg("wavelengths_nm"), py::arg("power"), py::kw_only(), py::arg("name") = "spectrum",
+             "A spectrum of ascending wavelengths [nm] (n) and powers (n), from 400 to 700 nm at least.")
+        .def_readonly("name", &Spectrum::name, "Its name.")
+        .def_readonly("diagnostics", &Spectrum::diagnostics, "Warnings of reading it.")
+        .def_property_readonly(
+            "wavelengths_nm",
+            [](const py::object& self) {
+                const std::vector<double>& list = self.cast<const Spectrum&>().wavelengths_nm;
+                return py::array_t<double>(static_cast<py::ssize_t>(list.size()), list.data(), self);
+            },
+            "Wavelengths [nm] (n), a view.")
+        .def_property_readonly(
+            "power",
+            [](const py::object& self) {
+                const std::vector<double>& list = self.cast<const Spectrum&>().power;
+                return py::array_t<double>(static_cast<py::ssize_t>(list.size()), list.data(), self);
+            },
+            "Spectral power (n), a view.")
+        .def(
+            "color",
+            [](const Spectrum& s, std::optional<std::pair<double, double>> band) {
+                std::optional<Band> within;
+                if (band) within = Band{band->first, band->second};
+                return value_of(color_of(s, within));
+            },
+            py::arg("band_nm") = py::none(), "Its colour; the radiant flux is counted within `band_nm`.")
+        .def("__repr__", [](const Spectrum& s) {
+            return "<gonio.Spectrum '" + s.name + "', " + std::to_string(s.power.size()) + " wavelengths>";
+        });
+    module.def(
+        "read_spectrum", [](const std::string& text) { return value_of(read_spectrum(text)); }, py::arg("text"),
+        "The spectrum of a CIE illuminant ('d65', 'LED-B3'), of 'blackbody:2700K', or of a CSV or TM-33 file.");
+}
+
+} // namespace gonio::python

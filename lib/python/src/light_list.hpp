@@ -1,0 +1,14 @@
+// Lights from what a caller has: one, a list of them, or anything with a list `lights`.
+#pragma once
+
+#include <gonio/light/light.hpp>
+
+#include "binding.hpp"
+
+#include <vector>
+
+namespace gonio::python {
+
+std::vector<Light> lights_of(const py::object& lights);
+
+} // namespace gonio::python
