@@ -115,3 +115,18 @@ def test_long_calls_let_other_threads_run():
     over.set()
     thread.join()
     assert len(ticks) > 5
+
+
+def test_pip_installs_the_tree_without_network(source, tmp_path):
+    pip = [sys.executable, "-m", "pip"]
+    if subprocess.run([*pip, "--version"], capture_output=True).returncode != 0:
+        pytest.skip("pip is not installed")
+    subprocess.check_call(
+        [*pip, "install", "-q", "--no-build-isolation", "--no-index", "--no-deps", "--target", str(tmp_path)]
+        + ["--config-settings", f"build-dir={PACKAGE.parent.parent}", str(source / "lib/python")]
+    )
+    program = "import gonio; print(gonio.__file__); gonio.convert('800lm', 'cd')"
+    said = subprocess.check_output(
+        [sys.executable, "-c", program], text=True, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(tmp_path)}
+    )
+    assert said.startswith(str(tmp_path))
