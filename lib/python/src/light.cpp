@@ -108,7 +108,7 @@ Vectors vectors_of(const Floats& array) {
 }
 
 // Copies a piece into columns, or points to it.
-void take(const Vectors& vectors, std::size_t begin, std::size_t size, std::vector<float>& room, std::size_t piece,
+void take(const Vectors& vectors, std::size_t begin, std::size_t size, float* room, std::size_t piece,
           const float* (&columns)[3]) {
     for (int component = 0; component < 3; ++component) {
         if (vectors.has_columns()) {
@@ -117,7 +117,7 @@ void take(const Vectors& vectors, std::size_t begin, std::size_t size, std::vect
             columns[component] = static_cast<const float*>(static_cast<const void*>(at));
             continue;
         }
-        float* const to = room.data() + static_cast<std::size_t>(component) * piece;
+        float* const to = room + static_cast<std::size_t>(component) * piece;
         for (std::size_t i = 0; i < size; ++i)
             to[i] = vectors.at(begin + i, component);
         columns[component] = to;
@@ -125,15 +125,14 @@ void take(const Vectors& vectors, std::size_t begin, std::size_t size, std::vect
 }
 
 // Makes normals of any length unit ones; those that are, stay where they are.
-void make_unit(std::size_t size, std::vector<float>& room, std::size_t piece, const float* (&columns)[3]) {
-    float farthest = 0.0F;
+void make_unit(std::size_t size, float* room, std::size_t piece, const float* (&columns)[3]) {
+    int others = 0;
     for (std::size_t i = 0; i < size; ++i) {
         const float square =
             columns[0][i] * columns[0][i] + columns[1][i] * columns[1][i] + columns[2][i] * columns[2][i];
-        const float off = std::abs(square - 1.0F);
-        farthest = off <= farthest ? farthest : off; // NaN stays
+        others += std::abs(square - 1.0F) <= 1e-5F ? 0 : 1; // NaN is another
     }
-    if (farthest <= 1e-5F) return;
+    if (others == 0) return;
     for (std::size_t i = 0; i < size; ++i) {
         const std::optional<glm::dvec3> unit = unit_vector({columns[0][i], columns[1][i], columns[2][i]});
         if (!unit) throw Failed{fail("USE0105", "a normal must be finite and longer than 0").value()};
@@ -141,7 +140,7 @@ void make_unit(std::size_t size, std::vector<float>& room, std::size_t piece, co
             room[static_cast<std::size_t>(component) * piece + i] = static_cast<float>((*unit)[component]);
     }
     for (int component = 0; component < 3; ++component)
-        columns[component] = room.data() + static_cast<std::size_t>(component) * piece;
+        columns[component] = room + static_cast<std::size_t>(component) * piece;
 }
 
 // In packs of floats, one piece after the other and on all threads.
@@ -157,10 +156,11 @@ Floats in_packs(const std::vector<Light>& lights, const Floats& positions, const
         parallel_for((count + piece - 1) / piece, threads, [&](std::size_t index) {
             const std::size_t begin = index * piece;
             const std::size_t size = std::min(piece, count - begin);
-            std::vector<float> room(8 * piece);
-            std::vector<float> way_room(3 * piece);
-            float* const share = room.data() + 3 * piece;
-            float* const intensity = room.data() + 4 * piece;
+            const auto rooms = std::make_unique_for_overwrite<float[]>(8 * piece);
+            float* const room = rooms.get();
+            float* const way_room = room + 5 * piece;
+            float* const share = room + 3 * piece;
+            float* const intensity = room + 4 * piece;
             shading::Surfaces surfaces;
             surfaces.count = size;
             take(places, begin, size, room, piece, surfaces.position);
