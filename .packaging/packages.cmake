@@ -5,6 +5,9 @@
 # A component is added in one place: a line in gonio_packages and its block below, which names the package and what it
 # depends on. Its files come from install(… COMPONENT …).
 set(gonio_packages tool runtime development modules)
+if(GONIO_PYTHON)
+    list(APPEND gonio_packages python)
+endif()
 
 # Who publishes packages puts a name and an address here that answer.
 set(GONIO_PACKAGE_CONTACT "gonio maintainers <gonio@example.org>" CACHE STRING "Maintainer of the packages")
@@ -76,5 +79,18 @@ Modules that gonio loads when it writes or reads a picture (OpenImageIO) or
 applies a display transform or a colour configuration (OpenColorIO).
 
 gonio works without them where only numbers are wanted.")
+
+# The module contains the library and works with the minor version of Python that it was built for alone.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gonio)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+if(GONIO_PYTHON)
+    math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), \
+python3 (<< ${Python_VERSION_MAJOR}.${next_python}), python3-numpy")
+endif()
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "photometric lights: module for Python
+Photometric units, measured profiles of luminaires, exact illuminance of area
+lights, colour temperature, materials, textures and previews over NumPy
+arrays, with type stubs.")
 
 include(CPack)
