@@ -1,7 +1,8 @@
-"""The notebook beside the module, cell by cell; the last expression of a cell is shown as a notebook does."""
+"""The README's program, and the notebook, cell by cell; the last expression of a cell is shown as a notebook does."""
 
 import ast
 import json
+import re
 
 
 def shown(value):
@@ -32,3 +33,10 @@ def test_every_cell_runs(source, monkeypatch):
     ]
     assert "<svg" in pictures[0]
     assert all(picture.startswith(b"\x89PNG") for picture in pictures[-2:])
+
+
+def test_the_program_of_the_readme_runs(source, monkeypatch, capsys):
+    monkeypatch.chdir(source)
+    (program,) = re.findall(r"```python\n(.*?)```", (source / "lib/python/README.md").read_text(), re.S)
+    exec(compile(program, "README.md", "exec"), {})
+    assert "22515.8" in capsys.readouterr().out
