@@ -250,7 +250,12 @@ py::object luminance(const py::object& of, const Doubles& positions, const Doubl
 std::vector<Light> lights_of(const py::object& lights) {
     if (py::isinstance<Light>(lights)) return {lights.cast<Light>()};
     if (py::hasattr(lights, "lights")) return lights.attr("lights").cast<std::vector<Light>>();
-    return lights.cast<std::vector<Light>>();
+    try {
+        return lights.cast<std::vector<Light>>();
+    } catch (const py::cast_error&) {
+        throw py::type_error("expected a gonio.Light, a list of them, or a gonio.Rig: gonio.make_rig(…) makes one of a "
+                             "dict");
+    }
 }
 
 void add_lights(py::module_& module) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array shadow_names{Named{"off", Shadows::off}, Named{"hard", Shadows::hard},
                                   Named{"soft", Shadows::soft}};
 
-// A rig with its lights resolved. A sky needs a picture's room and is left to the tool.
+// A rig with its lights resolved.
 struct LoadedRig {
     Rig rig;
     std::vector<Light> lights;
@@ -26,6 +26,10 @@ struct LoadedRig {
 };
 
 LoadedRig load(Rig&& rig) {
+    if (rig.sky)
+        throw Failed{fail(Failure::unsupported, "a rig with a sky is not for Python yet",
+                          "take its 'sky' out, or use gonio preview and gonio probe", rig.source)
+                         .value()};
     LoadedRig loaded;
     loaded.diagnostics = rig.diagnostics;
     loaded.stage = value_of(stage_of(rig));
