@@ -8,7 +8,7 @@
 # The last landed state is $GONIO_TIDY_SINCE; else origin/main, if the checkout is ahead of it; else the newest commit
 # that is three hours older than HEAD. A changed header is checked through its own source, or else through the first
 # file that includes it, and a template of kernels as the file written for AVX2 or NEON. A file in which only comments
-# changed is not checked again. Without history, every file is checked.
+# changed, or whether its names are exported, is not checked again. Without history, every file is checked.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -49,10 +49,10 @@ reader() { # HEADER
     if [[ -n $template ]]; then written "$template"; return; fi
     git grep -lF "${1#lib/}" -- 'lib/*.cpp' 'cli/*.cpp' | head -n 1 || true
 }
-# The code of a file without its comments, except those that clang-tidy reads.
+# The code of a file without its comments, except those that clang-tidy reads, and without visibility.
 code_of() { # on stdin
     local text
-    text=$(cat)
+    text=$(grep -v '^#pragma GCC visibility' || true)
     printf '%s' "$text" | grep -c NOLINT || true
     printf '%s' "$text" | g++ -fpreprocessed -dD -E -P -x c++ - 2> /dev/null | tr -d '[:space:]'
 }
