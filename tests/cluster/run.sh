@@ -4,7 +4,7 @@
 # merged manifests must be those of the single run, byte for byte. Brings up Slurm and munge on this machine, as root;
 # needs Debian's slurm-wlm, munge and parallel, so it is not part of the tests:
 #
-#   bash tests/farm/run.sh build/release/cli/gonio
+#   bash tests/cluster/run.sh build/release/cli/gonio
 set -euo pipefail
 
 gonio=$(realpath "$1")
@@ -33,12 +33,12 @@ block() {
 }
 
 cd "$work"
-mkdir profiles single farm parallel
+mkdir profiles single slurm_array parallel
 shapes=(downlight:beam=36deg batwing wall-washer street gaussian:beam=20deg)
 for i in $(seq 2000); do
     "$gonio" make "${shapes[i % 5]}" --lumens "$((500 + i))lm" -q -o "profiles/lamp$i.ies"
 done
-for folder in single farm parallel; do
+for folder in single slurm_array parallel; do
     seq -f '../profiles/lamp%g.ies' 2000 > "$folder/catalogue.txt"
     mkdir "$folder/textures" "$folder/log"
 done
@@ -56,7 +56,7 @@ pgrep -x munged > /dev/null || {
     started+=($!)
 }
 cat > slurm/slurm.conf << END
-ClusterName=farm
+ClusterName=test
 SlurmctldHost=$host(127.0.0.1)
 SlurmUser=root
 SlurmdUser=root
@@ -85,7 +85,7 @@ for _ in $(seq 60); do
 done
 sinfo
 
-cd farm
+cd slurm_array
 block '#!/bin/bash' > bake.sh
 grep -q SLURM_ARRAY_TASK_ID bake.sh
 # Task 7 dies the first time, as if its machine had been switched off.
@@ -106,7 +106,7 @@ time bash -c "$line" 2> log/parallel.txt
 "$gonio" bake --merge log/*.json -o textures.json
 cd ..
 
-for folder in farm parallel; do
+for folder in slurm_array parallel; do
     cmp single/textures.json "$folder/textures.json"
     diff -r single/textures "$folder/textures"
 done
