@@ -66,36 +66,68 @@ def new_light(name, kind, color, watts):
     return light
 )python";
 
+constexpr const char* node_helper = R"python(
+
+def own_nodes(light):
+    """Its nodes, of which there are none yet, and their links."""
+    light.use_nodes = True
+    light.node_tree.nodes.clear()
+    return light.node_tree.nodes, light.node_tree.links
+
+
+def math_node(nodes, links, operation, *values):
+    node = nodes.new("ShaderNodeMath")
+    node.operation = operation
+    for socket, value in zip(node.inputs, values):
+        if isinstance(value, (int, float)):
+            socket.default_value = value
+        else:
+            links.new(value, socket)
+    return node.outputs[0]
+
+
+def direction(nodes, links):
+    """From a point light to what it lights, in its own axes: x, y, z."""
+    parts = nodes.new("ShaderNodeSeparateXYZ")
+    links.new(nodes.new("ShaderNodeTexCoord").outputs["Normal"], parts.inputs[0])
+    return parts.outputs
+
+
+def shine(nodes, links, color, strength):
+    """The emission of a light. Each is a value or an output; a colour is linear Rec.709 of luminance 1."""
+    emission = nodes.new("ShaderNodeEmission")
+    if isinstance(color, tuple):
+        emission.inputs["Color"].default_value = color + (1.0,)
+    else:
+        links.new(color, emission.inputs["Color"])
+    if isinstance(strength, (int, float)):
+        emission.inputs["Strength"].default_value = strength
+    else:
+        links.new(strength, emission.inputs["Strength"])
+    links.new(emission.outputs[0], nodes.new("ShaderNodeOutputLight").inputs["Surface"])
+)python";
+
 constexpr const char* profile_helper = R"python(
 
-def profile_light(name, text, color, watts):
-    light = new_light(name, "POINT", (1.0, 1.0, 1.0), watts)
-    light.use_nodes = True
-    nodes = light.node_tree.nodes
-    links = light.node_tree.links
-    nodes.clear()
-    direction = nodes.new("ShaderNodeTexCoord")
-    parts = nodes.new("ShaderNodeSeparateXYZ")
-    links.new(direction.outputs["Normal"], parts.inputs[0])
+def look_up(nodes, links, text, strength, x, y, z):
+    """The profile towards a direction of the light's own axes."""
     # The node counts azimuths from -Y towards -X: (x, y) becomes (-y, -x).
     turned = nodes.new("ShaderNodeCombineXYZ")
-    for source, target in (("Y", "X"), ("X", "Y")):
-        minus = nodes.new("ShaderNodeMath")
-        minus.operation = "MULTIPLY"
-        minus.inputs[1].default_value = -1.0
-        links.new(parts.outputs[source], minus.inputs[0])
-        links.new(minus.outputs[0], turned.inputs[target])
-    links.new(parts.outputs["Z"], turned.inputs["Z"])
+    links.new(math_node(nodes, links, "MULTIPLY", y, -1.0), turned.inputs["X"])
+    links.new(math_node(nodes, links, "MULTIPLY", x, -1.0), turned.inputs["Y"])
+    links.new(z, turned.inputs["Z"])
     profile = nodes.new("ShaderNodeTexIES")
     profile.mode = "INTERNAL"
     profile.ies = text
-    profile.inputs["Strength"].default_value = 1.0
+    profile.inputs["Strength"].default_value = strength
     links.new(turned.outputs[0], profile.inputs["Vector"])
-    emission = nodes.new("ShaderNodeEmission")
-    emission.inputs["Color"].default_value = color + (1.0,)  # linear Rec.709 of luminance 1
-    links.new(profile.outputs["Fac"], emission.inputs["Strength"])
-    output = nodes.new("ShaderNodeOutputLight")
-    links.new(emission.outputs[0], output.inputs["Surface"])
+    return profile.outputs["Fac"]
+
+
+def profile_light(name, text, color, watts):
+    light = new_light(name, "POINT", (1.0, 1.0, 1.0), watts)
+    nodes, links = own_nodes(light)
+    shine(nodes, links, color, look_up(nodes, links, text, 1.0, *direction(nodes, links)))
     return light
 
 
@@ -167,12 +199,6 @@ def luminaire(name, position, x, y, z, text, scale, facing):
             links.new(b, product.inputs[1])
         return product.outputs["Value"]
 
-    def vector(*values):
-        made = nodes.new("ShaderNodeCombineXYZ")
-        for socket, value in zip(made.inputs, values):
-            links.new(value, socket)
-        return made.outputs[0]
-
     towards = nodes.new("ShaderNodeNewGeometry").outputs["Incoming"]
     local = []
     for column in range(3):
@@ -181,18 +207,14 @@ def luminaire(name, position, x, y, z, text, scale, facing):
             # Paths count columns first, unlike Python.
             drive(axis.inputs[row], empty, f"matrix_world[{column}][{row}]")
         local.append(dot(towards, axis.outputs[0]))
-    # The node counts azimuths from -Y towards -X: (x, y) becomes (-y, -x).
-    profile = nodes.new("ShaderNodeTexIES")
-    profile.mode = "INTERNAL"
-    profile.ies = text
-    profile.inputs["Strength"].default_value = scale / (4.0 * math.pi)
-    links.new(vector(node("MULTIPLY", local[1], -1.0), node("MULTIPLY", local[0], -1.0), local[2]), profile.inputs["Vector"])
-    luminance = profile.outputs["Fac"]
+    luminance = look_up(nodes, links, text, scale / (4.0 * math.pi), *local)
     if facing:
-        direction = vector(*local)
+        along = nodes.new("ShaderNodeCombineXYZ")
+        for socket, value in zip(along.inputs, local):
+            links.new(value, socket)
         total = 1e-6 * sum(area for _, area in facing)
         for normal, area in facing:
-            share = node("MAXIMUM", dot(direction, normal), 0.0) if any(normal) else 1.0
+            share = node("MAXIMUM", dot(along.outputs[0], normal), 0.0) if any(normal) else 1.0
             total = node("MULTIPLY_ADD", share, area, total)
         luminance = node("DIVIDE", luminance, total)
     links.new(luminance, nodes.new("NodeGroupOutput").inputs["Luminance"])
@@ -200,16 +222,10 @@ def luminaire(name, position, x, y, z, text, scale, facing):
 
 
 def face_light(light, color, group):
-    light.use_nodes = True
-    nodes = light.node_tree.nodes
-    links = light.node_tree.links
-    nodes.clear()
+    nodes, links = own_nodes(light)
     shared = nodes.new("ShaderNodeGroup")
     shared.node_tree = group
-    emission = nodes.new("ShaderNodeEmission")
-    emission.inputs["Color"].default_value = color + (1.0,)  # linear Rec.709 of luminance 1
-    links.new(shared.outputs["Luminance"], emission.inputs["Strength"])
-    links.new(emission.outputs[0], nodes.new("ShaderNodeOutputLight").inputs["Surface"])
+    shine(nodes, links, color, shared.outputs["Luminance"])
 
 
 def attach(light, empty):
@@ -231,24 +247,9 @@ def load_picture(file):
     return image
 )python";
 
-constexpr const char* math_helper = R"python(
-
-def math_node(nodes, links, operation, *values):
-    node = nodes.new("ShaderNodeMath")
-    node.operation = operation
-    for socket, value in zip(node.inputs, values):
-        if isinstance(value, (int, float)):
-            socket.default_value = value
-        else:
-            links.new(value, socket)
-    return node.outputs[0]
-)python";
-
 constexpr const char* image_helper = R"python(
 
-def shine_picture(light, picture, u, v, beyond, strength):
-    nodes = light.node_tree.nodes
-    links = light.node_tree.links
+def shine_picture(nodes, links, picture, u, v, beyond, strength):
     place = nodes.new("ShaderNodeCombineXYZ")
     links.new(u, place.inputs["X"])
     links.new(v, place.inputs["Y"])
@@ -256,45 +257,31 @@ def shine_picture(light, picture, u, v, beyond, strength):
     texture.image = load_picture(picture)
     texture.extension = beyond
     links.new(place.outputs[0], texture.inputs["Vector"])
-    emission = nodes.new("ShaderNodeEmission")
-    links.new(texture.outputs["Color"], emission.inputs["Color"])
-    if strength:
-        links.new(strength, emission.inputs["Strength"])
-    else:
-        emission.inputs["Strength"].default_value = 1.0
-    links.new(emission.outputs[0], nodes.new("ShaderNodeOutputLight").inputs["Surface"])
+    shine(nodes, links, texture.outputs["Color"], strength)
 
 
 def projector_light(name, picture, slope_x, slope_y, watts):
     light = new_light(name, "POINT", (1.0, 1.0, 1.0), watts)
-    light.use_nodes = True
-    nodes = light.node_tree.nodes
-    links = light.node_tree.links
-    nodes.clear()
-    direction = nodes.new("ShaderNodeTexCoord")
-    parts = nodes.new("ShaderNodeSeparateXYZ")
-    links.new(direction.outputs["Normal"], parts.inputs[0])
+    nodes, links = own_nodes(light)
+    x, y, z = direction(nodes, links)
 
     def node(operation, *values):
         return math_node(nodes, links, operation, *values)
 
-    ahead = node("MULTIPLY", parts.outputs["Z"], -1.0)
-    u = node("MULTIPLY_ADD", node("DIVIDE", parts.outputs["X"], ahead), 0.5 / slope_x, 0.5)
-    v = node("MULTIPLY_ADD", node("DIVIDE", parts.outputs["Y"], ahead), 0.5 / slope_y, 0.5)
-    shine_picture(light, picture, u, v, "CLIP", node("GREATER_THAN", ahead, 0.0))
+    ahead = node("MULTIPLY", z, -1.0)
+    u = node("MULTIPLY_ADD", node("DIVIDE", x, ahead), 0.5 / slope_x, 0.5)
+    v = node("MULTIPLY_ADD", node("DIVIDE", y, ahead), 0.5 / slope_y, 0.5)
+    shine_picture(nodes, links, picture, u, v, "CLIP", node("GREATER_THAN", ahead, 0.0))
     return light
 
 
 def panel_light(name, picture, watts):
     light = new_light(name, "AREA", (1.0, 1.0, 1.0), watts)
-    light.use_nodes = True
-    nodes = light.node_tree.nodes
-    links = light.node_tree.links
-    nodes.clear()
+    nodes, links = own_nodes(light)
     parts = nodes.new("ShaderNodeSeparateXYZ")
     links.new(nodes.new("ShaderNodeNewGeometry").outputs["Parametric"], parts.inputs[0])
     u = math_node(nodes, links, "SUBTRACT", 1.0, parts.outputs["X"])
-    shine_picture(light, picture, u, parts.outputs["Y"], "EXTEND", None)
+    shine_picture(nodes, links, picture, u, parts.outputs["Y"], "EXTEND", 1.0)
     return light
 )python";
 
@@ -452,12 +439,12 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
     std::string text = fmt::format(start, "description"_a = scene.description, "imports"_a = imports_of(scene));
     if (scene.stage) text += blender_stage_start(scene);
     text += place;
+    if (!scene.profiles.empty() || !scene.images.empty()) text += node_helper;
     if (!scene.profiles.empty()) text += profile_helper;
     const bool tubes = std::any_of(scene.lights.begin(), scene.lights.end(),
                                    [](const SceneLight& light) { return light.kind == LightKind::tube; });
     if (tubes) text += tube_helper;
     if (scene.sky || !scene.images.empty()) text += folder_helper;
-    if (!scene.images.empty() || !scene.luminaires.empty()) text += math_helper;
     if (!scene.images.empty()) text += image_helper;
     if (!scene.luminaires.empty()) text += luminaire_helper;
     if (scene.sky) text += sky_helper;
