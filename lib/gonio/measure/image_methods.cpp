@@ -32,12 +32,7 @@ const detail::ImagePattern& pattern_of(const OpeningCases& cases) {
 }
 
 void closed_form(const OpeningCases& cases, simd::InstructionSet set, std::span<float> over_luminance) {
-    shading::Surfaces surfaces;
-    const transport::Receivers receivers = cases.receivers();
-    std::copy(std::begin(receivers.position), std::end(receivers.position), std::begin(surfaces.position));
-    std::copy(std::begin(receivers.normal), std::end(receivers.normal), std::begin(surfaces.normal));
-    surfaces.count = receivers.count;
-    shading::kernels(set).irradiance(surfaces, light_constants(cases.face()), over_luminance.data());
+    shading::kernels(set).irradiance(cases.surfaces(), light_constants(cases.face()), over_luminance.data());
 }
 
 void by_nodes(const OpeningCases& cases, simd::InstructionSet set, std::span<float> lx) {

@@ -5,7 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace gonio::measure {
@@ -25,6 +27,15 @@ transport::Receivers OpeningCases::receivers() const {
     return {{position[0].data(), position[1].data(), position[2].data()},
             {normal[0].data(), normal[1].data(), normal[2].data()},
             size()};
+}
+
+shading::Surfaces OpeningCases::surfaces() const {
+    shading::Surfaces surfaces;
+    const transport::Receivers from = receivers();
+    std::copy(std::begin(from.position), std::end(from.position), std::begin(surfaces.position));
+    std::copy(std::begin(from.normal), std::end(from.normal), std::begin(surfaces.normal));
+    surfaces.count = from.count;
+    return surfaces;
 }
 
 OpeningCases opening_cases(const Light& luminaire, double distance_in_sides, std::size_t count, std::uint64_t seed) {

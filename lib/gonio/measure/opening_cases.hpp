@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
+#include <gonio/shading/kernels.hpp>
 #include <gonio/transport/kernels_luminance.hpp>
 
 #include <array>
@@ -23,6 +24,7 @@ struct OpeningCases {
     std::size_t size() const { return position[0].size(); }
     const Light& face() const { return luminaire->body != nullptr ? luminaire->parts->front() : *luminaire; }
     transport::Receivers receivers() const;
+    shading::Surfaces surfaces() const; // without views
 };
 
 // At the origin, aimed down; of a light with faces the first is taken. Half of the receivers face the

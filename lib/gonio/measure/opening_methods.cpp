@@ -46,14 +46,9 @@ const Tables& tables_of(const OpeningCases& cases) {
 void by_columns(const OpeningCases& cases, simd::InstructionSet set, std::span<float> lx) {
     const Tables& tables = tables_of(cases);
     const Light& face = cases.face();
-    shading::Surfaces surfaces;
-    const transport::Receivers receivers = cases.receivers();
-    std::copy(std::begin(receivers.position), std::end(receivers.position), std::begin(surfaces.position));
-    std::copy(std::begin(receivers.normal), std::end(receivers.normal), std::begin(surfaces.normal));
-    surfaces.count = receivers.count;
-    shading::kernels(set).irradiance(surfaces, light_constants(face), lx.data());
+    shading::kernels(set).irradiance(cases.surfaces(), light_constants(face), lx.data());
     thread_local std::vector<float> share;
-    tables.luminance.evaluate(receivers, glm::dvec3(0.0), transport::luminance_kernels(set),
+    tables.luminance.evaluate(cases.receivers(), glm::dvec3(0.0), transport::luminance_kernels(set),
                               transport::intensity_kernels(set), share);
     const auto nt = static_cast<float>(face.luminance.value);
     for (std::size_t i = 0; i < lx.size(); ++i)
