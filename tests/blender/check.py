@@ -1,11 +1,13 @@
 """Run by run.sh in Blender: check.py -- FOLDER. Leaves rigs and the planes that Cycles renders under the same lights."""
 
 import json
-import math
 import os
 import sys
 
 import bpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "import"))
+from plane import render_plane
 
 folder = sys.argv[sys.argv.index("--") + 1]
 scene = bpy.context.scene
@@ -36,51 +38,6 @@ def refused(*names):
     except RuntimeError as error:
         return str(error)
     raise AssertionError(f"{names} was imported")
-
-
-def render(name, samples):
-    material = bpy.data.materials.new("white")
-    material.use_nodes = True
-    nodes = material.node_tree.nodes
-    nodes.clear()
-    diffuse = nodes.new("ShaderNodeBsdfDiffuse")
-    diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    material.node_tree.links.new(diffuse.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    mesh = bpy.data.meshes.new("plane")
-    mesh.from_pydata([(-4, -4, -1), (4, -4, -1), (4, 4, -1), (-4, 4, -1)], [], [(0, 1, 2, 3)])
-    mesh.materials.append(material)
-    plane = bpy.data.objects.new("plane", mesh)
-    scene.collection.objects.link(plane)
-    eye = bpy.data.cameras.new("eye")
-    eye.type = "ORTHO"
-    eye.ortho_scale = 4.0
-    camera = bpy.data.objects.new("eye", eye)
-    camera.location = (0.0, 0.0, -0.9)
-    scene.collection.objects.link(camera)
-    scene.camera = camera
-    scene.world = bpy.data.worlds.new("dark")
-    scene.world.color = (0.0, 0.0, 0.0)
-    scene.render.engine = "CYCLES"
-    scene.cycles.device = "CPU"
-    scene.cycles.samples = samples
-    scene.cycles.use_denoising = False
-    scene.cycles.max_bounces = 0
-    scene.cycles.pixel_filter_type = "BOX"
-    scene.render.resolution_x = scene.render.resolution_y = 32
-    scene.render.resolution_percentage = 100
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-    scene.render.filepath = path(name + ".exr")
-    bpy.ops.render.render(write_still=True)
-    values = list(bpy.data.images.load(scene.render.filepath).pixels)
-    with open(path(name + ".csv"), "w", encoding="ascii") as table:
-        table.write("x,y,lux\n")
-        for row in range(32):
-            for column in range(32):
-                red, green, blue = values[4 * (row * 32 + column) :][:3]
-                luminance = 0.21263900587151027 * red + 0.71516867876775592 * green + 0.072192315360733714 * blue
-                x, y = ((place + 0.5) / 8.0 - 2.0 for place in (column, row))
-                table.write(f"{x},{y},{luminance * math.pi * 177.83}\n")
 
 
 # What the tool says of broken files, in its own sentences, and nothing is left in the scene.
@@ -115,7 +72,7 @@ pendant.location = (0.9, 0.9, 0.2)
 pendant.gonio.lumens = 400.0
 bpy.context.view_layer.update()
 assert bpy.ops.export_scene.photometric_rig(filepath=path("measured.json")) == {"FINISHED"}
-render("measured", 1024)
+render_plane(path("measured.csv"), 1024, -0.9)
 
 # Blender's own lights.
 clear()
@@ -135,7 +92,7 @@ bpy.context.view_layer.update()
 assert bpy.ops.export_scene.photometric_rig(filepath=path("own.json")) == {"FINISHED"}
 names = [light["name"] for light in json.load(open(path("own.json"), encoding="utf-8"))["lights"]]
 assert names == ["area", "point", "sun"], names
-render("own", 1024)
+render_plane(path("own.csv"), 1024, -0.9)
 
 clear()
 try:
