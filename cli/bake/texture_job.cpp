@@ -8,12 +8,12 @@
 #include <gonio/base/json_text.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/base/version.hpp>
+#include <gonio/media/texel_pixel.hpp>
 #include <gonio/web/metrics.hpp>
 
 #include "../json_text.hpp"
 #include "../options/files_in_use.hpp"
 #include "../stopwatch.hpp"
-#include "../texel_pixel.hpp"
 
 #include <fmt/format.h>
 
@@ -187,7 +187,7 @@ Result<Made> make_texture(const TextureJob& job, ReportKind kind) {
     const double read_ms = reading.milliseconds();
     const Stopwatch baking;
     BakeOptions options = request.bake;
-    options.texel_type = texel_type(job.pixel);
+    options.texel_type = media::texel_type(job.pixel);
     Result<Texture> texture = baked(loaded->web, options, request.max_error);
     if (!texture) return pass_on(texture);
     const double bake_ms = baking.milliseconds();

@@ -7,10 +7,10 @@
 #include <gonio/base/file.hpp>
 #include <gonio/base/file_scope.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/media/asset_bytes.hpp>
 #include <gonio/scene/rig.hpp>
 #include <gonio/web/integrate.hpp>
 
-#include "../asset_bytes.hpp"
 #include "../json_text.hpp"
 #include "../options/output.hpp"
 #include "../options/sky_input.hpp"
@@ -295,9 +295,9 @@ Result<Written> made(const Source& source, const Content& content, const Target&
         return record;
     };
     for (const AssetFile& file : scene->files) {
-        Result<std::vector<NamedBytes>> contents = bytes_of(file, request.sky.threads);
+        Result<std::vector<media::NamedBytes>> contents = media::bytes_of(file, request.sky.threads);
         if (!contents) return pass_on(contents);
-        for (NamedBytes& content_of_file : *contents) {
+        for (media::NamedBytes& content_of_file : *contents) {
             Result<FileRecord> record = add(content_of_file.name, std::move(content_of_file.bytes));
             if (!record) return pass_on(record);
             written.record.files.push_back(std::move(*record));

@@ -2,8 +2,7 @@
 
 #include <gonio/asset/stage_scene.hpp>
 #include <gonio/base/codes/result.hpp>
-
-#include "../asset_bytes.hpp"
+#include <gonio/media/asset_bytes.hpp>
 
 #include <fmt/format.h>
 
@@ -68,9 +67,9 @@ Result<ExportedScene> export_scene(const PreviewRequest& request, std::span<cons
     if (!scene) return pass_on(scene);
     ExportedScene exported;
     for (const AssetFile& file : scene->files) {
-        Result<std::vector<NamedBytes>> contents = bytes_of(file, request.render.threads);
+        Result<std::vector<media::NamedBytes>> contents = media::bytes_of(file, request.render.threads);
         if (!contents) return pass_on(contents);
-        for (NamedBytes& content : *contents) {
+        for (media::NamedBytes& content : *contents) {
             const bool is_scene = exported.files.empty();
             exported.files.push_back({is_scene ? request.export_file : folder_of(request.export_file) + content.name,
                                       std::move(content.bytes)});

@@ -1,11 +1,8 @@
 #include "environment_output.hpp"
 
-#include <gonio/asset/sidecar.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
-#include <gonio/media/environment_file.hpp>
 #include <gonio/sky/environment_resample.hpp>
-#include <gonio/sky/sky_measures.hpp>
 
 #include "../options/output.hpp"
 #include "../options/values.hpp"
@@ -16,29 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace gonio::cli {
-
-namespace {
-
-// The sidecar's fields as attributes, but those that encode_environment() writes.
-std::vector<media::ImageAttribute> attributes_of(const std::string& sidecar) {
-    std::vector<media::ImageAttribute> attributes;
-    for (SidecarField& field : sidecar_fields(sidecar)) {
-        if (field.name == "layout" || field.name == "nits_per_unit") continue;
-        std::string name = "gonio:" + field.name;
-        if (const auto* const number = std::get_if<double>(&field.value))
-            attributes.push_back({std::move(name), std::vector<float>{static_cast<float>(*number)}});
-        else
-            attributes.push_back({std::move(name), std::get<std::string>(field.value)});
-    }
-    return attributes;
-}
-
-} // namespace
 
 Result<EnvironmentGrid> environment_of_side(EnvironmentLayout layout, int side, const std::string& option) {
     Result<EnvironmentGrid> grid = environment_grid(layout, side);
@@ -103,25 +79,6 @@ Result<bool> with_sun_in_pixels(const Arguments& arguments, const LoadedSky& loa
                                     : fmt::format("'{}' has no sun beside it", loaded.kind),
                     "--with-sun is for daylight that is not overcast");
     return with_the_sun;
-}
-
-Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
-                                           const EnvironmentStorage& storage, EnvironmentDescription description,
-                                           const std::string& name, unsigned threads) {
-    // As the file will hold it, so that the sidecar's lux are those that are read from the file.
-    const auto stored =
-        std::make_shared<const EnvironmentMap>(media::as_stored(map, nits_per_unit, *storage.format, storage.pixel));
-    Result<Sky> as_written = resolve_sky({ImageSkyKind{}, {}, glm::dvec3(1.0), {}, 0.0}, stored);
-    if (!as_written) return pass_on(as_written);
-    description.grid = stored->grid();
-    description.nits_per_unit = nits_per_unit;
-    description.pixel = media::to_text(storage.pixel);
-    description.measures = measure(*as_written, threads);
-    Result<std::string> bytes = media::encode_environment(*stored, *storage.format, storage.pixel,
-                                                          attributes_of(environment_sidecar(description)));
-    if (!bytes) return pass_on(bytes);
-    description.file = file_record(name, *bytes);
-    return EnvironmentFiles{std::move(*bytes), environment_sidecar(description)};
 }
 
 double nits_per_unit(const EnvironmentMap& map, media::Pixel pixel) {

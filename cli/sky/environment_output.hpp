@@ -1,8 +1,8 @@
 // Environment images as the actions of `gonio sky` write them: their size, their format and the scale of their pixels.
 #pragma once
 
-#include <gonio/asset/environment_sidecar.hpp>
 #include <gonio/base/result.hpp>
+#include <gonio/media/asset_bytes.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/sky/environment_map.hpp>
 
@@ -21,25 +21,12 @@ Result<EnvironmentGrid> environment_size(EnvironmentLayout layout, const std::st
 // A grid whose side an option gives, "--irradiance 33", which a refusal names. Fails (usage) as environment_grid().
 Result<EnvironmentGrid> environment_of_side(EnvironmentLayout layout, int side, const std::string& option);
 
-struct EnvironmentStorage {
-    const media::ImageFormat* format;
-    media::Pixel pixel;
-};
+using media::environment_files;
+using media::EnvironmentFiles;
+using media::EnvironmentStorage;
 
 // --to or the output's ending, and --pixel. Fails (usage) on formats that hold values for a display.
 Result<EnvironmentStorage> environment_storage(const Arguments& arguments, const std::string& output);
-
-// An image and its sidecar as bytes.
-struct EnvironmentFiles {
-    std::string image;
-    std::string sidecar;
-};
-
-// `map` rounded to what the storage holds, with a pixel of 1 at `nits_per_unit` cd/m². The description is completed
-// here: all but the sun and the source. `name`: of the image's file, without its folder. 0 threads: all.
-Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
-                                           const EnvironmentStorage& storage, EnvironmentDescription description,
-                                           const std::string& name, unsigned threads = 0);
 
 // What files are made from.
 struct SkySource {

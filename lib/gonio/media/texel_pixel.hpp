@@ -4,9 +4,9 @@
 #include <gonio/bake/texture.hpp>
 #include <gonio/media/image_file.hpp>
 
-namespace gonio::cli {
+namespace gonio::media {
 
-TexelType texel_type(media::Pixel pixel);
-media::Pixel pixel_of(TexelType type);
+TexelType texel_type(Pixel pixel);
+Pixel pixel_of(TexelType type);
 
-} // namespace gonio::cli
+} // namespace gonio::media
