@@ -37,13 +37,6 @@ def test_a_preview_is_an_array():
         gonio.preview(light, "flor")
 
 
-def test_a_rig_with_a_sky_is_refused():
-    with pytest.raises(gonio.Error) as raised:
-        gonio.make_rig({"lights": [], "sky": "500lx"})
-    assert raised.value.code == "UNS0101"
-    assert "sky" in str(raised.value)
-
-
 def test_a_dict_is_not_yet_a_rig():
     with pytest.raises(TypeError, match="make_rig"):
         gonio.preview({"lights": []}, size=(8, 8))

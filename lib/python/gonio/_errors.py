@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List
-
+TYPE_CHECKING = False  # type checkers take it as true; importing typing takes as long as all of gonio
 if TYPE_CHECKING:
+    from typing import List
+
     from ._gonio import Diagnostic
 
 

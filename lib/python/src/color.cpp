@@ -8,6 +8,7 @@
 
 #include "binding.hpp"
 
+#include <algorithm>
 #include <pybind11/stl.h>
 
 namespace gonio::python {
@@ -70,13 +71,13 @@ Doubles rgb_in_double(const Doubles& temperature, const Doubles& duv, const RgbS
     return result;
 }
 
-using Floats = py::array_t<float, py::array::c_style>;
+using FloatsInOrder = py::array_t<float, py::array::c_style>;
 
 // In packs of floats: structures of arrays in pieces that stay in the cache, interleaved on the way out.
-Floats rgb_in_packs(const Floats& temperature, const RgbSpace& space) {
+FloatsInOrder rgb_in_packs(const FloatsInOrder& temperature, const RgbSpace& space) {
     const color::Kernels& kernels = color::kernels(simd::best_available());
     const color::RgbConstants constants = color::rgb_constants(space);
-    Floats result(with_axis(temperature, 3));
+    FloatsInOrder result(with_axis(temperature, 3));
     const float* const kelvin = temperature.data();
     float* const to = result.mutable_data();
     const auto count = static_cast<std::size_t>(temperature.size());
@@ -110,7 +111,7 @@ void add_colors(py::module_& module) {
         [](const py::object& temperature, const Doubles& duv, const std::string& name) -> py::object {
             const RgbSpace& space = space_named(name);
             const bool plain = duv.size() == 1 && *duv.data() == 0.0;
-            if (plain && py::isinstance<Floats>(temperature)) return rgb_in_packs(temperature, space);
+            if (plain && py::isinstance<FloatsInOrder>(temperature)) return rgb_in_packs(temperature, space);
             const auto kelvin = Doubles::ensure(temperature);
             if (!kelvin) throw py::error_already_set();
             return rgb_in_double(kelvin, duv, space);
@@ -131,6 +132,65 @@ void add_colors(py::module_& module) {
         py::arg("text"),
         "Linear Rec.709 of luminance 1 (3) of a light's colour: '2700K', '2700K/0.003', 'd65', 'spectrum:FILE',\n"
         "'rgb(r,g,b)' or '#ffd9a0'.");
+    module.def(
+        "loci",
+        [] {
+            std::vector<std::pair<std::string, std::string>> rows;
+            for (const LocusName& row : locus_names())
+                rows.emplace_back(row.name, row.says);
+            return rows;
+        },
+        "The curves of chromaticities over temperature: their names, each with a summary.");
+    module.def(
+        "duv_of_tint", [](const std::string& text) { return value_of(parse_tint(text)); }, py::arg("text"),
+        "The Duv of a tint of a program of tints(): '10@dng'.");
+    module.def(
+        "tints",
+        [] {
+            std::vector<std::pair<std::string, std::string>> rows;
+            for (const TintConvention& row : tint_conventions())
+                rows.emplace_back(row.name, row.says);
+            return rows;
+        },
+        "How programs express the distance from the locus: their names, each with a summary.");
+    module.def(
+        "is_real",
+        [](const Doubles& x, const Doubles& y) {
+            const auto [xs, ys] = broadcast(x, y);
+            py::array_t<bool> result(std::vector<py::ssize_t>(xs.shape(), xs.shape() + xs.ndim()));
+            for (py::ssize_t i = 0; i < xs.size(); ++i)
+                result.mutable_data()[i] = is_real(Xy{xs.data()[i], ys.data()[i]});
+            return xs.ndim() == 0 ? py::object(py::bool_(*result.data())) : py::object(result);
+        },
+        py::arg("x"), py::arg("y"),
+        "Whether CIE 1931 x and y, which are broadcast, are a mixture of wavelengths, bool (…).");
+    module.def(
+        "rgb_to_xyz",
+        [](const std::string& name) {
+            const RgbSpace& space = space_named(name);
+            Doubles matrix(std::vector<py::ssize_t>{3, 3});
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 3; ++column)
+                    matrix.mutable_at(row, column) = space.to_xyz[column][row];
+            return matrix;
+        },
+        py::arg("space"), "The matrix (3, 3) from linear RGB of a space to XYZ relative to D65.");
+    module.def(
+        "srgb_encoded",
+        [](const Doubles& linear) {
+            Doubles result = like(linear);
+            std::transform(linear.data(), linear.data() + linear.size(), result.mutable_data(), encode_srgb);
+            return number_or_array(result);
+        },
+        py::arg("linear"), "The curve of sRGB (IEC 61966-2-1) on linear values (…).");
+    module.def(
+        "srgb_decoded",
+        [](const Doubles& encoded) {
+            Doubles result = like(encoded);
+            std::transform(encoded.data(), encoded.data() + encoded.size(), result.mutable_data(), decode_srgb);
+            return number_or_array(result);
+        },
+        py::arg("encoded"), "Its inverse: linear values (…).");
     module.def(
         "rgb_spaces",
         [] {
@@ -210,6 +270,9 @@ void add_colors(py::module_& module) {
         .def("__repr__", [](const Spectrum& s) {
             return "<gonio.Spectrum '" + s.name + "', " + std::to_string(s.power.size()) + " wavelengths>";
         });
+    module.def(
+        "read_spectra", [](const std::string& text) { return value_of(gonio::read_spectra(text)); }, py::arg("text"),
+        "All spectra of a CSV or TM-33 file.");
     module.def(
         "read_spectrum", [](const std::string& text) { return value_of(read_spectrum(text)); }, py::arg("text"),
         "The spectrum of a CIE illuminant ('d65', 'LED-B3'), of 'blackbody:2700K', or of a CSV or TM-33 file.");

@@ -47,6 +47,15 @@ void add_diagnostics(py::module_& module) {
         .def("__repr__", [](const Diagnostic& d) { return "<gonio.Diagnostic " + to_text(d) + ">"; });
 
     module.def(
+        "diagnostic_codes",
+        [] {
+            std::vector<std::pair<std::string, std::string>> rows;
+            for (const DiagnosticCode& row : gonio::diagnostic_codes())
+                rows.emplace_back(row.code, row.title);
+            return rows;
+        },
+        "All codes of diagnostics, each with its title.");
+    module.def(
         "explain",
         [](const std::string& code) {
             const DiagnosticCode* const row = find_diagnostic_code(code);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
+#include <gonio/scene/probe.hpp>
 
 #include "binding.hpp"
 
@@ -10,5 +11,8 @@
 namespace gonio::python {
 
 std::vector<Light> lights_of(const py::object& lights);
+
+// Positions and normals in one shape.
+std::vector<Receiver> receivers_of(const Doubles& positions, const Doubles& normals);
 
 } // namespace gonio::python

@@ -1,90 +1,83 @@
-// Previews: lights on a stage as a picture, and rigs.
+// Previews: lights on a stage as a picture, and its exposure.
 #include <gonio/base/named.hpp>
+#include <gonio/preview/capture.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/preview/render.hpp>
-#include <gonio/scene/rig.hpp>
-#include <gonio/scene/stage.hpp>
 
-#include "binding.hpp"
 #include "light_list.hpp"
+#include "rig.hpp"
 
+#include <algorithm>
 #include <pybind11/stl.h>
 
 namespace gonio::python {
 
 namespace {
 
-constexpr std::array shadow_names{Named{"off", Shadows::off}, Named{"hard", Shadows::hard},
-                                  Named{"soft", Shadows::soft}};
-
-// A rig with its lights resolved.
-struct LoadedRig {
-    Rig rig;
-    std::vector<Light> lights;
-    Stage stage; // with the rig's materials and what its surfaces emit
-    Diagnostics diagnostics;
-};
-
-LoadedRig load(Rig&& rig) {
-    if (rig.sky)
-        throw Failed{fail(Failure::unsupported, "a rig with a sky is not for Python yet",
-                          "take its 'sky' out, or use gonio preview and gonio probe", rig.source)
-                         .value()};
-    LoadedRig loaded;
-    loaded.diagnostics = rig.diagnostics;
-    loaded.stage = value_of(stage_of(rig));
-    for (const SurfaceMaterial& given : rig.materials)
-        for (Surface& surface : loaded.stage.surfaces)
-            if (surface.name == given.surface) surface.material = given.material;
-    if (rig.camera) loaded.stage.camera = *rig.camera;
-    std::vector<LightDescription> emitting = value_of(emissive_lights(rig));
-    loaded.lights = value_of(resolve_lights(rig, loaded.diagnostics));
-    value_of(add_resolved(std::move(emitting), loaded.lights, loaded.diagnostics));
-    loaded.rig = std::move(rig);
-    return loaded;
-}
-
 struct CameraView {
     std::optional<py::object> position, target;
     std::optional<double> fov_deg;
 };
 
-Rendering render_on(const Stage& stage, const std::vector<Light>& lights, std::pair<int, int> size,
-                    const CameraView& view, const std::string& shadows, int bounces, const std::string& method,
-                    unsigned threads) {
+// How the surroundings reach surfaces.
+struct Surroundings {
+    std::optional<py::object> sky;
+    bool shows_sky = true;
+    std::string method;
+    std::optional<py::object> probe_at;
+};
+
+Camera camera_of(const Stage& stage, const CameraView& view) {
     Camera camera = stage.camera;
     if (view.position) camera.position = vector_of(*view.position, "camera");
     if (view.target) camera.target = vector_of(*view.target, "target");
     if (view.fov_deg) {
+        if (!(*view.fov_deg > 0.0 && *view.fov_deg < 180.0))
+            throw Failed{fail("USE0106", "fov_deg must lie between 0 and 180").value()};
         camera.vertical_fov_deg = *view.fov_deg;
         camera.least_horizontal_fov_deg = 0.0;
     }
     value_of(check_camera(stage, camera));
-    RenderOptions options;
-    options.width = size.first;
-    options.height = size.second;
-    options.shadows = value_of(find_value("shadows", shadows, shadow_names));
-    options.bounces = bounces < 0 ? all_bounces : bounces;
-    options.method = value_of(parse_irradiance_method(method));
-    options.illuminance = true;
-    options.threads = threads;
-    return value_of(interruptible([&] { return render(stage, lights, camera, options); }));
+    return camera;
+}
+
+SurroundingsMethod surroundings_named(const std::string& name) {
+    if (name == to_text(SurroundingsMethod::exact)) return SurroundingsMethod::exact;
+    std::vector<std::string_view> known{to_text(SurroundingsMethod::exact)};
+    for (const SurroundingsMethodInfo& method : gonio::surroundings_methods()) {
+        if (method.name == name) return method.method;
+        known.push_back(method.name);
+    }
+    throw Failed{unknown_name("method of surroundings", name, known).value()};
 }
 
 Rendering preview(const py::object& of, const std::optional<std::string>& name, std::pair<int, int> size,
-                  const std::map<std::string, std::string>& materials, const std::optional<py::object>& camera,
-                  const std::optional<py::object>& target, std::optional<double> fov_deg, const std::string& shadows,
-                  int bounces, const std::string& method, unsigned threads) {
-    Stage stage = !name && py::isinstance<LoadedRig>(of) ? of.cast<const LoadedRig&>().stage
-                                                         : value_of(make_stage(name.value_or("floor")));
-    for (const auto& [surface, material] : materials) {
-        const std::vector<std::string_view> known = surface_names(stage);
-        if (std::find(known.begin(), known.end(), surface) == known.end())
-            throw Failed{unknown_name("surface", surface, known).value()};
-        for (Surface& one : stage.surfaces)
-            if (one.name == surface) one.material = value_of(parse_material(material));
+                  const std::map<std::string, std::string>& materials, const CameraView& view,
+                  const Surroundings& around, RenderOptions options, const std::string& shadows,
+                  const std::string& method) {
+    std::vector<Light> lights = lights_of(of);
+    const Stage stage = stage_of(of, name, materials);
+    const Camera camera = camera_of(stage, view);
+    options.width = size.first;
+    options.height = size.second;
+    options.sky = sky_over(of, around.sky, lights).sky;
+    options.shows_sky = around.shows_sky && !options.sky.is_dark();
+    options.shadows = shadows_named(shadows);
+    options.method = value_of(parse_irradiance_method(method));
+    options.surroundings = surroundings_named(around.method);
+    options.illuminance = true;
+    if (has_local_probe(options.surroundings) != around.probe_at.has_value())
+        throw Failed{fail("USE0104",
+                          around.probe_at ? "probe_at is for the surroundings parallax-box and parallax-sphere"
+                                          : "these surroundings need the place of a probe",
+                          "for example surroundings='parallax-box', probe_at=(0, 0, 1.2)")
+                         .value()};
+    if (around.probe_at) {
+        const glm::dvec3 at = vector_of(*around.probe_at, "probe_at");
+        options.probe = std::make_shared<const LocalProbe>(
+            value_of(interruptible([&] { return local_probe(stage, lights, at, options); })));
     }
-    return render_on(stage, lights_of(of), size, {camera, target, fov_deg}, shadows, bounces, method, threads);
+    return value_of(interruptible([&] { return render(stage, lights, camera, options); }));
 }
 
 // Lights without a place, as the tool puts them on a stage.
@@ -99,11 +92,24 @@ Light hung(const std::string& shape, const std::optional<std::string>& intensity
     return light;
 }
 
-py::array channels_of(const py::object& owner, const Image& image) {
-    const std::vector<py::ssize_t> shape = image.channels == 1
-                                               ? std::vector<py::ssize_t>{image.height, image.width}
-                                               : std::vector<py::ssize_t>{image.height, image.width, image.channels};
-    return py::array_t<float>(shape, image.pixels.data(), owner);
+// A mask of the picture's pixels.
+py::array mask_of(const Rendering& picture, const std::vector<std::uint8_t>& pixels) {
+    py::array_t<bool> mask(std::vector<py::ssize_t>{picture.luminance_nt.height, picture.luminance_nt.width});
+    std::transform(pixels.begin(), pixels.end(), mask.mutable_data(), [](std::uint8_t one) { return one != 0; });
+    return mask;
+}
+
+// EV of each, which must be greater than 0 where `work` needs it.
+template<class Work>
+py::object each_of(const Doubles& numbers, const char* name, bool above_zero, const Work& work) {
+    Doubles result = like(numbers);
+    for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+        const double number = numbers.data()[i];
+        if (above_zero && !(number > 0.0))
+            throw Failed{fail("USE0106", std::string(name) + " must be greater than 0").value()};
+        result.mutable_data()[i] = work(number);
+    }
+    return number_or_array(result);
 }
 
 } // namespace
@@ -113,12 +119,18 @@ void add_previews(py::module_& module) {
                           "A preview, scene-linear. As an array it is its luminance; a notebook shows it exposed.")
         .def_property_readonly(
             "luminance",
-            [](const py::object& self) { return channels_of(self, self.cast<const Rendering&>().luminance_nt); },
+            [](const py::object& self) { return view_of(self, self.cast<const Rendering&>().luminance_nt); },
             "Linear Rec.709 [cd/m²] (height, width, 3), float32, a view.")
         .def_property_readonly(
             "illuminance",
-            [](const py::object& self) { return channels_of(self, self.cast<const Rendering&>().illuminance_lx); },
+            [](const py::object& self) { return view_of(self, self.cast<const Rendering&>().illuminance_lx); },
             "Of the visible surfaces [lx] (height, width), float32, a view; 0 where a light or nothing is seen.")
+        .def_property_readonly(
+            "shows_light", [](const Rendering& r) { return mask_of(r, r.shows_light); },
+            "Where a light itself is seen, even in a part of the pixel (height, width), bool.")
+        .def_property_readonly(
+            "shows_subject", [](const Rendering& r) { return mask_of(r, r.shows_subject); },
+            "Where the pixel's middle shows what the stage is meant to show (height, width), bool.")
         .def(
             "__array__",
             [](const py::object& self, const py::object& type) {
@@ -145,56 +157,69 @@ void add_previews(py::module_& module) {
                    std::to_string(r.luminance_nt.height) + ">";
         });
 
-    py::class_<LoadedRig>(module, "Rig",
-                          "The lights of a scene and the stage that they are shown on, of schema gonio.rig/1.")
-        .def_readonly("lights", &LoadedRig::lights, "Its lights, and the surfaces that emit.")
-        .def_property_readonly(
-            "stage", [](const LoadedRig& r) { return r.stage.name; }, "The name of its stage.")
-        .def_property_readonly(
-            "files", [](const LoadedRig& r) { return r.rig.files; }, "The files that were read for it.")
-        .def_readonly("diagnostics", &LoadedRig::diagnostics, "Warnings and notes of reading it.")
-        .def("__repr__", [](const LoadedRig& r) {
-            return "<gonio.Rig '" + r.rig.source + "', " + std::to_string(r.lights.size()) + " lights>";
-        });
     module.def(
-        "read_rig",
-        [](const py::object& path, bool allow_outside) {
-            return load(value_of(read_rig_file(path_of(path), {allow_outside, "allow_outside=True allows it"})));
+        "preview",
+        [](const py::object& lights, const std::optional<std::string>& stage, std::pair<int, int> size,
+           const std::map<std::string, std::string>& materials, const std::optional<py::object>& camera,
+           const std::optional<py::object>& target, std::optional<double> fov_deg, const std::string& shadows,
+           int bounces, const std::string& method, const std::optional<py::object>& sky, bool shows_sky,
+           bool shows_lights, bool specular, const std::string& surroundings, const std::optional<py::object>& probe_at,
+           unsigned threads) {
+            RenderOptions options;
+            options.bounces = bounces_of(bounces);
+            options.shows_lights = shows_lights;
+            options.specular = specular;
+            options.threads = threads;
+            return preview(lights, stage, size, materials, {camera, target, fov_deg},
+                           {sky, shows_sky, surroundings, probe_at}, options, shadows, method);
         },
-        py::arg("path"), py::kw_only(), py::arg("allow_outside") = false,
-        "Reads a rig. Its files must lie under its own folder unless `allow_outside` is true.");
-    module.def(
-        "make_rig",
-        [](const py::dict& content, const py::object& folder, bool allow_outside) {
-            py::dict whole("schema"_a = "gonio.rig/1");
-            whole.attr("update")(content);
-            const auto text = py::module_::import("json").attr("dumps")(whole).cast<std::string>();
-            return load(
-                value_of(read_rig(text, "rig", path_of(folder), {allow_outside, "allow_outside=True allows it"})));
-        },
-        py::arg("content"), py::kw_only(), py::arg("folder") = "", py::arg("allow_outside") = false,
-        "A rig from a dict with the keys of gonio.rig/1: make_rig({'lights': [{'shape': 'sphere:r=10cm', 'intensity':\n"
-        "'800lm'}], 'stage': 'floor'}). Files are relative to `folder`.");
-
-    module.def(
-        "preview", &preview, py::arg("lights"), py::arg("stage") = py::none(), py::kw_only(),
-        py::arg("size") = std::pair(320, 240), py::arg("materials") = std::map<std::string, std::string>(),
-        py::arg("camera") = py::none(), py::arg("target") = py::none(), py::arg("fov_deg") = py::none(),
-        py::arg("shadows") = "soft", py::arg("bounces") = 0, py::arg("method") = "exact", py::arg("threads") = 0,
+        py::arg("lights"), py::arg("stage") = py::none(), py::kw_only(), py::arg("size") = std::pair(320, 240),
+        py::arg("materials") = std::map<std::string, std::string>(), py::arg("camera") = py::none(),
+        py::arg("target") = py::none(), py::arg("fov_deg") = py::none(), py::arg("shadows") = "soft",
+        py::arg("bounces") = 0, py::arg("method") = "exact", py::arg("sky") = py::none(), py::arg("shows_sky") = true,
+        py::arg("shows_lights") = true, py::arg("specular") = true, py::arg("surroundings") = "exact",
+        py::arg("probe_at") = py::none(), py::arg("threads") = 0,
         "A picture of lights, or of a rig on its own stage, of `size` (width, height). `camera` and `target` are\n"
         "places (3) [m], `fov_deg` is the vertical field of view [°]; `shadows`: off, hard or soft; `bounces` −1:\n"
-        "until all light is absorbed. Noise-free, the same for any number of threads.");
+        "until all light is absorbed. `sky` is a text, an environment or a gonio.Sky, shown where nothing else is "
+        "seen\n"
+        "unless `shows_sky` is false; `surroundings` is how it is reflected, of surroundings_methods(), and "
+        "`probe_at`\n"
+        "(3) [m] the place of the probe that some of these need. Noise-free, the same for any number of threads.");
     module.def("hang", &hung, py::arg("shape"), py::arg("intensity") = py::none(), py::arg("stage") = "floor",
                "A light where the tool puts it on a stage.");
     module.def(
-        "stages",
-        [] {
-            std::vector<std::pair<std::string, std::string>> names;
-            for (const StageKind& stage : stage_kinds())
-                names.emplace_back(stage.name, stage.summary);
-            return names;
+        "surroundings_methods", [] { return summaries_of(gonio::surroundings_methods()); },
+        "How engines reflect the surroundings: the names of the methods besides 'exact', each with a summary.");
+    module.def(
+        "auto_ev100",
+        [](const py::object& luminance) {
+            Image image = image_of(luminance, "luminance");
+            if (image.channels != 3)
+                throw Failed{fail("USE0105", "luminance must be pixels (height, width, 3)").value()};
+            return auto_exposure(image).value;
         },
-        "The names of the stages, each with a summary.");
+        py::arg("luminance"),
+        "The exposure value at ISO 100 that fits a picture of linear Rec.709 [cd/m²] (height, width, 3).");
+    module.def(
+        "white_luminance_nt",
+        [](const Doubles& ev) {
+            return each_of(ev, "ev100", false, [](double e) { return white_luminance(Ev100(e)).value; });
+        },
+        py::arg("ev100"), "The luminance that is the display's white at an exposure value [cd/m²].");
+    module.def(
+        "card_illuminance_lx",
+        [](const Doubles& ev) {
+            return each_of(ev, "ev100", false, [](double e) { return card_illuminance(Ev100(e)).value; });
+        },
+        py::arg("ev100"), "The illuminance at which a matte 18 % card is middle grey at an exposure value [lx].");
+    module.def(
+        "ev100_of_card",
+        [](const Doubles& lux) {
+            return each_of(lux, "illuminance_lx", true, [](double e) { return exposure_of_card(Lux(e)).value; });
+        },
+        py::arg("illuminance_lx"),
+        "The exposure value at which a matte 18 % card with this illuminance is middle grey.");
 }
 
 } // namespace gonio::python

@@ -1,6 +1,7 @@
 // Profiles: photometric files as written; reading, checking, converting and writing them.
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/named.hpp>
+#include <gonio/light/opening.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/plausibility.hpp>
 #include <gonio/web/radiometric.hpp>
@@ -105,6 +106,9 @@ void add_profiles(py::module_& module) {
             "Lumens of the lamps that the file declares [lm]; None for absolute photometry.")
         .def_property_readonly(
             "input_watts", [](const Profile& p) { return header_of(p).input_watts; }, "Electrical power [W].")
+        .def_property_readonly(
+            "opening", [](const Profile& p) { return opening_of(p); },
+            "The luminous opening that the file declares; of kind 'point' if it declares none.")
         .def("web", &web_of, py::kw_only(), py::arg("lamp_set") = 1, py::arg("tilt_deg") = 0.0,
              py::arg("azimuth") = "as-written", py::arg("as_candela") = false,
              "The light that the file describes, every factor applied [cd]. `azimuth` 'ies' or 'eulumdat' turns files "

@@ -61,17 +61,7 @@ py::object sample(const Web& web, const Doubles& c_deg, const Doubles& gamma_deg
 }
 
 py::object sample_directions(const Web& web, const Doubles& directions) {
-    require_vectors(directions, "directions");
-    Doubles result(shape_of_vectors(directions));
-    const double* from = directions.data();
-    double* const candela = result.mutable_data();
-    const py::ssize_t count = result.size();
-    {
-        const py::gil_scoped_release released;
-        for (py::ssize_t i = 0; i < count; ++i, from += 3)
-            candela[i] = web.candela(glm::dvec3(from[0], from[1], from[2]));
-    }
-    return number_or_array(result);
+    return for_each_vector(directions, "directions", [&](const glm::dvec3& at) { return web.candela(at); });
 }
 
 std::string diagram(const Web& web, const std::string& kind, int width, int height, const std::string& title) {
@@ -167,6 +157,12 @@ void add_webs(py::module_& module) {
             "Full angle [°] in the plane C within which the light has `fraction` of the peak; None if it never has.\n"
             "0.5 gives the beam angle, 0.1 the field angle.")
         .def(
+            "cie_beam_angle_deg", [](const Web& of, double c_deg) { return degrees_of(cie_beam_angle(of, c_deg)); },
+            py::arg("c_deg") = 0.0,
+            "Full angle [°] at half of the intensity along the axis, as CIE and IEC define the beam angle; None if "
+            "the\n"
+            "axis is dark.")
+        .def(
             "rotated", [](const Web& of, double angle) { return rotated(of, angle); }, py::arg("angle_deg"),
             "Rotated about the axis: the light towards C goes to C + angle.")
         .def(
@@ -235,6 +231,11 @@ void add_webs(py::module_& module) {
             "flux_error_lm", [](const ResampledWeb& r) { return r.flux_error.value; },
             "Its flux minus that of the original [lm].");
 
+    module.def(
+        "nema_type", [](double angle) { return nema_type(degrees(angle)); }, py::arg("field_angle_deg"),
+        "The NEMA type of a floodlight by its field angle in one plane [°], 1 to 7.");
+    module.def(
+        "diagrams", [] { return summaries_of(diagram_kinds()); }, "The names of the diagrams, each with a summary.");
     module.def(
         "make_web",
         [](const std::string& kind, double lumens, double horizontal, double vertical) {

@@ -1,0 +1,124 @@
+// What speed.py compares the module with: the library's kernels on columns of a million points, on one thread.
+//   gonio-python-speed POINTS     floats of positions x y z, then of normals x y z, column by column
+// Prints a line for each case: its name and the least seconds of several runs.
+#include <gonio/light/light.hpp>
+#include <gonio/scene/material.hpp>
+#include <gonio/shading/kernels.hpp>
+#include <gonio/shading/kernels_reflectance.hpp>
+#include <gonio/transport/intensity_pattern.hpp>
+#include <gonio/transport/shading_constants.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gonio;
+
+constexpr std::size_t piece = 4096; // of intensities, which stay in the cache
+
+template<class Work>
+void report(const char* name, const Work& work) {
+    double least = 1e9;
+    for (int run = 0; run < 7; ++run) {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::printf("%s %.6e\n", name, least);
+}
+
+template<class T>
+T required(Result<T>&& result) {
+    if (result) return std::move(*result);
+    std::fprintf(stderr, "%s\n", to_text(result.error().diagnostics.back()).c_str());
+    std::exit(1);
+}
+
+Light light_of(const char* shape, const char* intensity) {
+    LightDescription description;
+    description.shape = required(parse_shape(shape));
+    if (intensity != nullptr) description.intensity = required(parse_photometric_value(intensity));
+    description.position = {0.0, 0.0, 2.0};
+    Diagnostics diagnostics;
+    return required(resolve_light(std::move(description), diagnostics));
+}
+
+} // namespace
+
+int main(int count_of_arguments, char** arguments) {
+    if (count_of_arguments != 2) return 2;
+    std::ifstream file(arguments[1], std::ios::binary | std::ios::ate);
+    const auto bytes = static_cast<std::size_t>(file.tellg());
+    std::vector<float> numbers(bytes / sizeof(float));
+    file.seekg(0);
+    file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(bytes));
+    const std::size_t count = numbers.size() / 6;
+    shading::Surfaces surfaces;
+    surfaces.count = count;
+    for (std::size_t k = 0; k < 3; ++k) {
+        surfaces.position[k] = numbers.data() + k * count;
+        surfaces.normal[k] = numbers.data() + (3 + k) * count;
+    }
+    const shading::Kernels& kernels = shading::kernels(simd::best_available());
+    for (const auto& [name, shape, intensity] :
+         {std::tuple{"point", "point", "800lm"}, std::tuple{"sphere", "sphere:r=10cm", "800lm"},
+          std::tuple{"rect", "rect:w=60cm,h=30cm", "800lm"},
+          std::tuple{"profile", "ies:profiles/downlight.ies", static_cast<const char*>(nullptr)}}) {
+        const Light light = light_of(shape, intensity);
+        detail::WebTables tables;
+        const detail::IntensityPattern pattern(light, tables);
+        const bool is_point = class_of(light.shape) == ShapeClass::punctual;
+        const auto scale = is_point ? 1.0F : static_cast<float>(light.luminance.value);
+        report(name, [&] {
+            std::vector<float> lx(count); // as Python makes an array for each result
+            std::vector<float> intensities(piece);
+            for (std::size_t begin = 0; begin < count; begin += is_point ? piece : count) {
+                shading::Surfaces part = surfaces;
+                part.count = std::min(is_point ? piece : count, count - begin);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    part.position[k] += begin;
+                    part.normal[k] += begin;
+                }
+                shading::LightConstants constants = light_constants(light);
+                if (is_point) {
+                    pattern.evaluate({{part.position[0], part.position[1], part.position[2]}, part.count},
+                                     glm::dvec3(0.0), transport::intensity_kernels(simd::best_available()),
+                                     intensities.data());
+                    constants.intensity_cd = intensities.data();
+                }
+                kernels.irradiance(part, constants, lx.data() + begin);
+            }
+            for (float& one : lx)
+                one *= scale;
+        });
+    }
+    shading::DirectionPairs pairs;
+    pairs.count = count;
+    std::vector<float> views(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        views[i] = 0.0F;
+        views[count + i] = -0.6F;
+        views[2 * count + i] = 0.8F;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        pairs.to_light[k] = surfaces.normal[k];
+        pairs.to_eye[k] = views.data() + k * count;
+        surfaces.view[k] = pairs.to_eye[k];
+    }
+    for (const char* const text : {"lambert:albedo=0.5", "ue4:roughness=0.4", "frostbite:smoothness=0.6,coat=1"}) {
+        const shading::MaterialConstants constants = material_constants(required(parse_material(text)));
+        report(text, [&] {
+            std::vector<float> rgb(3 * count);
+            float* const to[3] = {rgb.data(), rgb.data() + count, rgb.data() + 2 * count};
+            shading::reflectance_kernels(simd::best_available()).brdf(pairs, constants, to);
+        });
+    }
+    return 0;
+}
