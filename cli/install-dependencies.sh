@@ -4,7 +4,7 @@
 #   cli/install-dependencies.sh           what building the library and the tool needs
 #   cli/install-dependencies.sh --tests   … and running tests/run.sh
 #   cli/install-dependencies.sh --bench   … and the benchmark programs (-DGONIO_BENCH=ON)
-#   cli/install-dependencies.sh --ci      … and running .ci/run (those, clang, its sanitizers, clang-tidy, ccache)
+#   cli/install-dependencies.sh --ci      … and running .ci/run (those, Python, clang, its sanitizers, clang-tidy, ccache)
 #   cli/install-dependencies.sh --python  … and the module for Python with its tests (-DGONIO_PYTHON=ON)
 #   cli/install-dependencies.sh --packages   what building the packages and trying them needs (tests/package/run.sh)
 #
@@ -26,9 +26,9 @@ for argument in "$@"; do
     case $argument in
     --tests) packages+=("${test_packages[@]}") ;;
     --bench) packages+=("${test_packages[@]}" "${bench_packages[@]}") ;;
-    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${ci_packages[@]}") ;;
+    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${python_packages[@]}" "${ci_packages[@]}") ;;
     --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
-    --packages) packages+=("${package_packages[@]}") ;;
+    --packages) packages+=("${package_packages[@]}" "${python_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0

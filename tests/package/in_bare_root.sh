@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The part of run.sh that runs in the bare root: installs the tool alone, then with the modules, and runs the README's
-# examples each time. Writes what it measured into /tmp/figures.txt.
+# examples each time; then the module for Python. Writes what it measured into /tmp/figures.txt.
 set -euo pipefail
 
 export DEBIAN_FRONTEND=noninteractive
@@ -39,3 +39,8 @@ echo "gonio-media: installed in $((($(date +%s%N) - begin) / 1000000)) ms, $(($(
 dependencies" | tee -a figures.txt
 grep -c '^\$ ' examples/README.md | sed 's/$/ commands of the README ran with it/' | tee -a figures.txt
 bash examples/tests/golden/run.sh /usr/bin/gonio examples/README.md
+
+begin=$(date +%s%N)
+apt-get -qq install -y --no-install-recommends ./python.deb < /dev/null
+echo "python3-gonio: installed in $((($(date +%s%N) - begin) / 1000000)) ms" | tee -a figures.txt
+(cd examples && python3 /tmp/in_bare_root.py) | tee -a figures.txt

@@ -7,7 +7,7 @@
 # 1. lintian finds no error, and the dependencies are those that are listed here.
 # 2. The tool alone is installed into a bare root within 15 s and 20 MB, and runs the examples of the README that need no
 #    picture. A picture names the package that is missing.
-# 3. With gonio-media it runs all examples of the README.
+# 3. With gonio-media it runs all examples of the README. The module for Python computes, and makes a picture.
 # 4. The archive runs them too, from a folder with an odd name; the development package serves a consumer.
 #
 # Needs root (for the bare root) and Debian's archive. Installs lintian and mmdebstrap. Takes about ten minutes, most of
@@ -33,7 +33,7 @@ rm -f "$build"/*.deb "$build"/*.tar.xz
 cpack --preset package > "$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit 1; }
 debs=("$build"/*.deb)
 archives=("$build"/*.tar.xz)
-((${#debs[@]} == 4 && ${#archives[@]} == 1)) || { printf 'not the packages that were expected:\n%s\n' "${debs[@]}" "${archives[@]}"; exit 1; }
+((${#debs[@]} == 5 && ${#archives[@]} == 1)) || { printf 'not the packages that were expected:\n%s\n' "${debs[@]}" "${archives[@]}"; exit 1; }
 (cd "$build" && ls -l -- *.deb *.tar.xz)
 
 say 'lintian'
@@ -49,11 +49,12 @@ diff "$here/depends.txt" "$work/depends"
 tar --create --file "$work/examples.tar" README.md profiles tests/golden/run.sh
 cp "$build"/gonio_*.deb "$work/tool.deb"
 cp "$build"/gonio-media_*.deb "$work/media.deb"
+cp "$build"/python3-gonio_*.deb "$work/python.deb"
 
 say 'a bare root'
 # shellcheck disable=SC2016 # mmdebstrap expands it
 mmdebstrap --quiet --variant=minbase \
-    --customize-hook="copy-in '$work/examples.tar' '$work/tool.deb' '$work/media.deb' '$here/in_bare_root.sh' /tmp" \
+    --customize-hook="copy-in '$work/examples.tar' '$work/tool.deb' '$work/media.deb' '$work/python.deb' '$here/in_bare_root.sh' '$here/in_bare_root.py' /tmp" \
     --customize-hook='chroot "$1" bash /tmp/in_bare_root.sh' \
     --customize-hook='copy-out /tmp/figures.txt '"'$work'" \
     bookworm "$work/root" > "$work/mmdebstrap.log" 2>&1 || { tail -n 60 "$work/mmdebstrap.log"; exit 1; }
