@@ -12,6 +12,9 @@ relative to the file that it stands in; here each becomes a link of the site:
 * to a public header: to its page in the API reference;
 * to any other file: to a page that shows it, or to a copy of it if it is not text for people;
 * to any other folder: to nothing, its text stays.
+
+A block fenced with ```json room.json is the content of a file, and gets its name above it. A line "--8<-- PATH" stands for the file of that path from the root of the tree, and "--8<-- PATH :: TEXT" for the block
+of code in that page that begins with the text: a program or a script that a test runs has one place.
 """
 import os
 import posixpath
@@ -25,6 +28,9 @@ PICTURES = ('.png', '.svg')
 COPIED = ('.ipynb', '.ies', '.ldt', '.xml', '.csv')
 LANGUAGES = {'.cpp': 'cpp', '.hpp': 'cpp', '.h': 'cpp', '.sh': 'bash', '.py': 'python', '.json': 'json', '.cmake': 'cmake'}
 LINK = re.compile(r'(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)')
+INCLUDE = re.compile(r'^--8<-- (\S+)(?: :: (.+))?$', re.M)
+NAMED = re.compile(r'^```(\w+) ([\w.-]+)$', re.M)
+BLOCK = re.compile(r'^```\w*\n(.*?)\n```$', re.M | re.S)
 # A definition in CODES.md, which becomes a place to link to: **IES0204** title (error)
 CODE = re.compile(r'^\*\*([A-Z]{3}\d{4})\*\* ', re.M)
 
@@ -105,7 +111,20 @@ class Gatherer:
             to = f'files/{place(path)}.md'
         return posixpath.relpath(to, posixpath.dirname(place(source)) or '.') + anchor
 
+    def included(self, match):
+        with open(os.path.join(self.root, match[1]), encoding='utf-8') as file:
+            text = file.read().rstrip('\n')
+        if not match[2]:
+            return text
+        found = [block for block in BLOCK.findall(text) if block.startswith(match[2])]
+        if len(found) != 1:
+            raise SystemExit(f'{match[1]}: {len(found)} blocks begin with {match[2]}')
+        return found[0]
+
     def converted(self, source, text):
+        text = INCLUDE.sub(self.included, text)
+        text = NAMED.sub(r'<p class="file"><code>\2</code></p>\n\n```\1', text)
+
         def replace(match):
             to = self.link(source, match[3])
             return match[2] if to is None else f'{match[1]}[{match[2]}]({to})'
