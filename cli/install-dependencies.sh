@@ -24,20 +24,24 @@ python_packages=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)
 handbook_packages=(mkdocs doxygen python3-pygments)
 ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
 
+# The handbook is made of text alone.
+[[ $* == --handbook ]] && packages=()
+
 for argument in "$@"; do
     case $argument in
     --tests) packages+=("${test_packages[@]}") ;;
     --bench) packages+=("${test_packages[@]}" "${bench_packages[@]}") ;;
-    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${ci_packages[@]}") ;;
+    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${ci_packages[@]}" "${handbook_packages[@]}") ;;
     --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
-    --handbook) packages=("${handbook_packages[@]}") ;;
+    --handbook) packages+=("${handbook_packages[@]}") ;;
     --packages) packages+=("${package_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0
         ;;
     *)
-        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --python, --handbook, --packages)" >&2
+        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --python, --handbook," \
+            '--packages)' >&2
         exit 2
         ;;
     esac
