@@ -23,9 +23,8 @@ version=$(sed -n 's/^#define GONIO_VERSION_STRING "\(.*\)"/\1/p' lib/gonio/base/
 {
     cat .handbook/api/Doxyfile
     echo "PROJECT_NUMBER = $version"
-    echo "INPUT = .handbook/api/main_page.md .handbook/api/namespaces.dox $(sed 's#^#lib/#' lib/cmake/public-headers.txt | tr '\n' ' ')"
-    echo "USE_MDFILE_AS_MAINPAGE = .handbook/api/main_page.md"
-    echo "FILTER_PATTERNS = *.md=cat *.dox=cat"
+    echo "INPUT = .handbook/api/pages.dox $(sed 's#^#lib/#' lib/cmake/public-headers.txt | tr '\n' ' ')"
+    echo "FILTER_PATTERNS = *.dox=cat"
     echo "OUTPUT_DIRECTORY = $work/pages"
     echo "GENERATE_TAGFILE = $work/api.tags"
     echo "WARN_LOGFILE = $work/doxygen.log"
@@ -37,6 +36,7 @@ if grep -vE 'Member .* of (class|struct) .* is not documented\.$' "$work/doxygen
     exit 1
 fi
 
+python3 .handbook/api/name_folders.py "$work/pages/api"
 python3 .handbook/gather.py "$root" "$work/api.tags" "$work/pages"
 cp -R .handbook/theme "$work/theme"
 cp .handbook/mkdocs.yml "$work/mkdocs.yml"
@@ -44,4 +44,8 @@ mkdocs build --quiet --strict --config-file "$work/mkdocs.yml"
 rm -f "$work"/site/sitemap.xml "$work"/site/sitemap.xml.gz
 python3 .handbook/search_index.py "$work/site" "$work/api.tags"
 python3 .handbook/check_site.py "$work/site"
+if grep -rlF "$root" "$work/site"; then
+    echo 'build.sh: these pages name the folder of this checkout' >&2
+    exit 1
+fi
 echo "The handbook: $work/site/index.html"
