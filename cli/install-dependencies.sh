@@ -6,6 +6,7 @@
 #   cli/install-dependencies.sh --bench   … and the benchmark programs (-DGONIO_BENCH=ON)
 #   cli/install-dependencies.sh --ci      … and running .ci/run (those, Python, clang, its sanitizers, clang-tidy, ccache)
 #   cli/install-dependencies.sh --python  … and the module for Python with its tests (-DGONIO_PYTHON=ON)
+#   cli/install-dependencies.sh --handbook   what building the handbook needs (.handbook/build.sh), and nothing else
 #   cli/install-dependencies.sh --packages   what building the packages and trying them needs (tests/package/run.sh)
 #
 # Needs root or sudo, and only when something is missing.
@@ -20,21 +21,28 @@ test_packages=(libgtest-dev python3-openimageio jq man-db mandoc bash-completion
 bench_packages=(libbenchmark-dev libfast-float-dev)
 package_packages=(dpkg-dev lintian mmdebstrap)
 python_packages=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)
+handbook_packages=(mkdocs doxygen python3-pygments)
 ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
+
+# The handbook is made of text alone.
+[[ $* == --handbook ]] && packages=()
 
 for argument in "$@"; do
     case $argument in
     --tests) packages+=("${test_packages[@]}") ;;
     --bench) packages+=("${test_packages[@]}" "${bench_packages[@]}") ;;
-    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${python_packages[@]}" "${ci_packages[@]}") ;;
+    --ci) packages+=("${test_packages[@]}" "${bench_packages[@]}" "${python_packages[@]}" "${ci_packages[@]}"
+        "${handbook_packages[@]}") ;;
     --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
+    --handbook) packages+=("${handbook_packages[@]}") ;;
     --packages) packages+=("${package_packages[@]}" "${python_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0
         ;;
     *)
-        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --python, --packages)" >&2
+        echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --python, --handbook," \
+            '--packages)' >&2
         exit 2
         ;;
     esac

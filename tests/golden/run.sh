@@ -6,7 +6,8 @@
 #
 # FILE is a transcript, or Markdown in which blocks fenced with ```console are transcripts. In a transcript a line
 # "$ COMMAND" is a command for bash; below it are the lines of its stdout, then those of its stderr after "! ", then
-# "[exit N]" if N is not 0. A line "% …" is a comment. The commands run one after the other in one new folder that
+# "[exit N]" if N is not 0. A line "% …" is a comment. In Markdown a block fenced with ```json room.json, or another
+# language and name, is that file, and the commands below it find it in their folder. The commands run one after the other in one new folder that
 # contains a copy of profiles/ (a link would lead rigs out of their folder), with the tool as `gonio`; the real path of
 # the folder never appears.
 set -euo pipefail
@@ -26,6 +27,8 @@ unset OCIO
 inside=0
 markdown=0
 [[ $file == *.md ]] && markdown=1
+written='' # the file that the lines of a block are written to
+named_block='^```[a-z]+ ([A-Za-z0-9._-]+)$'
 skipping=0 # skips the old output of a command that was run
 run() {
     local status=0
@@ -39,6 +42,16 @@ run() {
 
 while IFS= read -r line || [[ -n $line ]]; do
     if ((markdown)); then
+        if [[ $written == '' && $line =~ $named_block ]]; then
+            written=$work/here/${BASH_REMATCH[1]}
+            : > "$written"
+            printf '%s\n' "$line"
+            continue
+        elif [[ $written != '' ]]; then
+            if [[ $line == '```' ]]; then written=''; else printf '%s\n' "$line" >> "$written"; fi
+            printf '%s\n' "$line"
+            continue
+        fi
         if [[ $line == '```console' ]]; then
             inside=1 skipping=0
         elif [[ $line == '```'* ]]; then

@@ -30,11 +30,13 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The files of a rig's lights for a target.
 struct LightScene {
     std::vector<AssetFile> files;
     std::vector<std::string> instead; // "light 'key': a disk is …", in the order of the lights; often empty
 };
 
+// How light_scene() writes.
 struct LightSceneOptions {
     std::string name;                // of the files: letters, digits, '_' and '-'
     std::string description;         // for a comment in them: "12 lights of studio.json"

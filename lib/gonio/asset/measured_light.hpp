@@ -22,6 +22,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A measured luminaire as targets get it.
 struct MeasuredLight {
     std::string name;          // of files and nodes: letters, digits, '_' and '-'
     std::string portable_ies;  // the bytes
@@ -45,6 +46,7 @@ struct MeasuredLightSource {
     std::span<const Spectrum> spectra = {}; // of the file
 };
 
+// What measured_light() changes of a profile.
 struct MeasuredLightOptions {
     std::optional<Lumens> flux; // the flux to scale to; without it, as measured
     Radians rotation;           // about the axis, C0 towards C90

@@ -35,18 +35,21 @@ struct SceneMaterial {
     std::optional<GltfMaterial> gltf; // used instead by a target that has glTF's own material
     std::optional<Coat> coat;         // only for a target that has coats
 
+    // Whether the part reflects anything.
     bool has_diffuse() const { return diffuse != glm::dvec3(0.0); }
     bool has_lobe() const { return f0 != glm::dvec3(0.0); }
 };
 
 using SceneShape = std::variant<Panel, Ball, Box, Capsule>; // a plane is a panel of plane_size
 
+// A surface of a scene.
 struct SceneSurface {
     std::string name; // unique in the scene: letters, digits and '_'
     SceneShape shape;
     std::size_t material = 0; // index
 };
 
+// The camera of a scene.
 struct SceneCamera {
     Frame frame;               // looks along −Z, Y is up
     double vertical_fov = 0.0; // full angle of the picture [rad]
@@ -56,6 +59,7 @@ struct SceneCamera {
     double aspect() const { return static_cast<double>(width) / height; }
 };
 
+// The surfaces of a scene, and the camera.
 struct SceneStage {
     std::vector<SceneMaterial> materials;
     std::vector<SceneSurface> surfaces;
@@ -66,6 +70,7 @@ struct SceneStage {
     bool shows_sky = false;    // to the camera, where it sees no surface
 };
 
+// A light of a kind that the target supports.
 struct SceneLight {
     LightKind kind = LightKind::point;
     std::string name;       // unique in the scene: letters, digits and '_', for a single luminaire '-' too
@@ -92,6 +97,7 @@ struct SceneLight {
 // it. Towards a direction ω of its frame all of them have the luminance `scale` I(ω)/Σ areaᵢ max(nᵢ·ω, 0), with the
 // intensity I of its profile and the sum over `facing`; without facing areas `scale` I(ω), and I is a luminance.
 struct SceneLuminaire {
+    // A face of the opening.
     struct Facing {
         glm::dvec3 normal{0.0}; // unit; of a sphere 0, whose projected area is the same from everywhere
         double area = 0.0;      // [unit²]
@@ -125,6 +131,7 @@ struct SceneSky {
     double lux = 0.0;         // on an open horizontal plane, without the sun
 };
 
+// Everything that a target's writer gets.
 struct SceneContent {
     std::string name;
     std::string description; // without line ends, ASCII

@@ -17,6 +17,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A sky as targets get it.
 struct SkyPicture {
     // A lat-long with an even height: means over texels, without the sun. No pixel is above 65504, which engines store
     // as half floats. Nothing: uniform.

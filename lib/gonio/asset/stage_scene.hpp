@@ -29,6 +29,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The side of the panel that a plane becomes.
 inline constexpr Meters plane_size{2000.0};
 
 inline constexpr int max_bounces = 1024; // Cycles' own limit
@@ -45,11 +46,13 @@ struct StageFormat {
     std::vector<AssetFile> (*files)(const SceneContent& scene);
 };
 
+// All of them.
 std::span<const StageFormat> stage_formats();
 
 // The format for the ending of a file's name. Fails (usage) on others.
 Result<const StageFormat*> stage_format_of(std::string_view file);
 
+// How stage_scene() writes.
 struct StageSceneOptions {
     std::string name;        // of the files: letters, digits, '_' and '-'
     std::string description; // for a comment in them

@@ -46,6 +46,7 @@ struct AssetFile {
     std::optional<AssetEnvironment> environment = {};
 };
 
+// The kinds of light that targets distinguish.
 enum class LightKind {
     point,
     spot,
@@ -103,6 +104,7 @@ struct TargetHolds {
     bool near_profiles = false; // its area lights take a profile and divide it by a projected area
 };
 
+// A program that files are written for, as `gonio list targets` shows it.
 struct Target {
     std::string_view name;    // "gltf"
     std::string_view summary; // for lists

@@ -13,6 +13,7 @@ namespace gonio {
 // Greatest width and height of a texture.
 inline constexpr int max_texture_size = static_cast<int>(limit("texture-side").value);
 
+// What texture to bake.
 struct BakeOptions {
     Layout layout = Layout::latlong;
     int width = 512;

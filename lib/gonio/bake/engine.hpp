@@ -12,6 +12,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How a program reads a texture, as `gonio list engines` shows it.
 struct Engine {
     std::string_view name;    // "unity-spot"
     std::string_view summary; // for lists
@@ -25,6 +26,7 @@ struct Engine {
     std::string_view handedness;
 };
 
+// All of them.
 std::span<const Engine> engines();
 
 // Fails (usage) on an unknown name.

@@ -23,6 +23,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// Which directions the texels of a picture cover.
 enum class Layout {
     latlong,               // C across, γ down
     v180,                  // γ across, one row: the mean over C; more rows: C down
@@ -34,8 +35,10 @@ enum class Layout {
     gnomonic,              // a plane across the aim: a cookie
     panorama               // longitude and latitude about +Y, the aim in the middle
 };
+// For loops over all of them.
 inline constexpr Layout last_layout = Layout::panorama;
 
+// In texels.
 struct TextureSize {
     int width = 0;
     int height = 0;
@@ -48,6 +51,7 @@ struct LayoutShape {
     bool bordered = false; // surrounded by the border of the options
 };
 
+// A layout by its name, as `gonio list layouts` shows it.
 struct LayoutInfo {
     Layout layout;
     std::string_view name;    // "octahedral-equal-area"
@@ -60,6 +64,7 @@ struct LayoutInfo {
 // The size of a layout with that many texels per side.
 TextureSize size_of_side(const LayoutInfo& layout, int side, int border = 0);
 
+// All of them, and the one of a layout.
 std::span<const LayoutInfo> layouts();
 const LayoutInfo& info_of(Layout layout);
 
@@ -73,6 +78,7 @@ struct ChartPoint {
     glm::dvec3 along_t;
 };
 
+// The map of one square of a layout to directions, both ways.
 class Chart {
 public:
     virtual ~Chart() = default;
@@ -112,6 +118,7 @@ struct PlacedChart {
     int height = 0;
 };
 
+// What some layouts need besides their size.
 struct LayoutOptions {
     Radians cone = degrees(90.0); // gnomonic: full angle from edge to edge, in (0°, 180°)
     int border = 0;               // gnomonic: width of the dark border

@@ -26,6 +26,7 @@ const char* to_text(Normalization normalization); // "peak"
 // Fails (usage) on an unknown name.
 Result<Normalization> parse_normalization(std::string_view text);
 
+// The names that parse_normalization() takes.
 std::span<const std::string_view> normalization_names();
 
 // The stored type of a texel. Integers map [0, 1] to their full range.
@@ -54,6 +55,7 @@ const char* to_text(Transfer transfer); // "srgb"
 double encoded(Transfer transfer, double value);
 double decoded(Transfer transfer, double value);
 
+// A baked texture and what its numbers mean.
 struct Texture {
     std::string layout;           // "latlong"
     std::string texel_convention; // one sentence: which directions a texel covers, and what it stores of them

@@ -25,6 +25,7 @@ enum class Strict : std::uint8_t {
     only   // it is reported only then
 };
 
+// A row of the tables that `gonio explain` prints.
 struct DiagnosticCode {
     std::string_view code;
     Severity severity; // in tolerant reading, the default
@@ -48,6 +49,7 @@ std::span<const DiagnosticGroup> diagnostic_groups();
 // nullptr when there is no such code.
 const DiagnosticCode* find_diagnostic_code(std::string_view code);
 
+// Letters and digits of a code, and letters of its family.
 inline constexpr std::size_t code_length = 7;
 inline constexpr std::size_t code_family_length = 3;
 

@@ -11,14 +11,17 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How serious a diagnostic is: an error is the reason of a failure, the others accompany a result.
 enum class Severity : std::uint8_t { note, warning, error };
 
+// A place in a file.
 struct Location {
     std::string file;
     std::uint32_t line = 0;   // 1-based, 0 when the diagnostic concerns the whole file
     std::uint32_t column = 0; // 1-based, in bytes, 0 when it concerns the whole line
 };
 
+// A remark about an input, or the reason of a failure.
 struct Diagnostic {
     std::string code; // of diagnostic_codes.hpp; empty for remarks without a code; an error always has one
     Severity severity = Severity::error;
@@ -27,11 +30,13 @@ struct Diagnostic {
     std::string hint;    // may be empty
 };
 
+// In the order in which they were found.
 using Diagnostics = std::vector<Diagnostic>;
 
 // "file:line:column: error[CODE]: message" and, when there is a hint, a second line "hint: …". No newline at the end.
 std::string to_text(const Diagnostic& diagnostic);
 
+// "note", "warning", "error".
 const char* to_text(Severity severity);
 
 } // namespace gonio

@@ -13,6 +13,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A row of the table.
 struct Limit {
     std::string_view name; // "profile-bytes"
     std::size_t value = 0; // the greatest value
@@ -20,9 +21,11 @@ struct Limit {
     std::string_view says; // what it limits
 };
 
+// Units of the table.
 inline constexpr std::size_t kibibyte = std::size_t{1} << 10U;
 inline constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 
+// The table.
 inline constexpr std::array limits{
     // Files
     Limit{"profile-bytes", 16 * mebibyte, "bytes", "a photometric profile; the largest known has 1.24 MB"},
@@ -70,6 +73,7 @@ inline constexpr std::array limits{
     Limit{"cct-steps", 100000, "rows", "a table of cct"},
 };
 
+// The row with that name.
 consteval const Limit& limit(std::string_view name) {
     for (const Limit& known : limits)
         if (known.name == name) return known;

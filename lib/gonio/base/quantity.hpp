@@ -13,6 +13,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A number in one unit. It adds to and compares with its own kind only.
 template<class Unit>
 struct Quantity {
     double value = 0.0;
@@ -30,6 +31,7 @@ struct Quantity {
     friend constexpr double operator/(Quantity a, Quantity b) { return a.value / b.value; }
 };
 
+// The units: lm, cd, lx, cd/m², K, W, rad, m, sr.
 using Lumens = Quantity<struct LumenUnit>;
 using Candelas = Quantity<struct CandelaUnit>;
 using Lux = Quantity<struct LuxUnit>;
@@ -44,6 +46,7 @@ using Steradians = Quantity<struct SteradianUnit>;
 using Ev100 = Quantity<struct Ev100Unit>;
 using EvLux = Quantity<struct EvLuxUnit>;
 
+// An angle in degrees as a quantity, and back.
 constexpr Radians degrees(double deg) {
     return Radians(deg * (std::numbers::pi / 180.0));
 }
@@ -51,6 +54,7 @@ constexpr double to_degrees(Radians angle) {
     return angle.value * (180.0 / std::numbers::pi);
 }
 
+// The luminance or illuminance of an exposure value, and back.
 inline Nits luminance(Ev100 ev) {
     return Nits(luminance_of_ev(ev.value));
 }

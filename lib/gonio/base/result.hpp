@@ -45,6 +45,7 @@ struct FailureFamily {
     Failure failure;
     std::string_view family;
 };
+// The family of codes that each class of failure has.
 inline constexpr std::array failure_families{
     FailureFamily{Failure::usage, "USE"},     FailureFamily{Failure::io, "FIL"},
     FailureFamily{Failure::malformed, "INP"}, FailureFamily{Failure::unsupported, "UNS"},
@@ -75,9 +76,11 @@ private:
     Failure failure_ = Failure::internal;
 };
 
+// A value, or the error that prevented it.
 template<class T>
 using Result = tl::expected<T, Error>;
 
+// An error that converts to any Result.
 using Unexpected = tl::unexpected<Error>;
 
 // An error at a place in an input, described in one sentence.

@@ -14,6 +14,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// What a unit measures.
 enum class Dimension {
     luminous_flux,
     luminous_intensity,
@@ -27,6 +28,7 @@ enum class Dimension {
     length
 };
 
+// A unit that text may use: "mm", "lm", "deg".
 struct Unit {
     std::string_view symbol;
     std::string_view name;
@@ -43,6 +45,7 @@ const Unit* find_unit(std::string_view symbol);
 
 std::string_view dimension_name(Dimension dimension); // "luminous flux"
 
+// A number with its unit, as written.
 struct Amount {
     double number = 0.0; // as written
     const Unit* unit = nullptr;

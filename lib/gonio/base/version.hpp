@@ -5,6 +5,7 @@
 // 0.1.x does not load 0.2; within a minor version its binary interface stays the same.
 #pragma once
 
+// The version as numbers and as text.
 #define GONIO_VERSION_MAJOR 0
 #define GONIO_VERSION_MINOR 1
 #define GONIO_VERSION_PATCH 0
@@ -18,6 +19,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The version and its date, as text.
 inline constexpr const char* version = GONIO_VERSION_STRING;
 inline constexpr const char* version_date = GONIO_VERSION_DATE;
 

@@ -19,11 +19,13 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A correlated colour temperature, and the distance Duv from the locus: positive is greenish, negative pinkish.
 struct Cct {
     Kelvin temperature;
     double duv = 0.0;
 };
 
+// Beyond the first a Duv is refused, beyond the second there is a warning: the CIE does not call such a light white.
 inline constexpr double greatest_duv = 0.1;
 inline constexpr double meaningful_duv = 0.05;
 
@@ -33,12 +35,15 @@ enum class Locus {
     daylight,  // the CIE D illuminants: 4000–25000 K
     blend      // as ANSI/IES TM-30: planckian to 4000 K, daylight from 5000 K, their mixture by Y in between
 };
+// A locus by its name in text.
 struct LocusName {
     std::string_view name;
     Locus locus;
     std::string_view says;
 };
+// All of them.
 std::span<const LocusName> locus_names();
+// Fails (usage) on names other than those of locus_names().
 Result<Locus> parse_locus(std::string_view text);
 
 // From the sum. Fails (usage) outside 500 K to 1e6 K (daylight 4000–25000 K, blend 500–25000 K), for |Duv| > 0.1, for a
@@ -75,6 +80,7 @@ struct TintConvention {
     double per_duv = 0.0;
     std::string_view says;
 };
+// All of them.
 std::span<const TintConvention> tint_conventions();
 
 // "10@dng": the Duv that it means. Fails (usage) on a bare number, which could follow any convention.

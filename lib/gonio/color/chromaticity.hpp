@@ -12,6 +12,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A chromaticity, CIE 1931.
 struct Xy {
     double x = 0.0;
     double y = 0.0;
@@ -27,10 +28,12 @@ struct UvPrime { // CIE 1976
     double v = 0.0;
 };
 
+// The same chromaticity in other coordinates.
 constexpr Uv to_uv(Xy c) {
     const double d = 12.0 * c.y - 2.0 * c.x + 3.0;
     return {4.0 * c.x / d, 6.0 * c.y / d};
 }
+// The same chromaticity in other coordinates.
 constexpr Uv to_uv(UvPrime c) {
     return {c.u, c.v / 1.5};
 }
@@ -41,6 +44,7 @@ constexpr Uv to_uv(const glm::dvec3& xyz) {
 constexpr UvPrime to_uv_prime(Uv c) {
     return {c.u, 1.5 * c.v};
 }
+// The same chromaticity in other coordinates.
 constexpr Xy to_xy(Uv c) {
     const double d = 2.0 * c.u - 8.0 * c.v + 4.0;
     return {3.0 * c.u / d, 2.0 * c.v / d};

@@ -20,6 +20,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A linear RGB space.
 struct RgbSpace {
     std::string name;
     glm::dmat3 to_xyz{1.0};   // columns are red, green, blue
@@ -33,6 +34,7 @@ glm::dmat3 bradford(Xy from, Xy to);
 // Y of (1,0,0), (0,1,0), (0,0,1).
 glm::dvec3 luminance_row(const RgbSpace& space);
 
+// A space by its name in text.
 struct RgbSpaceName {
     std::string_view name;
     std::string_view alias; // may be empty
@@ -52,15 +54,18 @@ Result<RgbSpace> rgb_space_of(std::string name, Xy red, Xy green, Xy blue, Xy wh
 // (unsupported) if the matrix has no inverse.
 Result<RgbSpace> rgb_space_of_aces(std::string name, const glm::dmat3& from_aces2065_1);
 
+// What becomes of a colour outside the space.
 enum class Gamut {
     keep, // including negative components
     clip  // negative ones to 0, then scaled back to the luminance
 };
+// How bright the RGB of a chromaticity is.
 enum class Normalize {
     luminance, // Y = 1: photometric numbers keep their meaning
     max        // the greatest component is 1
 };
 
+// The colour of a light in a space.
 struct SpaceColor {
     glm::dvec3 rgb{0.0};
     double luminance = 1.0;      // of rgb: below 1 for Normalize::max

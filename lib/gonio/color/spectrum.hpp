@@ -24,6 +24,7 @@ namespace gonio {
 class FileScope;
 struct Profile;
 
+// A spectral power distribution by its values at wavelengths; linear between them, 0 outside.
 struct Spectrum {
     std::string name;
     std::vector<double> wavelengths_nm; // strictly ascending
@@ -40,6 +41,7 @@ struct Band {
 Result<Band> parse_band(std::string_view text);
 std::string to_text(Band band); // "380–780 nm"
 
+// What a spectrum looks like, and its efficacy.
 struct SpectrumColor {
     glm::dvec3 xyz{0.0}; // Y = 1
     Uv uv;

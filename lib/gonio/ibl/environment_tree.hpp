@@ -20,6 +20,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The moments of an environment by blocks of texels, from which means over lobes are fast.
 class EnvironmentTree {
 public:
     static constexpr std::size_t most_leaves = std::size_t{1} << 21;

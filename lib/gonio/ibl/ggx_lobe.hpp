@@ -14,6 +14,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The weight of each direction in a prefiltered environment.
 class GgxLobe {
 public:
     // Linear roughness r in (0, 1]; smaller than `least_roughness`, it is that.

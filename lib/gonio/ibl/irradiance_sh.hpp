@@ -19,6 +19,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The greatest order of the harmonics.
 inline constexpr int most_sh_order = 3;
 
 // Y(l, m) at a unit direction, l ≤ 3.
@@ -27,6 +28,7 @@ std::array<double, 16> spherical_harmonics(const glm::dvec3& direction);
 // π, 2π/3, π/4, 0.
 double cosine_factor(int band);
 
+// The irradiance of an environment by spherical harmonics.
 class IrradianceSh {
 public:
     // (order + 1)² radiance coefficients L(l,m), RGB [cd/m²·sr^½]; order 0 … 3.

@@ -15,6 +15,7 @@ struct ParallaxBox {
     glm::dvec3 high{1.0};
 };
 
+// The surroundings of a capture as a sphere.
 struct ParallaxSphere {
     glm::dvec3 center{0.0};
     double radius = 1.0; // [m]

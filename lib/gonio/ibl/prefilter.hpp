@@ -20,11 +20,13 @@ namespace gonio {
 
 class EnvironmentTree;
 
+// An environment blurred by one lobe.
 struct PrefilteredLevel {
     double roughness; // linear
     EnvironmentMap map;
 };
 
+// An environment blurred by the lobes of growing roughness.
 class PrefilteredEnvironment {
 public:
     // At least one level, the sharpest first, with the roughnesses of the mapping.
@@ -42,6 +44,7 @@ private:
     RoughnessMapping mapping_;
 };
 
+// What to prefilter an environment for.
 struct PrefilterOptions {
     EnvironmentLayout layout = EnvironmentLayout::cube_strip;
     int side = 256; // of level 0 (EnvironmentGrid::side()); each level has half of the one before

@@ -9,6 +9,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The error of one level against quadrature.
 struct PrefilterError {
     double mean_nt = 0.0; // luminance of the level at the texels that were checked
     double rms = 0.0;     // of all channels, relative to that mean; 0 for black

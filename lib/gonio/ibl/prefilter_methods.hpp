@@ -13,6 +13,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The lobe to integrate over.
 struct LobeQuery {
     glm::dvec3 direction; // unit
     double roughness;     // linear, in (0, 1]

@@ -11,6 +11,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How a program prefilters, by its name in text.
 struct PrefilterVariant {
     std::string_view name; // "filament"
     std::string_view summary;

@@ -18,14 +18,17 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// Which level of a prefiltered environment has which roughness.
 enum class RoughnessMapping : std::uint8_t { linear, filament, frostbite, ue4 };
 
+// A mapping by its name in text.
 struct RoughnessMappingInfo {
     std::string_view name; // "linear"
     RoughnessMapping mapping;
     std::string_view formula; // "level = roughness * last"
 };
 
+// All of them, and the one of a mapping.
 std::span<const RoughnessMappingInfo> roughness_mappings();
 const RoughnessMappingInfo& info_of(RoughnessMapping mapping);
 

@@ -15,24 +15,28 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// Which renderer's BRDF is integrated.
 enum class SplitSumModel : std::uint8_t {
     ggx,      // height-correlated Smith (E. Heitz, JCGT 3(2), 2014): Filament
     ue4,      // Smith apart for light and eye, with Schlick's form at k = α/2 (Karis 2013)
     frostbite // as ggx, and the diffuse part of S. Lagarde and C. de Rousiers, 2014
 };
 
+// A model by its name in text.
 struct SplitSumModelInfo {
     std::string_view name; // "ggx"
     SplitSumModel model;
     std::string_view summary;
 };
 
+// All of them, and the one of a model.
 std::span<const SplitSumModelInfo> split_sum_models();
 const SplitSumModelInfo& info_of(SplitSumModel model);
 
 // Fails (usage) on an unknown name.
 Result<SplitSumModel> parse_split_sum_model(std::string_view text);
 
+// The reflectance under uniform light: F0 scale + bias.
 struct SplitSum {
     double scale = 0.0;   // A: the factor of F0
     double bias = 0.0;    // B: the factor of F90
@@ -42,6 +46,7 @@ struct SplitSum {
     [[nodiscard]] double albedo() const { return scale + bias; }
 };
 
+// By quadrature; n_dot_v and the linear roughness in [0, 1].
 SplitSum split_sum(double n_dot_v, double roughness, SplitSumModel model = SplitSumModel::ggx);
 
 // The mean of albedo() over uniform light, 2 ∫ E(μ) μ dμ, to 1e-6.
@@ -55,12 +60,14 @@ enum class MultipleScattering : std::uint8_t {
     fdez_aguera  // + (1 − E) (A F0 + B) F/(1 − F (1 − E)) (C. Fdez-Agüera, JCGT 8(1), 2019)
 };
 
+// A scheme by its name in text.
 struct MultipleScatteringInfo {
     std::string_view name; // "kulla-conty"
     MultipleScattering scheme;
     std::string_view summary;
 };
 
+// All of them, and the one of a scheme.
 std::span<const MultipleScatteringInfo> multiple_scattering_schemes();
 const MultipleScatteringInfo& info_of(MultipleScattering scheme);
 

@@ -13,6 +13,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The split sum as the texture that renderers look up.
 class SplitSumTable {
 public:
     // size² texels, in about 0.1 ms each. Fails (usage) on a size that is not in 2 … 1024. The same for any number of

@@ -44,6 +44,7 @@ struct LightDescription {
     std::optional<EmittingFace> emitted_by{};  // absent: a light that is not a surface of the stage
 };
 
+// A light as the inner loops read it.
 struct Light {
     std::string name;
     Shape shape;        // profiles and masks loaded

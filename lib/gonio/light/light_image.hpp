@@ -72,6 +72,7 @@ struct ImageColor {
     double share = 0.0;                      // luminance of its brightest pixel over that of the whole image
 };
 
+// An image before a light: its luminance, and the colours of a coloured one.
 class LightImage {
 public:
     // One or three channels, linear Rec.709. Fails (malformed) on pixels that are negative or not finite, with the

@@ -32,6 +32,7 @@ struct LuminousFace {
     glm::dvec3 normal{0.0}; // of a flat face
 };
 
+// The surface of a luminaire's opening, with the luminance that its profile gives it.
 class LuminousBody {
 public:
     // The faces of an opening from which the web emits: both sides of a flat one if it emits to both. A rectangle, a

@@ -23,6 +23,7 @@ struct PhotometricUnit {
     std::string efficacy_of = {}; // the spectrum that the efficacy was computed from, with its band
 };
 
+// An amount of light in one of the units that text may use.
 struct PhotometricValue {
     double number = 0.0;
     PhotometricUnit unit;

@@ -35,6 +35,7 @@ struct ConversionStep {
     std::string unit;
 };
 
+// The steps of a conversion, in order.
 using ConversionSteps = std::vector<ConversionStep>;
 
 // How much light a shape emits, in the quantities that apply to it; the others are 0.

@@ -19,6 +19,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A program whose units differ from the physical ones, as `gonio list policies` shows it.
 struct Policy {
     std::string_view name; // "unity-hdrp"
     std::string_view summary;

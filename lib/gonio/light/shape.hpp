@@ -32,14 +32,17 @@ struct PointShape {
 // do.
 enum class Falloff { frostbite, hard, linear_cos, smoothstep_cos, linear_angle, smoothstep_angle };
 
+// A falloff by its name in text.
 struct FalloffName {
     std::string_view name; // "smoothstep-cos"
     Falloff falloff;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const FalloffName> falloffs();
 
+// Its name in text, and back. Fails (usage) on names other than those of falloffs().
 const char* to_text(Falloff falloff);
 Result<Falloff> parse_falloff(std::string_view name);
 
@@ -90,6 +93,7 @@ struct ProfileShape {
 // of every point of the shape by a web over its peak, looked up by the direction in the light's frame; an image on a
 // rectangle multiplies each point of it by its pixel there over the brightest one, in all directions alike.
 
+// A sphere that emits the same luminance everywhere.
 struct SphereShape {
     Meters radius; // > 0
     std::string mask_file = {};
@@ -136,12 +140,14 @@ struct SunShape {
     Radians diameter; // angular, in (0, π]
 };
 
+// What emits: one of the shapes above.
 using Shape = std::variant<PointShape, SpotShape, FrustumShape, ProfileShape, SphereShape, DiskShape, EllipseShape,
                            RectShape, TubeShape, SunShape>;
 
 // The class of a shape: a point to every receiver, a luminous surface, or a source at infinity.
 enum class ShapeClass { punctual, area, sun };
 
+// The class of a shape.
 ShapeClass class_of(const Shape& shape);
 
 // Whether the shape is a flat surface, which emits to one side or to both.
@@ -154,6 +160,7 @@ struct ShapeKind {
     std::string_view summary;
 };
 
+// All of them.
 std::span<const ShapeKind> shape_kinds();
 
 // Angles and lengths need units; "cone", the full outer angle of a spot, may replace "outer". Fails (usage) on an
@@ -181,6 +188,7 @@ struct Mask {
     bool is_loaded() const { return web != nullptr || image != nullptr; }
 };
 
+// The mask of a shape.
 Mask mask_of(const Shape& shape);
 
 // The file of a ProfileShape or of a mask; nullptr: none. Points into the shape.
@@ -191,6 +199,7 @@ struct ShapeValue {
     std::string_view key;
     std::variant<Meters, Radians, bool, Falloff> value;
 };
+// The parameters of a shape.
 std::vector<ShapeValue> values_of(const Shape& shape);
 
 // Sets a parameter of a sweep ("radius", "size", "outer"; gonio/scene/parameter.hpp) from text of the grammar. Returns

@@ -24,6 +24,7 @@
 #pragma GCC visibility push(default)
 namespace gonio::media {
 
+// Which configuration, display and view.
 struct DisplayOptions {
     std::string config;   // path of an OpenColorIO configuration; empty: the built-in one
     std::string source;   // colour space or role of the pixels; empty: linear Rec.709, entered as described above
@@ -49,6 +50,7 @@ Result<DisplayUsed> apply_display(Image& image, const DisplayOptions& options = 
 // The same for several pictures, through one transform: setting it up costs as much as applying it to a small picture.
 Result<DisplayUsed> apply_display(std::span<Image* const> images, const DisplayOptions& options = {});
 
+// A display of a configuration, with its views.
 struct Display {
     std::string name;
     std::vector<std::string> views; // the default first

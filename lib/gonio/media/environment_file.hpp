@@ -18,6 +18,7 @@
 #pragma GCC visibility push(default)
 namespace gonio::media {
 
+// How an environment is read.
 struct EnvironmentReadOptions {
     std::optional<EnvironmentLayout> layout; // nothing: by the ratio of the sides
     std::string space;  // of the pixels: built in or of the configuration; empty: as the chromaticities of
@@ -26,6 +27,7 @@ struct EnvironmentReadOptions {
     BadPixels bad_pixels = BadPixels::error;
 };
 
+// An environment as read from a file.
 struct EnvironmentImage {
     EnvironmentMap map;
     PictureDimensions dimensions;

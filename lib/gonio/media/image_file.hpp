@@ -24,6 +24,7 @@
 #pragma GCC visibility push(default)
 namespace gonio::media {
 
+// The stored type of a pixel.
 enum class Pixel { uint8, uint16, half, float32 };
 
 std::string_view to_text(Pixel pixel); // "uint8", "uint16", "half", "float"
@@ -48,11 +49,13 @@ const ImageFormat* find_image_format(std::string_view name_or_path);
 // By the first bytes of a file; nullptr if they do not match a format here.
 const ImageFormat* sniff_image_format(std::string_view bytes);
 
+// A name and a value that the file stores with its picture.
 struct ImageAttribute {
     std::string name;
     std::variant<std::string, std::vector<float>, std::vector<int>> value;
 };
 
+// How a picture is written.
 struct ImageWriteOptions {
     // The format's default unless set. Fails (unsupported) when the format does not have such pixels.
     std::optional<Pixel> pixel;
@@ -76,6 +79,7 @@ struct ImageWriteOptions {
 // the image's size, a number of names that is not the number of channels, or an unknown compression of OpenEXR.
 Result<std::string> encode_image(const Image& image, const ImageFormat& format, const ImageWriteOptions& options = {});
 
+// A picture as read.
 struct DecodedImage {
     Image image;
     Pixel pixel = Pixel::float32; // as stored; other types (32-bit integers, double) count as float32
@@ -86,6 +90,7 @@ struct DecodedImage {
 // The largest image that decode_image accepts: width × height × channels.
 inline constexpr std::size_t max_decoded_values = limit("decoded-values").value;
 
+// The size of a picture in pixels.
 struct PictureDimensions {
     int width = 0;
     int height = 0;

@@ -19,12 +19,14 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A curve of a diagram.
 struct PlottedWeb {
     std::string label; // UTF-8
     const Web* web = nullptr;
     std::string name = {}; // of the luminaire, as its file states it; the title of a diagram without another
 };
 
+// What a diagram shows, and how large it is.
 struct PlotOptions {
     int width_px = 720;
     int height_px = 720;
@@ -36,6 +38,7 @@ struct PlotOptions {
     double extent_m = 0.0;                     // isolux: half the side of the square; 0: twice the height
 };
 
+// A diagram by its name, as `gonio list diagrams` shows it.
 struct DiagramKind {
     std::string_view name; // "heat-map"
     std::string_view summary;

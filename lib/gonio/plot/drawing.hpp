@@ -14,6 +14,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A point of the page in pixels, from its upper left corner.
 struct PagePoint {
     double x = 0.0;
     double y = 0.0;
@@ -33,6 +34,7 @@ constexpr Ink ink(std::uint32_t rgb, double opacity = 1.0) {
             static_cast<std::uint8_t>(rgb & 0xffU), opacity};
 }
 
+// How a line is drawn.
 struct Pen {
     Ink ink = {};
     double width_px = 1.0;
@@ -42,6 +44,7 @@ struct Pen {
 // Polygons and polylines.
 class PagePath {
 public:
+    // A line through points.
     struct Part {
         std::vector<PagePoint> points;
         bool closed = false;
@@ -58,8 +61,10 @@ private:
     std::vector<Part> parts_;
 };
 
+// Which end of a text is at its point.
 enum class TextAnchor { start, middle, end };
 
+// How text is drawn.
 struct TextStyle {
     TextAnchor anchor = TextAnchor::start; // which point of the baseline is placed
     double size_px = 12.0;
@@ -69,25 +74,30 @@ struct TextStyle {
     Ink rim = gonio::ink(0xffffff);
 };
 
+// The inside of a path.
 struct FilledPath {
     PagePath path; // overlapping parts count once
     Ink ink;
 };
+// The line of a path.
 struct StrokedPath {
     PagePath path;
     Pen pen;
 };
+// A rectangle along the page's edges.
 struct FilledRectangle {
     PagePoint corner;
     double width = 0.0;
     double height = 0.0;
     Ink ink;
 };
+// A disk of one ink.
 struct FilledCircle {
     PagePoint center;
     double radius = 0.0;
     Ink ink;
 };
+// A line of text.
 struct WrittenText {
     PagePoint at;
     std::string text; // UTF-8
@@ -100,9 +110,11 @@ struct ClipBegin { // clips do not nest
 };
 struct ClipEnd {};
 
+// One step of a drawing.
 using DrawingStep =
     std::variant<FilledPath, StrokedPath, FilledRectangle, FilledCircle, WrittenText, ClipBegin, ClipEnd>;
 
+// A page, as the steps that draw it; an SVG or a picture is made of them.
 class Drawing {
 public:
     Drawing() = default;

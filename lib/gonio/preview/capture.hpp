@@ -24,6 +24,7 @@ Result<EnvironmentMap> capture(const Stage& stage, std::span<const Light> lights
 Result<LocalProbe> local_probe(const Stage& stage, std::span<const Light> lights, const glm::dvec3& position,
                                const RenderOptions& options);
 
+// How far the surroundings of a local probe reach at most.
 inline constexpr double farthest_m = 20.0;
 
 } // namespace gonio

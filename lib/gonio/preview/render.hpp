@@ -28,6 +28,7 @@ inline constexpr int max_picture_size = static_cast<int>(limit("picture-side").v
 
 class Interreflection;
 
+// How a picture is rendered.
 struct RenderOptions : LightingOptions {
     int width = 512;
     int height = 512;
@@ -39,6 +40,7 @@ struct RenderOptions : LightingOptions {
     std::shared_ptr<const Interreflection> known;
 };
 
+// A picture in cd/m², and what there is to say about it.
 struct Rendering {
     // Three channels, linear Rec.709, in cd/m². Includes lights with a size where the camera sees them.
     Image luminance_nt;

@@ -15,6 +15,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The constants of the curve above.
 inline constexpr double ue3_ceiling = 1.0275;
 inline constexpr double ue3_shoulder = 0.22;
 
@@ -27,14 +28,17 @@ constexpr double ue3_linear(double encoded) {
     return ue3_shoulder * encoded / (ue3_ceiling - encoded);
 }
 
+// How luminance becomes a displayed value.
 enum class ToneMap { none, ue3, ue3_inverse };
 
+// A tone map by its name in text.
 struct ToneMapName {
     ToneMap map;
     std::string_view name;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const ToneMapName> tone_maps();
 
 // Fails (usage) on an unknown name and suggests the nearest.

@@ -29,6 +29,7 @@ enum class ProfileField : std::uint8_t {
     negative_intensity // the first negative value; LM-63, EULUMDAT
 };
 
+// How many fields there are.
 inline constexpr std::size_t profile_field_count = 17;
 
 // Line and column from 1; 0: not known, or missing.
@@ -37,6 +38,7 @@ struct FieldPlace {
     std::uint32_t column = 0;
 };
 
+// The place in the file of each field that a message may point to.
 class FieldPlaces {
 public:
     FieldPlace& operator[](ProfileField field) { return places_[static_cast<std::size_t>(field)]; }

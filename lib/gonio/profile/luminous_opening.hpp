@@ -6,6 +6,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The shapes that profiles can state.
 enum class OpeningShape {
     point,
     rectangle,

@@ -20,15 +20,18 @@ namespace gonio {
 
 // ANSI/IES LM-63 ------------------------------------------------------------------------------------------------------
 
+// The edition of LM-63 that a file names in its first line.
 enum class IesVersion { lm63_1986, lm63_1991, lm63_1995, lm63_2002, lm63_2019 };
 
 const char* to_text(IesVersion version); // "LM-63-2002"
 
+// A keyword line of an LM-63 file.
 struct IesKeyword {
     std::string name; // without brackets, as written: "MANUFAC", "_LOCAL"; empty for a label line without brackets
     std::string text; // without leading blanks; lines of [MORE] are joined by '\n'
 };
 
+// An LM-63 file as written.
 struct IesFile {
     IesVersion version = IesVersion::lm63_2002;
     std::string version_line;          // as written; empty when the file has none
@@ -57,6 +60,7 @@ const char* file_generation_type(const IesFile& file);
 
 // EULUMDAT ------------------------------------------------------------------------------------------------------------
 
+// A lamp set of a EULUMDAT file.
 struct LdtLampSet {
     int lamp_count = 1; // negative: absolute photometry
     std::string lamp_type;
@@ -66,6 +70,7 @@ struct LdtLampSet {
     double input_watts = 0.0;      // ballast included
 };
 
+// A EULUMDAT file as written.
 struct LdtFile {
     std::string company;         // line 1
     int type_indicator = 0;      // Ityp, line 2: 0 point without symmetry, 1 point with symmetry, 2 linear, 3 other
@@ -110,6 +115,7 @@ constexpr int stored_plane_count(int symmetry, int plane_count) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
+// A profile of any format, as read.
 struct Profile {
     std::string source; // the name in diagnostics: a path, or "-"
     std::variant<IesFile, LdtFile, Tm33File> file;

@@ -18,6 +18,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The formats that are read.
 enum class ProfileFormat { ies, ldt, tm33 };
 
 const char* to_text(ProfileFormat format); // "IES", "LDT", "TM-33": as in reports
@@ -29,6 +30,7 @@ bool begins_as_tm33(std::string_view bytes);
 // Returns the bytes of the file `name` in the folder of a profile.
 using ReadBeside = std::function<Result<std::string>(const std::string& name)>;
 
+// How a profile is read.
 struct ReadOptions {
     std::optional<ProfileFormat> format =
         {}; // default: recognised from the bytes; the name's extension decides if they are ambiguous

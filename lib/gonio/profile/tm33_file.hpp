@@ -22,6 +22,7 @@ struct IesTilt {
     bool operator==(const IesTilt&) const = default;
 };
 
+// An element that holds text.
 struct Tm33Text {
     std::string name; // of the element: "Manufacturer", "Comment"
     std::string text;
@@ -32,6 +33,7 @@ struct Tm33Text {
 // The stated symmetry; the planes in the table have priority.
 enum class Tm33Symmetry { none, bilateral_0, bilateral_90, quadrant, full, arbitrary };
 
+// The table of an emitter.
 struct Tm33Intensity {
     std::optional<bool> absolute; // false: measured relative to the rated lumens of the emitter
     std::optional<Tm33Symmetry> symmetry;
@@ -44,6 +46,7 @@ struct Tm33Intensity {
     bool operator==(const Tm33Intensity&) const = default;
 };
 
+// The spectrum of an emitter.
 struct Tm33Spectrum {
     std::string emitter_name;
     std::optional<double> multiplier; // 1 if absent
@@ -63,6 +66,7 @@ struct Tm33Area {
     bool operator==(const Tm33Area&) const = default;
 };
 
+// An emitter of a TM-33 document.
 struct Tm33Emitter {
     std::string description;
     std::string catalog_number;
@@ -89,6 +93,7 @@ struct Tm33Emitter {
     bool operator==(const Tm33Emitter&) const = default;
 };
 
+// A TM-33 document as written.
 struct Tm33File {
     std::string root = "IESTM33-22"; // name of the outermost element, which identifies the edition
     std::string version = "1.1";

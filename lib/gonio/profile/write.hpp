@@ -19,6 +19,7 @@ namespace gonio {
 // none.
 std::string write_ies(const IesFile& file, std::size_t longest_line = 0);
 
+// The bytes of a EULUMDAT file.
 std::string write_ldt(const LdtFile& file);
 
 // XML in UTF-8, indented. Elements that gonio has no field for stay where they were, new ones go to the schema's place;

@@ -9,11 +9,13 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A half line.
 struct Ray {
     glm::dvec3 origin;
     glm::dvec3 direction; // unit
 };
 
+// A pinhole camera.
 struct Camera {
     glm::dvec3 position{0.0, -5.0, 1.5}; // [m]
     glm::dvec3 target{0.0, 0.0, 1.0};

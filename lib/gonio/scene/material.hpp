@@ -87,6 +87,7 @@ struct Coat {
     friend bool operator==(const Coat&, const Coat&) = default;
 };
 
+// A material below a clear coat.
 struct CoatedMaterial {
     BaseMaterial base;
     Coat coat;
@@ -99,20 +100,24 @@ using Material = std::variant<LambertMaterial, EonMaterial, FrostbiteMaterial, U
 // The material without its coat.
 BaseMaterial base_of(const Material& material);
 
+// A material by its name, as `gonio list materials` shows it.
 struct MaterialKind {
     std::string_view kind;
     std::string_view grammar;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const MaterialKind> material_kinds();
 
+// An order by its name in text.
 struct CoatOrderName {
     CoatOrder order;
     std::string_view name;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const CoatOrderName> coat_orders();
 
 // "frostbite:base=rgb(0.9,0.7,0.3),metal=1"; `ggx` and `kulla-conty` take roughness instead of alpha, its root. Every

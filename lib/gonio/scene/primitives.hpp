@@ -51,6 +51,7 @@ struct Capsule {
     double radius = 0.1;
 };
 
+// Any of them.
 using Primitive = std::variant<Plane, Panel, Ball, Box, Capsule>;
 
 // Takes the centres of the hemispherical ends, which must differ.

@@ -39,30 +39,36 @@ enum class IrradianceMethod {
     point      // every light as a point with the intensity that it emits towards the receiver
 };
 
+// A method by its name in text.
 struct IrradianceMethodName {
     IrradianceMethod method;
     std::string_view name;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const IrradianceMethodName> irradiance_methods();
 
+// Its name in text.
 std::string_view to_text(IrradianceMethod method);
 
 // Fails (usage) on any name other than those of irradiance_methods().
 Result<IrradianceMethod> parse_irradiance_method(std::string_view name);
 
+// A point with the direction in which its surface faces.
 struct Receiver {
     glm::dvec3 position{0.0, 0.0, 0.0}; // [m], components up to 1e100
     glm::dvec3 normal{0.0, 0.0, 1.0};   // any length > 0
 };
 
+// What looks at the receivers, and what they are made of.
 struct ProbeView {
     glm::dvec3 direction{0.0, 0.0, 1.0}; // from the point to the eye, any length > 0
     Material material;
     std::optional<glm::dvec3> eye = {}; // [m] position of the eye, instead of the direction
 };
 
+// How probe() computes.
 struct ProbeOptions {
     IrradianceMethod method = IrradianceMethod::exact;
     ReferenceGoal goal;            // for `reference`, for each light's share separately
@@ -90,6 +96,7 @@ struct ProbeOccurrence {
     void add(const ProbeOccurrence& others, std::size_t offset = 0);
 };
 
+// What a caller should report about the values.
 struct ProbeRemarks {
     ProbeOccurrence on_light;      // the receiver lies on a light without size, so there is no direction: 0
     ProbeOccurrence inside;        // the receiver lies inside a sphere or tube: E = π L
@@ -101,6 +108,7 @@ struct ProbeRemarks {
     void add(const ProbeRemarks& others, std::size_t offset = 0);
 };
 
+// The values at one receiver.
 struct ProbeResult {
     std::vector<double> illuminance_lx;       // one per receiver
     std::vector<double> illuminance_error_lx; // its estimate by `reference`; empty for other methods
@@ -133,6 +141,7 @@ struct Spread {
     double diversity() const { return greatest > 0.0 ? least / greatest : 0.0; }
 };
 
+// The spread of values; of none, zeros.
 Spread spread(std::span<const double> values);
 
 // The unit vector of any vector with finite components and a length greater than 0, without overflow; nothing for

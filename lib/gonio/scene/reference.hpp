@@ -20,11 +20,13 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// When quadrature stops.
 struct ReferenceGoal {
     double relative_error = 1e-6;             // of each value separately, at least 1e-13
     std::size_t most_evaluations = 4'000'000; // of the integrand; then returns the result reached so far
 };
 
+// The result of a quadrature.
 struct ReferenceValue {
     double value = 0.0;
     double error_estimate = 0.0; // absolute; not less than the error except in about one case in a thousand

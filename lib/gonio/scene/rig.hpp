@@ -57,6 +57,7 @@ struct SurfaceMaterial {
     Material material;
 };
 
+// A rig as read: lights, and what they are shown on.
 struct Rig {
     std::string source;                   // the name used in messages
     std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1

@@ -21,6 +21,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A primitive with a name and a material.
 struct Surface {
     std::string name; // materials refer to it; several surfaces may share one
     Primitive geometry;
@@ -41,6 +42,7 @@ struct LightPlacement {
 // nearest object along C0 is turned by 90°.
 void hang(LightDescription& light, const LightPlacement& placement);
 
+// Surfaces to light, and the camera that shows them.
 struct Stage {
     std::string name;
     std::vector<Surface> surfaces;
@@ -49,11 +51,13 @@ struct Stage {
     glm::dvec3 figure_position{0.0}; // position of a scale figure [m]
 };
 
+// A built-in stage by its name, as `gonio list stages` shows it.
 struct StageKind {
     std::string_view name;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const StageKind> stage_kinds();
 
 // Fails (usage) on a name that is not one of stage_kinds().
@@ -75,6 +79,7 @@ struct Hit {
     glm::dvec3 normal{0.0}; // unit, towards the lit side
 };
 
+// The nearest surface that the ray meets; nothing if there is none.
 std::optional<Hit> first_hit(const Stage& stage, const Ray& ray);
 
 } // namespace gonio

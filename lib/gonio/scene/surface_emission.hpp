@@ -23,6 +23,7 @@ namespace gonio {
 
 class FileScope;
 
+// What a surface emits, besides what it reflects.
 struct SurfaceEmission {
     PhotometricValue amount;
     glm::dvec3 color{1.0}; // linear Rec.709 of luminance 1

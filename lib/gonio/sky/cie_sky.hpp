@@ -19,6 +19,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A sky of ISO 15469:2004(E)/CIE S 011/E:2003 by the parameters of its formula.
 struct CieSkyType {
     int number = 0; // of the standard; 16 is the traditional overcast sky
     std::string_view name;

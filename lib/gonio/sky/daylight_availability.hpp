@@ -17,6 +17,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How cloudy it is.
 enum class Weather : std::uint8_t { clear, partly, overcast };
 
 // A row of the model.
@@ -32,12 +33,14 @@ struct WeatherRow {
     std::string_view cie_type; // the CIE sky whose distribution goes with it: gonio's choice, not the model's
 };
 
+// All rows, and the one of a weather.
 std::span<const WeatherRow> weathers();
 const WeatherRow& info_of(Weather weather);
 
 // "clear", "partly", "overcast". Fails (usage) on other names.
 Result<Weather> parse_weather(std::string_view text);
 
+// The illuminance of sun and sky.
 struct DaylightAvailability {
     Lux sun; // on a plane perpendicular to its direction
     Lux sky; // on an open horizontal plane, without the sun

@@ -26,8 +26,10 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How a picture covers all directions.
 enum class EnvironmentLayout : std::uint8_t { latlong, cube_cross, cube_cross_vertical, cube_strip, octahedral };
 
+// A layout by its name in text.
 struct EnvironmentLayoutInfo {
     std::string_view name; // "cube-cross"
     EnvironmentLayout layout;
@@ -38,6 +40,7 @@ struct EnvironmentLayoutInfo {
     std::string_view texel_convention; // one sentence: which directions a texel covers
 };
 
+// All of them, and the one of a layout.
 std::span<const EnvironmentLayoutInfo> environment_layouts();
 const EnvironmentLayoutInfo& info_of(EnvironmentLayout layout);
 
@@ -51,6 +54,7 @@ Result<EnvironmentLayout> environment_layout_of(int width, int height);
 // that of a face times 2 for a lat-long and an octahedral.
 int side_like(EnvironmentLayout layout, int side, EnvironmentLayout like);
 
+// A texel of a picture.
 struct TexelIndex {
     int column = 0;
     int row = 0;

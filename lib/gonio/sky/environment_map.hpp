@@ -31,6 +31,7 @@ enum class BadPixels : std::uint8_t {
 // Half the angle of the spot around the brightest texel.
 inline constexpr double spot_radius_deg = 3.0;
 
+// Light from all directions, as a picture in cd/m².
 class EnvironmentMap {
 public:
     // An image with three channels, linear Rec.709, in which a pixel of Y = 1 has `nits_per_unit` cd/m². Remarks are
@@ -78,6 +79,7 @@ private:
 
 // What a calibration makes of an image.
 struct Calibration {
+    // The measure that it fixes.
     enum class Of : std::uint8_t { illuminance, mean_luminance, zenith_luminance };
     Of of = Of::illuminance;
     double value = 0.0;               // [lx] or [cd/m²]

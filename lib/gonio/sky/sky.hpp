@@ -23,6 +23,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// Light from all around: uniform, a CIE sky, or an image; with the sun, if it has one.
 class Sky {
 public:
     // None.

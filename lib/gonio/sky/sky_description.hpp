@@ -34,6 +34,7 @@ class FileScope;
 // The same luminance from every direction, also from below.
 struct UniformSkyKind {};
 
+// One of the sixteen skies of the CIE, and the sun's position.
 struct CieSkyKind {
     const CieSkyType* type = nullptr;
     SkyAngles sun{0.0, 90.0}; // where the luminance depends on it
@@ -67,11 +68,13 @@ enum class SkyMeasure : std::uint8_t {
                 // sphere
 };
 
+// How much light, and of which measure.
 struct SkyAmount {
     SkyMeasure measure = SkyMeasure::horizontal;
     double value = 0.0; // [lx] or [cd/m²], ≥ 0
 };
 
+// What a rig or a command line specifies for a sky.
 struct SkyDescription {
     SkyKind kind;
     std::optional<SkyAmount> amount; // present unless the kind has an amount of its own
@@ -80,12 +83,14 @@ struct SkyDescription {
     double ground = 0.0;             // albedo of a matte plane below: its luminance shows below the horizon
 };
 
+// A kind of sky by its name, as `gonio list skies` shows it.
 struct SkyKindInfo {
     std::string_view name;
     std::string_view grammar;
     std::string_view summary;
 };
 
+// All of them.
 std::span<const SkyKindInfo> sky_kinds();
 
 // Its name in the grammar.

@@ -15,6 +15,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A direction on the sky: the azimuth from north over east, the elevation above the horizon.
 struct SkyAngles {
     double azimuth_deg = 0.0;
     double elevation_deg = 0.0;

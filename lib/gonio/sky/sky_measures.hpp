@@ -29,6 +29,7 @@ inline constexpr double sun_like_share = 0.25;
 // the pixels where it has not.
 std::optional<BrightestSpot> sun_like_spot(const EnvironmentMap& map, unsigned threads = 0);
 
+// The measures of a sky that `gonio sky` prints.
 struct SkyMeasures {
     Lux horizontal;              // of a plane that faces up
     std::array<Lux, 4> vertical; // of walls that face north, east, south and west
@@ -38,6 +39,7 @@ struct SkyMeasures {
     glm::dvec3 color{0.0};             // of the light on a sphere: linear Rec.709 of luminance 1; 0 of a black sky
 };
 
+// Of SkyMeasures::vertical: north, east, south, west.
 inline constexpr std::array wall_azimuths_deg{0.0, 90.0, 180.0, 270.0};
 
 // Without the sun. Some milliseconds for analytic skies; the share of their spot is within 1e-4.

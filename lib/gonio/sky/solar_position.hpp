@@ -13,6 +13,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A place on the earth.
 struct Place {
     double latitude_deg = 0.0;  // [−90, 90], north is positive
     double longitude_deg = 0.0; // [−180, 180], east is positive
@@ -29,6 +30,7 @@ struct Instant {
     int day_of_year() const;
 };
 
+// The years for which the position of the sun is computed.
 inline constexpr int first_solar_year = 1950;
 inline constexpr int last_solar_year = 2100;
 

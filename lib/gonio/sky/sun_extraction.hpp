@@ -15,6 +15,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// An environment parted into a sun and the rest.
 struct ExtractedSun {
     EnvironmentMap sky; // the image without it
     SunLight sun;

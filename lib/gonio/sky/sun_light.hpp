@@ -11,6 +11,7 @@ namespace gonio {
 // The mean apparent diameter of the sun's disc, which has 6.8018e-5 sr.
 inline constexpr Radians sun_diameter = degrees(0.5332);
 
+// A sun: a disc that is infinitely far away.
 struct SunLight {
     glm::dvec3 direction{0.0, 0.0, 1.0}; // unit, towards the sun
     Lux illuminance;                     // on a plane perpendicular to it

@@ -16,6 +16,7 @@ namespace gonio {
 
 struct LocalProbe;
 
+// Which shadows surfaces cast.
 enum class Shadows : std::uint8_t {
     off,
     hard, // every light as a point at its centre
@@ -25,6 +26,7 @@ enum class Shadows : std::uint8_t {
 // LightingOptions::bounces: until the light is absorbed.
 inline constexpr int all_bounces = std::numeric_limits<int>::max();
 
+// How the light on a stage is computed.
 struct LightingOptions {
     // exact: irradiance in closed form, highlights as by ltc; reference: everything by quadrature, a millisecond for
     // each light with a size and each point. frostbite, ue4 and point use the irradiance of those renderers and the

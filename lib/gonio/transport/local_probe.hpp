@@ -9,6 +9,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A prefiltered picture of the stage from a place in it.
 struct LocalProbe {
     glm::dvec3 position{0.0}; // [m]
     ParallaxBox box;          // about what is seen from there

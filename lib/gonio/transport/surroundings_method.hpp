@@ -10,6 +10,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// How the light that comes from around a surface is computed.
 enum class SurroundingsMethod : std::uint8_t {
     exact,               // past all that stands on the stage; glossy surfaces see stage and sky along their lobes
     spherical_harmonics, // the illuminance of the open sky by bands l ≤ 2
@@ -21,6 +22,7 @@ enum class SurroundingsMethod : std::uint8_t {
     parallax_sphere      // the same on a sphere
 };
 
+// A method by its name in text.
 struct SurroundingsMethodInfo {
     std::string_view name; // "split-sum"
     SurroundingsMethod method;

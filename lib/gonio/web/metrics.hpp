@@ -18,6 +18,7 @@ struct Peak {
     double gamma_deg = 0.0;
 };
 
+// The peak of a web.
 Peak peak(const Web& web);
 
 // Full angle, in the plane C–(C+180°), between the outermost directions with an intensity of at least `fraction` of the

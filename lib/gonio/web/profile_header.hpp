@@ -20,6 +20,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// What a profile states about the luminaire besides its intensities, in any format.
 struct ProfileHeader {
     std::string source;               // names the input in messages
     std::vector<IesKeyword> keywords; // in the file's order

@@ -10,6 +10,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// A web on another grid, and how far it is from the original.
 struct ResampledWeb {
     Web web; // type C
     // Greatest |resampled − original| over five by five points of every cell of the new grid and every point of the old

@@ -22,6 +22,7 @@ enum class AzimuthConvention {
     eulumdat    // IES files are rotated by 90°: their C0 becomes C90
 };
 
+// What a file leaves open: which lamp set, which tilt, which convention.
 struct ResolveOptions {
     int lamp_set = 1;      // EULUMDAT: which of the alternative lamp sets, from 1
     double tilt_deg = 0.0; // IES with TILT=INCLUDE: the mounting tilt, which selects the factor

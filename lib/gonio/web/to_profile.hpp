@@ -25,6 +25,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The format and dialect to write.
 enum class ProfileTarget {
     lm63, // the edition of the source if it has one, else 2002
     lm63_1995,
@@ -77,6 +78,7 @@ struct ConversionError {
     double gamma_deg = 0.0;
 };
 
+// The error of `made` against `source`.
 ConversionError conversion_error(const Web& source, const Web& made);
 
 // The bytes of a profile; in the portable dialect no line exceeds 132 characters, including the line end.

@@ -20,6 +20,7 @@ namespace gonio {
 // `resampling_tolerance` of the peak. A mirrored web with dark sectors is written out for any but quarter turns.
 ResampledWeb rotated(const Web& web, double angle_deg);
 
+// The plane of a mirror through the axis.
 enum class MirrorPlane { c0_180, c90_270 };
 
 // Mirrored in a plane through the axis: the light towards C goes to −C, or 180° − C.

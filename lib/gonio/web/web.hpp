@@ -38,6 +38,7 @@ const char* to_text(Symmetry symmetry); // "bilateral-0-180": as in reports
 // How many images of the stored grid cover all directions: 4, 2 or 1.
 double image_count(Symmetry stored);
 
+// Intensity by direction.
 class Web {
 public:
     // `candela` is [plane][gamma]. Fails (malformed) unless both angle lists are non-empty, finite and strictly

@@ -10,6 +10,7 @@
 #pragma GCC visibility push(default)
 namespace gonio {
 
+// The codes of failures, by class.
 inline constexpr auto failure_codes = std::to_array<DiagnosticCode>({
     {"USE0101", Severity::error, Strict::same, "request without an answer",
      "The request is understood, but its result is not defined: the luminance of a point, the flux of a sun. The "
