@@ -16,6 +16,7 @@
 #include <gonio/transport/interreflection.hpp>
 
 #include "truth_pixels.hpp"
+#include "two_way_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,9 @@ namespace {
 using namespace gonio;
 using namespace gonio::bench;
 
-constexpr int side = 24; // points
+constexpr int side = 24;              // points
+constexpr double near_m = 0.3;        // of paths from the points
+constexpr std::size_t from_lamp = 20; // paths from the lamp, which light all points, for each from a point
 
 void print_diffuse(const StageKind& kind, std::size_t paths) {
     Stage stage = make_stage(kind.name).value();
@@ -50,16 +53,13 @@ void print_diffuse(const StageKind& kind, std::size_t paths) {
     LightingOptions options;
     options.bounces = all_bounces;
     const Interreflection indirect = Interreflection::of(stage, lights, options).value();
-    detail::PathTracer::Options path_options;
-    path_options.bounces = all_bounces;
-    const detail::PathTracer tracer(stage, lights, path_options);
-    std::vector<Point> found(points.size());
-    parallel_for(points.size(), 0, [&](std::size_t i) {
-        const auto seed = static_cast<std::uint32_t>(2 * i);
-        found[i] = {indirect.on_surface(points[i].surface, points[i].face, points[i].position).y,
-                    detail::indirect_by_paths(tracer, points[i], paths, seed).lx.y,
-                    detail::indirect_by_paths(tracer, points[i], paths, seed + 1).lx.y};
-    });
+    const TwoWayPaths truth(stage, lights.front(), points, near_m);
+    const std::vector<double> first = truth.lx(from_lamp * paths, paths, 0);
+    const std::vector<double> second = truth.lx(from_lamp * paths, paths, 1);
+    std::vector<Point> found;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        found.push_back(
+            {indirect.on_surface(points[i].surface, points[i].face, points[i].position).y, first[i], second[i]});
     const Errors errors = errors_of(found);
     std::printf("| %s | %.3g lx | %.2f %% | %+.2f %% | %.2f %% | %zu | %zu | %.0f MB |\n",
                 std::string(kind.name).c_str(), errors.mean, 100.0 * errors.rms, 100.0 * errors.bias,

@@ -4,6 +4,7 @@
 #include <gonio/scene/occlusion.hpp>
 #include <gonio/scene/primitives.hpp>
 #include <gonio/scene/probe_light.hpp>
+#include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/interreflection.hpp>
 #include <gonio/transport/named_surroundings.hpp>
 #include <gonio/transport/reflected_view.hpp>
@@ -16,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 namespace gonio::detail {
 
@@ -103,7 +105,7 @@ void LitTile::add_part(std::uint32_t pixel, std::size_t surface, float share, co
 }
 
 void LitTile::add_to_part(const SurfaceSamples& samples, std::size_t i, const glm::vec3& nt) {
-    if (reflected_.empty() || !(samples.share[i] < 1.0F)) return;
+    if (reflected_.empty() || samples.center[i] >= 0) return; // a whole pixel
     const auto found = reflected_.find({samples.pixel[i], samples.surface});
     if (found != reflected_.end()) found->second.nt += nt;
 }
@@ -129,47 +131,76 @@ void LitTile::count_samples() {
     }
 }
 
+namespace {
+
+// Points of a pixel on an outline beside each other as one: what is around changes little between them, on what is
+// flat. Round surfaces turn by much within the pixels of their outlines.
+SurfaceSamples merged(const SurfaceSamples& all) {
+    constexpr std::size_t most = edge_samples; // more would miss narrow highlights
+    constexpr double least_cosine = 0.99;      // between normals, within one face
+    SurfaceSamples few;
+    few.surface = all.surface;
+    few.reserve(all.size());
+    for (std::size_t i = 0; i < all.size();) {
+        std::size_t end = i + 1;
+        double share = static_cast<double>(all.share[i]);
+        while (all.center[i] < 0 && end < all.size() && end - i < most && all.center[end] < 0 &&
+               all.pixel[end] == all.pixel[i] && glm::dot(all.normal_of(i), all.normal_of(end)) > least_cosine)
+            share += static_cast<double>(all.share[end++]);
+        const std::size_t middle = (i + end) / 2;
+        few.add({all.position_of(middle), all.normal_of(middle), all.view_of(middle)}, all.pixel[i], share,
+                all.center[i]);
+        i = end;
+    }
+    return few;
+}
+
+} // namespace
+
 // Light that bounced, and that of a sky: what surfaces scatter of it, and what glossy ones show of it.
 void LitTile::add_surroundings() {
     const Interreflection* const indirect = picture_.indirect.get();
     const SkyLight* const sky = scene_.sky;
-    ReflectedView view(indirect != nullptr ? *indirect->geometry() : *sky->geometry(), indirect,
-                       sky != nullptr ? &sky->sky() : nullptr, options_.instruction_set);
+    const ExchangeGeometry& exchange = indirect != nullptr ? *indirect->geometry() : *sky->geometry();
+    ReflectedView view(exchange, indirect, sky != nullptr ? &sky->sky() : nullptr, options_.instruction_set);
+    NodeReader nodes(exchange);
     const NamedSurroundings* const named = scene_.named;
     const bool named_sky = named != nullptr && named->has_diffuse();
     const bool named_lobe = named != nullptr && named->has_glossy();
-    for (const SurfaceSamples& samples : tile_.surfaces()) {
-        const Primitive& geometry = scene_.stage.surfaces[samples.surface].geometry;
+    for (const SurfaceSamples& all : tile_.surfaces()) {
+        const Primitive& geometry = scene_.stage.surfaces[all.surface].geometry;
+        const bool is_round = std::holds_alternative<Ball>(geometry) || std::holds_alternative<Capsule>(geometry);
+        const SurfaceSamples of_flat = is_round ? SurfaceSamples() : merged(all);
+        const SurfaceSamples& samples = is_round ? all : of_flat;
         const std::vector<LobeRays>& lobes = scene_.lobes[samples.surface];
-        for (const SurfaceSamples::Chunk& chunk : samples.chunks) {
-            glossy_.assign(chunk.count, glm::vec3(0.0F));
+        const bool has_view = !lobes.empty() && !named_lobe;
+        if (has_view) {
+            const SampleSquares squares = is_round ? SampleSquares() : tile_.squares_of(samples);
+            glossy_.assign(samples.size(), glm::vec3(0.0F));
             for (const LobeRays& lobe : lobes) {
-                if (named_lobe) break;
-                const std::vector<glm::vec3>& shown = view.luminance(samples, chunk.first, chunk.count, lobe);
-                for (std::size_t i = 0; i < chunk.count; ++i)
+                const std::vector<glm::vec3>& shown = view.luminance(samples, squares, lobe);
+                for (std::size_t i = 0; i < samples.size(); ++i)
                     glossy_[i] += shown[i];
             }
-            for (std::size_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
-                const glm::dvec3 position = samples.position_of(i);
-                const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
-                const int face = face_at(geometry, position);
-                glm::dvec3 lx(0.0);
-                if (indirect != nullptr) lx += indirect->on_surface(samples.surface, face, position);
-                if (sky != nullptr)
-                    lx += named_sky ? named->sky_lx(normal) : sky->on_surface(samples.surface, face, position);
-                const double cosine = glm::dot(normal, samples.view_of(i));
-                glm::dvec3 diffuse = scene_.albedos[samples.surface](cosine);
-                glm::dvec3 rgb(glossy_[i - chunk.first]);
-                for (const LobeRays& lobe : lobes) {
-                    const glm::dvec3 albedo = lobe.albedo(cosine);
-                    diffuse -= albedo;
-                    if (named_lobe)
-                        rgb += named->glossy(position, normal, samples.view_of(i),
-                                             {samples.surface, lobe.alpha(), albedo});
-                }
-                rgb += std::numbers::inv_pi * lx * glm::max(diffuse, glm::dvec3(0.0));
-                add(samples, i, rgb, lx);
+        }
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const glm::dvec3 position = samples.position_of(i);
+            const glm::dvec3 normal = glm::normalize(samples.normal_of(i));
+            const NodeMean around = nodes.around(samples.surface, face_at(geometry, position), position);
+            glm::dvec3 lx(0.0);
+            if (indirect != nullptr) lx += around(indirect->nodes_lx());
+            if (sky != nullptr) lx += named_sky ? named->sky_lx(normal) : around(sky->nodes_lx());
+            const double cosine = glm::dot(normal, samples.view_of(i));
+            glm::dvec3 diffuse = scene_.albedos[samples.surface](cosine);
+            glm::dvec3 rgb(has_view ? glossy_[i] : glm::vec3(0.0F));
+            for (const LobeRays& lobe : lobes) {
+                const glm::dvec3 albedo = lobe.albedo(cosine);
+                diffuse -= albedo;
+                if (named_lobe)
+                    rgb += named->glossy(position, normal, samples.view_of(i), {samples.surface, lobe.alpha(), albedo});
             }
+            rgb += std::numbers::inv_pi * lx * glm::max(diffuse, glm::dvec3(0.0));
+            add(samples, i, rgb, lx);
         }
     }
 }

@@ -150,6 +150,73 @@ void TileSamples::collect() {
         }
 }
 
+SampleSquares TileSamples::squares_of(const SurfaceSamples& samples) const {
+    const int width = right_ - left_;
+    const int height = bottom_ - top_;
+    const int across = (width + square_size - 1) / square_size;
+    const int down = (height + square_size - 1) / square_size;
+    constexpr std::uint32_t none = SampleSquares::none;
+    SampleSquares made;
+    made.corners.surface = samples.surface;
+    made.of_sample.resize(samples.size());
+    const auto square_at = [&](int column, int row) { return static_cast<std::size_t>(row * across + column); };
+    std::vector<int> used(static_cast<std::size_t>(across * down), 0);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples.center[i] < 0) continue;
+        const auto at = static_cast<int>(samples.center[i]);
+        const auto stride = static_cast<int>(stride_);
+        ++used[square_at((at % stride - 1) / square_size, (at / stride - 1) / square_size)];
+    }
+    // A tile's last corners are pixels of the next one.
+    std::vector<std::uint32_t> corner_at(static_cast<std::size_t>((across + 1) * (down + 1)), none);
+    const auto seen_at = [&](int column, int row) -> const Seen& {
+        const int x = std::min(column * square_size, width);
+        const int y = std::min(row * square_size, height);
+        return centers_[static_cast<std::size_t>((y + 1) * stride_ + x + 1)];
+    };
+    const auto corner = [&](int column, int row) {
+        std::uint32_t& index = corner_at[static_cast<std::size_t>(row * (across + 1) + column)];
+        if (index != none) return index;
+        index = static_cast<std::uint32_t>(made.corners.size());
+        const Seen& seen = seen_at(column, row);
+        made.corners.add({seen.hit.position, seen.hit.normal, seen.view}, 0, 1.0, -1);
+        return index;
+    };
+    constexpr int least_used = 6; // corners cost as much as pixels, and are shared
+    std::vector<std::uint32_t> made_at(used.size(), none);
+    for (int row = 0; row < down; ++row)
+        for (int column = 0; column < across; ++column) {
+            if (used[square_at(column, row)] < least_used) continue;
+            const Seen& first = seen_at(column, row);
+            const auto shows_the_same = [&](const Seen& seen) {
+                return seen.what == Seen::What::surface && seen.hit.surface == samples.surface &&
+                       seen.hit.face == first.hit.face;
+            };
+            if (!shows_the_same(first) || !shows_the_same(seen_at(column + 1, row)) ||
+                !shows_the_same(seen_at(column, row + 1)) || !shows_the_same(seen_at(column + 1, row + 1)))
+                continue;
+            made_at[square_at(column, row)] = static_cast<std::uint32_t>(made.squares.size());
+            made.squares.push_back(
+                {corner(column, row), corner(column + 1, row), corner(column, row + 1), corner(column + 1, row + 1)});
+        }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples.center[i] < 0) continue;
+        const Seen& seen = centers_[static_cast<std::size_t>(samples.center[i])];
+        const int x = static_cast<int>(samples.center[i] % stride_) - 1;
+        const int y = static_cast<int>(samples.center[i] / stride_) - 1;
+        const int column = x / square_size;
+        const int row = y / square_size;
+        const std::uint32_t square = made_at[square_at(column, row)];
+        if (square == none || seen.hit.face != seen_at(column, row).hit.face) continue;
+        const auto share = [](int at, int index, int end) {
+            const int first = index * square_size;
+            return static_cast<float>(at - first) / static_cast<float>(std::min(first + square_size, end) - first);
+        };
+        made.of_sample[i] = {square, share(x, column, width), share(y, row, height)};
+    }
+    return made;
+}
+
 void TileSamples::bound_surfaces() {
     for (SurfaceSamples& samples : surfaces_) {
         // Includes the rows and columns around the tile: points between pixels may lie beyond the centres.

@@ -93,6 +93,28 @@ BaseMaterial base_of(const Material& material) {
         material);
 }
 
+bool are_same(const Material& a, const Material& b) {
+    const auto same_keys = []<class M>(const M& x, const M& y) {
+        return std::apply([&](const auto&... key) { return (... && (x.*key.member == y.*key.member)); },
+                          MaterialDescription<M>::keys);
+    };
+    const auto same_bases = [&](const auto& x, const auto& y) {
+        return std::visit(
+            [&]<class X, class Y>(const X& of_x, const Y& of_y) {
+                if constexpr (std::is_same_v<X, Y>) {
+                    return same_keys(of_x, of_y);
+                } else {
+                    return false;
+                }
+            },
+            x, y);
+    };
+    const auto* const coated = std::get_if<CoatedMaterial>(&a);
+    if (a.index() != b.index()) return false;
+    if (coated != nullptr && coated->coat != std::get<CoatedMaterial>(b).coat) return false;
+    return same_bases(base_of(a), base_of(b));
+}
+
 std::span<const CoatOrderName> coat_orders() {
     return orders;
 }

@@ -73,6 +73,9 @@ inline ChartColors metallic_chart_colors(const glm::dvec3& base, double metallic
 template<class M>
 struct MaterialDescription;
 
+// Whether the materials are of one kind and have the same numbers.
+bool are_same(const Material& a, const Material& b);
+
 // Calls core(…) of a material.
 template<class M>
 auto core_material(const M& material) {

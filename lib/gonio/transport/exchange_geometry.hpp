@@ -41,6 +41,7 @@ public:
     NodeMean around(std::size_t chart, const glm::dvec3& position) const;
     // Around the middle of a patch; none for one without an area.
     const NodeMean& around(std::uint32_t patch) const { return around_[patch]; }
+    const NodeTree& tree(std::size_t chart) const { return trees_[chart]; }
     // The surface if it is a solid: rays that start on it do not meet it again.
     std::size_t own(std::size_t surface) const;
     std::size_t memory() const;
@@ -63,6 +64,24 @@ private:
     std::vector<double> escaping_;
     std::vector<double> cell_factor_; // by chart
     std::vector<double> node_factor_;
+};
+
+// The nodes around one point after another: those that lie close together are found faster.
+class NodeReader {
+public:
+    explicit NodeReader(const ExchangeGeometry& geometry) : geometry_(geometry) {}
+
+    NodeMean around(std::size_t surface, int face, const glm::dvec3& position) {
+        const std::size_t chart = geometry_.patches().charts().index_of(surface, face);
+        if (chart != chart_) last_ = {};
+        chart_ = chart;
+        return geometry_.tree(chart).around(geometry_.patches().charts().all()[chart], position, last_);
+    }
+
+private:
+    const ExchangeGeometry& geometry_;
+    std::size_t chart_ = 0;
+    NodeTree::Leaf last_;
 };
 
 } // namespace gonio::detail

@@ -1,6 +1,8 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/light/light_change.hpp>
 #include <gonio/light/light_parts.hpp>
 #include <gonio/scene/directional_albedo.hpp>
+#include <gonio/scene/material_description.hpp>
 #include <gonio/transport/direct_map.hpp>
 #include <gonio/transport/exchange_geometry.hpp>
 #include <gonio/transport/indirect_solution.hpp>
@@ -55,11 +57,22 @@ Interreflection::~Interreflection() = default;
 Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const Light> lights,
                                             const LightingOptions& options, const ExchangeQuality& quality,
                                             const Interreflection* known) {
+    ExchangeQuality used = quality;
+    if (!options.sky.is_dark() && used.node_rays > 0) used.node_rays = std::max(used.node_rays, used.sky_rays);
+    if (known != nullptr)
+        if (const std::optional<glm::dvec3> change = known->change_to(stage, lights, options, used)) {
+            Interreflection changed = known->times(*change);
+            changed.lights_.assign(lights.begin(), lights.end());
+            return changed;
+        }
     Interreflection exchange;
     exchange.receiver_rays_ = quality.receiver_rays;
     exchange.instruction_set_ = options.instruction_set;
-    ExchangeQuality used = quality;
-    if (!options.sky.is_dark() && used.node_rays > 0) used.node_rays = std::max(used.node_rays, used.sky_rays);
+    exchange.lights_.assign(lights.begin(), lights.end());
+    for (const Surface& surface : stage.surfaces)
+        exchange.materials_.push_back(surface.material);
+    exchange.bounces_ = options.bounces;
+    exchange.shadows_ = options.shadows;
     exchange.geometry_ =
         known != nullptr && known->geometry_->fits(stage, lights, used)
             ? known->geometry_
@@ -128,6 +141,52 @@ Result<Interreflection> Interreflection::of(const Stage& stage, std::span<const 
         exchange.shown_lx_[i].value[3] = 1.0F;
     }
     return exchange;
+}
+
+// The factor, per channel, that makes this the light of other lights; none if more than that changed.
+std::optional<glm::dvec3> Interreflection::change_to(const Stage& stage, std::span<const Light> lights,
+                                                     const LightingOptions& options,
+                                                     const ExchangeQuality& quality) const {
+    const bool same_options = options.sky.is_dark() && sky_ == nullptr && options.bounces == bounces_ &&
+                              options.shadows == shadows_ && options.instruction_set == instruction_set_ &&
+                              quality.receiver_rays == receiver_rays_;
+    if (!same_options || !geometry_->fits(stage, lights, quality)) return std::nullopt;
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+        if (!are_same(materials_[i], stage.surfaces[i].material)) return std::nullopt;
+    if (!differ_in_amount_alone(lights_, lights)) return std::nullopt;
+    const std::optional<LightChange> change = common_change(lights_, lights);
+    return change ? std::optional(change->rgb) : std::nullopt;
+}
+
+Interreflection Interreflection::times(const glm::dvec3& rgb) const {
+    Interreflection changed = *this;
+    const auto multiply = [&](detail::Sent& sent) {
+        for (int channel = 0; channel < 3; ++channel)
+            sent.value[channel] = static_cast<float>(rgb[channel] * static_cast<double>(sent.value[channel]));
+    };
+    for (std::vector<glm::dvec3>* const of :
+         {&changed.direct_lx_, &changed.direct_reflected_lx_, &changed.direct_spread_lx_, &changed.direct_to_nodes_lx_})
+        for (glm::dvec3& lx : *of)
+            lx *= rgb;
+    changed.thrown_ = std::make_shared<const detail::ThrownLight>(thrown_->times(glm::vec3(rgb)));
+    detail::SentSlopes slopes = *slopes_;
+    for (detail::SentSlope& slope : slopes) {
+        multiply(slope.along_u);
+        multiply(slope.along_v);
+    }
+    changed.slopes_ = std::make_shared<const detail::SentSlopes>(std::move(slopes));
+    for (detail::NodeValue& node : changed.nodes_lx_) {
+        node.value *= rgb;
+        for (glm::dvec3& slope : node.slope)
+            slope *= rgb;
+    }
+    for (std::vector<detail::Sent>* const of : {&changed.sent_, &changed.shown_lx_})
+        for (detail::Sent& sent : *of)
+            multiply(sent);
+    for (glm::dvec3* const lm : {&changed.balance_.direct_lm, &changed.balance_.indirect_lm,
+                                 &changed.balance_.absorbed_lm, &changed.balance_.escaped_lm})
+        *lm *= rgb;
+    return changed;
 }
 
 // Without what lobes throw.
@@ -273,6 +332,10 @@ glm::dvec3 Interreflection::at(const glm::dvec3& position, const glm::dvec3& nor
     if (!thrown_->empty())
         lx += thrown_->gathered(bundle, 0, place, detail::DirectionArrays(detail::cosine_directions(receiver_rays_)));
     return lx;
+}
+
+std::span<const detail::NodeValue> Interreflection::nodes_lx() const {
+    return nodes_lx_;
 }
 
 std::size_t Interreflection::node_count() const {

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,7 +57,8 @@ public:
     // Stage and lights are not needed afterwards. Uses these options: bounces, of which there must be at least one;
     // shadows, sky, threads, instruction_set. Fails (usage) on a closed stage that absorbs nothing, which has no
     // solution. `known`: for the same surfaces in any materials, and lights at the same positions that emit to the same
-    // sides, what depends on these alone is taken from it.
+    // sides, what depends on these alone is taken from it; and all of it, if nothing but a factor changed that is
+    // common to all lights.
     static Result<Interreflection> of(const Stage& stage, std::span<const Light> lights, const LightingOptions& options,
                                       const ExchangeQuality& quality = {}, const Interreflection* known = nullptr);
 
@@ -72,6 +74,8 @@ public:
     // itself.
     glm::vec3 luminance_at(const detail::PatchPlace& place, float fine_m, const glm::vec3& towards) const;
     const std::shared_ptr<const detail::ExchangeGeometry>& geometry() const { return geometry_; }
+    // The same illuminance by node of the geometry.
+    std::span<const detail::NodeValue> nodes_lx() const;
     // What surfaces receive of the options' sky; null without one.
     const std::shared_ptr<const detail::SkyLight>& sky() const { return sky_; }
 
@@ -89,6 +93,9 @@ public:
 
 private:
     Interreflection();
+    std::optional<glm::dvec3> change_to(const Stage& stage, std::span<const Light> lights,
+                                        const LightingOptions& options, const ExchangeQuality& quality) const;
+    Interreflection times(const glm::dvec3& rgb) const;
     void sum_up(bool to_the_end, unsigned threads);
     glm::dvec3 reflected_lx(std::uint32_t patch, const glm::dvec3& indirect_lx) const;
     std::vector<glm::dvec3> finely_to_nodes(unsigned threads) const;
@@ -100,6 +107,10 @@ private:
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
     std::shared_ptr<const detail::SkyLight> sky_;
+    std::vector<Light> lights_;
+    std::vector<Material> materials_; // by surface
+    int bounces_ = 0;
+    Shadows shadows_ = Shadows::soft;
     std::vector<glm::dvec3> albedo_;              // by surface
     std::vector<glm::dvec3> direct_lx_;           // by patch
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again

@@ -134,21 +134,23 @@ std::vector<LobeRays> lobe_rays(const CoreMaterial& material, std::size_t more) 
     return lobes;
 }
 
-void LobeRays::at(double cosine, std::vector<LobeRay>& rays) const {
+LobeRays::View LobeRays::view(double cosine) const {
     const Place place = place_of(cosine);
-    const auto share = static_cast<float>(place.share);
     const auto z = static_cast<float>(std::clamp(cosine, 0.0, 1.0));
-    const glm::vec3 view(std::sqrt((1.0F - z) * (1.0F + z)), 0.0F, z);
-    rays.resize(rays_);
-    for (std::size_t i = 0; i < rays_; ++i) {
-        const LobeRay& a = table_[place.node * rays_ + i];
-        const LobeRay& b = table_[(place.node + 1) * rays_ + i];
-        const glm::vec3 facet = (1.0F - share) * a.direction + share * b.direction;
-        rays[i].direction = 2.0F * glm::dot(view, facet) / glm::dot(facet, facet) * facet - view;
-        rays[i].weight = (1.0F - share) * a.weight + share * b.weight;
-        rays[i].width = (1.0F - share) * a.width + share * b.width;
-        if (!(rays[i].direction.z > 0.0F)) rays[i].weight = glm::vec3(0.0F);
-    }
+    return {place.node * rays_, static_cast<float>(place.share), {std::sqrt((1.0F - z) * (1.0F + z)), 0.0F, z}};
+}
+
+LobeRay LobeRays::ray(const View& view, std::size_t index) const {
+    const LobeRay& a = table_[view.first + index];
+    const LobeRay& b = table_[view.first + rays_ + index];
+    const float share = view.share;
+    const glm::vec3 facet = (1.0F - share) * a.direction + share * b.direction;
+    LobeRay ray;
+    ray.direction = 2.0F * glm::dot(view.direction, facet) / glm::dot(facet, facet) * facet - view.direction;
+    ray.weight = (1.0F - share) * a.weight + share * b.weight;
+    ray.width = (1.0F - share) * a.width + share * b.width;
+    if (!(ray.direction.z > 0.0F)) ray.weight = glm::vec3(0.0F);
+    return ray;
 }
 
 glm::dvec3 LobeRays::albedo(double cosine) const {

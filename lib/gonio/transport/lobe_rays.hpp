@@ -31,8 +31,15 @@ public:
     std::size_t count() const { return rays_; } // for each view
     double alpha() const { return alpha_; }     // of GGX
 
-    // `rays` gets count() of them; those below the surface have the weight 0.
-    void at(double cosine, std::vector<LobeRay>& rays) const;
+    // A view, for ray().
+    struct View {
+        std::size_t first = 0; // in the table, of the two views beside it
+        float share = 0.0F;    // of the second
+        glm::vec3 direction{0.0F, 0.0F, 1.0F};
+    };
+    View view(double cosine) const;
+    // One of count(); those below the surface have the weight 0.
+    LobeRay ray(const View& view, std::size_t index) const;
     // The directional albedo of the lobe alone, per channel.
     glm::dvec3 albedo(double cosine) const;
 

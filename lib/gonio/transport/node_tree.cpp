@@ -441,7 +441,12 @@ void NodeTree::append(std::span<const Node> made, std::vector<Node>& nodes, std:
     }
 }
 
-NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
+NodeTree::Spot NodeTree::spot(const glm::dvec2& at, Leaf& last) const {
+    if (last.part != Leaf::none) {
+        const double u = columns_.share(last.column, at.x) * last.per.x - last.first.x;
+        const double v = rows_.share(last.row, at.y) * last.per.y - last.first.y;
+        if (u >= 0.0 && u < 1.0 && v >= 0.0 && v < 1.0) return {last.part, u, v, last.size};
+    }
     struct Place {
         std::uint32_t index;
         double share;
@@ -461,29 +466,30 @@ NodeTree::Spot NodeTree::spot(const glm::dvec2& at) const {
               row.share,
               {columns_.line(column.index + 1) - columns_.line(column.index),
                rows_.line(row.index + 1) - rows_.line(row.index)}};
+    last = {0, column.index, row.index, glm::dvec2(1.0), glm::dvec2(0.0), glm::dvec2(0.0)};
+    const auto halve = [&](double& share, double& size, int axis) {
+        const bool high = share >= 0.5;
+        share = 2.0 * share - (high ? 1.0 : 0.0);
+        size *= 0.5;
+        last.per[axis] *= 2.0;
+        last.first[axis] = 2.0 * last.first[axis] + (high ? 1.0 : 0.0);
+        return high;
+    };
     while (parts_[spot.part].first_part != 0) {
         const Part& whole = parts_[spot.part];
         std::uint32_t next = whole.first_part;
-        if (whole.along_v) {
-            const bool high = spot.v >= 0.5;
-            spot.v = 2.0 * spot.v - (high ? 1.0 : 0.0);
-            spot.size.y *= 0.5;
-            if (high) next += whole.along_u ? 2 : 1;
-        }
-        if (whole.along_u) {
-            const bool high = spot.u >= 0.5;
-            spot.u = 2.0 * spot.u - (high ? 1.0 : 0.0);
-            spot.size.x *= 0.5;
-            if (high) ++next;
-        }
+        if (whole.along_v && halve(spot.v, spot.size.y, 1)) next += whole.along_u ? 2 : 1;
+        if (whole.along_u && halve(spot.u, spot.size.x, 0)) ++next;
         spot.part = next;
     }
+    last.part = spot.part;
+    last.size = spot.size;
     return spot;
 }
 
-NodeMean NodeTree::around(const Chart& chart, const glm::dvec3& position) const {
+NodeMean NodeTree::around(const Chart& chart, const glm::dvec3& position, Leaf& last) const {
     const glm::dvec2 place = chart.coordinates(position);
-    const Spot in = spot(place);
+    const Spot in = spot(place, last);
     const std::array<double, 4> weight{(1.0 - in.u) * (1.0 - in.v), in.u * (1.0 - in.v), (1.0 - in.u) * in.v,
                                        in.u * in.v};
     NodeMean mean;

@@ -75,7 +75,21 @@ public:
     // terms of nodes that gather, from nodes that gather.
     void append(std::span<const Node> made, std::vector<Node>& nodes, std::vector<SlopeTerm>& slopes);
 
-    NodeMean around(const Chart& chart, const glm::dvec3& position) const;
+    // A rectangle that is not divided: which it is of those between lines, and what of it.
+    struct Leaf {
+        static constexpr std::uint32_t none = 0xffffffffU;
+        std::uint32_t part = none;
+        std::uint32_t column = 0, row = 0;
+        glm::dvec2 per{1.0};   // u and v of this one, over those between the lines
+        glm::dvec2 first{0.0}; // and what is subtracted from that
+        glm::dvec2 size{0.0};
+    };
+    NodeMean around(const Chart& chart, const glm::dvec3& position) const {
+        Leaf last;
+        return around(chart, position, last);
+    }
+    // `last` is where the point before lay, and then where this one lies.
+    NodeMean around(const Chart& chart, const glm::dvec3& position, Leaf& last) const;
 
 private:
     friend class NodeTreeMaker;
@@ -94,7 +108,7 @@ private:
         double u, v; // of its sides, in [0, 1]
         glm::dvec2 size;
     };
-    Spot spot(const glm::dvec2& at) const;
+    Spot spot(const glm::dvec2& at, Leaf& last) const;
 
     Axis columns_, rows_; // of the parts that are not part of another
     std::vector<Part> parts_;

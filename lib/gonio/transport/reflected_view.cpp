@@ -8,81 +8,184 @@
 
 namespace gonio::detail {
 
+namespace {
+
+constexpr std::size_t together = 4096; // rays that are cast at once
+constexpr std::size_t least_rays = 8;  // of a lobe that is wide enough for squares
+
+// How far apart the ends of a square's rays may lie: over the distance between the rays of a lobe, and over the size of
+// a patch. What round surfaces send back bends more.
+struct Reach {
+    float between_rays;
+    float squares;
+};
+constexpr Reach on_flat{1.5F, 2.0F};
+constexpr Reach on_round{0.5F, 1.0F};
+
+} // namespace
+
 ReflectedView::ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const BlurredSky* sky,
                              simd::InstructionSet set)
     : geometry_(geometry), indirect_(indirect), sky_(sky), caster_(geometry.stage(), geometry.patches(), set) {
-    for (const Chart& chart : geometry.patches().charts().all())
-        width_m_.push_back(static_cast<float>(chart.kind == Chart::Kind::round
-                                                  ? 2.0 * chart.radius
-                                                  : std::min(chart.u.high - chart.u.low, chart.v.high - chart.v.low)));
+    for (const Chart& chart : geometry.patches().charts().all()) {
+        const bool is_round = chart.kind == Chart::Kind::round;
+        width_m_.push_back(static_cast<float>(
+            is_round ? 2.0 * chart.radius : std::min(chart.u.high - chart.u.low, chart.v.high - chart.v.low)));
+        per_turn_.push_back(is_round ? static_cast<float>(chart.radius) : 1.0F);
+    }
 }
 
-const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, std::size_t first,
-                                                       std::size_t count, const LobeRays& lobe) {
-    luminance_.assign(count, glm::vec3(0.0F));
-    // Room for all rays; those without weight are left out.
-    const std::size_t most = count * lobe.count();
-    for (auto* const axes : {&origin_, &direction_})
-        for (std::vector<float>& axis : *axes)
-            axis.resize(most);
-    weight_.resize(most);
-    ray_width_.resize(most);
-    of_sample_.resize(most);
-    std::size_t rays = 0;
+ReflectedView::Mirror ReflectedView::mirror(const SurfaceSamples& samples, std::size_t sample,
+                                            const LobeRays& lobe) const {
+    Mirror mirror;
+    const glm::dvec3 normal = glm::normalize(samples.normal_of(sample));
+    const glm::dvec3 view = samples.view_of(sample);
+    const double cosine = glm::dot(normal, view);
+    if (!(cosine > 0.0)) return mirror;
+    mirror.is_seen = true;
+    mirror.view = lobe.view(cosine);
+    const glm::dvec3 aside = view - cosine * normal;
+    const double length = glm::length(aside);
+    mirror.x = glm::vec3(length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x);
+    mirror.z = glm::vec3(normal);
+    mirror.y = glm::cross(mirror.z, mirror.x);
     const double lift_m = Patches::lift(geometry_.patches().square_m());
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 normal = glm::normalize(samples.normal_of(first + i));
-        const glm::dvec3 view = samples.view_of(first + i);
-        const double cosine = glm::dot(normal, view);
-        if (!(cosine > 0.0)) continue;
-        lobe.at(cosine, rays_);
-        const glm::dvec3 aside = view - cosine * normal;
-        const double length = glm::length(aside);
-        const glm::vec3 x(length > 1e-9 ? aside / length : frame_about(glm::dvec3(0.0), normal).x);
-        const glm::vec3 z(normal);
-        const glm::vec3 y = glm::cross(z, x);
-        const glm::vec3 origin(samples.position_of(first + i) - samples.anchor + lift_m * normal);
-        for (const LobeRay& ray : rays_) {
-            if (ray.weight == glm::vec3(0.0F)) continue;
-            const glm::vec3 direction = ray.direction.x * x + ray.direction.y * y + ray.direction.z * z;
-            for (int axis = 0; axis < 3; ++axis) {
-                origin_[static_cast<std::size_t>(axis)][rays] = origin[axis];
-                direction_[static_cast<std::size_t>(axis)][rays] = direction[axis];
-            }
-            weight_[rays] = ray.weight;
-            ray_width_[rays] = ray.width;
-            of_sample_[rays] = static_cast<std::uint32_t>(i);
-            ++rays;
-        }
+    mirror.origin = glm::vec3(samples.position_of(sample) - samples.anchor + lift_m * normal);
+    return mirror;
+}
+
+void ReflectedView::add(const Mirror& mirror, const LobeRay& ray, std::uint32_t of) {
+    if (ray.weight == glm::vec3(0.0F)) return;
+    const glm::vec3 direction = ray.direction.x * mirror.x + ray.direction.y * mirror.y + ray.direction.z * mirror.z;
+    for (int axis = 0; axis < 3; ++axis) {
+        origin_[static_cast<std::size_t>(axis)].push_back(mirror.origin[axis]);
+        direction_[static_cast<std::size_t>(axis)].push_back(direction[axis]);
     }
-    caster_.cast(samples.anchor, geometry_.own(samples.surface), origin_, direction_, rays, ends_);
-    // A single ray that meets a thing much narrower than the distance between rays would draw a line: it counts less,
-    // and the others more.
-    all_.assign(count, glm::vec3(0.0F));
-    kept_.assign(count, glm::vec3(0.0F));
-    for (std::size_t i = 0; i < rays; ++i) {
-        const std::uint32_t sample = of_sample_[i];
-        all_[sample] += weight_[i];
+    weight_.push_back(ray.weight);
+    ray_width_.push_back(ray.width);
+    of_.push_back(of);
+}
+
+// Casts the rays that were added, and adds what each shows.
+void ReflectedView::cast(const SurfaceSamples& samples, std::vector<Shown>& shown, std::vector<CornerEnd>* ends) {
+    if (of_.empty()) return;
+    caster_.cast(samples.anchor, geometry_.own(samples.surface), origin_, direction_, of_.size(), ends_);
+    for (std::size_t i = 0; i < of_.size(); ++i) {
+        const glm::vec3 direction(direction_[0][i], direction_[1][i], direction_[2][i]);
+        Shown& of = shown[of_[i]];
+        if (ends != nullptr) (*ends)[of_[i]] = {ends_[i], direction, ray_width_[i], true};
+        of.all += weight_[i];
         if (ends_[i].chart == no_patch || ends_[i].chart == back_side) {
-            kept_[sample] += weight_[i];
+            of.kept += weight_[i];
             if (sky_ != nullptr && ends_[i].chart == no_patch)
-                luminance_[sample] +=
-                    weight_[i] * glm::vec3(sky_->radiance({direction_[0][i], direction_[1][i], direction_[2][i]},
-                                                          1.5F * ray_width_[i]));
+                of.nt += weight_[i] * glm::vec3(sky_->radiance(glm::dvec3(direction), 1.5F * ray_width_[i]));
             continue;
         }
+        // A single ray that meets a thing much narrower than the distance between rays would draw a line: it counts
+        // less, and the others more.
         const float between_m = ray_width_[i] * ends_[i].distance_m;
         const float width_m = width_m_[ends_[i].chart];
         const glm::vec3 weight = width_m < between_m ? width_m / between_m * weight_[i] : weight_[i];
-        kept_[sample] += weight;
-        if (indirect_ != nullptr)
-            luminance_[sample] +=
-                weight * indirect_->luminance_at(ends_[i], between_m,
-                                                 -glm::vec3(direction_[0][i], direction_[1][i], direction_[2][i]));
+        of.kept += weight;
+        if (indirect_ != nullptr) of.nt += weight * indirect_->luminance_at(ends_[i], between_m, -direction);
     }
-    for (std::size_t i = 0; i < count; ++i)
+    for (auto* const axes : {&origin_, &direction_})
+        for (std::vector<float>& axis : *axes)
+            axis.clear();
+    weight_.clear();
+    ray_width_.clear();
+    of_.clear();
+}
+
+// Whether what a ray of the lobe shows changes little between these corners.
+bool ReflectedView::is_even(const std::array<std::uint32_t, 4>& corners, std::size_t ray, std::size_t rays) const {
+    const std::vector<Chart>& charts = geometry_.patches().charts().all();
+    const CornerEnd& first = corner_ends_[corners[0] * rays + ray];
+    for (const std::uint32_t corner : corners) {
+        const CornerEnd& end = corner_ends_[corner * rays + ray];
+        if (end.is_cast != first.is_cast || end.place.chart != first.place.chart) return false;
+        if (!first.is_cast || first.place.chart == back_side) continue;
+        if (first.place.chart == no_patch) {
+            if (sky_ != nullptr && glm::distance(end.direction, first.direction) > on_round.between_rays * first.width)
+                return false;
+            continue;
+        }
+        const float u_m = per_turn_[first.place.chart] * (end.place.u - first.place.u);
+        const float v_m = end.place.v - first.place.v;
+        const Reach& reach = charts[first.place.chart].kind == Chart::Kind::round ? on_round : on_flat;
+        const float most_m =
+            std::min(reach.squares * static_cast<float>(geometry_.patches().square_m()),
+                     reach.between_rays * first.width * std::min(first.place.distance_m, end.place.distance_m));
+        if (!(u_m * u_m + v_m * v_m <= most_m * most_m)) return false;
+    }
+    return true;
+}
+
+void ReflectedView::cast_at_corners(const SampleSquares& squares, const LobeRays& lobe) {
+    const std::size_t rays = lobe.count();
+    const SurfaceSamples& corners = squares.corners;
+    at_corners_.assign(corners.size() * rays, {});
+    corner_ends_.assign(corners.size() * rays, {});
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+        const Mirror at = mirror(corners, corner, lobe);
+        for (std::size_t ray = 0; at.is_seen && ray < rays; ++ray)
+            add(at, lobe.ray(at.view, ray), static_cast<std::uint32_t>(corner * rays + ray));
+        if (of_.size() >= together) cast(corners, at_corners_, &corner_ends_);
+    }
+    cast(corners, at_corners_, &corner_ends_);
+    between_.assign(squares.squares.size(), {});
+    uneven_.clear();
+    first_uneven_.assign(1, 0);
+    for (std::size_t square = 0; square < squares.squares.size(); ++square) {
+        const std::array<std::uint32_t, 4>& of = squares.squares[square];
+        for (std::size_t ray = 0; ray < rays; ++ray) {
+            if (!is_even(of, ray, rays)) {
+                uneven_.push_back(static_cast<std::uint32_t>(ray));
+                continue;
+            }
+            for (std::size_t corner = 0; corner < of.size(); ++corner)
+                between_[square][corner].add(1.0F, at_corners_[of[corner] * rays + ray]);
+        }
+        first_uneven_.push_back(uneven_.size());
+    }
+}
+
+const std::vector<glm::vec3>& ReflectedView::luminance(const SurfaceSamples& samples, const SampleSquares& squares,
+                                                       const LobeRays& lobe) {
+    const bool has_squares = lobe.count() >= least_rays && !squares.squares.empty();
+    if (has_squares) cast_at_corners(squares, lobe);
+    shown_.assign(samples.size(), {});
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto of = static_cast<std::uint32_t>(i);
+        const SampleSquares::Within within = has_squares ? squares.of_sample[i] : SampleSquares::Within();
+        if (within.square == SampleSquares::none) {
+            const Mirror at = mirror(samples, i, lobe);
+            for (std::size_t ray = 0; at.is_seen && ray < lobe.count(); ++ray)
+                add(at, lobe.ray(at.view, ray), of);
+        } else {
+            const std::array<Shown, 4>& corners = between_[within.square];
+            shown_[i].add((1.0F - within.u) * (1.0F - within.v), corners[0]);
+            shown_[i].add(within.u * (1.0F - within.v), corners[1]);
+            shown_[i].add((1.0F - within.u) * within.v, corners[2]);
+            shown_[i].add(within.u * within.v, corners[3]);
+            const std::size_t first = first_uneven_[within.square];
+            const std::size_t last = first_uneven_[within.square + 1];
+            if (first < last) {
+                const Mirror at = mirror(samples, i, lobe);
+                for (std::size_t ray = first; at.is_seen && ray < last; ++ray)
+                    add(at, lobe.ray(at.view, uneven_[ray]), of);
+            }
+        }
+        if (of_.size() >= together) cast(samples, shown_, nullptr);
+    }
+    cast(samples, shown_, nullptr);
+    luminance_.resize(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        luminance_[i] = shown_[i].nt;
         for (int channel = 0; channel < 3; ++channel)
-            if (kept_[i][channel] > 0.0F) luminance_[i][channel] *= all_[i][channel] / kept_[i][channel];
+            if (shown_[i].kept[channel] > 0.0F)
+                luminance_[i][channel] *= shown_[i].all[channel] / shown_[i].kept[channel];
+    }
     return luminance_;
 }
 

@@ -1,4 +1,8 @@
 // What a glossy surface shows of the lit stage around it, and of the sky.
+//
+// A lobe's rays are cast at the corners of squares of pixels. Where all four rays of one kind meet the same surface
+// close together, or the sky, what they show is interpolated between; all other rays are cast at each point. Which are,
+// depends on surfaces alone, so that the shares of several lights add up.
 #pragma once
 
 #include <gonio/sky/blurred_sky.hpp>
@@ -11,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace gonio::detail {
@@ -24,23 +29,63 @@ public:
     ReflectedView(const ExchangeGeometry& geometry, const Interreflection* indirect, const BlurredSky* sky,
                   simd::InstructionSet set);
 
-    // The luminance that the lobe of the samples' surface reflects [nt], for samples [first, first + count).
-    const std::vector<glm::vec3>& luminance(const SurfaceSamples& samples, std::size_t first, std::size_t count,
+    // The luminance that the lobe of the samples' surface reflects [nt], by sample.
+    const std::vector<glm::vec3>& luminance(const SurfaceSamples& samples, const SampleSquares& squares,
                                             const LobeRays& lobe);
 
 private:
+    // Sums over rays.
+    struct Shown {
+        glm::vec3 nt{0.0F};
+        glm::vec3 kept{0.0F}; // weights that count
+        glm::vec3 all{0.0F};  // weights
+
+        void add(float share, const Shown& other) {
+            nt += share * other.nt;
+            kept += share * other.kept;
+            all += share * other.all;
+        }
+    };
+    // Where a ray from a corner ends.
+    struct CornerEnd {
+        PatchPlace place;
+        glm::vec3 direction{0.0F};
+        float width = 0.0F; // of the ray [rad]
+        bool is_cast = false;
+    };
+    // The lobe at a sample.
+    struct Mirror {
+        bool is_seen = false;
+        LobeRays::View view;
+        glm::vec3 origin{0.0F}; // from the anchor of the samples
+        glm::vec3 x{0.0F}, y{0.0F}, z{0.0F};
+    };
+
+    Mirror mirror(const SurfaceSamples& samples, std::size_t sample, const LobeRays& lobe) const;
+    void add(const Mirror& mirror, const LobeRay& ray, std::uint32_t of);
+    void cast(const SurfaceSamples& samples, std::vector<Shown>& shown, std::vector<CornerEnd>* ends);
+    void cast_at_corners(const SampleSquares& squares, const LobeRays& lobe);
+    bool is_even(const std::array<std::uint32_t, 4>& corners, std::size_t ray, std::size_t rays) const;
+
     const ExchangeGeometry& geometry_;
     const Interreflection* indirect_;
     const BlurredSky* sky_;
     ScatteredCaster caster_;
-    std::vector<LobeRay> rays_;
+    std::vector<float> width_m_;  // of the surface of each chart, where it is thinnest
+    std::vector<float> per_turn_; // of each chart, metres for one of its u
+    // Rays to be cast:
     std::array<std::vector<float>, 3> origin_, direction_;
     std::vector<glm::vec3> weight_;
-    std::vector<float> ray_width_; // [rad]
-    std::vector<std::uint32_t> of_sample_;
+    std::vector<float> ray_width_;  // [rad]
+    std::vector<std::uint32_t> of_; // which sum gets it
     std::vector<PatchPlace> ends_;
-    std::vector<float> width_m_;        // of the surface of each chart, where it is thinnest
-    std::vector<glm::vec3> all_, kept_; // weights, by sample
+    // Of squares:
+    std::vector<Shown> at_corners_; // [corner][ray]
+    std::vector<CornerEnd> corner_ends_;
+    std::vector<std::array<Shown, 4>> between_; // of the rays that are interpolated
+    std::vector<std::uint32_t> uneven_;         // the other rays of all squares
+    std::vector<std::size_t> first_uneven_;
+    std::vector<Shown> shown_; // by sample
     std::vector<glm::vec3> luminance_;
 };
 

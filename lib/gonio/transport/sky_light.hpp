@@ -40,6 +40,9 @@ public:
     // Illuminance of a point of a surface, RGB [lx].
     glm::dvec3 on_surface(std::size_t surface, int face, const glm::dvec3& position) const;
 
+    // The same by node of the geometry.
+    std::span<const NodeValue> nodes_lx() const { return lx_; }
+
     const std::shared_ptr<const ExchangeGeometry>& geometry() const { return geometry_; }
     const BlurredSky& sky() const { return sky_; }
 

@@ -49,4 +49,17 @@ struct SurfaceSamples {
     void finish_chunk();
 };
 
+// Points of a picture on one surface in squares: what changes little within one may be computed at its corners.
+struct SampleSquares {
+    static constexpr std::uint32_t none = 0xffffffffU;
+    struct Within {
+        std::uint32_t square = none;
+        float u = 0.0F, v = 0.0F; // between its corners, in [0, 1)
+    };
+
+    SurfaceSamples corners;                            // of all squares
+    std::vector<std::array<std::uint32_t, 4>> squares; // their corners: u changes first
+    std::vector<Within> of_sample;                     // of the samples that the squares are made for
+};
+
 } // namespace gonio::detail

@@ -142,6 +142,13 @@ ThrownLight::ThrownLight(const Patches& patches, std::span<const Light> lights, 
                 });
 }
 
+ThrownLight ThrownLight::times(const glm::vec3& rgb) const {
+    ThrownLight changed = *this;
+    for (Share& share : changed.shares_)
+        share.lx *= rgb;
+    return changed;
+}
+
 glm::vec3 ThrownLight::along(const Sender& sender, const glm::vec3& direction, float widening2) const {
     const float n_dot_v = glm::dot(sender.normal, direction);
     glm::vec3 sum(0.0F);

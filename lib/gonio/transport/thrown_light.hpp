@@ -54,6 +54,9 @@ public:
     ThrownLight(const Patches& patches, std::span<const Light> lights, std::span<const ThrowingLight> shares,
                 std::span<const std::optional<ThrowingLobe>> lobes);
 
+    // The same with all light times these factors, per channel.
+    ThrownLight times(const glm::vec3& rgb) const;
+
     bool empty() const { return lobes_.empty(); }
     bool comes_from(std::size_t surface) const { return !empty() && lobes_[surface].has_value(); }
 

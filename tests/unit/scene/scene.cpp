@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace gonio {
 namespace {
@@ -142,6 +143,20 @@ TEST(Material, EveryKindTakesACoat) {
 }
 
 // The grammar that `gonio list materials` prints is the one that is parsed, and its values are the defaults.
+TEST(Material, IsTheSameWithTheSameNumbers) {
+    const std::vector<const char*> texts{"lambert",
+                                         "lambert:albedo=0.4",
+                                         "ue4:base=rgb(0.5,0.4,0.3),roughness=0.3",
+                                         "ue4:base=rgb(0.5,0.4,0.3),roughness=0.4",
+                                         "gltf:base=rgb(0.5,0.4,0.3),roughness=0.3",
+                                         "lambert:coat=1",
+                                         "lambert:albedo=0.4,coat=1",
+                                         "lambert:coat=0.5"};
+    for (const char* const a : texts)
+        for (const char* const b : texts)
+            EXPECT_EQ(are_same(parse_material(a).value(), parse_material(b).value()), a == b) << a << ' ' << b;
+}
+
 TEST(Material, GrammarIsThatOfTheList) {
     for (const MaterialKind& kind : material_kinds()) {
         const auto written = parse_material(kind.grammar);

@@ -228,6 +228,33 @@ TEST(Interreflection, SameAtAnyNumberOfThreads) {
         EXPECT_EQ(alone.on_surface(0, 0, {0.3, y, 0.0}), shared.on_surface(0, 0, {0.3, y, 0.0}));
 }
 
+// Light is linear: of lights that all changed by one factor, everything follows.
+TEST(Interreflection, ScalesWhatIsKnownOfTheLights) {
+    const Stage stage = make_stage("room").value();
+    std::vector<Light> lights{bulb({0.0, 0.3, 2.3}, 100.0), bulb({1.0, -1.0, 1.0}, 30.0)};
+    const Interreflection first = solved(stage, lights);
+    for (Light& light : lights) {
+        light.intensity.value *= 3.0;
+        light.color = {1.6, 0.9, 0.2};
+    }
+    const auto expect_near = [](const Vec& found, const Vec& expected) {
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(found[channel] / expected[channel], 1.0, 1e-5); // where the iteration stops
+    };
+    const auto compare = [&] {
+        const Interreflection fresh = solved(stage, lights);
+        const Interreflection again = Interreflection::of(stage, lights, with_bounces(), {}, &first).value();
+        for (const double y : {-1.0, 0.5, 2.0}) {
+            expect_near(again.on_surface(0, 0, {1.7, y, 0.0}), fresh.on_surface(0, 0, {1.7, y, 0.0}));
+            expect_near(again.at({-1.7, y, 0.7}, {0.0, 0.0, 1.0}), fresh.at({-1.7, y, 0.7}, {0.0, 0.0, 1.0}));
+        }
+        expect_near(again.balance().absorbed_lm, fresh.balance().absorbed_lm);
+    };
+    compare();
+    lights[1].intensity.value *= 2.0; // not a factor of both
+    compare();
+}
+
 TEST(Interreflection, UsesWhatIsKnownOfTheStage) {
     Stage stage = make_stage("room").value();
     const Light light = bulb({0.0, 0.3, 2.3}, 100.0);

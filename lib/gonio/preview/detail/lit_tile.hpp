@@ -74,7 +74,7 @@ private:
     Rendering& picture_;
     RenderStats& stats_;
     std::vector<PartialLight>& partial_;
-    std::vector<glm::vec3> glossy_; // of a chunk [nt], all lobes
+    std::vector<glm::vec3> glossy_; // of the samples of a surface [nt], all lobes
     SampleShader shader_;
 
     // What a surface that emits a partial light reflects in that part of the pixel.

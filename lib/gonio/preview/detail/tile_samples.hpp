@@ -22,6 +22,7 @@ namespace gonio::detail {
 inline constexpr int tile_size = 32;   // pixels
 inline constexpr int block_size = 8;   // pixels; their points on one surface form a chunk
 inline constexpr int edge_samples = 4; // along each side of a pixel on an outline
+inline constexpr int square_size = 4;  // pixels; what changes little may be computed at the corners
 
 // What a camera ray hit.
 struct Seen {
@@ -55,6 +56,9 @@ public:
 
     // By surface; only the visible ones.
     const std::vector<SurfaceSamples>& surfaces() const { return surfaces_; }
+
+    // Squares of pixels whose corners all show the face of a surface that the pixels in them do.
+    SampleSquares squares_of(const SurfaceSamples& samples) const;
 
     // The share of a pixel that shows a light itself, alone or as a surface of the stage.
     struct EmitterShare {
