@@ -143,7 +143,7 @@ SurfaceSamples merged(const SurfaceSamples& all) {
     few.reserve(all.size());
     for (std::size_t i = 0; i < all.size();) {
         std::size_t end = i + 1;
-        double share = static_cast<double>(all.share[i]);
+        auto share = static_cast<double>(all.share[i]);
         while (all.center[i] < 0 && end < all.size() && end - i < most && all.center[end] < 0 &&
                all.pixel[end] == all.pixel[i] && glm::dot(all.normal_of(i), all.normal_of(end)) > least_cosine)
             share += static_cast<double>(all.share[end++]);

@@ -159,8 +159,11 @@ SampleSquares TileSamples::squares_of(const SurfaceSamples& samples) const {
     SampleSquares made;
     made.corners.surface = samples.surface;
     made.of_sample.resize(samples.size());
-    const auto square_at = [&](int column, int row) { return static_cast<std::size_t>(row * across + column); };
-    std::vector<int> used(static_cast<std::size_t>(across * down), 0);
+    const auto index_of = [](int column, int row, int columns) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    };
+    const auto square_at = [&](int column, int row) { return index_of(column, row, across); };
+    std::vector<int> used(index_of(0, down, across), 0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (samples.center[i] < 0) continue;
         const auto at = static_cast<int>(samples.center[i]);
@@ -168,14 +171,14 @@ SampleSquares TileSamples::squares_of(const SurfaceSamples& samples) const {
         ++used[square_at((at % stride - 1) / square_size, (at / stride - 1) / square_size)];
     }
     // A tile's last corners are pixels of the next one.
-    std::vector<std::uint32_t> corner_at(static_cast<std::size_t>((across + 1) * (down + 1)), none);
+    std::vector<std::uint32_t> corner_at(index_of(0, down + 1, across + 1), none);
     const auto seen_at = [&](int column, int row) -> const Seen& {
         const int x = std::min(column * square_size, width);
         const int y = std::min(row * square_size, height);
-        return centers_[static_cast<std::size_t>((y + 1) * stride_ + x + 1)];
+        return centers_[index_of(x + 1, y + 1, static_cast<int>(stride_))];
     };
     const auto corner = [&](int column, int row) {
-        std::uint32_t& index = corner_at[static_cast<std::size_t>(row * (across + 1) + column)];
+        std::uint32_t& index = corner_at[index_of(column, row, across + 1)];
         if (index != none) return index;
         index = static_cast<std::uint32_t>(made.corners.size());
         const Seen& seen = seen_at(column, row);
