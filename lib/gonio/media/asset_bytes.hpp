@@ -23,7 +23,7 @@ struct EnvironmentFiles {
 };
 
 // `map` rounded to what the storage holds, with a pixel of 1 at `nits_per_unit` cd/m². The description is completed
-// here: all but the sun and the source. `name`: of the image's file, without its folder. 0 threads: all.
+// here, except for the sun and the source. `name`: of the image's file, without its folder. 0 threads: all.
 Result<EnvironmentFiles> environment_files(const EnvironmentMap& map, double nits_per_unit,
                                            const EnvironmentStorage& storage, EnvironmentDescription description,
                                            const std::string& name, unsigned threads = 0);

@@ -4,7 +4,6 @@
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/limits.hpp>
 #include <gonio/base/named.hpp>
-#include <gonio/light/light_color.hpp>
 #include <gonio/media/environment_file.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/sky/environment_resample.hpp>
@@ -21,10 +20,6 @@ namespace gonio::python {
 namespace {
 
 constexpr std::array bad_pixels_names{Named{"error", BadPixels::error}, Named{"black", BadPixels::black}};
-
-double luminance_of(const glm::dvec3& rgb) {
-    return glm::dot(rgb, rec709_luminance);
-}
 
 EnvironmentLayout layout_named_or_of(const std::optional<std::string>& name, const Image& image) {
     return value_of(name ? parse_environment_layout(*name) : environment_layout_of(image.width, image.height));
@@ -90,17 +85,6 @@ Environment calibrated(const Environment& environment, std::optional<double> ill
     EnvironmentMap map = *environment.map;
     value_of(interruptible([&] { return calibrate(map, to, threads); }));
     return {std::make_shared<const EnvironmentMap>(std::move(map)), environment.diagnostics};
-}
-
-std::vector<glm::dvec3> unit_normals(const Doubles& normals) {
-    require_vectors(normals, "normals");
-    std::vector<glm::dvec3> list(static_cast<std::size_t>(normals.size()) / 3);
-    const double* from = normals.data();
-    for (glm::dvec3& normal : list) {
-        normal = direction_of_length({from[0], from[1], from[2]}, "a normal");
-        from += 3;
-    }
-    return list;
 }
 
 py::object read_file_as_environment(const py::object& path, const std::optional<std::string>& layout,
@@ -246,12 +230,7 @@ void add_environments(py::module_& module) {
         .def(
             "illuminance",
             [](const Environment& e, const Doubles& normals, unsigned threads) {
-                const std::vector<glm::dvec3> list = unit_normals(normals);
-                const auto lux = interruptible([&] { return e.map->irradiance(list, threads); });
-                Doubles result(shape_of_vectors(normals));
-                for (std::size_t i = 0; i < lux.size(); ++i)
-                    result.mutable_data()[i] = luminance_of(lux[i]);
-                return number_or_array(result);
+                return illuminance_under(*e.map, normals, threads);
             },
             py::arg("normals"), py::kw_only(), py::arg("threads") = 0,
             "Illuminance [lx] (…) of open planes with normals (…, 3); all in one pass over the texels.")

@@ -2,7 +2,6 @@
 #include <gonio/base/codes/result.hpp>
 #include <gonio/color/cct.hpp>
 #include <gonio/color/rgb_space.hpp>
-#include <gonio/light/light_color.hpp>
 #include <gonio/sky/environment_resample.hpp>
 #include <gonio/sky/sky_direction.hpp>
 #include <gonio/sky/sky_measures.hpp>
@@ -14,10 +13,6 @@
 namespace gonio::python {
 
 namespace {
-
-double luminance_of(const glm::dvec3& rgb) {
-    return glm::dot(rgb, rec709_luminance);
-}
 
 struct Measured {
     SkyMeasures measures;
@@ -167,18 +162,7 @@ void add_skies(py::module_& module) {
         .def(
             "illuminance",
             [](const LoadedSky& s, const Doubles& normals, unsigned threads) {
-                require_vectors(normals, "normals");
-                std::vector<glm::dvec3> list(static_cast<std::size_t>(normals.size()) / 3);
-                const double* from = normals.data();
-                for (glm::dvec3& normal : list) {
-                    normal = direction_of_length({from[0], from[1], from[2]}, "a normal");
-                    from += 3;
-                }
-                const auto lux = interruptible([&] { return s.sky.irradiance(list, threads); });
-                Doubles result(shape_of_vectors(normals));
-                for (std::size_t i = 0; i < lux.size(); ++i)
-                    result.mutable_data()[i] = luminance_of(lux[i]);
-                return number_or_array(result);
+                return illuminance_under(s.sky, normals, threads);
             },
             py::arg("normals"), py::kw_only(), py::arg("threads") = 0,
             "Illuminance [lx] (…) of open planes with normals (…, 3), once for each different normal.")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gonio/light/light.hpp>
+#include <gonio/light/light_color.hpp>
 #include <gonio/sky/environment_map.hpp>
 #include <gonio/sky/sky.hpp>
 #include <gonio/sky/sky_description.hpp>
@@ -12,6 +13,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace gonio::python {
 
@@ -43,5 +46,27 @@ LoadedSky sky_of(const py::object& sky);
 
 // What lights a stage: the sun beside a sky.
 Light light_of(const SunLight& sun, const std::string& name);
+
+// The photometric part of linear Rec.709, in its unit.
+inline double luminance_of(const glm::dvec3& rgb) {
+    return glm::dot(rgb, rec709_luminance);
+}
+
+// Illuminance [lx] (…) of open planes with normals (…, 3) of any length, under a Sky or an EnvironmentMap.
+template<class Source>
+py::object illuminance_under(const Source& source, const Doubles& normals, unsigned threads) {
+    require_vectors(normals, "normals");
+    std::vector<glm::dvec3> list(static_cast<std::size_t>(normals.size()) / 3);
+    const double* from = normals.data();
+    for (glm::dvec3& normal : list) {
+        normal = direction_of_length({from[0], from[1], from[2]}, "a normal");
+        from += 3;
+    }
+    const auto lux = interruptible([&] { return source.irradiance(list, threads); });
+    Doubles result(shape_of_vectors(normals));
+    for (std::size_t i = 0; i < lux.size(); ++i)
+        result.mutable_data()[i] = luminance_of(lux[i]);
+    return number_or_array(result);
+}
 
 } // namespace gonio::python

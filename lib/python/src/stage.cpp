@@ -49,6 +49,17 @@ Doubles array_of(const std::vector<double>& values, const std::vector<py::ssize_
     return array;
 }
 
+// What a stage is lit with beside `lights`, which get the sun of a sky that is given.
+LightingOptions lighting_of(const py::object& of, const std::optional<py::object>& given_sky, int bounces,
+                            const std::string& shadows, unsigned threads, std::vector<Light>& lights) {
+    LightingOptions options;
+    options.sky = sky_over(of, given_sky, lights).sky;
+    options.bounces = bounces_of(bounces);
+    options.shadows = shadows_named(shadows);
+    options.threads = threads;
+    return options;
+}
+
 StageIlluminance illuminance_on_stage(const py::object& of, const Doubles& positions, const Doubles& normals,
                                       const std::optional<std::string>& stage_name,
                                       const std::map<std::string, std::string>& materials,
@@ -56,12 +67,8 @@ StageIlluminance illuminance_on_stage(const py::object& of, const Doubles& posit
                                       const std::string& shadows, const std::string& method, unsigned threads) {
     std::vector<Light> lights = lights_of(of);
     const Stage stage = stage_of(of, stage_name, materials);
-    LightingOptions options;
-    options.sky = sky_over(of, given_sky, lights).sky;
-    options.bounces = bounces_of(bounces);
-    options.shadows = shadows_named(shadows);
+    LightingOptions options = lighting_of(of, given_sky, bounces, shadows, threads, lights);
     options.method = value_of(parse_irradiance_method(method));
-    options.threads = threads;
     const std::vector<Receiver> receivers = receivers_of(positions, normals);
     warn(check_receivers(stage, receivers));
     const Totals totals = interruptible([&] { return totals_of(stage, lights, receivers, options); });
@@ -84,11 +91,8 @@ Environment captured(const py::object& of, const py::object& position, const std
     std::vector<Light> lights = lights_of(of);
     const Stage stage = stage_of(of, stage_name, materials);
     RenderOptions options;
-    options.sky = sky_over(of, given_sky, lights).sky;
-    options.bounces = bounces_of(bounces);
-    options.shadows = shadows_named(shadows);
+    static_cast<LightingOptions&>(options) = lighting_of(of, given_sky, bounces, shadows, threads, lights);
     options.shows_lights = shows_lights;
-    options.threads = threads;
     const glm::dvec3 at = vector_of(position, "position");
     return python::environment_of(value_of(interruptible([&] { return capture(stage, lights, at, side, options); })));
 }
