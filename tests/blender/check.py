@@ -70,6 +70,18 @@ batwing.rotation_euler = (-0.2, 0.3, 1.0)
 pendant = load("pendant.ies")["pendant"]
 pendant.location = (0.9, 0.9, 0.2)
 pendant.gonio.lumens = 400.0
+
+# A duplicate of an empty and its faces has an amount and axes of its own.
+for thing in bpy.data.objects:
+    thing.select_set(thing in (street, *street.children))
+bpy.context.view_layer.objects.active = street
+bpy.ops.object.duplicate()
+twin = next(thing for thing in bpy.context.selected_objects if thing.type == "EMPTY")
+assert twin != street and twin.gonio.lumens == 1500.0 and len(twin.children) == len(street.children)
+twin.location = (0.2, -1.1, 0.3)
+twin.rotation_euler = (-0.6, 0.3, 2.0)
+twin.gonio.lumens = 700.0
+assert street.gonio.lumens == 1500.0
 bpy.context.view_layer.update()
 assert bpy.ops.export_scene.photometric_rig(filepath=path("measured.json")) == {"FINISHED"}
 render_plane(path("measured.csv"), 1024, -0.9)

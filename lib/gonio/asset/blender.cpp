@@ -13,7 +13,8 @@
 //
 // A luminaire with a size is an empty with the area lights of its faces, whose emission is the IES node over the
 // projected area: Incoming is the direction from a light to what it lights, in world axes (3.4 does not turn vectors
-// into those of a light), and drivers give the nodes the axes of the empty.
+// into those of a light), and drivers give the nodes the axes of the empty. Each light has drivers of its own: Blender
+// leads those of a duplicated light to the empty that was duplicated with it, but not those inside a shared node group.
 //
 // A projected image is a point light whose emission looks its picture up by the direction. An area light looks its
 // picture up by its parameters, which run from 0 at −X and −Y to 1; a viewer in front has +X at the left.
@@ -175,38 +176,34 @@ def drive(socket, thing, path):
     variable.targets[0].data_path = path
 
 
+def dot(nodes, links, a, b):
+    product = nodes.new("ShaderNodeVectorMath")
+    product.operation = "DOT_PRODUCT"
+    links.new(a, product.inputs[0])
+    if isinstance(b, tuple):
+        product.inputs[1].default_value = b
+    else:
+        links.new(b, product.inputs[1])
+    return product.outputs["Value"]
+
+
 def luminaire(name, position, x, y, z, text, scale, facing):
     """An empty for its place, and a node group for its luminance [W/m2/sr]: the profile over the projected area."""
     empty = place(name, None, position, x, y, z)
     group = bpy.data.node_groups.new(name, "ShaderNodeTree")
-    if hasattr(group, "interface"):
-        group.interface.new_socket("Luminance", in_out="OUTPUT", socket_type="NodeSocketFloat")
-    else:
-        group.outputs.new("NodeSocketFloat", "Luminance")
+    for socket, way in (("X", "IN"), ("Y", "IN"), ("Z", "IN"), ("Luminance", "OUT")):
+        if hasattr(group, "interface"):
+            group.interface.new_socket(socket, in_out=way + "PUT", socket_type="NodeSocketFloat")
+        else:
+            (group.inputs if way == "IN" else group.outputs).new("NodeSocketFloat", socket)
     nodes = group.nodes
     links = group.links
 
     def node(operation, *values):
         return math_node(nodes, links, operation, *values)
 
-    def dot(a, b):
-        product = nodes.new("ShaderNodeVectorMath")
-        product.operation = "DOT_PRODUCT"
-        links.new(a, product.inputs[0])
-        if isinstance(b, tuple):
-            product.inputs[1].default_value = b
-        else:
-            links.new(b, product.inputs[1])
-        return product.outputs["Value"]
-
-    towards = nodes.new("ShaderNodeNewGeometry").outputs["Incoming"]
-    local = []
-    for column in range(3):
-        axis = nodes.new("ShaderNodeCombineXYZ")
-        for row in range(3):
-            # Paths count columns first, unlike Python.
-            drive(axis.inputs[row], empty, f"matrix_world[{column}][{row}]")
-        local.append(dot(towards, axis.outputs[0]))
+    entry = nodes.new("NodeGroupInput")
+    local = [entry.outputs[axis] for axis in "XYZ"]
     luminance = look_up(nodes, links, text, scale / (4.0 * math.pi), *local)
     if facing:
         along = nodes.new("ShaderNodeCombineXYZ")
@@ -214,17 +211,25 @@ def luminaire(name, position, x, y, z, text, scale, facing):
             links.new(value, socket)
         total = 1e-6 * sum(area for _, area in facing)
         for normal, area in facing:
-            share = node("MAXIMUM", dot(along.outputs[0], normal), 0.0) if any(normal) else 1.0
+            share = node("MAXIMUM", dot(nodes, links, along.outputs[0], normal), 0.0) if any(normal) else 1.0
             total = node("MULTIPLY_ADD", share, area, total)
         luminance = node("DIVIDE", luminance, total)
     links.new(luminance, nodes.new("NodeGroupOutput").inputs["Luminance"])
     return empty, group
 
 
-def face_light(light, color, group):
+def face_light(light, color, group, empty):
+    """Shines as the group says for directions along the axes of the empty."""
     nodes, links = own_nodes(light)
     shared = nodes.new("ShaderNodeGroup")
     shared.node_tree = group
+    towards = nodes.new("ShaderNodeNewGeometry").outputs["Incoming"]
+    for column in range(3):
+        axis = nodes.new("ShaderNodeCombineXYZ")
+        for row in range(3):
+            # Paths count columns first, unlike Python.
+            drive(axis.inputs[row], empty, f"matrix_world[{column}][{row}]")
+        links.new(dot(nodes, links, towards, axis.outputs[0]), shared.inputs["XYZ"[column]])
     shine(nodes, links, color, shared.outputs["Luminance"])
 
 
@@ -472,7 +477,7 @@ std::vector<AssetFile> blender_files(const SceneContent& scene) {
         face.nits = lumens_per_watt; // an emission of 1 is 1 W/m²/sr
         face.color = glm::dvec3(1.0);
         text += data_of(face, scene) +
-                fmt::format("face_light(light, {}, group)\nattach({}, empty)\n", tuple(light.color), placed);
+                fmt::format("face_light(light, {}, group, empty)\nattach({}, empty)\n", tuple(light.color), placed);
     }
     if (scene.stage) text += blender_stage(*scene.stage, lumens_per_watt);
     if (scene.sky) text += world_of(*scene.sky);
