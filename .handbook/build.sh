@@ -4,12 +4,20 @@
 # type, function, constant or macro without a comment, a link or an anchor that leads nowhere, and anything that a page
 # would load from elsewhere. The same tree gives the same bytes.
 #
-#   bash .handbook/build.sh
+#   bash .handbook/build.sh           with build/release/cli/gonio, which is compiled if it is not there
+#   bash .handbook/build.sh GONIO     with this tool, which prints the page of options
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 bash cli/install-dependencies.sh --handbook
+
+gonio=${1:-build/release/cli/gonio}
+if [[ ! -x $gonio && $# -eq 0 ]]; then
+    bash cli/install-dependencies.sh
+    cmake --preset release > /dev/null
+    cmake --build --preset release --parallel "$(nproc)" --target gonio-tool
+fi
 
 work=$root/build/handbook
 rm -rf "$work"
@@ -38,6 +46,7 @@ fi
 
 python3 .handbook/api/name_folders.py "$work/pages/api"
 python3 .handbook/gather.py "$root" "$work/api.tags" "$work/pages"
+python3 .handbook/options.py "$gonio" > "$work/pages/options.md"
 cp -R .handbook/theme "$work/theme"
 cp .handbook/mkdocs.yml "$work/mkdocs.yml"
 mkdocs build --quiet --strict --config-file "$work/mkdocs.yml"
