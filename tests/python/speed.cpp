@@ -1,6 +1,7 @@
 // What speed.py compares the module with: the library's kernels on columns of a million points, on one thread.
 //   gonio-python-speed POINTS     floats of positions x y z, then of normals x y z, column by column
-// Prints a line for each case: its name and the least seconds of several runs.
+// Prints a line for each case: its name, the least seconds of several runs with columns, and with rows x y z x y z,
+// which a program copies into columns first, since that is what the kernels read.
 #include <gonio/light/light.hpp>
 #include <gonio/scene/material.hpp>
 #include <gonio/shading/kernels.hpp>
@@ -24,14 +25,30 @@ using namespace gonio;
 constexpr std::size_t piece = 4096; // of intensities, which stay in the cache
 
 template<class Work>
-void report(const char* name, const Work& work) {
+double least_seconds(const Work& work) {
     double least = 1e9;
     for (int run = 0; run < 7; ++run) {
         const auto begin = std::chrono::steady_clock::now();
         work();
         least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     }
-    std::printf("%s %.6e\n", name, least);
+    return least;
+}
+
+std::vector<float> to_rows(const float* columns, std::size_t count) {
+    std::vector<float> rows(3 * count);
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        rows[i] = columns[i % 3 * count + i / 3];
+    return rows;
+}
+
+std::vector<float> to_columns(const std::vector<float>& rows) {
+    const std::size_t count = rows.size() / 3;
+    std::vector<float> columns(rows.size());
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            columns[k * count + i] = rows[3 * i + k];
+    return columns;
 }
 
 template<class T>
@@ -60,12 +77,8 @@ int main(int count_of_arguments, char** arguments) {
     file.seekg(0);
     file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(bytes));
     const std::size_t count = numbers.size() / 6;
-    shading::Surfaces surfaces;
-    surfaces.count = count;
-    for (std::size_t k = 0; k < 3; ++k) {
-        surfaces.position[k] = numbers.data() + k * count;
-        surfaces.normal[k] = numbers.data() + (3 + k) * count;
-    }
+    const std::vector<float> rows_of_positions = to_rows(numbers.data(), count);
+    const std::vector<float> rows_of_normals = to_rows(numbers.data() + 3 * count, count);
     const shading::Kernels& kernels = shading::kernels(simd::best_available());
     for (const auto& [name, shape, intensity] :
          {std::tuple{"point", "point", "800lm"}, std::tuple{"sphere", "sphere:r=10cm", "800lm"},
@@ -76,15 +89,15 @@ int main(int count_of_arguments, char** arguments) {
         const detail::IntensityPattern pattern(light, tables);
         const bool is_point = class_of(light.shape) == ShapeClass::punctual;
         const auto scale = is_point ? 1.0F : static_cast<float>(light.luminance.value);
-        report(name, [&] {
+        const auto illuminance = [&](const float* positions, const float* normals) {
             std::vector<float> lx(count); // as Python makes an array for each result
             std::vector<float> intensities(piece);
             for (std::size_t begin = 0; begin < count; begin += is_point ? piece : count) {
-                shading::Surfaces part = surfaces;
+                shading::Surfaces part;
                 part.count = std::min(is_point ? piece : count, count - begin);
                 for (std::size_t k = 0; k < 3; ++k) {
-                    part.position[k] += begin;
-                    part.normal[k] += begin;
+                    part.position[k] = positions + k * count + begin;
+                    part.normal[k] = normals + k * count + begin;
                 }
                 shading::LightConstants constants = light_constants(light);
                 if (is_point) {
@@ -97,7 +110,11 @@ int main(int count_of_arguments, char** arguments) {
             }
             for (float& one : lx)
                 one *= scale;
-        });
+        };
+        const double columns = least_seconds([&] { illuminance(numbers.data(), numbers.data() + 3 * count); });
+        const double rows = least_seconds(
+            [&] { illuminance(to_columns(rows_of_positions).data(), to_columns(rows_of_normals).data()); });
+        std::printf("%s %.6e %.6e\n", name, columns, rows);
     }
     shading::DirectionPairs pairs;
     pairs.count = count;
@@ -107,18 +124,21 @@ int main(int count_of_arguments, char** arguments) {
         views[count + i] = -0.6F;
         views[2 * count + i] = 0.8F;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        pairs.to_light[k] = surfaces.normal[k];
+    for (std::size_t k = 0; k < 3; ++k)
         pairs.to_eye[k] = views.data() + k * count;
-        surfaces.view[k] = pairs.to_eye[k];
-    }
     for (const char* const text : {"lambert:albedo=0.5", "ue4:roughness=0.4", "frostbite:smoothness=0.6,coat=1"}) {
         const shading::MaterialConstants constants = material_constants(required(parse_material(text)));
-        report(text, [&] {
+        const auto brdf = [&](const float* to_light) {
+            for (std::size_t k = 0; k < 3; ++k)
+                pairs.to_light[k] = to_light + k * count;
             std::vector<float> rgb(3 * count);
             float* const to[3] = {rgb.data(), rgb.data() + count, rgb.data() + 2 * count};
             shading::reflectance_kernels(simd::best_available()).brdf(pairs, constants, to);
-        });
+            return rgb;
+        };
+        const double columns = least_seconds([&] { brdf(numbers.data() + 3 * count); });
+        const double rows = least_seconds([&] { to_rows(brdf(to_columns(rows_of_normals).data()).data(), count); });
+        std::printf("%s %.6e %.6e\n", text, columns, rows);
     }
     return 0;
 }

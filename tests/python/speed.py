@@ -48,20 +48,19 @@ def main():
             lambda material=material: material.brdf(by_columns[1], eye, threads=1),
             lambda material=material: material.brdf(normals, eye, threads=1),
         )
-    best = {name: [np.inf, np.inf, np.inf] for name in works}
+    best = {name: [np.inf, np.inf, np.inf, np.inf] for name in works}
     with tempfile.TemporaryDirectory() as folder:
         points = pathlib.Path(folder) / "points"
         points.write_bytes(np.concatenate([positions.T, normals.T]).tobytes())
         for _ in range(6):
             for line in subprocess.check_output([sys.argv[1], points], text=True).splitlines():
-                name, seconds = line.rsplit(" ", 1)
-                best[name][0] = min(best[name][0], float(seconds))
-            for name, (columns, rows) in works.items():
-                best[name][1] = min(best[name][1], least(columns))
-                best[name][2] = min(best[name][2], least(rows))
-    print("| | C++ | columns | rows |\n|---|---|---|---|")
-    for name, (cpp, columns, rows) in best.items():
-        print(f"| {name} | {cpp * 1e3:.2f} ms | {columns / cpp:.2f} | {rows / cpp:.2f} |")
+                name, *seconds = line.rsplit(" ", 2)
+                best[name][:2] = np.minimum(best[name][:2], [float(text) for text in seconds])
+            for name, ways in works.items():
+                best[name][2:] = np.minimum(best[name][2:], [least(work) for work in ways])
+    print("| | C++, columns | Python | C++, rows | Python |\n|---|---|---|---|---|")
+    for name, (cpp, cpp_rows, columns, rows) in best.items():
+        print(f"| {name} | {cpp * 1e3:.2f} ms | {columns / cpp:.2f} | {cpp_rows * 1e3:.2f} ms | {rows / cpp_rows:.2f} |")
 
 
 main()

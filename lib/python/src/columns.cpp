@@ -66,7 +66,7 @@ void columns_to_rows(const float* x, const float* y, const float* z, std::size_t
     }
 }
 
-void make_unit(std::size_t size, float* room, const float* (&columns)[3], const char* name) {
+void make_unit(std::size_t size, Room& room, const float* (&columns)[3], const char* name) {
     if (shading::reflectance_kernels(simd::best_available()).are_unit(columns, size)) return;
     for (std::size_t i = 0; i < size; ++i) {
         const float x = columns[0][i], y = columns[1][i], z = columns[2][i];
@@ -84,10 +84,10 @@ void make_unit(std::size_t size, float* room, const float* (&columns)[3], const 
                 unit[k] = static_cast<float>((*exact)[k]);
         }
         for (std::size_t k = 0; k < 3; ++k)
-            room[k * piece_of_columns + i] = unit[k];
+            room.column(k)[i] = unit[k];
     }
     for (std::size_t k = 0; k < 3; ++k)
-        columns[k] = room + k * piece_of_columns;
+        columns[k] = room.column(k);
 }
 
 } // namespace gonio::python

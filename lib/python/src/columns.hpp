@@ -1,15 +1,24 @@
 // Vectors of three floats as columns, which is what the packs read: in place where they lie so, else transposed piece
-// by piece in memory that stays in the first cache.
+// by piece in memory that stays in a cache.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace gonio::python {
 
-// Points to a piece: 512 vectors of two kinds, and results, are 20 kB.
-inline constexpr std::size_t piece_of_columns = 512;
+// Room for three columns of `size` floats each.
+class Room {
+public:
+    explicit Room(std::size_t size) : size_(size), numbers_(3 * size) {}
+    float* column(std::size_t k) { return numbers_.data() + k * size_; }
+
+private:
+    std::size_t size_;
+    std::vector<float> numbers_;
+};
 
 // x y z x y z … into three columns, and back.
 void rows_to_columns(const float* rows, std::size_t count, float* x, float* y, float* z);
@@ -28,25 +37,28 @@ public:
     // Whether the packs read them in place.
     bool are_columns() const { return row_ == size_of_float && column_ % size_of_float == 0 && is_aligned(); }
 
-    // Columns of the points from `begin` on: in place, or copied into `room`, 3 × piece_of_columns.
-    void take(std::size_t begin, std::size_t size, float* room, const float* (&columns)[3]) const {
+    // Columns of the points from `begin` on; are_columns().
+    void in_place(std::size_t begin, const float* (&columns)[3]) const {
         const char* const first = data_ + static_cast<std::ptrdiff_t>(begin) * row_;
-        if (are_columns()) {
-            for (int k = 0; k < 3; ++k)
-                columns[k] = static_cast<const float*>(static_cast<const void*>(first + k * column_));
-            return;
-        }
+        for (int k = 0; k < 3; ++k)
+            columns[k] = static_cast<const float*>(static_cast<const void*>(first + k * column_));
+    }
+
+    // The same of any vectors: in place, or copied into the room.
+    void take(std::size_t begin, std::size_t size, Room& room, const float* (&columns)[3]) const {
+        if (are_columns()) return in_place(begin, columns);
+        const char* const first = data_ + static_cast<std::ptrdiff_t>(begin) * row_;
         for (std::size_t k = 0; k < 3; ++k)
-            columns[k] = room + k * piece_of_columns;
+            columns[k] = room.column(k);
         if (row_ == 3 * size_of_float && column_ == size_of_float && is_aligned()) {
-            rows_to_columns(static_cast<const float*>(static_cast<const void*>(first)), size, room,
-                            room + piece_of_columns, room + 2 * piece_of_columns);
+            rows_to_columns(static_cast<const float*>(static_cast<const void*>(first)), size, room.column(0),
+                            room.column(1), room.column(2));
             return;
         }
         for (std::size_t k = 0; k < 3; ++k) {
             const char* from = first + static_cast<std::ptrdiff_t>(k) * column_;
             for (std::size_t i = 0; i < size; ++i, from += row_)
-                std::memcpy(room + k * piece_of_columns + i, from, sizeof(float));
+                std::memcpy(room.column(k) + i, from, sizeof(float));
         }
     }
 
@@ -60,6 +72,6 @@ private:
 };
 
 // Makes vectors of any length unit ones; those that are, stay where they are. Fails (usage) on one without a direction.
-void make_unit(std::size_t size, float* room, const float* (&columns)[3], const char* name);
+void make_unit(std::size_t size, Room& room, const float* (&columns)[3], const char* name);
 
 } // namespace gonio::python
