@@ -19,8 +19,6 @@ namespace {
 constexpr std::size_t small_piece = 512;
 // The kernels of surfaces sort receivers by what they see of the light, and do that best for many: 130 kB.
 constexpr std::size_t large_piece = 4096;
-// To a thread at a time.
-constexpr std::size_t stretch = 8 * large_piece;
 
 // A light in the form of the packs.
 struct PackedLight {
@@ -76,9 +74,12 @@ private:
     Room room_;
 };
 
-// Calls work(begin, end) for the stretches of a thread, on all threads.
+// Calls work(begin, end) for the stretches of a thread, on all threads: some for each, so that none waits long for the
+// others, and long ones, since each begins with work of its own.
 template<class Work>
 void for_each_stretch(std::size_t count, unsigned threads, const Work& work) {
+    const std::size_t share = count / (4 * std::size_t{threads == 0 ? available_threads() : threads});
+    const std::size_t stretch = std::max(8 * large_piece, share / large_piece * large_piece);
     parallel_for((count + stretch - 1) / stretch, threads,
                  [&](std::size_t index) { work(index * stretch, std::min(count, (index + 1) * stretch)); });
 }
