@@ -145,5 +145,6 @@ diff <(tr ' ' '\n' <<< "${recipe_requires//_/-}" | sort) \
     <(jq -r '.dependencies[] | strings' .packaging/vcpkg/gonio/vcpkg.json | sort)
 # CMake fails if a source that it names was not exported.
 cmake -G Ninja -S "$work/exported" -B "$work/conan" -DCMAKE_BUILD_TYPE=Release "${recipe_options[@]}" > /dev/null
-ninja -C "$work/conan" -t targets all | grep -qx 'lib/libgonio.a: CXX_STATIC_LIBRARY_LINKER__gonio_Release'
+# Not -q, which leaves early: ninja would fail at the closed pipe.
+ninja -C "$work/conan" -t targets all | grep -x 'lib/libgonio.a: CXX_STATIC_LIBRARY_LINKER__gonio_Release' > /dev/null
 echo "$(find "$work/exported" -type f | wc -l) files are exported and are enough to configure the library"
