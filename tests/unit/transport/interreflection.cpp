@@ -1,4 +1,5 @@
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/figure.hpp>
 #include <gonio/transport/interreflection.hpp>
 
 #include "collocation.hpp"
@@ -150,20 +151,24 @@ TEST(Interreflection, AddsUpOverLights) {
     lights[1].color = {0.5, 1.1, 1.9};
     const std::array points{Vec(0.5, -1.0, 0.0), Vec(-1.7, 2.0, 0.0), Vec(0.0, 0.0, 0.0)};
     const Interreflection all = solved(stage, lights);
-    for (const Vec& at : points) {
-        Vec sum(0.0);          // of each while the others are dark
-        Vec sum_of_alone(0.0); // which divides the stage elsewhere
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            std::vector<Light> one = lights;
-            for (std::size_t other = 0; other < lights.size(); ++other)
-                if (other != i) one[other].intensity = Candelas(0.0);
-            sum += solved(stage, one).on_surface(0, 0, at);
-            sum_of_alone += solved(stage, {&lights[i], 1}).on_surface(0, 0, at);
+    std::array<Vec, points.size()> sums{};          // of each while the others are dark
+    std::array<Vec, points.size()> sums_of_alone{}; // which divides the stage elsewhere
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        std::vector<Light> one = lights;
+        for (std::size_t other = 0; other < lights.size(); ++other)
+            if (other != i) one[other].intensity = Candelas(0.0);
+        const Interreflection lit = solved(stage, one);
+        const Interreflection alone = solved(stage, {&lights[i], 1});
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            sums[p] += lit.on_surface(0, 0, points[p]);
+            sums_of_alone[p] += alone.on_surface(0, 0, points[p]);
         }
-        const Vec together = all.on_surface(0, 0, at);
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const Vec together = all.on_surface(0, 0, points[p]);
         for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(sum[channel] / together[channel], 1.0, 1e-5); // where the iteration stops
-            EXPECT_NEAR(sum_of_alone[channel] / together[channel], 1.0, 2e-3);
+            EXPECT_NEAR(sums[p][channel] / together[channel], 1.0, 1e-5); // where the iteration stops
+            EXPECT_NEAR(sums_of_alone[p][channel] / together[channel], 1.0, 2e-3);
         }
     }
 }
@@ -267,6 +272,30 @@ TEST(Interreflection, UsesWhatIsKnownOfTheStage) {
     const Stage other = make_stage("corridor").value();
     EXPECT_EQ(Interreflection::of(other, {&light, 1}, with_bounces(), {}, &first).value().node_count(),
               solved(other, {&light, 1}).node_count());
+}
+
+// Fifteen limbs close together would be most of the work, and what they reflect changes little around them.
+TEST(Interreflection, DividesAScaleFigureCoarsely) {
+    const Stage alone = make_stage("room").value();
+    Stage coarse = alone;
+    add_figure(coarse);
+    Stage fine = coarse;
+    for (Surface& surface : fine.surfaces)
+        surface.subject = true;
+    const Light light = bulb({0.0, 0.3, 2.3}, 100.0);
+    const ExchangeQuality quick{.patches = 2000.0, .cell_rays = 64, .node_rays = 128};
+    const auto solve = [&](const Stage& stage) {
+        return Interreflection::of(stage, {&light, 1}, with_bounces(), quick).value();
+    };
+    const Interreflection with_figure = solve(coarse);
+    const Interreflection exact = solve(fine);
+    EXPECT_LT(with_figure.nodes_lx().size(), 2 * solve(alone).nodes_lx().size());
+    EXPECT_GT(exact.nodes_lx().size(), with_figure.nodes_lx().size());
+    for (const double z : {0.05, 0.9, 1.8}) {
+        const Vec beside = coarse.figure_position + Vec(0.4, -0.4, z);
+        const Vec found = with_figure.at(beside, {0.0, 0.0, 1.0});
+        EXPECT_NEAR(found.y / exact.at(beside, {0.0, 0.0, 1.0}).y, 1.0, 0.005) << z;
+    }
 }
 
 TEST(Interreflection, RefusesALightThatCannotLeave) {
