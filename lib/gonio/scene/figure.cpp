@@ -1,10 +1,14 @@
 #include <gonio/scene/figure.hpp>
 
 #include <array>
+#include <string>
+#include <string_view>
 
 namespace gonio {
 
 namespace {
+
+constexpr std::string_view name = "figure";
 
 // Dimensions of the 50th percentile to a centimetre, from the point midway between the feet [m].
 struct Limb {
@@ -33,7 +37,7 @@ constexpr std::array side{
 
 void add_figure(Stage& stage) {
     const auto add = [&](const Primitive& part) {
-        stage.surfaces.push_back({"figure", part, LambertMaterial{glm::dvec3(0.4)}});
+        stage.surfaces.push_back({std::string(name), part, LambertMaterial{glm::dvec3(0.4)}});
     };
     const auto limb = [&](const Limb& l, double mirror) {
         const glm::dvec3 at(mirror, 1.0, 1.0);
@@ -45,6 +49,10 @@ void add_figure(Stage& stage) {
     for (const double mirror : {-1.0, 1.0})
         for (const Limb& l : side)
             limb(l, mirror);
+}
+
+bool is_of_figure(const Surface& surface) {
+    return surface.name == name && !surface.subject; // solids of one's own stage are subjects
 }
 
 } // namespace gonio

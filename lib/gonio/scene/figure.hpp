@@ -11,4 +11,7 @@ inline constexpr double figure_height = 1.75; // [m]
 // figure_position, Z up and facing −Y. The figure is not a subject of the stage.
 void add_figure(Stage& stage);
 
+// Whether a surface of a stage is a part of its scale figure.
+bool is_of_figure(const Surface& surface);
+
 } // namespace gonio

@@ -1,3 +1,4 @@
+#include <gonio/scene/figure.hpp>
 #include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/node_tree.hpp>
 #include <gonio/transport/patches.hpp>
@@ -26,7 +27,7 @@ constexpr double inset = 1e-3; // of the nodes at edges
 
 constexpr double per_radius = 4.2;       // distances between the nodes of a sphere
 constexpr double near_solid = 0.25;      // of its radius, between nodes that it touches
-constexpr double in_passing = 4.0;       // times as far apart on and beside what is there in passing
+constexpr double at_figure = 4.0;        // times as far apart on and beside the scale figure
 constexpr double near_sheet = 0.25;      // of the radius of the sphere that touches it
 constexpr double least_near_thin = 0.1;  // squares
 constexpr double growth = 0.4;           // with the distance from a solid
@@ -67,7 +68,6 @@ public:
           stage_(stage),
           lights_(lights),
           light_tree_(points_of(lights)),
-          is_in_passing_(stage),
           chart_(chart),
           is_round_(chart.kind == Chart::Kind::round),
           widest_m_(widest * square_m * coarseness),
@@ -100,7 +100,7 @@ private:
     void add_roots() {
         if (is_round_) {
             const double spacing_m =
-                std::min(widest_m_, chart_.radius / per_radius * coarseness_ * passing(chart_.surface));
+                std::min(widest_m_, chart_.radius / per_radius * coarseness_ * widening(chart_.surface));
             const auto add = [](std::vector<double>& lines, double low, double high, double count) {
                 for (double i = lines.empty() ? 0.0 : 1.0; i <= count; i += 1.0)
                     lines.push_back(i == count ? high : low + (high - low) * i / count);
@@ -164,16 +164,16 @@ private:
             const std::optional<double> size = size_of(geometry);
             if (size && std::holds_alternative<Box>(geometry) && !is_round_ && touches(geometry)) continue; // an edge
             if (!size && !is_round_) continue; // edges, and sheets far away
-            const double passed = std::max(passing(i), passing(chart_.surface));
-            const double spacing_m = passed * (size && is_round_ ? near_solid * std::min(*size, chart_.radius)
-                                               : size            ? near_solid * *size
-                                                                 : near_sheet * chart_.radius);
+            const double wider = std::max(widening(i), widening(chart_.surface));
+            const double spacing_m = wider * (size && is_round_ ? near_solid * std::min(*size, chart_.radius)
+                                              : size            ? near_solid * *size
+                                                                : near_sheet * chart_.radius);
             attractions_.push_back({&geometry, coarseness_ * std::max(spacing_m, least_near_thin * square_m_),
-                                    passed > 1.0 ? 0.0 : contact_radius(geometry)});
+                                    wider > 1.0 ? 0.0 : contact_radius(geometry)});
         }
     }
 
-    double passing(std::size_t surface) const { return is_in_passing_(surface) ? in_passing : 1.0; }
+    double widening(std::size_t surface) const { return is_of_figure(stage_.surfaces[surface]) ? at_figure : 1.0; }
 
     // Of a sphere with the gap at every distance that these two have where they touch.
     double contact_radius(const Primitive& other) const {
@@ -411,7 +411,6 @@ private:
     const Stage& stage_;
     std::span<const LightPlace> lights_;
     LightTree light_tree_;
-    InPassing is_in_passing_;
     const Chart& chart_;
     bool is_round_;
     double widest_m_, least_m_, lift_m_, square_m_, coarseness_;

@@ -1,4 +1,5 @@
 #include <gonio/base/parallel.hpp>
+#include <gonio/scene/figure.hpp>
 #include <gonio/transport/light_tree.hpp>
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
@@ -18,11 +19,12 @@ namespace {
 constexpr double least_columns = 6.0;      // around the smallest solid
 constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of its dark side is in the right place
 constexpr double patches_beside = 9.0;     // per radius, if another solid is closer to it than its radius
-constexpr double patches_in_passing = 2.0; // per radius of what is there in passing
-constexpr std::uint32_t cell_side = 2;     // patches
-constexpr double small = 6.0;              // squares; no rays miss parts of larger solids
-constexpr double bright = 3.0;             // times the mean: what rays carry of a cell close to a light
-constexpr std::size_t most_bright = 400;   // cells
+constexpr double patches_of_figure =
+    2.0;                                 // per radius of a limb of the scale figure: these are many, and show the scale
+constexpr std::uint32_t cell_side = 2;   // patches
+constexpr double small = 6.0;            // squares; no rays miss parts of larger solids
+constexpr double bright = 3.0;           // times the mean: what rays carry of a cell close to a light
+constexpr std::size_t most_bright = 400; // cells
 
 std::vector<double> uniform(const Range& range, double size_m, double least) {
     constexpr double most_intervals = 400.0;
@@ -40,10 +42,10 @@ struct Lines {
 };
 
 // What is bright and close in one part of a patch weighs too little, as below a light.
-bool is_beside_another(const Stage& stage, const InPassing& is_in_passing, const Chart& chart) {
+bool is_beside_another(const Stage& stage, const Chart& chart) {
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i) {
         const Primitive& other = stage.surfaces[i].geometry;
-        if (i != chart.surface && !is_in_passing(i) && !is_sheet(other) &&
+        if (i != chart.surface && !is_of_figure(stage.surfaces[i]) && !is_sheet(other) &&
             distance_to_surface(other, chart.frame.origin) < chart.half_length + 2.0 * chart.radius)
             return true;
     }
@@ -53,10 +55,9 @@ bool is_beside_another(const Stage& stage, const InPassing& is_in_passing, const
 Lines lines_on(const Stage& stage, std::span<const LightPlace> lights, const Chart& chart, double square_m,
                double coarseness) {
     if (chart.kind == Chart::Kind::round) {
-        const InPassing is_in_passing(stage);
-        const double per_radius = is_in_passing(chart.surface)                     ? patches_in_passing
-                                  : is_beside_another(stage, is_in_passing, chart) ? patches_beside
-                                                                                   : patches_per_radius;
+        const double per_radius = is_of_figure(stage.surfaces[chart.surface]) ? patches_of_figure
+                                  : is_beside_another(stage, chart)           ? patches_beside
+                                                                              : patches_per_radius;
         const double size_m = std::min(square_m, coarseness * chart.radius / per_radius);
         std::vector<double> around = uniform({0.0, 2.0 * std::numbers::pi * chart.radius}, size_m, least_columns);
         for (double& line : around)

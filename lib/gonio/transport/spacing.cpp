@@ -1,3 +1,4 @@
+#include <gonio/scene/figure.hpp>
 #include <gonio/transport/spacing.hpp>
 
 #include <glm/common.hpp>
@@ -185,10 +186,10 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> l
         pair.u.gradings.push_back({at.x, at.x, spacing_m});
         pair.v.gradings.push_back({at.y, at.y, spacing_m});
     }
-    const InPassing is_in_passing(stage);
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (i != chart.surface) {
-            if (!is_in_passing(i)) std::visit(Feet{chart, widest_m, coarseness, pair}, stage.surfaces[i].geometry);
+            if (!is_of_figure(stage.surfaces[i]))
+                std::visit(Feet{chart, widest_m, coarseness, pair}, stage.surfaces[i].geometry);
             std::visit(Edges{chart, 1e-3 * widest_m, patches_at_edges * widest_m, pair}, stage.surfaces[i].geometry);
         }
     return pair;
@@ -207,16 +208,6 @@ std::vector<double> lines_of(const Spacing& spacing, double inset_m) {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
         add_lines(ends[i], ends[i + 1], inset_m, spacing, lines);
     return lines;
-}
-
-InPassing::InPassing(const Stage& stage)
-    : stage_(stage),
-      has_subjects_(std::any_of(stage.surfaces.begin(), stage.surfaces.end(),
-                                [](const Surface& surface) { return surface.subject; })) {}
-
-bool InPassing::operator()(std::size_t surface) const {
-    const Surface& of = stage_.surfaces[surface];
-    return has_subjects_ && !of.subject && !is_sheet(of.geometry) && !std::holds_alternative<Box>(of.geometry);
 }
 
 double distance_to_surface(const Primitive& geometry, const glm::dvec3& point) {

@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -58,18 +57,6 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> l
 // From one end of the range to the other, no farther apart than `spacing` says. Those at ends and cuts are moved
 // inwards by `inset_m`.
 std::vector<double> lines_of(const Spacing& spacing, double inset_m);
-
-// Which surfaces are round solids beside the subjects of a stage that has any: poles, stands, the limbs of a scale
-// figure. These are small and many, and need no division as fine as what the stage shows.
-class InPassing {
-public:
-    explicit InPassing(const Stage& stage);
-    bool operator()(std::size_t surface) const;
-
-private:
-    const Stage& stage_;
-    bool has_subjects_;
-};
 
 // The distance of a point from a surface, as a solid or a sheet; 0 inside.
 double distance_to_surface(const Primitive& geometry, const glm::dvec3& point);
