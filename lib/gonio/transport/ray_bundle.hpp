@@ -63,13 +63,24 @@ private:
 struct SentSlope {
     Sent along_u, along_v;
 };
-using SentSlopes = std::vector<SentSlope>; // by patch
+struct SentSlopes { // by patch
+    std::vector<SentSlope> by_rays;
+    std::vector<SentSlope> by_links; // of what links carry; none where that is all the same
+    const SentSlope& of_links(std::uint32_t patch) const { return (by_links.empty() ? by_rays : by_links)[patch]; }
+};
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent);
 
 // A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
 struct Link {
     std::uint32_t sender = 0;
     float share = 0.0F; // cosθ cosθ' A/(π d²)
+};
+
+// Of a patch that is close: the moments of its form factor about its middle, in sides.
+struct LinkSlope {
+    std::uint32_t patch = 0;
+    float along_u = 0.0F;
+    float along_v = 0.0F;
 };
 
 struct Receivers {
@@ -105,7 +116,8 @@ public:
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
     std::size_t memory() const {
-        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
+        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) +
+               link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float);
     }
 
     // Where each ray ends, or `linked`, `no_patch` or `back_side`.
@@ -121,6 +133,8 @@ private:
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;
     std::vector<std::uint32_t> first_link_; // by place, and the end of the last
+    std::vector<LinkSlope> link_slopes_;
+    std::vector<std::uint32_t> first_link_slope_; // the same
 };
 
 // What each patch sends, followed by the mean of each cell, in the order that senders are numbered.
