@@ -18,6 +18,7 @@ constexpr double least_of_cell = 8.0;
 constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
 constexpr int deepest_part = 8;
+constexpr float least_slope = 0.01F; // of a form factor, over a patch: less counts for nothing
 constexpr double most_parts = 32.0; // of a patch along a thin solid
 // The sine of half an angle. A cell whose normals differ by more is divided too.
 constexpr double most_spread = 0.4;
@@ -159,7 +160,8 @@ private:
             }
             if (!(link.share > 0.0F)) continue;
             links.push_back(link);
-            if (slope.along_u != 0.0F || slope.along_v != 0.0F) slopes.push_back(slope);
+            if (std::max(std::abs(slope.along_u), std::abs(slope.along_v)) > least_slope * link.share)
+                slopes.push_back(slope);
             of_charts[chart] += link.share * patches_.carried(link.sender);
         }
     }
@@ -171,8 +173,10 @@ private:
         const bool is_wide = sender.spread > most_spread;
         if (!is_wide && way.is_far(sender.half_diagonal_m, least_of_cell)) {
             by_link_[cell] = By::cell;
-            consider(way, frame, form_factor(way, facing(way, sender.spread), patches_.cell_area_m2(cell)),
-                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart);
+            const double area_m2 = patches_.cell_area_m2(cell);
+            consider(way, frame, form_factor(way, facing(way, sender.spread), area_m2),
+                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
+                     sender.is_bright ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
             return;
         }
         by_link_[cell] = By::patches;
@@ -250,10 +254,17 @@ private:
             if (!(seen.form_factor > 0.0)) continue;
             const glm::dvec3 moved = seen.middle - to;
             const double share = free * seen.form_factor;
-            const glm::dvec2 at(part.middle.x - 0.5 + glm::dot(moved, along_u) / (length_u * length_u),
-                                part.middle.y - 0.5 + glm::dot(moved, along_v) / (length_v * length_v));
-            consider(Way(place, place.position + seen.middle, patches_.normal(patch)), frame, factor * share, patch,
-                     chart, share * at);
+            const Way way(place, place.position + seen.middle, patches_.normal(patch));
+            glm::dvec2 at(part.middle.x - 0.5 + glm::dot(moved, along_u) / (length_u * length_u),
+                          part.middle.y - 0.5 + glm::dot(moved, along_v) / (length_v * length_v));
+            // The nearer side of the part counts more.
+            if (way.is_seen()) {
+                const glm::dvec3 steepness =
+                    place.normal / way.here - patches_.normal(patch) / way.there - 4.0 / way.distance2 * way.to;
+                at += part.half * part.half / 3.0 *
+                      glm::dvec2(glm::dot(steepness, along_u), glm::dot(steepness, along_v));
+            }
+            consider(way, frame, factor * share, patch, chart, share * at);
         }
     }
 
@@ -295,6 +306,17 @@ private:
         const double half = std::numbers::sqrt2 * 0.5 * spread; // to the sides, not to the corners
         if (cosine >= half) return cosine;
         return cosine > -half ? (cosine + half) * (cosine + half) / (4.0 * half) : 0.0;
+    }
+
+    // Along u and v of the sender's chart.
+    glm::dvec2 slopes_of_form_factor(const Way& way, const Receivers::Place& place, const Cell& sender,
+                                     double area_m2) const {
+        if (!way.is_seen()) return glm::dvec2(0.0);
+        const glm::dvec3 slope =
+            area_m2 / (std::numbers::pi * way.distance2 * way.distance2) *
+            (way.there * place.normal - way.here * sender.normal - 4.0 * way.here * way.there / way.distance2 * way.to);
+        const Frame& chart = patches_.charts().all()[sender.chart].frame;
+        return {glm::dot(slope, chart.x), glm::dot(slope, chart.y)};
     }
 
     // Of what is small as seen from the place. `cosine`: at the sender.
@@ -478,7 +500,7 @@ glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const 
     SentSum by_links;
     for (std::uint32_t i = first_link_slope_[place]; i < first_link_slope_[place + 1]; ++i) {
         const LinkSlope& link = link_slopes_[i];
-        const SentSlope& slope = slopes.of_links(link.patch);
+        const SentSlope& slope = slopes.of_links(link.sender);
         by_links.add(link.along_u, slope.along_u);
         by_links.add(link.along_v, slope.along_v);
     }
@@ -522,6 +544,25 @@ SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
                              ? sent[patch]
                              : (1.0 - static_cast<double>(patches.by_rays(patch))) * sent[patch];
     made.by_links = slopes();
+    made.by_links.resize(patches.count() + patches.cells().size());
+    for (const std::uint32_t cell : patches.linked_cells()) {
+        const Cell& of = patches.cells()[cell];
+        if (!of.is_bright || !(patches.cell_area_m2(cell) > 0.0)) continue;
+        const Frame& frame = patches.charts().all()[of.chart].frame;
+        glm::dvec3 moment_u(0.0);
+        glm::dvec3 moment_v(0.0);
+        for (const std::uint32_t patch : patches.patches_of(cell)) {
+            const double share = patches.area_m2(patch) / patches.cell_area_m2(cell);
+            const glm::dvec3 from_middle = patches.middle(patch) - of.bright_middle;
+            const std::array<glm::dvec3, 4> corners = patches.corners(patch);
+            const SentSlope& slope = made.by_links[patch];
+            const double width = glm::distance(corners[0], corners[1]) / 12.0;
+            const double height = glm::distance(corners[0], corners[3]) / 12.0;
+            moment_u += share * (glm::dot(from_middle, frame.x) * carried[patch] + width * slope.along_u.rgb());
+            moment_v += share * (glm::dot(from_middle, frame.y) * carried[patch] + height * slope.along_v.rgb());
+        }
+        made.by_links[patches.count() + cell] = {Sent(moment_u), Sent(moment_v)};
+    }
     return made;
 }
 

@@ -63,10 +63,12 @@ private:
 struct SentSlope {
     Sent along_u, along_v;
 };
-struct SentSlopes { // by patch
-    std::vector<SentSlope> by_rays;
-    std::vector<SentSlope> by_links; // of what links carry; none where that is all the same
-    const SentSlope& of_links(std::uint32_t patch) const { return (by_links.empty() ? by_rays : by_links)[patch]; }
+struct SentSlopes {
+    std::vector<SentSlope> by_rays; // by patch
+    // By sender, of what links carry; none where that is all the same. Of a cell close to a light, the moments [m]
+    // about the middle of what its links carry.
+    std::vector<SentSlope> by_links;
+    const SentSlope& of_links(std::uint32_t sender) const { return (by_links.empty() ? by_rays : by_links)[sender]; }
 };
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent);
 
@@ -76,9 +78,10 @@ struct Link {
     float share = 0.0F; // cosθ cosθ' A/(π d²)
 };
 
-// Of a patch that is close: the moments of its form factor about its middle, in sides.
+// Of a patch that is close: the moments of its form factor about its middle, in sides. Of a cell, the slopes of the
+// form factor [1/m].
 struct LinkSlope {
-    std::uint32_t patch = 0;
+    std::uint32_t sender = 0;
     float along_u = 0.0F;
     float along_v = 0.0F;
 };

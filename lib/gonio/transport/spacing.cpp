@@ -184,6 +184,10 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> l
         if (!(at.z > 0.0) || spacing_m >= widest_m) continue;
         pair.u.gradings.push_back({at.x, at.x, spacing_m});
         pair.v.gradings.push_back({at.y, at.y, spacing_m});
+        // Where its light begins, a line lies between patches.
+        constexpr double parallel = 1.0 - 1e-9;
+        if (std::abs(glm::dot(light.side, chart.frame.x)) > parallel) pair.u.cuts.push_back(at.x);
+        if (std::abs(glm::dot(light.side, chart.frame.y)) > parallel) pair.v.cuts.push_back(at.y);
     }
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (i != chart.surface) {
