@@ -18,7 +18,7 @@ constexpr double least_of_cell = 8.0;
 constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
 constexpr int deepest_part = 8;
-constexpr float least_slope = 0.01F; // of a form factor, over a patch: less counts for nothing
+constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
 constexpr double most_parts = 32.0; // of a patch along a thin solid
 // The sine of half an angle. A cell whose normals differ by more is divided too.
 constexpr double most_spread = 0.4;
@@ -160,8 +160,7 @@ private:
             }
             if (!(link.share > 0.0F)) continue;
             links.push_back(link);
-            if (std::max(std::abs(slope.along_u), std::abs(slope.along_v)) > least_slope * link.share)
-                slopes.push_back(slope);
+            if (slope.along_u != 0.0F || slope.along_v != 0.0F) slopes.push_back(slope);
             of_charts[chart] += link.share * patches_.carried(link.sender);
         }
     }
@@ -264,7 +263,8 @@ private:
                 at += part.half * part.half / 3.0 *
                       glm::dvec2(glm::dot(steepness, along_u), glm::dot(steepness, along_v));
             }
-            consider(way, frame, factor * share, patch, chart, share * at);
+            const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
+            consider(way, frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
         }
     }
 
