@@ -19,7 +19,7 @@ constexpr double least_of_patch = 5.0;
 constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
 constexpr int deepest_part = 8;
 constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
-constexpr double most_parts = 32.0; // of a patch along a thin solid
+constexpr double most_parts = 32.0;    // of a patch along a thin solid
 // The sine of half an angle. A cell whose normals differ by more is divided too.
 constexpr double most_spread = 0.4;
 
@@ -423,9 +423,13 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
 Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
                  unsigned threads, simd::InstructionSet set)
     : rays_(rays),
-      ends_(places.size() * rays),
+      bundle_of_(places.size(), none),
       charts_(patches.charts().all().size()),
       of_charts_(places.size() * charts_, 0.0F) {
+    std::uint32_t bundles = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!places[i].left_out) bundle_of_[i] = bundles++;
+    ends_.resize(bundles * rays);
     const DirectionArrays directions(cosine_directions(rays));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
@@ -437,11 +441,8 @@ Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Rec
     parallel_for(blocks, threads, [&](std::size_t block) {
         Bundle bundle(stage, caster, patches, set);
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
-            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(i * rays, rays);
-            if (places[i].left_out) {
-                std::fill(ends_of_place.begin(), ends_of_place.end(), PatchPoint(no_patch));
-                continue;
-            }
+            if (places[i].left_out) continue;
+            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(bundle_of_[i] * rays, rays);
             const std::size_t before = links[block].size();
             const std::size_t slopes_before = slopes[block].size();
             bundle.make(places[i], directions, ends_of_place, links[block], slopes[block],
@@ -509,6 +510,7 @@ glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const 
 
 double Bundles::escaping(std::size_t place) const {
     const std::span<const PatchPoint> of_place = ends(place);
+    if (of_place.empty()) return 1.0;
     const auto lost = std::count_if(of_place.begin(), of_place.end(), [](const PatchPoint& end) {
         return end.number() == no_patch || end.number() == back_side;
     });

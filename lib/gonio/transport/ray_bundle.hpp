@@ -120,18 +120,25 @@ public:
     double escaping(std::size_t place) const;
     std::size_t memory() const {
         return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) +
-               link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float);
+               link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float) +
+               bundle_of_.size() * sizeof(std::uint32_t);
     }
 
-    // Where each ray ends, or `linked`, `no_patch` or `back_side`.
-    std::span<const PatchPoint> ends(std::size_t place) const { return std::span(ends_).subspan(place * rays_, rays_); }
+    // Where each ray ends, or `linked`, `no_patch` or `back_side`; empty for a place that is left out.
+    std::span<const PatchPoint> ends(std::size_t place) const {
+        if (bundle_of_[place] == none) return {};
+        return std::span(ends_).subspan(bundle_of_[place] * rays_, rays_);
+    }
     std::span<const Link> links(std::size_t place) const {
         return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
     }
 
 private:
+    static constexpr std::uint32_t none = 0xffffffffU;
+
     std::size_t rays_ = 1;
-    std::vector<PatchPoint> ends_;
+    std::vector<std::uint32_t> bundle_of_; // by place, or none
+    std::vector<PatchPoint> ends_;         // by bundle
     std::vector<Link> links_;
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;
