@@ -3,7 +3,6 @@
 #include <gonio/transport/patches.hpp>
 #include <gonio/transport/spacing.hpp>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -201,15 +200,7 @@ std::array<glm::dvec3, 2> Patches::change_over(std::uint32_t patch, std::span<co
             ends.at(above ? 1 : 0) = of;
             between += 0.5 * (width(in) + width(other));
         }
-        if (!(between > 0.0)) return glm::dvec3(0.0);
-        const glm::dvec3 whole = width(in) / between * (by_patch[ends[1]] - by_patch[ends[0]]);
-        if (ends[0] == patch || ends[1] == patch) return whole;
-        // No farther than to what lies beside it: where light begins, as at the horizon of a lamp, nothing is below 0.
-        const glm::dvec3 below = 2.0 * (by_patch[patch] - by_patch[ends[0]]);
-        const glm::dvec3 above = 2.0 * (by_patch[ends[1]] - by_patch[patch]);
-        const glm::dvec3 most = glm::max(glm::min(below, above), glm::dvec3(0.0));
-        const glm::dvec3 least = glm::min(glm::max(below, above), glm::dvec3(0.0));
-        return glm::clamp(whole, least, most);
+        return between > 0.0 ? width(in) / between * (by_patch[ends[1]] - by_patch[ends[0]]) : glm::dvec3(0.0);
     };
     if (!is_whole(patch)) return {glm::dvec3(0.0), glm::dvec3(0.0)};
     return {change(grid.u, column, 1, is_round), change(grid.v, row, grid.columns, false)};
