@@ -331,6 +331,8 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
                 }
             cell.is_of_small = is_small;
             cell.is_on_sheet = is_small && panel != nullptr;
+            cell.linked_middle = cell.position;
+            has_moments_ = has_moments_ || cell.is_on_sheet;
             if (is_small) linked_cells_.push_back(static_cast<std::uint32_t>(cells_.size()));
             cells_.push_back(cell);
             cell_area_m2_.push_back(cell.covered ? 0.0 : area_m2);
@@ -383,7 +385,7 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
     for (const Bright& one : found) {
         if (!(one.times > by_rays)) continue;
         cells_[one.cell].is_bright = true;
-        has_bright_ = true;
+        has_moments_ = true;
         linked_cells_.push_back(one.cell);
         by_links_[one.cell] = 0.0F;
         glm::dvec3 moment(0.0);
@@ -397,7 +399,7 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
             moment += share * by_links * times * middle_[patch];
             sum += share * by_links * times;
         }
-        cells_[one.cell].bright_middle = sum > 0.0 ? moment / sum : cells_[one.cell].position;
+        cells_[one.cell].linked_middle = sum > 0.0 ? moment / sum : cells_[one.cell].position;
     }
     std::sort(linked_cells_.begin(), linked_cells_.end());
 }

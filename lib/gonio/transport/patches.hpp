@@ -72,8 +72,11 @@ struct Cell {
     bool covered = false;     // lies in a solid or against another surface: it neither gets nor sends light
     bool is_of_small = false; // of what is not large: links carry what rays would miss
     bool is_on_sheet = false; // and flat
-    glm::dvec3 bright_middle{0.0}; // of a bright one, the middle of what links carry
+    glm::dvec3 linked_middle{0.0}; // of a bright one, the middle of what links carry; else `position`
     bool is_bright = false;        // flat and close to a light: links carry a part of what it sends
+
+    // Whether links carry how what it sends changes within it.
+    bool is_uneven() const { return is_bright || is_on_sheet; }
 };
 
 // The patches whose middles are around a point, with weights that add up to 1.
@@ -129,7 +132,7 @@ public:
     glm::dvec3 nearest(std::uint32_t patch, const glm::dvec3& to) const;
     // Of a small one-sided surface, which rays would miss: links carry all that it sends.
     bool is_on_sheet(std::uint32_t patch) const;
-    bool has_bright() const { return has_bright_; } // any cell close to a light
+    bool has_moments() const { return has_moments_; } // any cell is_uneven()
     // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
     double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
@@ -160,7 +163,7 @@ private:
     std::vector<double> half_diagonal_m_;
     std::vector<double> half_length_m_;
     std::vector<std::uint32_t> linked_cells_;
-    bool has_bright_ = false;
+    bool has_moments_ = false;
     std::vector<float> by_rays_;          // by patch
     std::vector<float> by_links_;         // by cell: 1 but for bright ones
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_

@@ -168,14 +168,14 @@ private:
     void link(const Receivers::Place& place, const Frame& frame, std::uint32_t cell) {
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
-        const Way way(place, sender.is_bright ? sender.bright_middle : sender.position, sender.normal);
+        const Way way(place, sender.linked_middle, sender.normal);
         const bool is_wide = sender.spread > most_spread;
         if (!is_wide && way.is_far(sender.half_diagonal_m, least_of_cell)) {
             by_link_[cell] = By::cell;
             const double area_m2 = patches_.cell_area_m2(cell);
             consider(way, frame, form_factor(way, facing(way, sender.spread), area_m2),
                      static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
-                     sender.is_bright ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
+                     sender.is_uneven() ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
             return;
         }
         by_link_[cell] = By::patches;
@@ -540,7 +540,7 @@ SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
     for (std::uint32_t patch = 0; patch < sent.size(); ++patch)
         carried[patch] = static_cast<double>(patches.by_rays(patch)) * sent[patch];
     made.by_rays = slopes();
-    if (!patches.has_bright()) return made;
+    if (!patches.has_moments()) return made;
     for (std::uint32_t patch = 0; patch < sent.size(); ++patch)
         carried[patch] = patches.cells()[patches.cell_of(patch)].is_of_small
                              ? sent[patch]
@@ -549,13 +549,13 @@ SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
     made.by_links.resize(patches.count() + patches.cells().size());
     for (const std::uint32_t cell : patches.linked_cells()) {
         const Cell& of = patches.cells()[cell];
-        if (!of.is_bright || !(patches.cell_area_m2(cell) > 0.0)) continue;
+        if (!of.is_uneven() || !(patches.cell_area_m2(cell) > 0.0)) continue;
         const Frame& frame = patches.charts().all()[of.chart].frame;
         glm::dvec3 moment_u(0.0);
         glm::dvec3 moment_v(0.0);
         for (const std::uint32_t patch : patches.patches_of(cell)) {
             const double share = patches.area_m2(patch) / patches.cell_area_m2(cell);
-            const glm::dvec3 from_middle = patches.middle(patch) - of.bright_middle;
+            const glm::dvec3 from_middle = patches.middle(patch) - of.linked_middle;
             const std::array<glm::dvec3, 4> corners = patches.corners(patch);
             const SentSlope& slope = made.by_links[patch];
             const double width = glm::distance(corners[0], corners[1]) / 12.0;
