@@ -170,10 +170,11 @@ Interreflection Interreflection::times(const glm::dvec3& rgb) const {
             lx *= rgb;
     changed.thrown_ = std::make_shared<const detail::ThrownLight>(thrown_->times(glm::vec3(rgb)));
     detail::SentSlopes slopes = *slopes_;
-    for (detail::SentSlope& slope : slopes) {
-        multiply(slope.along_u);
-        multiply(slope.along_v);
-    }
+    for (std::vector<detail::SentSlope>* const of : {&slopes.by_rays, &slopes.by_links})
+        for (detail::SentSlope& slope : *of) {
+            multiply(slope.along_u);
+            multiply(slope.along_v);
+        }
     changed.slopes_ = std::make_shared<const detail::SentSlopes>(std::move(slopes));
     for (detail::NodeValue& node : changed.nodes_lx_) {
         node.value *= rgb;
@@ -349,7 +350,9 @@ std::size_t Interreflection::memory() const {
            (direct_lx_.size() + direct_reflected_lx_.size() + direct_spread_lx_.size() + direct_to_nodes_lx_.size()) *
                sizeof(glm::dvec3) +
            nodes_lx_.size() * sizeof(detail::NodeValue) +
-           (sent_.size() + shown_lx_.size() + 2 * slopes_->size()) * sizeof(detail::Sent) + thrown_->memory();
+           (sent_.size() + shown_lx_.size() + 2 * (slopes_->by_rays.size() + slopes_->by_links.size())) *
+               sizeof(detail::Sent) +
+           thrown_->memory();
 }
 
 } // namespace gonio

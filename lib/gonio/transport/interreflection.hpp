@@ -29,7 +29,7 @@ struct PatchPlace;
 class ThrownLight;
 struct NodeValue;
 struct Sent;
-struct SentSlope;
+struct SentSlopes;
 } // namespace detail
 
 // How finely a stage is divided. The defaults are those of the benchmark's front.
@@ -116,8 +116,8 @@ private:
     std::vector<glm::dvec3> direct_reflected_lx_; // what of it leaves again
     std::vector<glm::dvec3> direct_spread_lx_;    // what of that goes in all directions alike
     std::shared_ptr<const detail::ThrownLight> thrown_;
-    std::shared_ptr<const std::vector<detail::SentSlope>> slopes_; // of the direct light
-    std::vector<glm::dvec3> direct_to_nodes_lx_;                   // of slopes and of what is thrown
+    std::shared_ptr<const detail::SentSlopes> slopes_; // of the direct light
+    std::vector<glm::dvec3> direct_to_nodes_lx_;       // of slopes and of what is thrown
     std::vector<detail::NodeValue> nodes_lx_;
     std::vector<detail::Sent> sent_;     // what rays and links carry, by patch and then by cell [lx]
     std::vector<detail::Sent> shown_lx_; // all that is sent, by patch

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -133,6 +134,22 @@ std::array<glm::dvec3, 4> Patches::corners(std::uint32_t patch) const {
     return {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
 }
 
+double Patches::half_across(std::uint32_t patch) const {
+    const double half_m = half_diagonal_m_[patch];
+    return std::sqrt(half_m * half_m - half_length_m_[patch] * half_length_m_[patch]);
+}
+
+glm::dvec3 Patches::nearest(std::uint32_t patch, const glm::dvec3& to) const {
+    const double half_m = half_length_m_[patch];
+    if (half_m == 0.0) return middle_[patch];
+    const glm::dvec3& axis = charts_.all()[chart_of_[patch]].frame.z;
+    return middle_[patch] + std::clamp(glm::dot(to - middle_[patch], axis), -half_m, half_m) * axis;
+}
+
+bool Patches::is_on_sheet(std::uint32_t patch) const {
+    return cells_[cell_of_[patch]].is_on_sheet;
+}
+
 double Patches::mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const {
     const Chart& chart = charts_.all()[chart_of_[patch]];
     if (chart.kind != Chart::Kind::round) return std::max(glm::dot(normal_[patch], towards), 0.0);
@@ -226,6 +243,20 @@ Uncovered uncovered(const Stage& stage, const Chart& chart, const PatchGrid& gri
 
 } // namespace
 
+namespace {
+
+// Half the length of a patch along the straight part of a capsule, if it is much longer than wide; else 0.
+double half_length_of(const Chart& chart, double low, double high, double width) {
+    if (chart.kind != Chart::Kind::round || chart.half_length == 0.0) return 0.0;
+    const double quarter_m = 0.5 * std::numbers::pi * chart.radius;
+    const double near = 1e-6 * chart.radius;
+    if (low < quarter_m - near || high > quarter_m + 2.0 * chart.half_length + near) return 0.0;
+    const double length_m = high - low;
+    return length_m > 2.0 * chart.radius * width ? 0.5 * length_m : 0.0;
+}
+
+} // namespace
+
 void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index,
                           unsigned threads) {
     const double lift_m = lift(square_m_);
@@ -248,6 +279,8 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
             };
             half_diagonal_m_.push_back(
                 std::max({to_corner(0.0, 0.0), to_corner(1.0, 0.0), to_corner(0.0, 1.0), to_corner(1.0, 1.0)}));
+            half_length_m_.push_back(half_length_of(chart, grid.v.line(row), grid.v.line(row + 1),
+                                                    grid.u.line(column + 1) - grid.u.line(column)));
             chart_of_.push_back(index);
             surface_of_.push_back(static_cast<std::uint32_t>(chart.surface));
             cell_of_.push_back(grid.first_cell + row / cell_side * grid.cell_columns + column / cell_side);
@@ -257,7 +290,11 @@ void Patches::add_patches(const Stage& stage, const Chart& chart, const PatchGri
 void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid& grid, std::uint32_t index) {
     const double lift_m = lift(square_m_);
     const Primitive& geometry = stage.surfaces[chart.surface].geometry;
-    const bool is_small = !is_sheet(geometry) && bounds(geometry)->radius < small * square_m_;
+    const auto* const panel = std::get_if<Panel>(&geometry);
+    const double radius_m = panel != nullptr     ? 0.5 * std::hypot(panel->width, panel->height)
+                            : is_sheet(geometry) ? std::numeric_limits<double>::infinity()
+                                                 : bounds(geometry)->radius;
+    const bool is_small = radius_m < small * square_m_;
     for (std::uint32_t row = 0; row < grid.rows; row += cell_side)
         for (std::uint32_t column = 0; column < grid.columns; column += cell_side) {
             const std::uint32_t end_row = std::min(row + cell_side, grid.rows);
@@ -298,6 +335,9 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
                         std::max(cell.spread, cosine > 0.0 ? std::sqrt(1.0 - std::min(cosine * cosine, 1.0)) : 1.0);
                 }
             cell.is_of_small = is_small;
+            cell.is_on_sheet = is_small && panel != nullptr;
+            cell.linked_middle = cell.position;
+            has_moments_ = has_moments_ || cell.is_on_sheet;
             if (is_small) linked_cells_.push_back(static_cast<std::uint32_t>(cells_.size()));
             cells_.push_back(cell);
             cell_area_m2_.push_back(cell.covered ? 0.0 : area_m2);
@@ -350,6 +390,7 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
     for (const Bright& one : found) {
         if (!(one.times > by_rays)) continue;
         cells_[one.cell].is_bright = true;
+        has_moments_ = true;
         linked_cells_.push_back(one.cell);
         by_links_[one.cell] = 0.0F;
         glm::dvec3 moment(0.0);
@@ -363,7 +404,7 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
             moment += share * by_links * times * middle_[patch];
             sum += share * by_links * times;
         }
-        cells_[one.cell].bright_middle = sum > 0.0 ? moment / sum : cells_[one.cell].position;
+        cells_[one.cell].linked_middle = sum > 0.0 ? moment / sum : cells_[one.cell].position;
     }
     std::sort(linked_cells_.begin(), linked_cells_.end());
 }

@@ -70,9 +70,13 @@ struct Cell {
     double half_diagonal_m = 0.0;
     double spread = 0.0;      // the sine of the greatest angle between its normals and `normal`; 1 for more than 90°
     bool covered = false;     // lies in a solid or against another surface: it neither gets nor sends light
-    bool is_of_small = false; // of a solid that is not large: links carry what rays would miss
-    glm::dvec3 bright_middle{0.0}; // of a bright one, the middle of what links carry
+    bool is_of_small = false; // of what is not large: links carry what rays would miss
+    bool is_on_sheet = false; // and flat
+    glm::dvec3 linked_middle{0.0}; // of a bright one, the middle of what links carry; else `position`
     bool is_bright = false;        // flat and close to a light: links carry a part of what it sends
+
+    // Whether links carry how what it sends changes within it.
+    bool is_uneven() const { return is_bright || is_on_sheet; }
 };
 
 // The patches whose middles are around a point, with weights that add up to 1.
@@ -121,6 +125,14 @@ public:
         return sender < by_rays_.size() ? by_rays_[sender] : by_links_[sender - by_rays_.size()];
     }
     std::array<glm::dvec3, 4> corners(std::uint32_t patch) const; // of a flat one, one after the other
+    // Of a patch along the straight part of a thin solid that is much longer than wide, half of its length; else 0.
+    double half_length(std::uint32_t patch) const { return half_length_m_[patch]; }
+    // Half of its diagonal without that length, and the point of that length which is nearest to another.
+    double half_across(std::uint32_t patch) const;
+    glm::dvec3 nearest(std::uint32_t patch, const glm::dvec3& to) const;
+    // Of a small one-sided surface, which rays would miss: links carry all that it sends.
+    bool is_on_sheet(std::uint32_t patch) const;
+    bool has_moments() const { return has_moments_; } // any cell is_uneven()
     // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
     double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
@@ -149,7 +161,9 @@ private:
     std::vector<glm::dvec3> middle_;
     std::vector<glm::dvec3> normal_;
     std::vector<double> half_diagonal_m_;
+    std::vector<double> half_length_m_;
     std::vector<std::uint32_t> linked_cells_;
+    bool has_moments_ = false;
     std::vector<float> by_rays_;          // by patch
     std::vector<float> by_links_;         // by cell: 1 but for bright ones
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_

@@ -16,6 +16,10 @@ namespace {
 // divided into its patches, and rays meet those that are still closer.
 constexpr double least_of_cell = 8.0;
 constexpr double least_of_patch = 5.0;
+constexpr double least_of_part = 4.0; // of the half diagonals of a part of a flat patch
+constexpr int deepest_part = 8;
+constexpr double least_moment = 0.003; // of a form factor about the middle of a patch, in its sides
+constexpr double most_parts = 32.0;    // of a patch along a thin solid
 // The sine of half an angle. A cell whose normals differ by more is divided too.
 constexpr double most_spread = 0.4;
 
@@ -69,15 +73,16 @@ public:
                 normal_.at(static_cast<std::size_t>(axis)).push_back(static_cast<float>(cell.normal[axis]));
             }
             spread_.push_back(static_cast<float>(cell.spread));
+            reach_.push_back(static_cast<float>(is_flat(linked_cell) ? cell.half_diagonal_m : 0.0));
         }
         faces_.resize(patches.linked_cells().size());
     }
 
     // `of_charts`: the sum of the shares of each.
     void make(const Receivers::Place& place, const DirectionArrays& directions, std::span<PatchPoint> ends,
-              std::vector<Link>& links, std::span<float> of_charts) {
+              std::vector<Link>& links, std::vector<LinkSlope>& slopes, std::span<float> of_charts) {
         caster_.begin(frame_about(place.position, place.normal), place.own);
-        link(place, links, of_charts);
+        link(place, links, slopes, of_charts);
         charts_.resize(directions.size());
         caster_.cast(directions, ends, charts_);
         // Counts in turn: rays of one bundle often meet the same chart, and one count would wait for itself.
@@ -108,8 +113,14 @@ private:
 
     bool is_linked(const Receivers::Place& place, std::uint32_t patch) const {
         const By by = by_link_[patches_.cell_of(patch)];
-        return by == By::cell || (by == By::patches && is_far(distance2_of(place, patches_.middle(patch)),
-                                                              patches_.half_diagonal(patch), least_of_patch));
+        return by == By::cell || (by == By::patches && has_link(place, patch));
+    }
+    bool has_link(const Receivers::Place& place, std::uint32_t patch) const {
+        return patches_.is_on_sheet(patch) || is_far(distance2_of(place, patches_.nearest(patch, place.position)),
+                                                     patches_.half_across(patch), least_of_patch);
+    }
+    bool is_flat(std::uint32_t cell) const {
+        return patches_.charts().all()[patches_.cells()[cell].chart].kind == Chart::Kind::flat;
     }
 
     // Whether any point of the chart may see the place: not on the place's own solid or on a face that is turned away.
@@ -118,9 +129,9 @@ private:
                (chart.kind == Chart::Kind::round || glm::dot(chart.frame.z, place.position - chart.frame.origin) > 0.0);
     }
 
-    void link(const Receivers::Place& place, std::vector<Link>& links, std::span<float> of_charts) {
+    void link(const Receivers::Place& place, std::vector<Link>& links, std::vector<LinkSlope>& slopes,
+              std::span<float> of_charts) {
         possible_.clear();
-        possible_charts_.clear();
         towards_.clear();
         const Frame frame = frame_about(place.position, place.normal);
         for (std::size_t chart = 0; chart < is_small_.size(); ++chart)
@@ -136,40 +147,157 @@ private:
         if (possible_.empty()) return;
         charts_.resize(possible_.size());
         caster_.cast(towards_, charts_);
-        for (std::size_t i = 0; i < possible_.size(); ++i) {
-            if (charts_[i] != possible_charts_[i]) continue;
-            links.push_back(possible_[i]);
-            of_charts[charts_[i]] += possible_[i].share * patches_.carried(possible_[i].sender);
+        for (std::size_t i = 0; i < possible_.size();) {
+            // The parts of a patch come one after the other.
+            Link link{possible_[i].sender, 0.0F};
+            LinkSlope slope{possible_[i].sender, 0.0F, 0.0F};
+            const std::uint32_t chart = possible_[i].chart;
+            for (; i < possible_.size() && possible_[i].sender == link.sender; ++i) {
+                if (charts_[i] != chart) continue;
+                link.share += possible_[i].share;
+                slope.along_u += possible_[i].along_u;
+                slope.along_v += possible_[i].along_v;
+            }
+            if (!(link.share > 0.0F)) continue;
+            links.push_back(link);
+            if (slope.along_u != 0.0F || slope.along_v != 0.0F) slopes.push_back(slope);
+            of_charts[chart] += link.share * patches_.carried(link.sender);
         }
     }
 
     void link(const Receivers::Place& place, const Frame& frame, std::uint32_t cell) {
         const Cell& sender = patches_.cells()[cell];
         if (sender.covered) return;
-        const Way way(place, sender.is_bright ? sender.bright_middle : sender.position, sender.normal);
+        const Way way(place, sender.linked_middle, sender.normal);
         const bool is_wide = sender.spread > most_spread;
         if (!is_wide && way.is_far(sender.half_diagonal_m, least_of_cell)) {
             by_link_[cell] = By::cell;
-            consider(way, frame, form_factor(way, facing(way, sender.spread), patches_.cell_area_m2(cell)),
-                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart);
+            const double area_m2 = patches_.cell_area_m2(cell);
+            consider(way, frame, form_factor(way, facing(way, sender.spread), area_m2),
+                     static_cast<std::uint32_t>(patches_.count()) + cell, sender.chart,
+                     sender.is_uneven() ? slopes_of_form_factor(way, place, sender, area_m2) : glm::dvec2(0.0));
             return;
         }
         by_link_[cell] = By::patches;
         for (const std::uint32_t patch : patches_.patches_of(cell)) {
+            if (patches_.is_on_sheet(patch) || sender.is_bright) {
+                const double by_rays = patches_.by_rays(patch);
+                link_parts(place, frame, patch, sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0, sender.chart);
+                continue;
+            }
+            if (!has_link(place, patch)) continue;
+            const double half_length_m = patches_.half_length(patch);
+            if (half_length_m > 0.0) {
+                link_stretched(place, frame, patch, half_length_m, sender.chart);
+                continue;
+            }
             const Way to_patch(place, patches_.middle(patch), patches_.normal(patch));
             if (!(to_patch.here > 0.0)) continue;
-            const double by_rays = patches_.by_rays(patch);
-            const double share = sender.is_bright ? (1.0 - by_rays) / by_rays : 1.0;
-            if (to_patch.is_far(patches_.half_diagonal(patch), least_of_patch)) {
-                const double cosine = is_wide
-                                          ? patches_.mean_cosine(patch, -to_patch.to / std::sqrt(to_patch.distance2))
+            const double cosine = is_wide ? patches_.mean_cosine(patch, -to_patch.to / std::sqrt(to_patch.distance2))
                                           : facing(to_patch, 0.5 * sender.spread);
-                consider(to_patch, frame, share * form_factor(to_patch, cosine, patches_.area_m2(patch)), patch,
-                         sender.chart);
-            } else if (sender.is_bright && to_patch.is_seen()) {
-                consider(to_patch, frame, share * exact_form_factor(place, patch), patch, sender.chart);
-            }
+            consider(to_patch, frame, form_factor(to_patch, cosine, patches_.area_m2(patch)), patch, sender.chart);
         }
+    }
+
+    // A patch along a thin solid, in parts that are far enough away for the form factor of what is small.
+    void link_stretched(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double half_length_m,
+                        std::uint32_t chart) {
+        const double across_m = patches_.half_across(patch);
+        const double least_m = std::sqrt(distance2_of(place, patches_.nearest(patch, place.position))) / least_of_patch;
+        const double half_part_m =
+            std::max(std::sqrt(std::max(least_m * least_m - across_m * across_m, 0.0)), across_m);
+        const double parts = std::min(std::ceil(half_length_m / half_part_m), most_parts);
+        const glm::dvec3& axis = patches_.charts().all()[chart].frame.z;
+        for (double i = 0.0; i < parts; i += 1.0) {
+            const double at = (i + 0.5) / parts - 0.5;
+            const Way way(place, patches_.middle(patch) + 2.0 * half_length_m * at * axis, patches_.normal(patch));
+            if (!(way.here > 0.0)) continue;
+            const double cosine = patches_.mean_cosine(patch, -way.to / std::sqrt(way.distance2));
+            const double share = form_factor(way, cosine, patches_.area_m2(patch) / parts);
+            consider(way, frame, share, patch, chart, {0.0, share * at});
+        }
+    }
+
+    // A flat patch, in parts that are small beside their distance. `factor`: of its form factor.
+    void link_parts(const Receivers::Place& place, const Frame& frame, std::uint32_t patch, double factor,
+                    std::uint32_t chart) {
+        if (!(factor > 0.0)) return;
+        const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
+        const glm::dvec3 along_u = corners[1] - corners[0];
+        const glm::dvec3 along_v = corners[3] - corners[0];
+        if (!(glm::dot(patches_.normal(patch), place.position - corners[0]) > 0.0)) return;
+        const double length_u = glm::length(along_u);
+        const double length_v = glm::length(along_v);
+        // A covered part is taken to lie all over the patch.
+        const double free = patches_.area_m2(patch) / (length_u * length_v);
+        parts_.assign(1, {glm::dvec2(0.5), glm::dvec2(0.5), 0});
+        while (!parts_.empty()) {
+            Part part = parts_.back();
+            parts_.pop_back();
+            const glm::dvec3 to = corners[0] + part.middle.x * along_u + part.middle.y * along_v - place.position;
+            const glm::dvec2 half_m = part.half * glm::dvec2(length_u, length_v);
+            const double least_m = least_of_part * glm::length(half_m);
+            if (part.depth < deepest_part && glm::dot(to, to) < least_m * least_m) {
+                const int axis = half_m.x >= half_m.y ? 0 : 1;
+                part.half[axis] *= 0.5;
+                ++part.depth;
+                part.middle[axis] -= part.half[axis];
+                parts_.push_back(part);
+                part.middle[axis] += 2.0 * part.half[axis];
+                parts_.push_back(part);
+                continue;
+            }
+            const glm::dvec3 u = part.half.x * along_u;
+            const glm::dvec3 v = part.half.y * along_v;
+            const Seen seen = seen_of(place, {to - u - v, to + u - v, to + u + v, to - u + v});
+            if (!(seen.form_factor > 0.0)) continue;
+            const glm::dvec3 moved = seen.middle - to;
+            const double share = free * seen.form_factor;
+            const Way way(place, place.position + seen.middle, patches_.normal(patch));
+            glm::dvec2 at(part.middle.x - 0.5 + glm::dot(moved, along_u) / (length_u * length_u),
+                          part.middle.y - 0.5 + glm::dot(moved, along_v) / (length_v * length_v));
+            // The nearer side of the part counts more.
+            if (way.is_seen()) {
+                const glm::dvec3 steepness =
+                    place.normal / way.here - patches_.normal(patch) / way.there - 4.0 / way.distance2 * way.to;
+                at += part.half * part.half / 3.0 *
+                      glm::dvec2(glm::dot(steepness, along_u), glm::dot(steepness, along_v));
+            }
+            const bool is_even = std::max(std::abs(at.x), std::abs(at.y)) < least_moment;
+            consider(way, frame, factor * share, patch, chart, is_even ? glm::dvec2(0.0) : share * at);
+        }
+    }
+
+    // What a place sees of a rectangle, whose corners are relative to it: all above its horizon.
+    struct Seen {
+        double form_factor = 0.0; // exact (J. H. Lambert, 1760)
+        glm::dvec3 middle{0.0};
+    };
+    static Seen seen_of(const Receivers::Place& place, const std::array<glm::dvec3, 4>& corners) {
+        std::array<glm::dvec3, 5> above{};
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const glm::dvec3& a = corners[i];
+            const glm::dvec3& b = corners[(i + 1) % 4];
+            const double height_a = glm::dot(place.normal, a);
+            const double height_b = glm::dot(place.normal, b);
+            if (height_a >= 0.0) above[count++] = a;
+            if ((height_a > 0.0 && height_b < 0.0) || (height_a < 0.0 && height_b > 0.0))
+                above[count++] = a + height_a / (height_a - height_b) * (b - a);
+        }
+        Seen seen;
+        if (count < 3) return seen;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3& a = above[i];
+            const glm::dvec3& b = above[(i + 1) % count];
+            seen.middle += a / static_cast<double>(count);
+            const glm::dvec3 across = glm::cross(a, b);
+            const double length = glm::length(across);
+            if (length > 0.0) sum += std::atan2(length, glm::dot(a, b)) * glm::dot(place.normal, across) / length;
+        }
+        seen.form_factor = std::abs(sum) / (2.0 * std::numbers::pi);
+        return seen;
     }
 
     // The mean of the cosine at a sender that is round, 0 where it faces away: its cosines lie close together.
@@ -180,24 +308,20 @@ private:
         return cosine > -half ? (cosine + half) * (cosine + half) / (4.0 * half) : 0.0;
     }
 
+    // Along u and v of the sender's chart.
+    glm::dvec2 slopes_of_form_factor(const Way& way, const Receivers::Place& place, const Cell& sender,
+                                     double area_m2) const {
+        if (!way.is_seen()) return glm::dvec2(0.0);
+        const glm::dvec3 slope =
+            area_m2 / (std::numbers::pi * way.distance2 * way.distance2) *
+            (way.there * place.normal - way.here * sender.normal - 4.0 * way.here * way.there / way.distance2 * way.to);
+        const Frame& chart = patches_.charts().all()[sender.chart].frame;
+        return {glm::dot(slope, chart.x), glm::dot(slope, chart.y)};
+    }
+
     // Of what is small as seen from the place. `cosine`: at the sender.
     static double form_factor(const Way& way, double cosine, double area_m2) {
         return way.here * cosine * area_m2 / (std::numbers::pi * way.distance2 * std::sqrt(way.distance2));
-    }
-
-    // Of a flat patch (J. H. Lambert, 1760), whose covered part is taken to lie all over it.
-    double exact_form_factor(const Receivers::Place& place, std::uint32_t patch) const {
-        const std::array<glm::dvec3, 4> corners = patches_.corners(patch);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const glm::dvec3 a = corners[i] - place.position;
-            const glm::dvec3 b = corners[(i + 1) % 4] - place.position;
-            const glm::dvec3 across = glm::cross(a, b);
-            const double length = glm::length(across);
-            if (length > 0.0) sum += std::atan2(length, glm::dot(a, b)) * glm::dot(place.normal, across) / length;
-        }
-        const double whole_m2 = glm::length(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
-        return std::abs(sum) / (2.0 * std::numbers::pi) * patches_.area_m2(patch) / whole_m2;
     }
 
     // Of linked cells [first, last), the less of the two distances from the planes of place and cell to the other,
@@ -212,6 +336,7 @@ private:
         const float* const normal_y = normal_[1].data();
         const float* const normal_z = normal_[2].data();
         const float* const spread = spread_.data();
+        const float* const reach = reach_.data();
         float* const faces = faces_.data();
         for (std::size_t i = first; i < last; ++i) {
             const float to_x = x[i] - from.x;
@@ -220,14 +345,16 @@ private:
             const float here = normal.x * to_x + normal.y * to_y + normal.z * to_z;
             const float there = -(normal_x[i] * to_x + normal_y[i] * to_y + normal_z[i] * to_z);
             const float turned = spread[i] * std::sqrt(to_x * to_x + to_y * to_y + to_z * to_z);
-            faces[i] = std::min(here, there + turned);
+            faces[i] = std::min(here + reach[i], there + turned);
         }
     }
 
-    void consider(const Way& way, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart) {
+    // `along`: the moments of the form factor.
+    void consider(const Way& way, const Frame& frame, double share, std::uint32_t number, std::uint32_t chart,
+                  const glm::dvec2& along = glm::dvec2(0.0)) {
         if (!(share > 0.0)) return;
-        possible_.push_back({number, static_cast<float>(share)});
-        possible_charts_.push_back(chart);
+        possible_.push_back(
+            {number, chart, static_cast<float>(share), static_cast<float>(along.x), static_cast<float>(along.y)});
         towards_.add(frame.to_local(way.to / std::sqrt(way.distance2)));
     }
 
@@ -245,11 +372,23 @@ private:
     glm::dvec3 anchor_{0.0}; // of positions
     std::array<std::vector<float>, 3> position_, normal_;
     std::vector<float> spread_;
+    std::vector<float> reach_; // of flat ones, to their corners
     // For the current place:
     std::vector<float> faces_; // of the linked cells
     std::vector<By> by_link_;  // by cell
-    std::vector<Link> possible_;
-    std::vector<std::uint32_t> possible_charts_;
+    struct Possible {          // a link, or a part of one, if nothing stands between
+        std::uint32_t sender;
+        std::uint32_t chart;
+        float share;
+        float along_u, along_v;
+    };
+    std::vector<Possible> possible_;
+    struct Part { // of a flat patch, in its sides
+        glm::dvec2 middle;
+        glm::dvec2 half;
+        int depth; // how often it was halved
+    };
+    std::vector<Part> parts_;
     DirectionArrays towards_;
     std::vector<std::uint32_t> charts_;
     std::vector<std::uint32_t> count_; // of rays, by chart
@@ -284,35 +423,44 @@ Frame frame_about(const glm::dvec3& origin, const glm::dvec3& normal) {
 Bundles::Bundles(const Stage& stage, const Patches& patches, std::span<const Receivers::Place> places, std::size_t rays,
                  unsigned threads, simd::InstructionSet set)
     : rays_(rays),
-      ends_(places.size() * rays),
+      bundle_of_(places.size(), none),
       charts_(patches.charts().all().size()),
       of_charts_(places.size() * charts_, 0.0F) {
+    std::uint32_t bundles = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!places[i].left_out) bundle_of_[i] = bundles++;
+    ends_.resize(bundles * rays);
     const DirectionArrays directions(cosine_directions(rays));
     const RayCaster caster(stage);
     constexpr std::size_t together = 64;
     const std::size_t blocks = (places.size() + together - 1) / together;
     std::vector<std::vector<Link>> links(blocks);
-    std::vector<std::uint32_t> count(places.size(), 0);
+    std::vector<std::vector<LinkSlope>> slopes(blocks);
+    first_link_.assign(places.size() + 1, 0);
+    first_link_slope_.assign(places.size() + 1, 0);
     parallel_for(blocks, threads, [&](std::size_t block) {
         Bundle bundle(stage, caster, patches, set);
         for (std::size_t i = block * together; i < std::min((block + 1) * together, places.size()); ++i) {
-            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(i * rays, rays);
-            if (places[i].left_out) {
-                std::fill(ends_of_place.begin(), ends_of_place.end(), PatchPoint(no_patch));
-                continue;
-            }
+            if (places[i].left_out) continue;
+            const std::span<PatchPoint> ends_of_place = std::span(ends_).subspan(bundle_of_[i] * rays, rays);
             const std::size_t before = links[block].size();
-            bundle.make(places[i], directions, ends_of_place, links[block],
+            const std::size_t slopes_before = slopes[block].size();
+            bundle.make(places[i], directions, ends_of_place, links[block], slopes[block],
                         std::span(of_charts_).subspan(i * charts_, charts_));
-            count[i] = static_cast<std::uint32_t>(links[block].size() - before);
+            first_link_[i + 1] = static_cast<std::uint32_t>(links[block].size() - before);
+            first_link_slope_[i + 1] = static_cast<std::uint32_t>(slopes[block].size() - slopes_before);
         }
     });
-    first_link_.assign(places.size() + 1, 0);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        first_link_[i + 1] = first_link_[i] + count[i];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        first_link_[i + 1] += first_link_[i];
+        first_link_slope_[i + 1] += first_link_slope_[i];
+    }
     links_.reserve(first_link_.back());
-    for (const std::vector<Link>& of_block : links)
-        links_.insert(links_.end(), of_block.begin(), of_block.end());
+    link_slopes_.reserve(first_link_slope_.back());
+    for (std::size_t block = 0; block < blocks; ++block) {
+        links_.insert(links_.end(), links[block].begin(), links[block].end());
+        link_slopes_.insert(link_slopes_.end(), slopes[block].begin(), slopes[block].end());
+    }
 }
 
 namespace {
@@ -345,15 +493,24 @@ glm::dvec3 Bundles::gathered(std::size_t place, std::span<const Sent> sent, std:
 
 glm::dvec3 Bundles::gathered(std::size_t place, const SentSlopes& slopes) const {
     constexpr std::size_t step = 2; // they add a little
-    return mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) {
-        const SentSlope& slope = slopes[end.patch()];
+    const glm::dvec3 by_rays = mean_over(ends(place), step, [&](SentSum& sum, const PatchPoint& end) {
+        const SentSlope& slope = slopes.by_rays[end.patch()];
         sum.add(end.u(), slope.along_u);
         sum.add(end.v(), slope.along_v);
     });
+    SentSum by_links;
+    for (std::uint32_t i = first_link_slope_[place]; i < first_link_slope_[place + 1]; ++i) {
+        const LinkSlope& link = link_slopes_[i];
+        const SentSlope& slope = slopes.of_links(link.sender);
+        by_links.add(link.along_u, slope.along_u);
+        by_links.add(link.along_v, slope.along_v);
+    }
+    return by_rays + by_links.rgb();
 }
 
 double Bundles::escaping(std::size_t place) const {
     const std::span<const PatchPoint> of_place = ends(place);
+    if (of_place.empty()) return 1.0;
     const auto lost = std::count_if(of_place.begin(), of_place.end(), [](const PatchPoint& end) {
         return end.number() == no_patch || end.number() == back_side;
     });
@@ -369,16 +526,46 @@ glm::dvec3 Bundles::leaving(std::size_t place, std::span<const glm::dvec3> along
 }
 
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent) {
-    std::vector<glm::dvec3> by_rays(sent.begin(), sent.end());
-    for (std::uint32_t patch = 0; patch < by_rays.size(); ++patch)
-        by_rays[patch] *= patches.by_rays(patch);
-    SentSlopes slopes;
-    slopes.reserve(sent.size());
-    for (std::uint32_t patch = 0; patch < sent.size(); ++patch) {
-        const std::array<glm::dvec3, 2> change = patches.change_over(patch, by_rays);
-        slopes.push_back({Sent(change[0]), Sent(change[1])});
+    std::vector<glm::dvec3> carried(sent.begin(), sent.end());
+    const auto slopes = [&] {
+        std::vector<SentSlope> of_all;
+        of_all.reserve(sent.size());
+        for (std::uint32_t patch = 0; patch < sent.size(); ++patch) {
+            const std::array<glm::dvec3, 2> change = patches.change_over(patch, carried);
+            of_all.push_back({Sent(change[0]), Sent(change[1])});
+        }
+        return of_all;
+    };
+    SentSlopes made;
+    for (std::uint32_t patch = 0; patch < sent.size(); ++patch)
+        carried[patch] = static_cast<double>(patches.by_rays(patch)) * sent[patch];
+    made.by_rays = slopes();
+    if (!patches.has_moments()) return made;
+    for (std::uint32_t patch = 0; patch < sent.size(); ++patch)
+        carried[patch] = patches.cells()[patches.cell_of(patch)].is_of_small
+                             ? sent[patch]
+                             : (1.0 - static_cast<double>(patches.by_rays(patch))) * sent[patch];
+    made.by_links = slopes();
+    made.by_links.resize(patches.count() + patches.cells().size());
+    for (const std::uint32_t cell : patches.linked_cells()) {
+        const Cell& of = patches.cells()[cell];
+        if (!of.is_uneven() || !(patches.cell_area_m2(cell) > 0.0)) continue;
+        const Frame& frame = patches.charts().all()[of.chart].frame;
+        glm::dvec3 moment_u(0.0);
+        glm::dvec3 moment_v(0.0);
+        for (const std::uint32_t patch : patches.patches_of(cell)) {
+            const double share = patches.area_m2(patch) / patches.cell_area_m2(cell);
+            const glm::dvec3 from_middle = patches.middle(patch) - of.linked_middle;
+            const std::array<glm::dvec3, 4> corners = patches.corners(patch);
+            const SentSlope& slope = made.by_links[patch];
+            const double width = glm::distance(corners[0], corners[1]) / 12.0;
+            const double height = glm::distance(corners[0], corners[3]) / 12.0;
+            moment_u += share * (glm::dot(from_middle, frame.x) * carried[patch] + width * slope.along_u.rgb());
+            moment_v += share * (glm::dot(from_middle, frame.y) * carried[patch] + height * slope.along_v.rgb());
+        }
+        made.by_links[patches.count() + cell] = {Sent(moment_u), Sent(moment_v)};
     }
-    return slopes;
+    return made;
 }
 
 std::vector<Sent> with_cells(const Patches& patches, std::span<const glm::dvec3> of_patches) {

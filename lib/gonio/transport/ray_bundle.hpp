@@ -63,13 +63,27 @@ private:
 struct SentSlope {
     Sent along_u, along_v;
 };
-using SentSlopes = std::vector<SentSlope>; // by patch
+struct SentSlopes {
+    std::vector<SentSlope> by_rays; // by patch
+    // By sender, of what links carry; none where that is all the same. Of a cell close to a light, the moments [m]
+    // about the middle of what its links carry.
+    std::vector<SentSlope> by_links;
+    const SentSlope& of_links(std::uint32_t sender) const { return (by_links.empty() ? by_rays : by_links)[sender]; }
+};
 SentSlopes slopes_of(const Patches& patches, std::span<const glm::dvec3> sent);
 
 // A patch, or (from the number of patches on) a cell, and the illuminance at the receiver for what it sends.
 struct Link {
     std::uint32_t sender = 0;
     float share = 0.0F; // cosθ cosθ' A/(π d²)
+};
+
+// Of a patch that is close: the moments of its form factor about its middle, in sides. Of a cell, the slopes of the
+// form factor [1/m].
+struct LinkSlope {
+    std::uint32_t sender = 0;
+    float along_u = 0.0F;
+    float along_v = 0.0F;
 };
 
 struct Receivers {
@@ -105,22 +119,32 @@ public:
     // The share of the rays that meet nothing which sends light.
     double escaping(std::size_t place) const;
     std::size_t memory() const {
-        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) + of_charts_.size() * sizeof(float);
+        return ends_.size() * sizeof(PatchPoint) + links_.size() * sizeof(Link) +
+               link_slopes_.size() * sizeof(LinkSlope) + of_charts_.size() * sizeof(float) +
+               bundle_of_.size() * sizeof(std::uint32_t);
     }
 
-    // Where each ray ends, or `linked`, `no_patch` or `back_side`.
-    std::span<const PatchPoint> ends(std::size_t place) const { return std::span(ends_).subspan(place * rays_, rays_); }
+    // Where each ray ends, or `linked`, `no_patch` or `back_side`; empty for a place that is left out.
+    std::span<const PatchPoint> ends(std::size_t place) const {
+        if (bundle_of_[place] == none) return {};
+        return std::span(ends_).subspan(bundle_of_[place] * rays_, rays_);
+    }
     std::span<const Link> links(std::size_t place) const {
         return std::span(links_).subspan(first_link_[place], first_link_[place + 1] - first_link_[place]);
     }
 
 private:
+    static constexpr std::uint32_t none = 0xffffffffU;
+
     std::size_t rays_ = 1;
-    std::vector<PatchPoint> ends_;
+    std::vector<std::uint32_t> bundle_of_; // by place, or none
+    std::vector<PatchPoint> ends_;         // by bundle
     std::vector<Link> links_;
     std::size_t charts_ = 0;
     std::vector<float> of_charts_;
     std::vector<std::uint32_t> first_link_; // by place, and the end of the last
+    std::vector<LinkSlope> link_slopes_;
+    std::vector<std::uint32_t> first_link_slope_; // the same
 };
 
 // What each patch sends, followed by the mean of each cell, in the order that senders are numbered.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace gonio::detail {
@@ -25,8 +26,9 @@ constexpr double patches_at_contact = 0.08; // of the radius, where something ro
 constexpr double touching = 0.1;            // of the radius: a gap that counts as a contact
 constexpr double patches_at_edges = 0.3;    // of other surfaces, in squares
 
-constexpr double by_height = 0.25;         // of a box, between nodes beside it
-constexpr double patches_by_height = 0.05; // between patches
+constexpr double growth_of_nodes_beside = 0.25; // a low box: what it sends falls with the square of the distance
+constexpr double by_height = 0.25;              // of a box, between nodes beside it
+constexpr double patches_by_height = 0.05;      // between patches
 
 constexpr double least_spacing = 0.04; // of patches, in squares
 
@@ -64,8 +66,9 @@ struct Edges {
     double least_m;    // distance between lines at an edge; 0: it is a cut alone
     SpacingPair& pair;
 
-    void edge(Spacing& spacing, double at, double spacing_m) const {
-        if (least_m > 0.0) spacing.gradings.push_back({at, at, spacing_m});
+    void edge(Spacing& spacing, double at, double spacing_m,
+              double growth = std::numeric_limits<double>::infinity()) const {
+        if (least_m > 0.0) spacing.gradings.push_back({at, at, spacing_m, growth});
         spacing.cuts.push_back(at);
     }
 
@@ -93,9 +96,10 @@ struct Edges {
         if (to.z + reach(chart.frame.z) < 0.0) return; // behind
         if (std::max(to.z - reach(chart.frame.z), 0.0) >= touching_m) return;
         const double spacing_m = std::clamp(by_height * (to.z + reach(chart.frame.z)), 0.2 * least_m, least_m);
+        const double growth = spacing_m < least_m ? growth_of_nodes_beside : std::numeric_limits<double>::infinity();
         const auto sides = [&](Spacing& of, double middle, double half) {
-            edge(of, middle - half, spacing_m);
-            edge(of, middle + half, spacing_m);
+            edge(of, middle - half, spacing_m, growth);
+            edge(of, middle + half, spacing_m, growth);
         };
         sides(pair.u, to.x, reach(chart.frame.x));
         sides(pair.v, to.y, reach(chart.frame.y));
@@ -157,7 +161,7 @@ double Spacing::operator()(double x) const {
     }
     for (const Grading& near : gradings) {
         const double away = std::max({near.low - x, x - near.high, 0.0});
-        spacing = std::min(spacing, near.spacing_m + growth * away);
+        spacing = std::min(spacing, near.spacing_m + std::min(growth, near.growth) * away);
     }
     return spacing;
 }
@@ -185,6 +189,10 @@ SpacingPair spacing_of_patches(const Stage& stage, std::span<const LightPlace> l
         if (!(at.z > 0.0) || spacing_m >= widest_m) continue;
         pair.u.gradings.push_back({at.x, at.x, spacing_m});
         pair.v.gradings.push_back({at.y, at.y, spacing_m});
+        // Where its light begins, a line lies between patches.
+        constexpr double parallel = 1.0 - 1e-9;
+        if (std::abs(glm::dot(light.side, chart.frame.x)) > parallel) pair.u.cuts.push_back(at.x);
+        if (std::abs(glm::dot(light.side, chart.frame.y)) > parallel) pair.v.cuts.push_back(at.y);
     }
     for (std::size_t i = 0; i < stage.surfaces.size(); ++i)
         if (i != chart.surface) {

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Grading {
     double low;
     double high;
     double spacing_m;
+    double growth = std::numeric_limits<double>::infinity(); // if less than that of the coordinate
 };
 
 // Along one coordinate.
