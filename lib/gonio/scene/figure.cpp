@@ -8,7 +8,7 @@ namespace gonio {
 
 namespace {
 
-constexpr std::string_view name = "figure";
+constexpr std::string_view surface_name = "figure";
 
 // Dimensions of the 50th percentile to a centimetre, from the point midway between the feet [m].
 struct Limb {
@@ -37,7 +37,7 @@ constexpr std::array side{
 
 void add_figure(Stage& stage) {
     const auto add = [&](const Primitive& part) {
-        stage.surfaces.push_back({std::string(name), part, LambertMaterial{glm::dvec3(0.4)}});
+        stage.surfaces.push_back({std::string(surface_name), part, LambertMaterial{glm::dvec3(0.4)}});
     };
     const auto limb = [&](const Limb& l, double mirror) {
         const glm::dvec3 at(mirror, 1.0, 1.0);
@@ -52,7 +52,7 @@ void add_figure(Stage& stage) {
 }
 
 bool is_of_figure(const Surface& surface) {
-    return surface.name == name && !surface.subject; // solids of one's own stage are subjects
+    return surface.name == surface_name && !surface.subject; // solids of one's own stage are subjects
 }
 
 } // namespace gonio
