@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <variant>
 
 namespace gonio::detail {
@@ -41,8 +40,16 @@ transport::RaySphere sphere_from(const glm::dvec3& origin, const Ball& ball) {
 }
 
 // Around a solid that is tested in double.
-transport::RaySphere bounds_from(const glm::dvec3& origin, const Ball& around) {
-    return sphere_from(origin, {around.center, around.radius * (1.0 + overlap)});
+transport::RayBounds bounds_from(const glm::dvec3& origin, const Capsule& capsule) {
+    transport::RayBounds bounds;
+    bounds.sphere = sphere_from(origin, {capsule.center, (capsule.half_length + capsule.radius) * (1.0 + overlap)});
+    store(capsule.axis, bounds.axis);
+    bounds.radius = static_cast<float>(capsule.radius * (1.0 + overlap));
+    return bounds;
+}
+
+Ball around(const Capsule& capsule) {
+    return {capsule.center, capsule.half_length + capsule.radius};
 }
 
 constexpr double endless = 1e37; // half the side of a plane
@@ -112,8 +119,8 @@ void BundleCaster::begin(const Frame& from, std::size_t own) {
             if (hides(geometry, from.origin) || is_below(*ball)) continue;
             spheres_.push_back(sphere_from(from.origin, *ball));
             of_spheres_.push_back(static_cast<std::uint32_t>(chart));
-        } else if (const std::optional<Ball> around = bounds(geometry); around && !is_below(*around)) {
-            bounds_.push_back(bounds_from(from.origin, *around));
+        } else if (const auto* capsule = std::get_if<Capsule>(&geometry); capsule && !is_below(around(*capsule))) {
+            bounds_.push_back(bounds_from(from.origin, *capsule));
         }
     }
 }
@@ -209,8 +216,8 @@ void ScatteredCaster::begin(const glm::dvec3& anchor, std::size_t own) {
         } else if (const auto* ball = std::get_if<Ball>(&geometry)) {
             spheres_.push_back(sphere_from(anchor, *ball));
             of_spheres.push_back(static_cast<std::uint32_t>(chart));
-        } else if (const std::optional<Ball> around = bounds(geometry)) {
-            bounds_.push_back(bounds_from(anchor, *around));
+        } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
+            bounds_.push_back(bounds_from(anchor, *capsule));
         }
     }
     charts_.insert(charts_.end(), of_spheres.begin(), of_spheres.end());

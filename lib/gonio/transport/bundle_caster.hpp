@@ -68,7 +68,7 @@ private:
     std::size_t own_ = RayEnd::nothing;
     std::vector<transport::RayRectangle> rectangles_;
     std::vector<transport::RaySphere> spheres_;
-    std::vector<transport::RaySphere> bounds_;
+    std::vector<transport::RayBounds> bounds_;
     std::vector<Target> of_rectangles_;
     std::vector<std::uint32_t> of_spheres_; // their charts
     std::vector<float> target_, distance_, u_, v_;
@@ -100,7 +100,7 @@ private:
     RayCaster caster_;
     std::vector<transport::RayRectangle> rectangles_;
     std::vector<transport::RaySphere> spheres_;
-    std::vector<transport::RaySphere> bounds_;
+    std::vector<transport::RayBounds> bounds_;
     std::vector<std::uint32_t> charts_; // of rectangles and then of spheres
     std::vector<float> target_, distance_, u_, v_;
 };

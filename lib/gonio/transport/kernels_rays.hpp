@@ -26,13 +26,20 @@ struct RaySphere {
     float radius = 0.0F;
 };
 
+// What a capsule lies in: a sphere, and an endless cylinder.
+struct RayBounds {
+    RaySphere sphere;
+    float axis[3] = {}; // unit, through the sphere's centre
+    float radius = 0.0F;
+};
+
 struct RayTargets {
     const RayRectangle* rectangles = nullptr;
     std::size_t rectangle_count = 0;
     const RaySphere* spheres = nullptr; // the point is outside
     std::size_t sphere_count = 0;
-    // Spheres around targets that are tested elsewhere: rays that may meet one of them first are only marked.
-    const RaySphere* bounds = nullptr;
+    // Around targets that are tested elsewhere: rays that may meet one of them first are only marked.
+    const RayBounds* bounds = nullptr;
     std::size_t bound_count = 0;
 };
 

@@ -30,6 +30,20 @@ GONIO_FORCE_INLINE S entry(S radius, const vec3<S>& to_center, const vec3<S>& di
     return simd::select(half_chord2 >= S(0.0F), along - half_chord, S(-1.0F));
 }
 
+// Whether a ray may enter bounds before `nearest`. It enters the cylinder if the two lines pass each other within its
+// radius; of parallel lines both sides are 0. What roundings may add is a share of the distance.
+template<class S>
+GONIO_FORCE_INLINE auto may_enter(const RayBounds& bounds, const vec3<S>& to_center, const vec3<S>& direction,
+                                  S nearest) {
+    constexpr float roundings = 2e-6F;
+    S exit;
+    const S distance = entry(S(bounds.sphere.radius), to_center, direction, exit);
+    const vec3<S> across = cross(direction, spread<S>(bounds.axis));
+    const S reach = simd::mul_add(S(bounds.radius), simd::sqrt(dot(across, across)),
+                                  S(roundings) * simd::sqrt(dot(to_center, to_center)));
+    return simd::both(simd::both(exit > S(0.0F), distance < nearest), simd::abs(dot(across, to_center)) <= reach);
+}
+
 // Which sphere rays meet first, and where.
 template<class S>
 struct SphereHit {
@@ -101,9 +115,8 @@ void first_hits(const RayTargets& targets, const RayFrame& frame, const float* c
         }
         on_sphere.coordinates(direction * nearest, u, v);
         for (std::size_t i = 0; i < targets.bound_count; ++i) {
-            S exit;
-            const S distance = entry(S(targets.bounds[i].radius), spread<S>(targets.bounds[i].center), direction, exit);
-            const auto maybe = simd::both(exit > S(0.0F), distance < nearest);
+            const vec3<S> center = spread<S>(targets.bounds[i].sphere.center);
+            const auto maybe = may_enter(targets.bounds[i], center, direction, nearest);
             target = simd::select(maybe, S(RayHits::unknown), target);
         }
         packet.store(target, hits.target);
@@ -167,10 +180,8 @@ void first_hits_of_scattered(const RayTargets& targets, const float* const origi
         }
         on_sphere.coordinates(mul_add(direction, nearest, origin), u, v);
         for (std::size_t i = 0; i < targets.bound_count; ++i) {
-            S exit;
-            const S distance =
-                entry(S(targets.bounds[i].radius), spread<S>(targets.bounds[i].center) - origin, direction, exit);
-            const auto maybe = simd::both(exit > S(0.0F), distance < nearest);
+            const vec3<S> to_center = spread<S>(targets.bounds[i].sphere.center) - origin;
+            const auto maybe = may_enter(targets.bounds[i], to_center, direction, nearest);
             target = simd::select(maybe, S(RayHits::unknown), target);
         }
         packet.store(target, hits.target);
