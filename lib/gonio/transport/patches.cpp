@@ -241,10 +241,6 @@ Uncovered uncovered(const Stage& stage, const Chart& chart, const PatchGrid& gri
     return {static_cast<float>(share_free(8, 0.0)), true};
 }
 
-} // namespace
-
-namespace {
-
 // Half the length of a patch along the straight part of a capsule, if it is much longer than wide; else 0.
 double half_length_of(const Chart& chart, double low, double high, double width) {
     if (chart.kind != Chart::Kind::round || chart.half_length == 0.0) return 0.0;
