@@ -62,7 +62,7 @@ This package contains the shared library that programs load.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgonio-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} (= ${PROJECT_VERSION}), libexpected-dev, libglm-dev, \
-libmd-dev, libpugixml-dev")
+libpugixml-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "gonio, gonio-media")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "photometric lights: files for development
 A library for photometric units, measured profiles of luminaires, exact

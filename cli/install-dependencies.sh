@@ -7,6 +7,8 @@
 #   cli/install-dependencies.sh --ci      … and running .ci/run (those, Python, clang, its sanitizers, clang-tidy, ccache)
 #   cli/install-dependencies.sh --python  … and the module for Python with its tests (-DGONIO_PYTHON=ON)
 #   cli/install-dependencies.sh --handbook   what building the handbook needs (.handbook/build.sh), and nothing else
+#   cli/install-dependencies.sh --wasm       what building the library for WebAssembly and its tests need (lib/wasm/build.sh),
+#                                            and nothing else
 #   cli/install-dependencies.sh --packages   what building the packages and trying them needs (tests/package/run.sh)
 #
 # Needs root or sudo, and only when something is missing.
@@ -15,7 +17,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build pkg-config
     libopenimageio-dev libopencolorio-dev
-    libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libmd-dev libpugixml-dev
+    libcli11-dev libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev libpugixml-dev
 )
 test_packages=(libgtest-dev python3-openimageio jq man-db mandoc bash-completion zsh fish)
 bench_packages=(libbenchmark-dev libfast-float-dev)
@@ -24,8 +26,10 @@ python_packages=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)
 handbook_packages=(mkdocs doxygen python3-pygments)
 ci_packages=(ccache clang clang-format-14 clang-tidy-14 libclang-rt-14-dev llvm-14 shellcheck)
 
-# The handbook is made of text alone.
-[[ $* == --handbook ]] && packages=()
+wasm_packages=(cmake ninja-build emscripten nodejs libfmt-dev libexpected-dev libglm-dev nlohmann-json3-dev googletest)
+
+# The handbook is made of text alone, and Emscripten has its own C++ library.
+[[ $* == --handbook || $* == --wasm ]] && packages=()
 
 for argument in "$@"; do
     case $argument in
@@ -35,6 +39,7 @@ for argument in "$@"; do
         "${handbook_packages[@]}") ;;
     --python) packages+=("${test_packages[@]}" "${python_packages[@]}") ;;
     --handbook) packages+=("${handbook_packages[@]}") ;;
+    --wasm) packages+=("${wasm_packages[@]}") ;;
     --packages) packages+=("${package_packages[@]}" "${python_packages[@]}") ;;
     -h | --help)
         sed -n '2,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
@@ -42,7 +47,7 @@ for argument in "$@"; do
         ;;
     *)
         echo "install-dependencies.sh: unknown option '$argument' (there are: --tests, --bench, --ci, --python, --handbook," \
-            '--packages)' >&2
+            '--wasm, --packages)' >&2
         exit 2
         ;;
     esac

@@ -44,7 +44,6 @@ class GonioConan(ConanFile):
         self.requires("tl-expected/[>=1.0 <2]", transitive_headers=True)
         self.requires("fmt/[>=9 <12]")
         self.requires("nlohmann_json/[>=3.11 <4]")
-        self.requires("libmd/[>=1.0 <2]")
         self.requires("pugixml/[>=1.13 <2]")
         if self.options.modules:
             self.requires("openimageio/[>=2.4 <3]")

@@ -13,6 +13,7 @@ target_compile_options(gonio-build-flags INTERFACE
     # false in g++ 12 wherever std::string's operator+ is inlined (GCC bugs 105329 and 105651); clang and
     # AddressSanitizer look at the same code
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>
+    $<$<AND:$<BOOL:${EMSCRIPTEN}>,$<BOOL:${GONIO_WASM_SIMD}>>:-msimd128>
     $<$<BOOL:${GONIO_WERROR}>:-Werror>)
 if(GONIO_SANITIZE)
     target_compile_options(gonio-build-flags INTERFACE -fsanitize=${GONIO_SANITIZE} -fno-omit-frame-pointer

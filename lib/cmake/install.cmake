@@ -55,7 +55,7 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/gonio-config.cmake" "${CMAKE_CURRENT_
 # For builds that ask pkg-config. Where there is a shared object it is linked, and it brings its libraries; the archive
 # needs them named.
 set(gonio_pc_archive_libraries "")
-foreach(library IN ITEMS ${gonio_libmd} ${gonio_pugixml} ${CMAKE_DL_LIBS} -pthread)
+foreach(library IN ITEMS ${gonio_pugixml} ${CMAKE_DL_LIBS} -pthread)
     if(NOT library MATCHES "^-")
         string(PREPEND library "-l")
     endif()

@@ -37,7 +37,7 @@ awk -v public_headers="$public_headers" -v order='base simd profile web color sh
     }
     FNR == 1 {
         part_count = split(FILENAME, part, "/")
-        in_lib = part[1] == "lib" && part[2] != "python" # which is no room: it uses all of them, as the tool does
+        in_lib = part[1] == "lib" && part[2] != "python" && part[2] != "wasm" # no rooms: they use all of them, as the tool does
         room = in_lib && part[2] == "gonio" && part_count > 3 ? part[3] : ""
         public = listed ? FILENAME in is_listed : in_lib && FILENAME ~ /\.hpp$/ && FILENAME !~ /\/(detail|fit)\// &&
                  FILENAME !~ /^lib\/gonio\/media\/(image|color)\//

@@ -1,8 +1,9 @@
 #include "reference_rows.hpp"
 
+#include <gonio/base/charconv.hpp>
+
 #include "folders.hpp"
 
-#include <charconv>
 #include <fstream>
 #include <stdexcept>
 
@@ -22,7 +23,7 @@ std::vector<ReferenceRow> rows_of(const std::string& name, std::size_t count, co
         const char* const end = line.data() + line.size();
         for (double& value : row.values) {
             const bool more = at != end && *at == ',';
-            const auto [next, error] = std::from_chars(more ? at + 1 : end, end, value);
+            const auto [next, error] = from_chars(more ? at + 1 : end, end, value);
             if (error != std::errc()) throw std::runtime_error(path + ": " + line);
             at = next;
         }

@@ -11,7 +11,6 @@
 #include <glm/mat3x3.hpp>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -111,7 +110,7 @@ void append_word(std::string& bytes, std::uint32_t word) {
 }
 
 void append_float(std::string& bytes, double value) {
-    append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+    append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(value)));
 }
 
 Json numbers(const glm::dvec3& v) {

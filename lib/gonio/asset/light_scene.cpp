@@ -15,8 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace gonio {
@@ -175,7 +175,9 @@ struct ProfileKey {
     const void* pattern;
     std::vector<double> numbers;
 
-    auto operator<=>(const ProfileKey&) const = default; // NOLINT(modernize-use-nullptr): a bug of clang-tidy 14
+    bool operator<(const ProfileKey& other) const {
+        return std::tie(pattern, numbers) < std::tie(other.pattern, other.numbers);
+    }
 };
 
 ProfileKey profile_key(const Light& light) {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -37,7 +39,8 @@ public:
     }
     std::size_t count(const Json& object, const char* key) {
         const Json& value = member(object, key, &Json::is_unsigned);
-        return value.is_unsigned() ? value.as_uint64() : 0;
+        constexpr std::uint64_t most = std::numeric_limits<std::size_t>::max();
+        return value.is_unsigned() ? static_cast<std::size_t>(std::min(value.as_uint64(), most)) : 0;
     }
     ManifestFile file(const Json& object) { return {text(object, "file"), text(object, "sha256")}; }
 

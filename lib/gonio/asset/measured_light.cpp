@@ -1,5 +1,6 @@
 #include <gonio/asset/content_hash.hpp>
 #include <gonio/asset/measured_light.hpp>
+#include <gonio/base/charconv.hpp>
 #include <gonio/base/codes/result.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/light/light_color.hpp>
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <utility>
 
 namespace gonio {
@@ -76,7 +76,7 @@ std::optional<double> color_temperature_of(std::string_view text) {
         text.remove_prefix(1);
     double value = 0.0;
     const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const auto [stop, error] = from_chars(text.data(), end, value);
     if (error != std::errc() || (stop != end && is_letter_or_digit(*stop) && *stop != 'K' && *stop != 'k'))
         return std::nullopt;
     constexpr double lowest = 1000.0;

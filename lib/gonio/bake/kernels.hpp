@@ -37,13 +37,11 @@ const Kernels& kernels(simd::InstructionSet set);
 
 namespace detail {
 extern const Kernels kernels_scalar;
-#if defined(__x86_64__)
 extern const Kernels kernels_sse2;
 extern const Kernels kernels_avx2;
 extern const Kernels kernels_avx512;
-#elif defined(__aarch64__)
 extern const Kernels kernels_neon;
-#endif
+extern const Kernels kernels_wasm128;
 } // namespace detail
 
 } // namespace gonio::bake

@@ -35,39 +35,14 @@ struct NativeDoubles {
     static constexpr std::size_t lanes = Isa::lanes / 2;
     using Bits [[gnu::vector_size(8 * lanes)]] = std::int64_t;
 
-#if defined(__x86_64__)
-    GONIO_FORCE_INLINE static V max(V a, V b) {
-        if constexpr (lanes == 2)
-            return _mm_max_pd(a, b);
-        else if constexpr (lanes == 4)
-            return _mm256_max_pd(a, b);
-        else
-            return _mm512_max_pd(a, b);
-    }
-    GONIO_FORCE_INLINE static V min(V a, V b) {
-        if constexpr (lanes == 2)
-            return _mm_min_pd(a, b);
-        else if constexpr (lanes == 4)
-            return _mm256_min_pd(a, b);
-        else
-            return _mm512_min_pd(a, b);
-    }
-#elif defined(__aarch64__)
-    GONIO_FORCE_INLINE static V max(V a, V b) {
-        return vbslq_f64(vcgtq_f64(a, b), a, b);
-    }
-    GONIO_FORCE_INLINE static V min(V a, V b) {
-        return vbslq_f64(vcltq_f64(a, b), a, b);
-    }
-#endif
+    GONIO_FORCE_INLINE static V max(V a, V b) { return Native::max(a, b); }
+    GONIO_FORCE_INLINE static V min(V a, V b) { return Native::min(a, b); }
     GONIO_FORCE_INLINE static V to_float(V x, float* texels) {
         const auto single = Native::narrow(x, x);
         __builtin_memcpy(texels, &single, lanes * sizeof(float));
         return Native::low(single);
     }
-    GONIO_FORCE_INLINE static double lane(V x, std::size_t which) {
-        return x[which];
-    }
+    GONIO_FORCE_INLINE static double lane(V x, std::size_t which) { return x[which]; }
     GONIO_FORCE_INLINE static V ascending() {
         V x{};
         for (std::size_t i = 0; i < lanes; ++i)

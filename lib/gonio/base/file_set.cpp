@@ -62,7 +62,7 @@ struct Direct {
     std::string bytes;
 };
 
-int exchange(int folder, const char* a, const char* b) {
+int exchange([[maybe_unused]] int folder, [[maybe_unused]] const char* a, [[maybe_unused]] const char* b) {
 #ifdef RENAME_EXCHANGE
     return ::renameat2(folder, a, folder, b, RENAME_EXCHANGE);
 #else

@@ -5,9 +5,13 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <sched.h>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
 
 namespace gonio {
 
@@ -17,6 +21,27 @@ namespace {
 std::atomic<unsigned> threads_to_come{0};
 
 thread_local const std::atomic<bool>* stop_flag = nullptr; // of this thread's StopLoops
+
+// Threads that are joined at the end of the scope. (Not every standard library has std::jthread.)
+class Pool {
+public:
+    Pool() = default;
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+    ~Pool() {
+        for (std::thread& thread : threads_)
+            thread.join();
+    }
+
+    void reserve(std::size_t count) { threads_.reserve(count); }
+    template<class Work>
+    void start(Work&& work) {
+        threads_.emplace_back(std::forward<Work>(work));
+    }
+
+private:
+    std::vector<std::thread> threads_;
+};
 
 } // namespace
 
@@ -29,6 +54,10 @@ StopLoops::~StopLoops() {
 }
 
 unsigned available_threads() {
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+    return 1; // hardware_concurrency() counts the machine, but none can be started
+#else
+#if defined(__linux__)
     // hardware_concurrency() counts the machine; a container or taskset may have given us less.
     cpu_set_t set;
     CPU_ZERO(&set);
@@ -36,19 +65,21 @@ unsigned available_threads() {
         const int count = CPU_COUNT(&set);
         if (count > 0) return static_cast<unsigned>(count);
     }
+#endif
     return std::max(1U, std::thread::hardware_concurrency());
+#endif
 }
 
 bool can_start_threads(unsigned count) {
     std::atomic<bool> over{false};
     bool all = true;
     {
-        std::vector<std::jthread> pool;
+        Pool pool;
         try {
             const unsigned all_told = count + threads_to_come.load();
             pool.reserve(all_told);
             for (unsigned t = 0; t < all_told; ++t)
-                pool.emplace_back([&over] { over.wait(false); });
+                pool.start([&over] { over.wait(false); });
         } catch (const std::exception&) {
             all = false;
         }
@@ -85,13 +116,13 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
         }
     };
     {
-        std::vector<std::jthread> pool;
+        Pool pool;
         pool.reserve(helpers - 1);
         unsigned to_come = helpers - 1;
         threads_to_come.fetch_add(to_come);
         try {
             for (; to_come > 0; --to_come) {
-                pool.emplace_back(drain);
+                pool.start(drain);
                 threads_to_come.fetch_sub(1);
             }
         } catch (const std::exception&) {

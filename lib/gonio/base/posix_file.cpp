@@ -14,10 +14,18 @@ namespace gonio::detail {
 
 namespace {
 
+// What strerror_r returns: the text in glibc, a status in other C libraries, which write the text into the buffer.
+[[maybe_unused]] const char* text_of(const char* text, const char* /*buffer*/) {
+    return text;
+}
+[[maybe_unused]] const char* text_of(int /*status*/, const char* buffer) {
+    return buffer;
+}
+
 // strerror's text depends on the locale only where a program calls setlocale, which gonio never does.
 std::string reason(int error) {
     std::array<char, 256> buffer{};
-    return strerror_r(error, buffer.data(), buffer.size());
+    return text_of(strerror_r(error, buffer.data(), buffer.size()), buffer.data());
 }
 
 std::string hint_for(int error, const std::string& path) {

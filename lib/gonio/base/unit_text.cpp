@@ -1,3 +1,4 @@
+#include <gonio/base/charconv.hpp>
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/base/unit_text.hpp>
@@ -5,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -71,7 +71,7 @@ std::optional<double> take_number(std::string_view& text) {
     std::string_view rest = text;
     if (rest.size() > 1 && rest.front() == '+' && rest[1] != '-') rest.remove_prefix(1);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const auto [end, error] = from_chars(rest.data(), rest.data() + rest.size(), value);
     // A result out of range is rejected like text that is not a number: nothing is clamped silently.
     if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
@@ -83,7 +83,7 @@ std::optional<double> take_number(std::string_view& text) {
 bool begins_beyond_range(std::string_view text) {
     double value = 0.0;
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
+    return from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
 }
 
 Unexpected beyond_range(std::string_view text) {

@@ -1,8 +1,8 @@
+#include <gonio/base/charconv.hpp>
 #include <gonio/plot/stroke_font.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -232,7 +232,7 @@ private:
     double number() {
         double value = 0.0;
         text_.remove_prefix(text_.front() == ',' || text_.front() == '@' ? 1 : 0);
-        const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
+        const auto [end, error] = from_chars(text_.data(), text_.data() + text_.size(), value);
         text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
         return value;
     }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -78,7 +77,7 @@ public:
             return glare.per_sr(angle) * (1.0 - 0.5 * chord2);
         };
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            const auto chord2 = std::bit_cast<double>((std::uint64_t{i} << drop) + least_bits);
+            const auto chord2 = __builtin_bit_cast(double, (std::uint64_t{i} << drop) + least_bits);
             const double step = 1e-3 * chord2; // of central differences
             const double below = k(chord2 - step);
             const double here = k(chord2);
@@ -114,7 +113,7 @@ private:
     static constexpr int steps_bits = 7;
     static constexpr int drop = 52 - steps_bits;
     static constexpr double least = 0x1p-44; // a chord of 1e-5 degrees; k is flat there
-    static constexpr std::uint64_t least_bits = std::bit_cast<std::uint64_t>(least);
+    static constexpr std::uint64_t least_bits = __builtin_bit_cast(std::uint64_t, least);
     static constexpr std::size_t octaves = 45; // to c = 2
 
     struct Value {
@@ -127,7 +126,7 @@ private:
         double between; // it and the next, in [0, 1)
 
         explicit Place(double chord2) {
-            const std::uint64_t bits = std::bit_cast<std::uint64_t>(std::max(chord2, least)) - least_bits;
+            const std::uint64_t bits = __builtin_bit_cast(std::uint64_t, std::max(chord2, least)) - least_bits;
             index = static_cast<std::size_t>(bits >> drop);
             between = static_cast<double>(bits & ((std::uint64_t{1} << drop) - 1)) * 0x1p-45;
         }

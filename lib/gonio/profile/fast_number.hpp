@@ -75,7 +75,8 @@ inline double divide_exactly(std::uint64_t w, int k) {
     if (tail > half || (tail == half && (rest || (quotient & 1U) != 0))) ++quotient;
     // An exponent between −63 − 19 − 63 and 64: never a subnormal, and the product with a power of two is exact.
     const int exponent = divisor_up - up - 63 - k + drop;
-    return static_cast<double>(quotient) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+    return static_cast<double>(quotient) *
+           __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52U);
 }
 
 // Up to 19 digits and a point, from `p` on, where digits may begin; nullptr for anything else.

@@ -422,7 +422,7 @@ private:
         // Both counts are below 2^31, so the product fits.
         const std::uint64_t count = std::uint64_t{vertical_count_} * horizontal_count_;
         std::vector<double>& table = file_.candela;
-        table.reserve(std::min<std::uint64_t>(count, numbers_.remaining_bytes() / 2 + 1));
+        table.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, numbers_.remaining_bytes() / 2 + 1)));
         places_.candela = numbers_.at_end() ? text_.end : numbers_.token_offset();
         constexpr std::size_t block = 4096;
         while (table.size() < count) {

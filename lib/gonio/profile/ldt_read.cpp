@@ -366,7 +366,7 @@ private:
         const std::size_t gammas = file_.gammas_deg.size();
         const std::uint64_t count = std::uint64_t{planes} * gammas; // neither exceeds the lines of the file
         std::vector<double>& table = file_.candela_per_klm;
-        table.reserve(std::min<std::uint64_t>(count, (text_.end - lines_.offset()) / 2 + 1));
+        table.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, (text_.end - lines_.offset()) / 2 + 1)));
         places_.candela = lines_.offset();
         constexpr std::size_t block = 4096;
         while (table.size() < count) {

@@ -1,4 +1,5 @@
 #include <gonio/base/amount_range.hpp>
+#include <gonio/base/charconv.hpp>
 #include <gonio/base/text.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>
@@ -93,7 +94,7 @@ Token scan_number(std::string_view text, double& value, bool& plain) {
         return Token::not_number;
     }
     double read = 0.0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), read);
+    const auto [end, error] = from_chars(rest.data(), rest.data() + rest.size(), read);
     if (error == std::errc::invalid_argument || end != rest.data() + rest.size()) return Token::not_number;
     if (error == std::errc::result_out_of_range) {
         if (!is_underflow(magnitude)) return Token::not_finite;

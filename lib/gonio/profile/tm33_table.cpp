@@ -77,7 +77,7 @@ private:
             return;
         }
         table_.values.resize(values_.size());
-        std::vector<bool> seen(places, false);
+        std::vector<bool> seen(static_cast<std::size_t>(places), false);
         for (std::size_t i = 0; i < values_.size(); ++i) {
             const std::size_t at =
                 index_of(table_.horizontal_deg, horizontals_[i]) * rows + index_of(table_.vertical_deg, verticals_[i]);

@@ -279,5 +279,6 @@ extern const Kernels kernels_sse2;
 extern const Kernels kernels_avx2;
 extern const Kernels kernels_avx512;
 extern const Kernels kernels_neon;
+extern const Kernels kernels_wasm128;
 
 } // namespace gonio::shading::detail

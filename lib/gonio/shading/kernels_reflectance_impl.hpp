@@ -49,5 +49,6 @@ extern const ReflectanceKernels reflectance_kernels_sse2;
 extern const ReflectanceKernels reflectance_kernels_avx2;
 extern const ReflectanceKernels reflectance_kernels_avx512;
 extern const ReflectanceKernels reflectance_kernels_neon;
+extern const ReflectanceKernels reflectance_kernels_wasm128;
 
 } // namespace gonio::shading::detail

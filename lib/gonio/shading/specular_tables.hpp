@@ -11,5 +11,6 @@ extern const SpecularKernels specular_kernels_sse2;
 extern const SpecularKernels specular_kernels_avx2;
 extern const SpecularKernels specular_kernels_avx512;
 extern const SpecularKernels specular_kernels_neon;
+extern const SpecularKernels specular_kernels_wasm128;
 
 } // namespace gonio::shading::detail

@@ -153,5 +153,7 @@ extern const ArrayMath array_math_avx512;
 extern const ArrayMath array_math_twin_avx512;
 extern const ArrayMath array_math_neon;
 extern const ArrayMath array_math_twin_neon;
+extern const ArrayMath array_math_wasm128;
+extern const ArrayMath array_math_twin_wasm128;
 
 } // namespace gonio::simd::detail

@@ -7,13 +7,16 @@ namespace gonio::simd {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"scalar", "sse2", "neon", "avx2", "avx512"};
+constexpr std::array<std::string_view, 6> names{"scalar", "sse2", "neon", "avx2", "avx512", "wasm128"};
 
-// The set that every machine of the architecture has.
+// The set that every machine of the architecture has; for WebAssembly, which refuses to load a module with what it
+// lacks, the set that the module was compiled for.
 #if defined(__x86_64__)
 constexpr InstructionSet architecture_baseline = InstructionSet::sse2;
 #elif defined(__aarch64__)
 constexpr InstructionSet architecture_baseline = InstructionSet::neon;
+#elif defined(__wasm_simd128__)
+constexpr InstructionSet architecture_baseline = InstructionSet::wasm128;
 #else
 constexpr InstructionSet architecture_baseline = InstructionSet::scalar;
 #endif

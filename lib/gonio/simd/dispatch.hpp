@@ -13,10 +13,11 @@
 #pragma GCC visibility push(default)
 namespace gonio::simd {
 
-// `avx2` includes FMA; `avx512` means F, DQ, BW and VL. Ascending preference within an architecture.
-enum class InstructionSet : std::uint8_t { scalar, sse2, neon, avx2, avx512 };
+// `avx2` includes FMA; `avx512` means F, DQ, BW and VL; `wasm128` is the SIMD of WebAssembly. Ascending preference
+// within an architecture.
+enum class InstructionSet : std::uint8_t { scalar, sse2, neon, avx2, avx512, wasm128 };
 
-// "scalar", "sse2", "neon", "avx2", "avx512": the names that `--simd` takes.
+// "scalar", "sse2", "neon", "avx2", "avx512", "wasm128": the names that `--simd` takes.
 const char* to_text(InstructionSet set);
 
 // The set with that name; empty if there is none. Independent of this machine: use `available` for that.

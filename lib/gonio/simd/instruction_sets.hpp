@@ -17,6 +17,9 @@ struct avx512 {
 struct neon {
     static constexpr std::size_t lanes = 4;
 };
+struct wasm128 {
+    static constexpr std::size_t lanes = 4;
+};
 
 // The operations of a set that vector extensions do not offer: native.hpp, which only files for one set include. The
 // intrinsics are long headers.

@@ -39,6 +39,15 @@ const Kernels& chosen(InstructionSet set, const Kernels& scalar, const Kernels& 
 
 #define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_scalar, stem##_neon)
 
+#elif defined(__wasm_simd128__)
+
+template<class Kernels>
+const Kernels& chosen(InstructionSet set, const Kernels& scalar, const Kernels& wasm128) {
+    return set == InstructionSet::wasm128 ? wasm128 : scalar;
+}
+
+#define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_scalar, stem##_wasm128)
+
 #else
 
 template<class Kernels>

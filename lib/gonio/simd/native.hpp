@@ -5,4 +5,6 @@
 #include <gonio/simd/native_x86.hpp>
 #elif defined(__aarch64__)
 #include <gonio/simd/native_neon.hpp>
+#elif defined(__wasm_simd128__)
+#include <gonio/simd/native_wasm.hpp>
 #endif

@@ -18,6 +18,8 @@ struct Native<neon> {
     // Not vminq and vmaxq, which return NaN if either argument is NaN.
     GONIO_FORCE_INLINE static real min(real a, real b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
+    GONIO_FORCE_INLINE static half_double min(half_double a, half_double b) { return vbslq_f64(vcltq_f64(a, b), a, b); }
+    GONIO_FORCE_INLINE static half_double max(half_double a, half_double b) { return vbslq_f64(vcgtq_f64(a, b), a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return vfmaq_f32(c, a, b); }
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return vfmaq_f64(c, a, b);

@@ -19,6 +19,8 @@ struct Native<sse2> {
     GONIO_FORCE_INLINE static real sqrt(real x) { return _mm_sqrt_ps(x); }
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm_max_ps(a, b); }
+    GONIO_FORCE_INLINE static half_double min(half_double a, half_double b) { return _mm_min_pd(a, b); }
+    GONIO_FORCE_INLINE static half_double max(half_double a, half_double b) { return _mm_max_pd(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return _mm_add_pd(_mm_mul_pd(a, b), c);
@@ -59,6 +61,8 @@ struct Native<avx2> {
     GONIO_FORCE_INLINE static real sqrt(real x) { return _mm256_sqrt_ps(x); }
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm256_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm256_max_ps(a, b); }
+    GONIO_FORCE_INLINE static half_double min(half_double a, half_double b) { return _mm256_min_pd(a, b); }
+    GONIO_FORCE_INLINE static half_double max(half_double a, half_double b) { return _mm256_max_pd(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm256_fmadd_ps(a, b, c); }
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return _mm256_fmadd_pd(a, b, c);
@@ -105,6 +109,8 @@ struct Native<avx512> {
     GONIO_FORCE_INLINE static real sqrt(real x) { return _mm512_sqrt_ps(x); }
     GONIO_FORCE_INLINE static real min(real a, real b) { return _mm512_min_ps(a, b); }
     GONIO_FORCE_INLINE static real max(real a, real b) { return _mm512_max_ps(a, b); }
+    GONIO_FORCE_INLINE static half_double min(half_double a, half_double b) { return _mm512_min_pd(a, b); }
+    GONIO_FORCE_INLINE static half_double max(half_double a, half_double b) { return _mm512_max_pd(a, b); }
     GONIO_FORCE_INLINE static real mul_add(real a, real b, real c) { return _mm512_fmadd_ps(a, b, c); }
     GONIO_FORCE_INLINE static half_double mul_add(half_double a, half_double b, half_double c) {
         return _mm512_fmadd_pd(a, b, c);

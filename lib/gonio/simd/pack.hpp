@@ -1,9 +1,9 @@
 // pack<float, Isa>: as many floats as fit into one register of an instruction set, with the arithmetic of a float.
 // pack<double, Isa>: the same number of doubles, with arithmetic only.
 //
-// `Isa` is a type (sse2, avx2, avx512, neon), so it is part of the mangled name of every template that uses the pack:
-// code of one set can never be mistaken for that of another. Everything is inlined; nothing fails or allocates. The
-// names of scalar.hpp mean the same here, lane by lane.
+// `Isa` is a type (sse2, avx2, avx512, neon, wasm128), so it is part of the mangled name of every template that uses
+// the pack: code of one set can never be mistaken for that of another. Everything is inlined; nothing fails or
+// allocates. The names of scalar.hpp mean the same here, lane by lane.
 #pragma once
 
 #include <gonio/simd/instruction_sets.hpp>

@@ -175,7 +175,7 @@ GONIO_FORCE_INLINE void store_partial(T from, T* to, std::size_t /*count*/) {
 
 // The number of set bits: one instruction if the set has it, and otherwise no library call.
 GONIO_FORCE_INLINE std::uint32_t bit_count(std::uint32_t bits) {
-#if defined(__POPCNT__) || defined(__aarch64__)
+#if defined(__POPCNT__) || defined(__aarch64__) || defined(__wasm__)
     return static_cast<std::uint32_t>(__builtin_popcount(bits));
 #else
     bits -= (bits >> 1) & 0x55555555U;

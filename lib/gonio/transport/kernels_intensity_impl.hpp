@@ -266,5 +266,6 @@ extern const IntensityKernels kernels_intensity_sse2;
 extern const IntensityKernels kernels_intensity_avx2;
 extern const IntensityKernels kernels_intensity_avx512;
 extern const IntensityKernels kernels_intensity_neon;
+extern const IntensityKernels kernels_intensity_wasm128;
 
 } // namespace gonio::transport::detail

@@ -319,5 +319,6 @@ extern const LuminanceKernels kernels_luminance_sse2;
 extern const LuminanceKernels kernels_luminance_avx2;
 extern const LuminanceKernels kernels_luminance_avx512;
 extern const LuminanceKernels kernels_luminance_neon;
+extern const LuminanceKernels kernels_luminance_wasm128;
 
 } // namespace gonio::transport::detail

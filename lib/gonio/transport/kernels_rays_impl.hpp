@@ -196,5 +196,6 @@ extern const RayKernels kernels_rays_sse2;
 extern const RayKernels kernels_rays_avx2;
 extern const RayKernels kernels_rays_avx512;
 extern const RayKernels kernels_rays_neon;
+extern const RayKernels kernels_rays_wasm128;
 
 } // namespace gonio::transport::detail

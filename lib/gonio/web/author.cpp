@@ -1,4 +1,5 @@
 #include <gonio/base/amount_range.hpp>
+#include <gonio/base/charconv.hpp>
 #include <gonio/web/author.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
@@ -25,9 +26,9 @@ constexpr double darkest_cd_per_klm = 1e-9; // smaller values become 0
 double rounded_to(double value, int digits) {
     std::array<char, 64> text{};
     char* const end = text.data() + text.size();
-    const auto written = std::to_chars(text.data(), end, value, std::chars_format::scientific, digits - 1);
+    const auto written = to_chars(text.data(), end, value, std::chars_format::scientific, digits - 1);
     double result = value;
-    std::from_chars(text.data(), written.ptr, result);
+    from_chars(text.data(), written.ptr, result);
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/base/charconv.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/make_profile.hpp>
 #include <gonio/web/metrics.hpp>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -203,7 +203,7 @@ std::optional<double> leading_number(std::string_view text) {
     while (text.starts_with(' '))
         text.remove_prefix(1);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 

@@ -1,3 +1,4 @@
+#include <gonio/base/charconv.hpp>
 #include <gonio/profile/write.hpp>
 #include <gonio/web/compare.hpp>
 #include <gonio/web/goniometer.hpp>
@@ -147,9 +148,9 @@ void report_azimuth(const Web& web, const ProfileHeader& header, ProfileTarget t
 double web_detail::rounded_to(double value, int digits) {
     std::array<char, 64> text{};
     const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+        to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
     double rounded = value;
-    if (error == std::errc()) std::from_chars(text.data(), end, rounded);
+    if (error == std::errc()) from_chars(text.data(), end, rounded);
     return rounded;
 }
 

@@ -1,4 +1,5 @@
 // Web + header → TM-33.
+#include <gonio/base/charconv.hpp>
 #include <gonio/profile/opening_code.hpp>
 #include <gonio/profile/text_encoding.hpp>
 #include <gonio/web/integrate.hpp>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <vector>
 
@@ -33,7 +33,7 @@ std::optional<double> leading_number(std::string_view text) {
     while (text.starts_with(' '))
         text.remove_prefix(1);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 // The fast ways to read a number give exactly the double that std::from_chars gives.
+#include <gonio/base/charconv.hpp>
 #include <gonio/profile/fast_number.hpp>
 #include <gonio/profile/scanner.hpp>
 #include <gonio/profile/token_scan.hpp>
@@ -6,8 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
 #include <memory>
 #include <random>
 #include <string>
@@ -35,14 +34,14 @@ void expect_same(const std::string& text) {
         return;
     }
     double expected = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), expected);
+    const auto [end, error] = gonio::from_chars(text.data(), text.data() + text.size(), expected);
     const std::string padded = "99999999 " + text + " " + std::string(static_cast<std::size_t>(decimal_lookahead), '7');
     double converted = 0.0;
     if (!convert_token(padded.data() + 9, padded.data() + 9 + text.size(), converted) ||
-        std::bit_cast<std::uint64_t>(converted) != std::bit_cast<std::uint64_t>(expected))
+        __builtin_bit_cast(std::uint64_t, converted) != __builtin_bit_cast(std::uint64_t, expected))
         ADD_FAILURE() << text << " as a token gave " << converted;
     if (end != text.data() + text.size() || length != text.size() ||
-        std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(expected))
+        __builtin_bit_cast(std::uint64_t, value) != __builtin_bit_cast(std::uint64_t, expected))
         ADD_FAILURE() << text << " gave " << value;
 }
 
@@ -241,7 +240,7 @@ TEST(FastNumber, NeverReadsBehindTheEnd) {
                     // library.
                     if (const char* const behind = read_decimal(text.get(), end, value)) {
                         double expected = 0.0;
-                        ASSERT_EQ(behind, std::from_chars(text.get(), end, expected).ptr);
+                        ASSERT_EQ(behind, gonio::from_chars(text.get(), end, expected).ptr);
                         ASSERT_EQ(value, expected);
                     }
                     NumberScanner scanner({text.get(), size}, 0, size);
@@ -292,7 +291,7 @@ TEST(FastNumber, ShortestTextOfRandomDoublesReadsBack) {
         const double number = candela(random) * (i % 3 == 0 ? 1e-4 : 1.0);
         std::array<char, 40> buffer{};
         const auto [end, error] =
-            std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed);
+            gonio::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed);
         const std::string text(buffer.data(), end);
         double value = 0.0;
         NumberScanner scanner(text, 0, text.size());

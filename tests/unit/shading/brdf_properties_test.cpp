@@ -131,6 +131,10 @@ TEST(Brdf, FloatFollowsDouble) {
 using Pack = gonio::simd::pack<float, gonio::simd::sse2>;
 #elif defined(__aarch64__)
 using Pack = gonio::simd::pack<float, gonio::simd::neon>;
+#elif defined(__wasm_simd128__)
+using Pack = gonio::simd::pack<float, gonio::simd::wasm128>;
+#else
+using Pack = float;
 #endif
 
 // Lane by lane, a pack equals the float, up to the rounding of operations that may be fused.

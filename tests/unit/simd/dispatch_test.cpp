@@ -31,6 +31,8 @@ TEST(Dispatch, ScalarIsAlwaysThereAndTheBestIsTheLast) {
     EXPECT_FALSE(available(InstructionSet::neon));
 #elif defined(__aarch64__)
     EXPECT_EQ(best_available(), InstructionSet::neon);
+#elif defined(__wasm_simd128__)
+    EXPECT_EQ(best_available(), InstructionSet::wasm128);
 #endif
 }
 

@@ -27,6 +27,8 @@ using shading::vec3;
 using Pack = simd::pack<float, simd::sse2>;
 #elif defined(__aarch64__)
 using Pack = simd::pack<float, simd::neon>;
+#elif defined(__wasm_simd128__)
+using Pack = simd::pack<float, simd::wasm128>;
 #else
 using Pack = float;
 #endif

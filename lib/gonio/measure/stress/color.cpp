@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
 #include <limits>
 #include <vector>
 
@@ -36,7 +35,7 @@ void kernels_of_temperature(Random& random, std::uint64_t evaluations, StressTal
     float* const out[2] = {uv[0].data(), uv[1].data()};
     for (std::uint64_t done = 0; done < evaluations; done += count * simd::available_sets().size()) {
         for (float& T : kelvin)
-            T = random.bits() % 8 == 0 ? std::bit_cast<float>(static_cast<std::uint32_t>(random.bits() >> 32U))
+            T = random.bits() % 8 == 0 ? __builtin_bit_cast(float, static_cast<std::uint32_t>(random.bits() >> 32U))
                                        : static_cast<float>(temperature(random, 800.0, 1e6));
         for (const simd::InstructionSet set : simd::available_sets()) {
             const color::Kernels& kernels = color::kernels(set);

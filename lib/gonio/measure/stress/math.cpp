@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -66,9 +65,9 @@ constexpr std::array functions{
 
 // Uniform over the bit patterns of [low, high], so over the exponents.
 float by_bits(const Function& f, Random& random) {
-    const auto low = std::bit_cast<std::uint32_t>(f.low);
-    const auto high = std::bit_cast<std::uint32_t>(f.high);
-    const auto x = std::bit_cast<float>(low + static_cast<std::uint32_t>(random.bits() % (high - low + 1)));
+    const auto low = __builtin_bit_cast(std::uint32_t, f.low);
+    const auto high = __builtin_bit_cast(std::uint32_t, f.high);
+    const auto x = __builtin_bit_cast(float, low + static_cast<std::uint32_t>(random.bits() % (high - low + 1)));
     return f.both_signs && random.bits() % 2 == 0 ? -x : x;
 }
 
@@ -104,7 +103,7 @@ void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
     std::vector<float> result(count);
     for (std::uint64_t done = 0; done < evaluations; done += count * functions.size() * simd::available_sets().size()) {
         for (float& each : x)
-            each = std::bit_cast<float>(static_cast<std::uint32_t>(random.bits() >> 32U)); // any float, NaN too
+            each = __builtin_bit_cast(float, static_cast<std::uint32_t>(random.bits() >> 32U)); // any float, NaN too
         for (const Function& f : functions)
             for (const simd::InstructionSet set : simd::available_sets()) {
                 (simd::array_math(set).*f.function)(x.data(), result.data(), count);
@@ -115,7 +114,7 @@ void outside(Random& random, std::uint64_t evaluations, StressTally& tally) {
                     if (std::isnan(x[i]) && !arc)
                         tally.require(std::isnan(result[i]), [&] {
                             return fmt::format("{} {}: {} of NaN {:08x}", f.name, simd::to_text(set), result[i],
-                                               std::bit_cast<std::uint32_t>(x[i]));
+                                               __builtin_bit_cast(std::uint32_t, x[i]));
                         });
                 }
             }

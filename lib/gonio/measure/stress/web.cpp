@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -226,9 +225,10 @@ void ramps(Random& random, std::uint64_t evaluations, StressTally& tally) {
         for (const simd::InstructionSet set : simd::available_sets()) {
             const bake::RampTotals found = bake::kernels(set).store_ramp(ramp, type, wide.data(), count);
             tally.looked_at(count);
-            bool same = std::bit_cast<std::uint64_t>(found.sum) == std::bit_cast<std::uint64_t>(expected.sum);
+            bool same = __builtin_bit_cast(std::uint64_t, found.sum) == __builtin_bit_cast(std::uint64_t, expected.sum);
             for (std::size_t i = 0; i < count; ++i)
-                same = same && std::bit_cast<std::uint32_t>(plain[i]) == std::bit_cast<std::uint32_t>(wide[i]);
+                same =
+                    same && __builtin_bit_cast(std::uint32_t, plain[i]) == __builtin_bit_cast(std::uint32_t, wide[i]);
             tally.require(same, [&] {
                 return fmt::format("{} differs: mean {:a} step {:a} centre {:a} step {:a} type {} of {}",
                                    simd::to_text(set), ramp.mean, ramp.mean_step, ramp.center, ramp.center_step,
@@ -246,7 +246,7 @@ void numbers(Random& random, std::uint64_t evaluations, StressTally& tally) {
         return profile_detail::read_decimal(padded.data(), padded.data() + padded.size(), value) != nullptr;
     };
     for (std::uint64_t done = 0; done < evaluations; done += 2) {
-        const auto any = std::bit_cast<double>(random.bits());
+        const auto any = __builtin_bit_cast(double, random.bits());
         const double value = random.bits() % 2 == 0 && std::isfinite(any) ? any : random.uniform(-1e6, 1e6);
         std::string text;
         profile_detail::append_number(text, value);

@@ -1,0 +1,30 @@
+# What the library needs where Emscripten compiles it to WebAssembly. Included before lib/, in place of find_package.
+
+option(GONIO_WASM_SIMD "Compile for WebAssembly with SIMD128; without it, for every WebAssembly" ON)
+
+# Header-only libraries are the same for every machine, but their CMake packages either refuse a processor with 32 bits or
+# name the folder where this machine's C library also has its headers. So the folders of just these libraries are linked
+# into the build.
+set(gonio_headers "${PROJECT_BINARY_DIR}/headers")
+file(MAKE_DIRECTORY "${gonio_headers}")
+function(gonio_add_headers target header)
+    string(MAKE_C_IDENTIFIER "GONIO_${header}_DIR" variable)
+    string(TOUPPER "${variable}" variable)
+    find_path(${variable} "${header}" PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+    mark_as_advanced(${variable})
+    get_filename_component(folder "${header}" DIRECTORY)
+    file(CREATE_LINK "${${variable}}/${folder}" "${gonio_headers}/${folder}" SYMBOLIC)
+    add_library(${target} INTERFACE IMPORTED)
+    target_include_directories(${target} SYSTEM INTERFACE "${gonio_headers}")
+endfunction()
+gonio_add_headers(glm::glm glm/glm.hpp)
+gonio_add_headers(tl::expected tl/expected.hpp)
+gonio_add_headers(fmt::fmt fmt/format.h)
+gonio_add_headers(nlohmann_json::nlohmann_json nlohmann/json.hpp)
+add_library(fmt::fmt-header-only INTERFACE IMPORTED)
+target_link_libraries(fmt::fmt-header-only INTERFACE fmt::fmt)
+target_compile_definitions(fmt::fmt-header-only INTERFACE FMT_HEADER_ONLY=1)
+file(STRINGS "${gonio_headers}/fmt/core.h" fmt_VERSION REGEX "#define FMT_VERSION [0-9]+")
+string(REGEX REPLACE ".* ([0-9]+)([0-9][0-9])([0-9][0-9])$" "\\1.\\2.\\3" fmt_VERSION "${fmt_VERSION}")
+
+add_library(Threads::Threads INTERFACE IMPORTED) # none: loops run on the caller

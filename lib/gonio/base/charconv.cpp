@@ -1,0 +1,169 @@
+#include <gonio/base/charconv.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace gonio {
+
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+const char* skip_digits(const char* p, const char* last) {
+    while (p != last && is_digit(*p))
+        ++p;
+    return p;
+}
+
+// Behind `word`, in lower case, if the text begins with it in any case; nullptr otherwise.
+const char* skip_word(const char* p, const char* last, std::string_view word) {
+    for (const char c : word) {
+        if (p == last || (*p | 0x20) != c) return nullptr;
+        ++p;
+    }
+    return p;
+}
+
+// Behind the decimal at `first`, or nullptr if there is none. `digits` is whether one of its digits is not 0.
+const char* skip_decimal(const char* first, const char* last, bool& digits) {
+    const char* p = skip_digits(first, last);
+    std::ptrdiff_t count = p - first;
+    const char* end = p;
+    if (p != last && *p == '.') {
+        end = skip_digits(p + 1, last);
+        count += end - (p + 1);
+    }
+    if (count == 0) return nullptr;
+    digits = std::string_view(first, static_cast<std::size_t>(end - first)).find_first_of("123456789") !=
+             std::string_view::npos;
+    if (end != last && (*end | 0x20) == 'e') {
+        p = end + 1;
+        if (p != last && (*p == '+' || *p == '-')) ++p;
+        const char* const exponent_end = skip_digits(p, last);
+        if (exponent_end != p) end = exponent_end;
+    }
+    return end;
+}
+
+// "inf", "infinity", "nan", "nan(abc_1)", without the sign; nullptr for anything else.
+const char* skip_not_finite(const char* first, const char* last, double& value) {
+    if (const char* end = skip_word(first, last, "inf"); end != nullptr) {
+        value = HUGE_VAL;
+        const char* const longer = skip_word(end, last, "inity");
+        return longer != nullptr ? longer : end;
+    }
+    const char* const end = skip_word(first, last, "nan");
+    if (end == nullptr) return nullptr;
+    value = std::nan("");
+    if (end == last || *end != '(') return end;
+    const char* p = end + 1;
+    while (p != last && (is_digit(*p) || *p == '_' || ((*p | 0x20) >= 'a' && (*p | 0x20) <= 'z')))
+        ++p;
+    return p != last && *p == ')' ? p + 1 : end;
+}
+
+double to_double(const char* first, const char* last) {
+    const auto size = static_cast<std::size_t>(last - first);
+    std::array<char, 128> buffer{};
+    if (size < buffer.size()) {
+        std::memcpy(buffer.data(), first, size);
+        return std::strtod(buffer.data(), nullptr);
+    }
+    return std::strtod(std::string(first, last).c_str(), nullptr);
+}
+
+std::to_chars_result put(char* first, char* last, std::string_view text) {
+    if (last - first < static_cast<std::ptrdiff_t>(text.size())) return {last, std::errc::value_too_large};
+    std::memcpy(first, text.data(), text.size());
+    return {first + text.size(), std::errc()};
+}
+
+// The shortest decimal that reads as `value`, finite and above 0: its digits and the power of ten of the first.
+struct Decimal {
+    std::string digits;
+    int exponent = 0;
+};
+
+Decimal shortest_decimal(double value) {
+    const std::string text = fmt::format("{}", value);
+    const std::size_t e = text.find('e');
+    const std::string_view mantissa = std::string_view(text).substr(0, e);
+    const auto point = static_cast<int>(std::min(mantissa.find('.'), mantissa.size()));
+    Decimal decimal;
+    for (const char c : mantissa)
+        if (c != '.') decimal.digits += c;
+    const std::size_t zeros = decimal.digits.find_first_not_of('0');
+    decimal.digits.erase(0, zeros);
+    decimal.digits.erase(decimal.digits.find_last_not_of('0') + 1);
+    decimal.exponent = point - 1 - static_cast<int>(zeros);
+    if (e != std::string::npos) decimal.exponent += std::atoi(text.c_str() + e + 1);
+    return decimal;
+}
+
+std::string fixed(const Decimal& decimal) {
+    const auto count = static_cast<int>(decimal.digits.size());
+    const auto zeros = [](int n) { return std::string(static_cast<std::size_t>(n), '0'); };
+    if (decimal.exponent < 0) return "0." + zeros(-decimal.exponent - 1) + decimal.digits;
+    if (decimal.exponent >= count - 1) return decimal.digits + zeros(decimal.exponent - (count - 1));
+    std::string text = decimal.digits;
+    return text.insert(static_cast<std::size_t>(decimal.exponent) + 1, 1, '.');
+}
+
+std::string scientific(const Decimal& decimal) {
+    std::string text = decimal.digits;
+    if (text.size() > 1) text.insert(1, 1, '.');
+    return text + fmt::format("e{}{:02}", decimal.exponent < 0 ? '-' : '+', std::abs(decimal.exponent));
+}
+
+} // namespace
+
+std::from_chars_result portable_from_chars(const char* first, const char* last, double& value) {
+    const char* const begin = first != last && *first == '-' ? first + 1 : first;
+    double special = 0.0;
+    if (const char* const end = skip_not_finite(begin, last, special); end != nullptr) {
+        value = begin != first ? -special : special;
+        return {end, std::errc()};
+    }
+    bool nonzero = false;
+    const char* const end = skip_decimal(begin, last, nonzero);
+    if (end == nullptr) return {first, std::errc::invalid_argument};
+    const double read = to_double(first, end);
+    if (std::isinf(read) || (nonzero && read == 0.0)) return {end, std::errc::result_out_of_range};
+    value = read;
+    return {end, std::errc()};
+}
+
+std::to_chars_result portable_to_chars(char* first, char* last, double value, std::chars_format format) {
+    std::string text = std::signbit(value) ? "-" : "";
+    const double magnitude = std::abs(value);
+    if (!std::isfinite(magnitude))
+        text += std::isnan(magnitude) ? "nan" : "inf";
+    else if (magnitude == 0.0)
+        text += format == std::chars_format::scientific ? "0e+00" : "0";
+    else if (format == std::chars_format::scientific)
+        text += scientific(shortest_decimal(magnitude));
+    else if (magnitude < 0x1p53)
+        text += fixed(shortest_decimal(magnitude));
+    else // a whole number, with all its digits
+        fmt::format_to(std::back_inserter(text), "{:.0f}", magnitude);
+    return put(first, last, text);
+}
+
+std::to_chars_result portable_to_chars(char* first, char* last, double value, std::chars_format format, int precision) {
+    if (!std::isfinite(value)) return portable_to_chars(first, last, value, format);
+    return put(first, last,
+               format == std::chars_format::scientific ? fmt::format("{:.{}e}", value, precision)
+                                                       : fmt::format("{:.{}f}", value, precision));
+}
+
+} // namespace gonio

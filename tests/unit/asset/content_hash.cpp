@@ -1,0 +1,32 @@
+#include <gonio/asset/content_hash.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+namespace gonio {
+namespace {
+
+TEST(ContentHash, FollowsTheExamplesOfFips180) {
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// python3 -c 'import hashlib; h = lambda b: hashlib.sha256(b).hexdigest()
+// print(h("".join(h(bytes((37 * i + i // 7) % 256 for i in range(n))) for n in range(200)).encode()))'
+TEST(ContentHash, OfEveryLengthAroundABlock) {
+    std::string bytes;
+    std::string hashes;
+    for (std::size_t i = 0; i < 200; ++i) {
+        hashes += sha256(bytes);
+        bytes += static_cast<char>((37 * i + i / 7) % 256);
+    }
+    EXPECT_EQ(sha256(hashes), "66a5723c5e71a27d466a4789dea1f5d1d20bf52a664209a8fb44ba9d35eab35c");
+}
+
+} // namespace
+} // namespace gonio
