@@ -5,7 +5,7 @@
 #   bash tests/wasm/run.sh -R web     one of them
 #
 # Left out are the tests of threads, of devices and signals, of the modules for pictures and display transforms, and of
-# `gonio bench`. Ends with ctest's summary and its exit status.
+# `gonio bench`, and those that compare with long double over many poses (CMakeLists.txt). Ends with ctest's summary and its exit status.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -15,15 +16,15 @@ namespace gonio {
 
 // A row of the table.
 struct Limit {
-    std::string_view name; // "profile-bytes"
-    std::size_t value = 0; // the greatest value
-    std::string_view unit; // "bytes", "pixels", "levels", …
-    std::string_view says; // what it limits
+    std::string_view name;   // "profile-bytes"
+    std::uint64_t value = 0; // the greatest value; bytes of files exceed a size_t of 32 bits
+    std::string_view unit;   // "bytes", "pixels", "levels", …
+    std::string_view says;   // what it limits
 };
 
 // Units of the table.
-inline constexpr std::size_t kibibyte = std::size_t{1} << 10U;
-inline constexpr std::size_t mebibyte = std::size_t{1} << 20U;
+inline constexpr std::uint64_t kibibyte = std::uint64_t{1} << 10U;
+inline constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
 
 // The table.
 inline constexpr std::array limits{

@@ -434,6 +434,8 @@ TEST(DoubleMath, AtanExcessKeepsItsDigits) {
     }
 }
 
+#if defined(FE_UNDERFLOW) // WebAssembly has no flags
+
 // A product below the smallest normal number takes a hundred cycles on some processors; without FMA each product inside
 // is a separate number.
 TEST(FloatMath, ArcsOfSmallAnglesStayAmongTheNormalNumbers) {
@@ -445,5 +447,7 @@ TEST(FloatMath, ArcsOfSmallAnglesStayAmongTheNormalNumbers) {
         EXPECT_NEAR(angle, std::atan(x), 3e-7F * x);
     }
 }
+
+#endif
 
 } // namespace
