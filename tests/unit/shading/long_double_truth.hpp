@@ -173,6 +173,8 @@ inline Real disk_by_outline(const Pose& pose) {
     const Real t0 = middle - half;
     const Real t1 = middle + half;
     const auto ratio = [](Real y, auto f) { return y == 0 ? Real(1) : f(y) / y; };
+    // Some C libraries have log1p of double alone, for which −1 + 1e-17 is −1.
+    const auto log_of_1_plus = [](Real y) { return y < -0.5L ? std::log(1 + y) : std::log1p(y); };
     const auto j = [&](Real t) {
         const Real slope = std::sin(t) / (1 + beta * std::cos(t));
         return slope * ratio(beta * slope, [](Real y) { return std::atan(y); });
@@ -182,7 +184,7 @@ inline Real disk_by_outline(const Pose& pose) {
     const Real change = -2 * std::sin(middle) * std::sin(half) / (near2 + 2 * e * cosine * cosine);
     const Real sum = r * r * n_w * (2 * half - 2 * beta * along) / rim +
                      r * (x * n_w - z * n_u) * (2 * q * along - 2 * half * e) / (rim * (q + rim)) +
-                     r * z * n_v * change * ratio(e * change, [](Real y) { return std::log1p(y); });
+                     r * z * n_v * change * ratio(e * change, log_of_1_plus);
     const LongOutline rim_outline{{z, x, 0}, {n_w, n_u, n_v}};
     const LongVec from{0, r * std::cos(t1), r * std::sin(t1)};
     const LongVec to{0, r * std::cos(t0), r * std::sin(t0)};
