@@ -28,11 +28,12 @@ std::string with_extra(std::string json, std::size_t levels) {
 TEST(HostileJson, DeepSidecarsAreNone) {
     const std::string sidecar =
         R"({"schema":"gonio.texture/1","recipe":"r","source":{"sha256":"s"},"files":[],"cd_per_unit":1})";
-    for (const std::size_t levels : {std::size_t{1}, limit("json-depth").value - 1}) {
+    const auto deepest = static_cast<std::size_t>(limit("json-depth").value);
+    for (const std::size_t levels : {std::size_t{1}, deepest - 1}) {
         EXPECT_TRUE(read_sidecar(with_extra(sidecar, levels))) << levels;
         EXPECT_FALSE(sidecar_fields(with_extra(sidecar, levels)).empty()) << levels;
     }
-    for (const std::size_t levels : {limit("json-depth").value, std::size_t{100000}, std::size_t{5000000}}) {
+    for (const std::size_t levels : {deepest, std::size_t{100000}, std::size_t{5000000}}) {
         EXPECT_FALSE(read_sidecar(with_extra(sidecar, levels))) << levels;
         EXPECT_TRUE(sidecar_fields(with_extra(sidecar, levels)).empty()) << levels;
     }
