@@ -1,6 +1,5 @@
 #include <gonio/base/file.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/plausibility.hpp>
 #include <gonio/web/repetitions.hpp>
 
 #include "../arguments.hpp"
@@ -77,10 +76,7 @@ Checked check(const std::string& bytes, const std::string& file, const ProfileIn
         error.diagnostics.insert(error.diagnostics.begin(), checked.diagnostics.begin(), checked.diagnostics.end());
         return unreadable(error);
     }
-    const Diagnostics implausible = check_plausibility(*profile, resolved->web, options.resolve);
-    for (const Diagnostics* const more : std::array<const Diagnostics*, 2>{&resolved->diagnostics, &implausible})
-        checked.diagnostics.insert(checked.diagnostics.end(), more->begin(), more->end());
-    drop_repetitions(checked.diagnostics);
+    checked.diagnostics = report_of(std::move(checked.diagnostics), *profile, *resolved, options.resolve);
     return checked;
 }
 

@@ -8,7 +8,6 @@
 #include <gonio/profile/read.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
-#include <gonio/web/plausibility.hpp>
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/repetitions.hpp>
 #include <gonio/web/resolve.hpp>
@@ -157,9 +156,7 @@ val check(const std::string& bytes, const std::string& name) {
             add(resolved.error().diagnostics);
         } else {
             readable = true;
-            add(resolved->diagnostics);
-            add(check_plausibility(*profile, resolved->web));
-            drop_repetitions(found);
+            found = report_of(std::move(found), *profile, *resolved);
         }
     }
     report.set("readable", readable);

@@ -166,4 +166,12 @@ std::to_chars_result portable_to_chars(char* first, char* last, double value, st
                                                        : fmt::format("{:.{}f}", value, precision));
 }
 
+std::optional<double> leading_number(std::string_view text) {
+    while (text.starts_with(' '))
+        text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
 } // namespace gonio

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <charconv>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace gonio {
@@ -31,5 +33,8 @@ inline std::to_chars_result to_chars(char* first, char* last, double value, std:
 #else
 using std::to_chars;
 #endif
+
+// The number at the start of a text, after blanks; empty for "nw".
+std::optional<double> leading_number(std::string_view text);
 
 } // namespace gonio

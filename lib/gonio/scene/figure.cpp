@@ -52,7 +52,7 @@ void add_figure(Stage& stage) {
 }
 
 bool is_of_figure(const Surface& surface) {
-    return surface.name == surface_name && !surface.subject; // solids of one's own stage are subjects
+    return surface.name == surface_name && !surface.subject; // every solid of a rig's stage is a subject
 }
 
 } // namespace gonio

@@ -40,16 +40,12 @@ transport::RaySphere sphere_from(const glm::dvec3& origin, const Ball& ball) {
 }
 
 // Around a solid that is tested in double.
-transport::RayBounds bounds_from(const glm::dvec3& origin, const Capsule& capsule) {
+transport::RayBounds bounds_from(const glm::dvec3& origin, const Capsule& capsule, const Ball& around) {
     transport::RayBounds bounds;
-    bounds.sphere = sphere_from(origin, {capsule.center, (capsule.half_length + capsule.radius) * (1.0 + overlap)});
+    bounds.sphere = sphere_from(origin, {around.center, around.radius * (1.0 + overlap)});
     store(capsule.axis, bounds.axis);
     bounds.radius = static_cast<float>(capsule.radius * (1.0 + overlap));
     return bounds;
-}
-
-Ball around(const Capsule& capsule) {
-    return {capsule.center, capsule.half_length + capsule.radius};
 }
 
 constexpr double endless = 1e37; // half the side of a plane
@@ -119,8 +115,9 @@ void BundleCaster::begin(const Frame& from, std::size_t own) {
             if (hides(geometry, from.origin) || is_below(*ball)) continue;
             spheres_.push_back(sphere_from(from.origin, *ball));
             of_spheres_.push_back(static_cast<std::uint32_t>(chart));
-        } else if (const auto* capsule = std::get_if<Capsule>(&geometry); capsule && !is_below(around(*capsule))) {
-            bounds_.push_back(bounds_from(from.origin, *capsule));
+        } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
+            const Ball around = *bounds(geometry);
+            if (!is_below(around)) bounds_.push_back(bounds_from(from.origin, *capsule, around));
         }
     }
 }
@@ -217,7 +214,7 @@ void ScatteredCaster::begin(const glm::dvec3& anchor, std::size_t own) {
             spheres_.push_back(sphere_from(anchor, *ball));
             of_spheres.push_back(static_cast<std::uint32_t>(chart));
         } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
-            bounds_.push_back(bounds_from(anchor, *capsule));
+            bounds_.push_back(bounds_from(anchor, *capsule, *bounds(geometry)));
         }
     }
     charts_.insert(charts_.end(), of_spheres.begin(), of_spheres.end());

@@ -20,12 +20,11 @@ namespace {
 constexpr double least_columns = 6.0;      // around the smallest solid
 constexpr double patches_per_radius = 5.0; // of a sphere, so that the edge of its dark side is in the right place
 constexpr double patches_beside = 9.0;     // per radius, if another solid is closer to it than its radius
-constexpr double patches_of_figure =
-    2.0;                                 // per radius of a limb of the scale figure: these are many, and show the scale
-constexpr std::uint32_t cell_side = 2;   // patches
-constexpr double small = 6.0;            // squares; no rays miss parts of larger solids
-constexpr double bright = 3.0;           // times the mean: what rays carry of a cell close to a light
-constexpr std::size_t most_bright = 400; // cells
+constexpr double patches_of_figure = 2.0;  // per radius of each of its fifteen limbs
+constexpr std::uint32_t cell_side = 2;     // patches
+constexpr double small = 6.0;              // squares; no rays miss parts of larger solids
+constexpr double bright = 3.0;             // times the mean: what rays carry of a cell close to a light
+constexpr std::size_t most_bright = 400;   // cells
 
 std::vector<double> uniform(const Range& range, double size_m, double least) {
     constexpr double most_intervals = 400.0;
@@ -148,6 +147,11 @@ glm::dvec3 Patches::nearest(std::uint32_t patch, const glm::dvec3& to) const {
 
 bool Patches::is_on_sheet(std::uint32_t patch) const {
     return cells_[cell_of_[patch]].is_on_sheet;
+}
+
+bool Patches::has_moments() const {
+    return std::any_of(linked_cells_.begin(), linked_cells_.end(),
+                       [&](std::uint32_t cell) { return cells_[cell].is_uneven(); });
 }
 
 double Patches::mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const {
@@ -333,7 +337,6 @@ void Patches::add_cells(const Stage& stage, const Chart& chart, const PatchGrid&
             cell.is_of_small = is_small;
             cell.is_on_sheet = is_small && panel != nullptr;
             cell.linked_middle = cell.position;
-            has_moments_ = has_moments_ || cell.is_on_sheet;
             if (is_small) linked_cells_.push_back(static_cast<std::uint32_t>(cells_.size()));
             cells_.push_back(cell);
             cell_area_m2_.push_back(cell.covered ? 0.0 : area_m2);
@@ -386,7 +389,6 @@ void Patches::link_to_bright_cells(std::span<const LightPlace> lights, double ar
     for (const Bright& one : found) {
         if (!(one.times > by_rays)) continue;
         cells_[one.cell].is_bright = true;
-        has_moments_ = true;
         linked_cells_.push_back(one.cell);
         by_links_[one.cell] = 0.0F;
         glm::dvec3 moment(0.0);

@@ -132,7 +132,7 @@ public:
     glm::dvec3 nearest(std::uint32_t patch, const glm::dvec3& to) const;
     // Of a small one-sided surface, which rays would miss: links carry all that it sends.
     bool is_on_sheet(std::uint32_t patch) const;
-    bool has_moments() const { return has_moments_; } // any cell is_uneven()
+    bool has_moments() const; // whether any cell is_uneven()
     // The mean over a patch of cos θ towards a unit direction, 0 where it faces away. Of a round one, around its axis.
     double mean_cosine(std::uint32_t patch, const glm::dvec3& towards) const;
     double area_m2(std::uint32_t patch) const { return area_m2_[patch]; } // without what is covered
@@ -163,7 +163,6 @@ private:
     std::vector<double> half_diagonal_m_;
     std::vector<double> half_length_m_;
     std::vector<std::uint32_t> linked_cells_;
-    bool has_moments_ = false;
     std::vector<float> by_rays_;          // by patch
     std::vector<float> by_links_;         // by cell: 1 but for bright ones
     std::vector<std::uint32_t> first_of_; // by cell, in patches_of_

@@ -1,15 +1,13 @@
 #include <gonio/base/amount_range.hpp>
-#include <gonio/base/charconv.hpp>
 #include <gonio/web/author.hpp>
 #include <gonio/web/goniometer.hpp>
 #include <gonio/web/integrate.hpp>
+#include <gonio/web/make_profile.hpp>
 #include <gonio/web/resample.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <system_error>
@@ -21,16 +19,6 @@ namespace gonio {
 namespace {
 
 constexpr double darkest_cd_per_klm = 1e-9; // smaller values become 0
-
-// Rounds to `digits` significant decimal digits.
-double rounded_to(double value, int digits) {
-    std::array<char, 64> text{};
-    char* const end = text.data() + text.size();
-    const auto written = to_chars(text.data(), end, value, std::chars_format::scientific, digits - 1);
-    double result = value;
-    from_chars(text.data(), written.ptr, result);
-    return result;
-}
 
 bool divides_a_quarter(double step_deg) {
     if (!(step_deg >= 0.05 && step_deg <= 90.0)) return false;
@@ -112,10 +100,10 @@ Result<Web> authored(const AuthoredShape& shape, const AuthorOptions& options) {
         return fail(Failure::usage, "the shape gives no light at any angle of the grid",
                     "it may be narrower than the steps");
     for (double& cd : relative) {
-        const double per_klm = rounded_to(cd * 1000.0 / lumens, 7);
+        const double per_klm = web_detail::rounded_to(cd * 1000.0 / lumens, 7);
         // Seven digits of cd/klm times the digits of the flux. A formula's tail may go down to 1e-300, which no file
         // can store.
-        cd = per_klm < darkest_cd_per_klm ? 0.0 : rounded_to(per_klm * options.flux.value / 1000.0, 10);
+        cd = per_klm < darkest_cd_per_klm ? 0.0 : web_detail::rounded_to(per_klm * options.flux.value / 1000.0, 10);
     }
     if (const double greatest = *std::max_element(relative.begin(), relative.end()); !in_amount_range(greatest))
         return fail("USE0106", fmt::format("a flux of {} lm makes an intensity of {} cd, above {} cd",

@@ -198,15 +198,6 @@ void check_planes(const Web& web, Findings& says) {
                              to_text(found)));
 }
 
-// The number at the start of a text; empty for "nw".
-std::optional<double> leading_number(std::string_view text) {
-    while (text.starts_with(' '))
-        text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() ? std::optional(value) : std::nullopt;
-}
-
 void check_color(const ProfileHeader& header, Findings& says) {
     const std::optional<double> cct = leading_number(keyword_text(header, "_CCT"));
     const std::optional<double> cri = leading_number(keyword_text(header, "_CRI"));

@@ -1,5 +1,6 @@
 #include <gonio/base/codes/profile.hpp>
 #include <gonio/base/codes/web.hpp>
+#include <gonio/web/plausibility.hpp>
 #include <gonio/web/repetitions.hpp>
 
 #include <algorithm>
@@ -22,6 +23,15 @@ constexpr std::array repetitions{
 };
 
 } // namespace
+
+Diagnostics report_of(Diagnostics read, const Profile& profile, const ResolvedWeb& resolved,
+                      const ResolveOptions& options) {
+    const Diagnostics implausible = check_plausibility(profile, resolved.web, options);
+    read.insert(read.end(), resolved.diagnostics.begin(), resolved.diagnostics.end());
+    read.insert(read.end(), implausible.begin(), implausible.end());
+    drop_repetitions(read);
+    return read;
+}
 
 void drop_repetitions(Diagnostics& diagnostics) {
     for (const Repetition& repetition : repetitions) {

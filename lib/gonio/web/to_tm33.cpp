@@ -29,14 +29,6 @@ constexpr std::array header_elements{
     HeaderElement{"ReportNumber", {"TEST"}, true},           HeaderElement{"TestDate", {"TESTDATE"}, false},
     HeaderElement{"ReportDate", {"ISSUEDATE", "DATE"}, true}};
 
-std::optional<double> leading_number(std::string_view text) {
-    while (text.starts_with(' '))
-        text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() ? std::optional(value) : std::nullopt;
-}
-
 // Every keyword goes to its element; keywords without an element go into a Comment that names them.
 class Keywords {
 public:

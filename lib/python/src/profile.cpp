@@ -3,7 +3,6 @@
 #include <gonio/base/named.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/plausibility.hpp>
 #include <gonio/web/radiometric.hpp>
 #include <gonio/web/repetitions.hpp>
 #include <gonio/web/resolve.hpp>
@@ -56,13 +55,7 @@ Web web_of(const Profile& profile, int lamp_set, double tilt_deg, const std::str
 }
 
 Diagnostics checked(const Profile& profile) {
-    const ResolvedWeb resolved = value_of(resolve_web(profile));
-    Diagnostics all = profile.diagnostics;
-    const Diagnostics implausible = check_plausibility(profile, resolved.web);
-    all.insert(all.end(), resolved.diagnostics.begin(), resolved.diagnostics.end());
-    all.insert(all.end(), implausible.begin(), implausible.end());
-    drop_repetitions(all);
-    return all;
+    return report_of(profile.diagnostics, profile, value_of(resolve_web(profile)));
 }
 
 Profile made_of(MadeProfile&& made) {

@@ -1,6 +1,6 @@
 // Properties of every material, for all parameters and directions.
 #include <gonio/shading/brdf.hpp>
-#include <gonio/simd/native.hpp>
+#include <gonio/simd/baseline.hpp>
 
 #include "brdf_cases.hpp"
 #include "poses.hpp"
@@ -127,15 +127,7 @@ TEST(Brdf, FloatFollowsDouble) {
     });
 }
 
-#if defined(__x86_64__)
-using Pack = gonio::simd::pack<float, gonio::simd::sse2>;
-#elif defined(__aarch64__)
-using Pack = gonio::simd::pack<float, gonio::simd::neon>;
-#elif defined(__wasm_simd128__)
-using Pack = gonio::simd::pack<float, gonio::simd::wasm128>;
-#else
-using Pack = float;
-#endif
+using Pack = gonio::simd::Baseline;
 
 // Lane by lane, a pack equals the float, up to the rounding of operations that may be fused.
 TEST(Brdf, PackFollowsFloat) {

@@ -3,8 +3,8 @@
 #include <gonio/measure/brdf_cases.hpp>
 #include <gonio/measure/stress/subjects.hpp>
 #include <gonio/shading/kernels.hpp>
+#include <gonio/simd/baseline.hpp>
 #include <gonio/simd/dispatch.hpp>
-#include <gonio/simd/native.hpp>
 #include <gonio/transport/shading_constants.hpp>
 
 #include <fmt/format.h>
@@ -23,15 +23,7 @@ namespace {
 
 using shading::vec3;
 
-#if defined(__x86_64__)
-using Pack = simd::pack<float, simd::sse2>;
-#elif defined(__aarch64__)
-using Pack = simd::pack<float, simd::neon>;
-#elif defined(__wasm_simd128__)
-using Pack = simd::pack<float, simd::wasm128>;
-#else
-using Pack = float;
-#endif
+using Pack = simd::Baseline;
 
 template<class S>
 constexpr std::size_t lanes = sizeof(S) / sizeof(float);
