@@ -46,7 +46,9 @@ static constexpr std::array all{
     &probe_command,
     &preview_command,
     &sky_command,
+#ifndef GONIO_NO_BENCH
     &bench_command,
+#endif
     &explain_command,
     &list_command,
     &help_command,

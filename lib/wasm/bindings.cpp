@@ -13,6 +13,8 @@
 #include <gonio/web/resolve.hpp>
 #include <gonio/web/symmetry.hpp>
 
+#include "to_js.hpp"
+
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <iterator>
@@ -28,22 +30,7 @@ namespace gonio::wasm {
 namespace {
 
 using emscripten::val;
-
-val to_js(const Diagnostics& diagnostics) {
-    val list = val::array();
-    for (const Diagnostic& diagnostic : diagnostics) {
-        val entry = val::object();
-        entry.set("code", diagnostic.code);
-        entry.set("severity", std::string(to_text(diagnostic.severity)));
-        entry.set("file", diagnostic.location.file);
-        entry.set("line", diagnostic.location.line);
-        entry.set("column", diagnostic.location.column);
-        entry.set("message", diagnostic.message);
-        entry.set("hint", diagnostic.hint);
-        list.call<void>("push", entry);
-    }
-    return list;
-}
+using wasm::to_js;
 
 val to_js(const std::optional<double>& number) {
     return number ? val(*number) : val::null();
@@ -51,19 +38,6 @@ val to_js(const std::optional<double>& number) {
 
 val to_js(const std::optional<Radians>& angle) {
     return angle ? val(to_degrees(*angle)) : val::null();
-}
-
-[[noreturn]] void throw_js(const Error& error) {
-    val thrown = val::global("Error").new_(to_text(error.diagnostics.back()));
-    thrown.set("code", error.diagnostics.back().code);
-    thrown.set("diagnostics", to_js(error.diagnostics));
-    thrown.throw_();
-}
-
-template<class T>
-T value_of(Result<T>&& result) {
-    if (!result) throw_js(result.error());
-    return std::move(*result);
 }
 
 // A profile and its web.
