@@ -2,16 +2,15 @@
 //
 // Names of numbers are those of `gonio info --json`. Failures are thrown as an Error with the message of the tool and
 // all diagnostics.
+#include <gonio/asset/facts_record.hpp>
 #include <gonio/base/path.hpp>
+#include <gonio/light/profile_facts.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/svg.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/integrate.hpp>
-#include <gonio/web/metrics.hpp>
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/repetitions.hpp>
 #include <gonio/web/resolve.hpp>
-#include <gonio/web/symmetry.hpp>
 
 #include "to_js.hpp"
 
@@ -19,7 +18,6 @@
 #include <emscripten/val.h>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,51 +28,22 @@ namespace gonio::wasm {
 namespace {
 
 using emscripten::val;
-using wasm::to_js;
-
-val to_js(const std::optional<double>& number) {
-    return number ? val(*number) : val::null();
-}
-
-val to_js(const std::optional<Radians>& angle) {
-    return angle ? val(to_degrees(*angle)) : val::null();
-}
 
 // A profile and its web.
 class JsProfile {
 public:
     JsProfile(const std::string& name, Profile profile, ResolvedWeb resolved)
-        : label_(file_name(name)),
-          profile_(std::move(profile)),
-          web_(std::move(resolved.web)),
-          diagnostics_(profile_.diagnostics) {
+        : name_(name), profile_(std::move(profile)), web_(std::move(resolved.web)), diagnostics_(profile_.diagnostics) {
         diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(resolved.diagnostics.begin()),
                             std::make_move_iterator(resolved.diagnostics.end()));
     }
 
     val diagnostics() const { return to_js(diagnostics_); }
 
+    // All facts of `gonio info --json`.
     val info() const {
-        const std::optional<double> declared = declared_flux_lm(profile_, {});
-        const Peak brightest = peak(web_);
-        val facts = val::object();
-        facts.set("symmetry", std::string(to_text(detected_symmetry(web_))));
-        facts.set("declared_symmetry", std::string(to_text(web_.stored_symmetry())));
-        facts.set("flux_lm", flux(web_).value);
-        facts.set("zonal_flux_lm", zonal_flux(web_).value);
-        facts.set("declared_flux_lm", to_js(declared));
-        facts.set("absolute", !declared);
-        facts.set("peak_cd", brightest.intensity.value);
-        facts.set("peak_c_deg", brightest.c_deg);
-        facts.set("peak_gamma_deg", brightest.gamma_deg);
-        facts.set("beam_angle_deg", to_js(spread_angle(web_, 0.0, 0.5)));
-        facts.set("field_angle_deg", to_js(spread_angle(web_, 0.0, 0.1)));
-        facts.set("beam_angle_c90_deg", to_js(spread_angle(web_, 90.0, 0.5)));
-        facts.set("field_angle_c90_deg", to_js(spread_angle(web_, 90.0, 0.1)));
-        facts.set("center_beam_cd", center_beam(web_).value);
-        facts.set("beam_angle_cie_deg", to_js(cie_beam_angle(web_, 0.0)));
-        facts.set("beam_angle_cie_c90_deg", to_js(cie_beam_angle(web_, 90.0)));
-        return facts;
+        const std::string record = facts_record(name_, profile_facts(profile_, web_), diagnostics_);
+        return val::global("JSON").call<val>("parse", record);
     }
 
     double candela(double c_deg, double gamma_deg) const { return web_.candela(c_deg, gamma_deg); }
@@ -98,12 +67,12 @@ public:
         const ProfileHeader header = header_of(profile_, {});
         std::string_view luminaire = keyword_text(header, "LUMINAIRE");
         if (luminaire.empty()) luminaire = keyword_text(header, "LUMCAT");
-        const PlottedWeb plotted{label_, &web_, std::string(luminaire)};
+        const PlottedWeb plotted{file_name(name_), &web_, std::string(luminaire)};
         return to_svg(value_of(found->draw({&plotted, 1}, options)));
     }
 
 private:
-    std::string label_;
+    std::string name_;
     Profile profile_;
     Web web_;
     Diagnostics diagnostics_;
