@@ -1,6 +1,10 @@
-// Of the module gonio.mjs: the tool in a folder of memory that lasts for one call, and scenes, which keep one.
-// README.md shows its use.
-(() => {
+// The module gonio.mjs: the tool in a folder of memory that lasts for one call, scenes, which keep one, and what gonio-core
+// has. join.mjs puts this after the module that Emscripten writes, whose createTool() it calls. README.md shows its use.
+export default async function createGonio() {
+  const tool = await createTool();
+  const { FS } = tool;
+  const gonio = { read: tool.read, check: tool.check };
+
   let folders = 0;
 
   // A folder of its own with these files; names may have folders, and may not leave it.
@@ -55,13 +59,13 @@
 
   // The words of a command line, and files by name; '-' is standard input. {status, stdout, stderr, files}: the files that
   // the command wrote.
-  Module['run'] = (words, files = {}) => {
+  gonio.run = (words, files = {}) => {
     const folder = makeFolder(files);
     try {
       // gonio replaces files and never writes into one, so a file that is still the same node was only read.
       const given = new Map(listFiles(folder).map(([name, path]) => [name, FS.lookupPath(path).node]));
       FS.writeFile('/stdin', files['-'] ?? '');
-      const status = inFolder(folder, () => Module['runWords'](words));
+      const status = inFolder(folder, () => tool.runWords(words));
       const written = {};
       for (const [name, path] of listFiles(folder))
         if (given.get(name) !== FS.lookupPath(path).node) written[name] = FS.readFile(path);
@@ -73,11 +77,12 @@
 
   const rigName = 'rig.json';
 
+
   // A rig and its files, for pictures one after another. What a change leaves as it was is not computed again.
-  Module['Scene'] = class {
+  gonio.Scene = class {
     constructor(rig, files = {}) {
       this.folder = makeFolder({ ...files, [rigName]: rig });
-      this.preview = new Module['LivePreview']();
+      this.preview = new tool.LivePreview();
     }
 
     // Another rig with the same files, and perhaps more.
@@ -112,4 +117,6 @@
       removeFolder(this.folder);
     }
   };
-})();
+
+  return gonio;
+}
