@@ -3,7 +3,7 @@
 export default async function createGonio() {
   const tool = await createTool();
   const { FS } = tool;
-  const gonio = { read: tool.read, check: tool.check };
+  const gonio = { read: tool.read, check: tool.check, memoryBytes: () => tool.HEAPU8.length };
 
   let folders = 0;
 
@@ -18,7 +18,7 @@ export default async function createGonio() {
   function putFiles(folder, files) {
     for (const [name, bytes] of Object.entries(files)) {
       if (name === '-') continue; // standard input
-      const parts = name.split('/');
+      const parts = name.replace(/\/$/, '').split('/');
       if (parts.some((part) => part === '' || part === '.' || part === '..'))
         throw new Error(`'${name}' is not the name of a file in the folder`);
       parts.slice(0, -1).reduce((path, part) => {
@@ -26,7 +26,8 @@ export default async function createGonio() {
         if (!FS.analyzePath(next).exists) FS.mkdir(next);
         return next;
       }, folder);
-      FS.writeFile(`${folder}/${name}`, bytes);
+      if (name.endsWith('/')) FS.mkdir(`${folder}/${name}`);
+      else FS.writeFile(`${folder}/${name}`, bytes);
     }
   }
 
@@ -57,7 +58,8 @@ export default async function createGonio() {
     }
   }
 
-  // The words of a command line, and files by name; '-' is standard input. {status, stdout, stderr, files}: the files that
+  // The words of a command line, and files by name; '-' is standard input, and a name that ends in '/' a
+  // folder. {status, diagnostics, stdout, stderr, files}: the files that
   // the command wrote.
   gonio.run = (words, files = {}) => {
     const folder = makeFolder(files);
@@ -65,11 +67,14 @@ export default async function createGonio() {
       // gonio replaces files and never writes into one, so a file that is still the same node was only read.
       const given = new Map(listFiles(folder).map(([name, path]) => [name, FS.lookupPath(path).node]));
       FS.writeFile('/stdin', files['-'] ?? '');
-      const status = inFolder(folder, () => tool.runWords(words));
+      const { status, diagnostics } = inFolder(folder, () => tool.runWords(words));
       const written = {};
       for (const [name, path] of listFiles(folder))
         if (given.get(name) !== FS.lookupPath(path).node) written[name] = FS.readFile(path);
-      return { status, stdout: FS.readFile('/stdout'), stderr: FS.readFile('/stderr', { encoding: 'utf8' }), files: written };
+      return {
+        status, diagnostics, stdout: FS.readFile('/stdout'), stderr: FS.readFile('/stderr', { encoding: 'utf8' }),
+        files: written,
+      };
     } finally {
       removeFolder(folder);
     }

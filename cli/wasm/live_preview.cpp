@@ -1,5 +1,5 @@
-// Pictures one after another while one moves lights and camera: what `gonio preview` makes of the same words, as pixels.
-// What a change leaves as it was is not computed again.
+// Pictures one after another while one moves lights and camera: what `gonio preview` makes of the same words, as
+// pixels. What a change leaves as it was is not computed again.
 #include <gonio/light/light_color.hpp>
 #include <gonio/media/dither.hpp>
 #include <gonio/preview/render.hpp>
@@ -13,11 +13,12 @@
 #include "to_js.hpp"
 #include "words.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -37,7 +38,8 @@ std::vector<std::uint8_t> rgba_of(const Image& image, bool dithers) {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const float value = pixels[3 * i + channel];
-            rgba[4 * i + channel] = static_cast<std::uint8_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F);
+            rgba[4 * i + channel] =
+                static_cast<std::uint8_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F);
         }
     return rgba;
 }
@@ -69,7 +71,8 @@ public:
         val picture = val::object();
         picture.set("width", shown.image.width);
         picture.set("height", shown.image.height);
-        picture.set("rgba", val::global("Uint8ClampedArray").new_(emscripten::typed_memory_view(rgba.size(), rgba.data())));
+        picture.set("rgba",
+                    val::global("Uint8ClampedArray").new_(emscripten::typed_memory_view(rgba.size(), rgba.data())));
         picture.set("ev100", shown.exposure.value);
         picture.set("scale", val::null());
         if (shown.scale) {

@@ -1,14 +1,13 @@
 // The tool as a function of JavaScript: run(words, files) of files.js calls it in a folder of its own.
 #include "../console.hpp"
 #include "../run_tool.hpp"
+#include "to_js.hpp"
 #include "words.hpp"
 
 #include <cstdio>
 #include <emscripten/bind.h>
 #include <fcntl.h>
-#include <string>
 #include <unistd.h>
-#include <vector>
 
 namespace gonio::cli {
 
@@ -36,14 +35,19 @@ private:
     int kept_;
 };
 
-// Returns the exit status; what is written is in the files /stdout and /stderr.
-int run(const emscripten::val& list) {
+// {status, diagnostics}; what is written is in the files /stdout and /stderr.
+emscripten::val run(const emscripten::val& list) {
     Words words(list);
     const Redirected in(STDIN_FILENO, "/stdin", O_RDONLY);
     const Redirected out(STDOUT_FILENO, "/stdout", O_WRONLY | O_CREAT | O_TRUNC);
     const Redirected errors(STDERR_FILENO, "/stderr", O_WRONLY | O_CREAT | O_TRUNC);
+    Diagnostics diagnostics;
     Console console;
-    return run_tool(words.pointers(), console);
+    console.record(&diagnostics);
+    emscripten::val result = emscripten::val::object();
+    result.set("status", run_tool(words.pointers(), console));
+    result.set("diagnostics", wasm::to_js(diagnostics));
+    return result;
 }
 
 } // namespace

@@ -1,8 +1,11 @@
-// The module for JavaScript: profiles read, checked, measured and drawn. README.md shows its use.
+// The module for JavaScript: profiles read, checked, measured, drawn and baked. README.md shows its use.
 //
 // Names of numbers are those of `gonio info --json`. Failures are thrown as an Error with the message of the tool and
 // all diagnostics.
 #include <gonio/asset/facts_record.hpp>
+#include <gonio/bake/bake.hpp>
+#include <gonio/bake/engine.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/light/profile_facts.hpp>
 #include <gonio/plot/diagram.hpp>
@@ -14,10 +17,12 @@
 
 #include "to_js.hpp"
 
+#include <array>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,6 +34,72 @@ namespace {
 
 using emscripten::val;
 
+template<class T>
+std::optional<T> option(const val& asked, const char* name) {
+    const val value = asked[name];
+    if (value.isUndefined() || value.isNull()) return std::nullopt;
+    return value.as<T>();
+}
+
+constexpr std::array texel_types{Named{"float32", TexelType::float32}, Named{"half", TexelType::half},
+                                 Named{"uint16", TexelType::uint16}, Named{"uint8", TexelType::uint8}};
+
+BakeOptions bake_options(const val& asked) {
+    BakeOptions options;
+    const auto engine = option<std::string>(asked, "engine");
+    const auto layout = option<std::string>(asked, "layout");
+    if (engine) {
+        if (layout) throw_js(fail("USE0107", "layout and engine are both given", "an engine sets the layout").value());
+        options = value_of(find_engine(*engine))->bake;
+    } else {
+        options.layout = value_of(parse_layout(layout.value_or("latlong")));
+        const TextureSize usual = usual_size(options.layout);
+        options.width = usual.width;
+        options.height = usual.height;
+    }
+    options.width = option<int>(asked, "width").value_or(options.width);
+    options.height = option<int>(asked, "height").value_or(options.height);
+    if (const auto name = option<std::string>(asked, "normalization"))
+        options.normalization = value_of(parse_normalization(*name));
+    if (options.transfer == Transfer::srgb && options.normalization != Normalization::peak)
+        throw_js(
+            fail("USE0107", "this engine's texture holds values from 0 to 1 only", "leave normalization out").value());
+    if (const auto name = option<std::string>(asked, "texel_type"))
+        options.texel_type = value_of(find_value("texel type", *name, texel_types));
+    if (const auto cone_deg = option<double>(asked, "cone_deg")) options.chart.cone = degrees(*cone_deg);
+    if (const auto border = option<int>(asked, "border")) {
+        if (*border > 0 && options.layout != Layout::gnomonic)
+            throw_js(fail("USE0107", "border is only for the layout gnomonic").value());
+        options.chart.border = *border;
+    }
+    return options;
+}
+
+Texture baked(const Web& web, const val& asked) {
+    const BakeOptions options = bake_options(asked);
+    const auto max_error_cd = option<double>(asked, "max_error_cd");
+    return value_of(max_error_cd ? bake_smallest(web, options, Candelas(*max_error_cd)) : bake_texture(web, options));
+}
+
+val to_js(const Texture& texture) {
+    val made = val::object();
+    made.set("layout", texture.layout);
+    made.set("texel_convention", texture.texel_convention);
+    made.set("width", texture.image.width);
+    made.set("height", texture.image.height);
+    made.set("channels", texture.image.channels);
+    made.set("data",
+             val::global("Float32Array")
+                 .new_(emscripten::typed_memory_view(texture.image.pixels.size(), texture.image.pixels.data())));
+    made.set("cd_per_unit", texture.cd_per_unit);
+    made.set("peak_cd", texture.peak.value);
+    made.set("flux_lm", texture.flux.value);
+    made.set("texture_flux_lm", texture.texture_flux.value);
+    made.set("max_error_cd", texture.max_error.value);
+    made.set("solid_angle_sr", texture.solid_angle.value);
+    return made;
+}
+
 // A profile and its web.
 class JsProfile {
 public:
@@ -38,7 +109,7 @@ public:
                             std::make_move_iterator(resolved.diagnostics.end()));
     }
 
-    val diagnostics() const { return to_js(diagnostics_); }
+    val diagnostics() const { return wasm::to_js(diagnostics_); }
 
     // All facts of `gonio info --json`.
     val info() const {
@@ -70,6 +141,11 @@ public:
         const PlottedWeb plotted{file_name(name_), &web_, std::string(luminaire)};
         return to_svg(value_of(found->draw({&plotted, 1}, options)));
     }
+
+    // As `gonio bake`: {layout | engine, width, height, cone_deg, border, normalization, texel_type, max_error_cd}, all
+    // but one of the first two optional. Texels of float32, rounded to what the texel type holds; candela are texel ×
+    // cd_per_unit.
+    val bake(const val& asked) const { return to_js(baked(web_, asked)); }
 
 private:
     std::string name_;
@@ -103,7 +179,7 @@ val check(const std::string& bytes, const std::string& name) {
         }
     }
     report.set("readable", readable);
-    report.set("diagnostics", to_js(found));
+    report.set("diagnostics", wasm::to_js(found));
     return report;
 }
 
@@ -118,7 +194,8 @@ EMSCRIPTEN_BINDINGS(gonio) {
         .function("info", &JsProfile::info)
         .function("candela", &JsProfile::candela)
         .function("sample", &JsProfile::sample)
-        .function("diagram", &JsProfile::diagram);
+        .function("diagram", &JsProfile::diagram)
+        .function("bake", &JsProfile::bake);
 }
 
 } // namespace gonio::wasm

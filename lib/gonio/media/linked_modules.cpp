@@ -1,4 +1,5 @@
-// The media modules where there is no dlopen: linked into the program. In place of module.cpp, whose folders nobody needs.
+// The media modules where there is no dlopen: linked into the program. In place of module.cpp, whose folders nobody
+// needs.
 #include <gonio/media/detail/open_module.hpp>
 #include <gonio/media/module.hpp>
 

@@ -1,9 +1,9 @@
 // The colour module of WebAssembly: the built-in configuration without OpenColorIO. Its contract is in
 // detail/color_abi.hpp.
 //
-// The display sRGB with the views Standard, Filmic and Raw, and the scene-linear spaces lin_rec709, ACEScg and ACES2065-1,
-// as color_module.cpp has them; the view ACES and other configurations need OpenColorIO. Pictures of the two modules
-// differ by rounding in float.
+// The display sRGB with the views Standard, Filmic and Raw, and the scene-linear spaces lin_rec709, ACEScg and
+// ACES2065-1, as color_module.cpp has them; the view ACES and other configurations need OpenColorIO. Pictures of the
+// two modules differ by rounding in float.
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/media/detail/color_abi.hpp>
 #include <gonio/media/detail/filmic.hpp>
@@ -41,12 +41,12 @@ struct Space {
 
 constexpr std::array spaces{Space{"ACES2065-1", "aces2065_1", "aces2065-1", space_scene},
                             Space{"ACEScg", "acescg", "acescg", space_scene},
-                            Space{"lin_rec709", "lin_srgb", "rec709", space_scene},
-                            Space{"raw", "", "", space_data},
+                            Space{"lin_rec709", "lin_srgb", "rec709", space_scene}, Space{"raw", "", "", space_data},
                             Space{"sRGB", "", "", space_display}};
 constexpr std::array views{"Standard", "Filmic", "Raw"};
-constexpr std::array roles{std::array{"scene_linear"sv, "lin_rec709"sv}, std::array{"aces_interchange"sv, "ACES2065-1"sv},
-                           std::array{"data"sv, "raw"sv}, std::array{"default"sv, "raw"sv}};
+constexpr std::array roles{std::array{"scene_linear"sv, "lin_rec709"sv},
+                           std::array{"aces_interchange"sv, "ACES2065-1"sv}, std::array{"data"sv, "raw"sv},
+                           std::array{"default"sv, "raw"sv}};
 
 const ColorConfig builtin;
 
@@ -129,7 +129,8 @@ int display_processor(const ColorConfig* /*config*/, const char* source, const c
                       ColorProcessor** processor, char* message) noexcept {
     ColorProcessor made;
     if (view != "Raw"sv) {
-        if (!matrix_between(source, "lin_rec709", made.matrix)) return refuse(message, "the source is not scene-linear");
+        if (!matrix_between(source, "lin_rec709", made.matrix))
+            return refuse(message, "the source is not scene-linear");
         made.filmic = view == "Filmic"sv;
         made.encodes = true;
     }

@@ -1,7 +1,7 @@
-// The view "Filmic" of the built-in display: up to middle grey the numbers of Standard, and white for light without bound.
-// Channels that reach 1 one after the other turn tungsten lemon yellow, so the curve acts on channels that are moved
-// towards their luminance: black-body, red, amber and blue light then keep their hue within 5° in Oklab (Standard: 38
-// to 76°). Private to media.
+// The view "Filmic" of the built-in display: up to middle grey the numbers of Standard, and white for light without
+// bound. Channels that reach 1 one after the other turn tungsten lemon yellow, so the curve acts on channels that are
+// moved towards their luminance: black-body, red, amber and blue light then keep their hue within 5° in Oklab
+// (Standard: 38 to 76°). Private to media.
 #pragma once
 
 #include <algorithm>

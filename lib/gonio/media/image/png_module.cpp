@@ -77,7 +77,8 @@ struct Reader {
 };
 
 constexpr int color_type_of(std::int32_t channels) {
-    constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+    constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                             PNG_COLOR_TYPE_RGB_ALPHA};
     return types[channels - 1];
 }
 
@@ -147,7 +148,8 @@ int encode(const EncodeRequest* request, EncodeReply* reply) noexcept {
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         set_attributes(writer, *request);
         png_write_info(writer.png, writer.info);
-        const std::size_t values = static_cast<std::size_t>(request->width) * static_cast<std::size_t>(request->channels);
+        const std::size_t values =
+            static_cast<std::size_t>(request->width) * static_cast<std::size_t>(request->channels);
         std::vector<png_byte> row(values * (wide ? 2 : 1));
         for (std::int32_t y = 0; y < request->height; ++y) {
             store(request->pixels + static_cast<std::size_t>(y) * values, values, wide, row);

@@ -1,0 +1,150 @@
+// node tool.mjs GONIO_MJS GONIO: the tool as a module against the tool itself: exit status, outputs, messages and files of
+// commands of every kind, and pictures pixel by pixel.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, relative, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { inflateSync } from 'node:zlib';
+
+const [module, tool] = process.argv.slice(2).map((path) => resolve(path));
+const { default: createGonio } = await import(pathToFileURL(module));
+const gonio = await createGonio();
+const folder = join(dirname(fileURLToPath(import.meta.url)), '../../profiles');
+const profiles = Object.fromEntries(readdirSync(folder).filter((name) => /\.(ies|ldt|xml)$/.test(name))
+  .map((name) => [name, readFileSync(join(folder, name))]));
+const rig = JSON.stringify({
+  schema: 'gonio.rig/1', stage: 'room', materials: { wall: 'lambert:albedo=0.6' },
+  lights: [{ shape: 'ies:downlight.ies', position: [0.3, 0.1, 2.4] },
+           { name: 'bulb', shape: 'sphere:r=6cm', intensity: '300lm', color: '2700K', position: [-0.8, 0.4, 1.2] }],
+});
+const given = { ...profiles, 'rig.json': rig, 'broken.ies': profiles['downlight.ies'].subarray(0, 700), 'out/': '' };
+
+function runTool(words) {
+  const here = mkdtempSync(join(tmpdir(), 'gonio-'));
+  try {
+    for (const [name, bytes] of Object.entries(given))
+      if (name.endsWith('/')) mkdirSync(join(here, name));
+      else writeFileSync(join(here, name), bytes);
+    const result = spawnSync(tool, words, { cwd: here, maxBuffer: 2 ** 28, env: { PATH: process.env.PATH } });
+    const files = {};
+    const walk = (path) => readdirSync(path).forEach((name) => {
+      const full = join(path, name);
+      if (statSync(full).isDirectory()) walk(full);
+      else if (!Object.hasOwn(given, relative(here, full))) files[relative(here, full)] = readFileSync(full);
+    });
+    walk(here);
+    return { status: result.status, stdout: result.stdout, stderr: result.stderr.toString(), files };
+  } finally {
+    rmSync(here, { recursive: true });
+  }
+}
+
+// The same text but for the last digits of numbers, which functions of two C libraries and sums in other instruction sets
+// leave different.
+function expectSameText(text, expected, what, tolerance) {
+  if (text === expected) return;
+  const number = /-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?/gi;
+  assert.equal(text.replace(number, '#'), expected.replace(number, '#'), what);
+  const others = expected.match(number).map(Number);
+  text.match(number).map(Number).forEach((value, i) => assert.ok(
+    Math.abs(value - others[i]) <= tolerance * Math.max(Math.abs(others[i]), 1e-9) + 1e-9, `${what}: ${value}, ${others[i]}`));
+}
+
+function decodePng(bytes) {
+  const view = Buffer.from(bytes);
+  const parts = [];
+  let header;
+  for (let at = 8; at < view.length;) {
+    const length = view.readUInt32BE(at);
+    const type = view.toString('latin1', at + 4, at + 8);
+    const body = view.subarray(at + 8, at + 8 + length);
+    if (type === 'IHDR') header = { width: body.readUInt32BE(0), height: body.readUInt32BE(4), depth: body[8], color: body[9] };
+    if (type === 'IDAT') parts.push(body);
+    at += 12 + length;
+  }
+  const { width, height, depth, color } = header;
+  const step = { 0: 1, 2: 3, 4: 2, 6: 4 }[color] * depth / 8;
+  const packed = inflateSync(Buffer.concat(parts));
+  const pixels = new Uint8Array(width * height * step);
+  for (let y = 0; y < height; ++y) {
+    const filter = packed[y * (width * step + 1)];
+    for (let x = 0; x < width * step; ++x) {
+      const a = x < step ? 0 : pixels[y * width * step + x - step];
+      const b = y === 0 ? 0 : pixels[(y - 1) * width * step + x];
+      const c = x < step || y === 0 ? 0 : pixels[(y - 1) * width * step + x - step];
+      const p = a + b - c;
+      const [pa, pb, pc] = [Math.abs(p - a), Math.abs(p - b), Math.abs(p - c)];
+      const paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
+      const predicted = [0, a, b, (a + b) >> 1, paeth][filter];
+      pixels[y * width * step + x] = packed[y * (width * step + 1) + 1 + x] + predicted;
+    }
+  }
+  return { ...header, pixels };
+}
+
+// 8 bits of a picture: rounding and dithering may fall on either side.
+function expectSamePicture(bytes, expected, what) {
+  const [made, truth] = [decodePng(bytes), decodePng(expected)];
+  for (const key of ['width', 'height', 'depth', 'color']) assert.equal(made[key], truth[key], `${what}: ${key}`);
+  let others = 0;
+  made.pixels.forEach((value, i) => {
+    const off = made.depth === 16 ? Math.abs((value - truth.pixels[i]) << 24 >> 24) : Math.abs(value - truth.pixels[i]);
+    if (off > 2) ++others;
+  });
+  assert.ok(others <= 0.001 * made.pixels.length, `${what}: ${others} of ${made.pixels.length} values differ by more than 2`);
+}
+
+const names = new TextDecoder().decode(gonio.run(['list']).stdout).trim().split('\n').map((line) => line.split(' ')[0]);
+assert.ok(names.length > 20);
+const commands = [
+  ...names.filter((name) => name !== 'simd').map((name) => ['list', name]),
+  ...Object.keys(profiles).flatMap((name) => [['info', '--all', name], ['info', '--json', name], ['check', '--json', name],
+    ['convert', name, '--to', 'ldt', '-o', 'out/x.ldt'], ['convert', name, '--to', 'tm33', '-o', 'out/x.xml', '--json']]),
+  ['units', '800lm', '--shape', 'sphere:r=3cm', '--json'], ['units', '300lx@2m', '--explain'], ['units', '800l'],
+  ['cct', '3000K', '--json'], ['cct', 'xy(0.44,0.4)', '--json'], ['cct', '#ffd9a0'],
+  ['explain', '--json'], ['explain', 'WEB0301'], ['help'], ['help', 'preview'], ['frobnicate'], ['info', 'none.ies'],
+  ['info', 'broken.ies', '--json'], ['check', 'broken.ies'], ['convert', 'broken.ies', '-o', 'x.ldt'],
+  ['edit', 'downlight.ies', '--rotate', '30deg', '--lumens', '900lm', '-o', 'x.ies', '--json'],
+  ['edit', 'downlight.ies', 'wall-washer.ies', '--sum', '-o', 'x.ies'],
+  ['sample', 'downlight.ies', '--c', '0,90', '--gamma', '0:90:10'],
+  ['compare', 'downlight.ies', 'wall-washer.ies', '--json'],
+  ['probe', '--rig', 'rig.json', '--at', '0,0,0', '--indirect', '--json'],
+  ['probe', 'downlight.ies', '--position', '0,0,2', '--grid', '-1,-1,0:2,0,0:0,2,0:5x5', '--csv'],
+  ['rig', 'rig.json'], ['sky', 'cie:12,sun=180/40,horizontal=20klx', '--json'],
+  ['import', 'downlight.ies', 'street.ldt', '--to', 'all', '-O', 'out', '-q'],
+  ['import', 'rig.json', '--to', 'gltf,blender,usd,pbrt,mitsuba,threejs', '-O', 'out', '-q'],
+  ['bake', 'downlight.ies', '--layout', 'latlong', '-s', '64x32', '-o', 'x.png', '--normalize', 'peak', '--json'],
+  ['plot', 'downlight.ies', '--diagram', 'polar', '-o', 'x.svg'],
+  ['preview', 'downlight.ies', '-s', '96x64', '-o', 'x.png'],
+  ['preview', '--rig', 'rig.json', '-s', '96x64', '-o', 'x.png', '--view', 'Filmic'],
+  ['preview', '--rig', 'rig.json', '-s', '96x64', '-o', 'x.png', '--look', 'falsecolour'],
+  ['preview', '--rig', 'rig.json', '-s', '96x64', '-o', 'x.png', '--look', 'isolux', '--indirect', 'off'],
+];
+
+const text = (bytes) => Buffer.from(bytes).toString('utf8');
+let files = 0;
+for (const words of commands) {
+  const what = words.join(' ');
+  const made = gonio.run(words, given);
+  const expected = runTool(words);
+  // Where the tool writes OpenEXR, the module says that it cannot.
+  if (made.status === 5 && /PNG alone/.test(made.stderr)) {
+    console.log(`needs other picture formats: ${what}`);
+    continue;
+  }
+  assert.equal(made.status, expected.status, `${what}: ${made.stderr}`);
+  expectSameText(made.stderr, expected.stderr, `${what}: stderr`, 1e-4);
+  expectSameText(text(made.stdout), text(expected.stdout), `${what}: stdout`, 2e-4);
+  assert.deepEqual(Object.keys(made.files).sort(), Object.keys(expected.files).sort(), what);
+  for (const [name, bytes] of Object.entries(expected.files)) {
+    ++files;
+    if (name.endsWith('.png')) expectSamePicture(made.files[name], bytes, `${what}: ${name}`);
+    else if (/\.(glb|dds|exr|bin)$/.test(name)) assert.equal(made.files[name].length, bytes.length, `${what}: ${name}`);
+    // A hash or base64 of numbers whose last digits differ is another one.
+    else expectSameText(text(made.files[name]).replace(/"[0-9A-Za-z+/=]{40,}"/g, '"…"').replace(/'[0-9A-Za-z+/=]{40,}'/g, "'…'"),
+      text(bytes).replace(/"[0-9A-Za-z+/=]{40,}"/g, '"…"').replace(/'[0-9A-Za-z+/=]{40,}'/g, "'…'"), `${what}: ${name}`, 2e-4);
+  }
+}
+console.log(`${commands.length} commands and their ${files} files: as the tool`);
