@@ -89,9 +89,8 @@ export async function createGonio() {
       const { rig, ...others } = options;
       const words = ['import', '--to', [targets].flat().join(','), '-O', 'output', ...wordsOf(others)];
       const all = { ...files, 'output/': '' };
-      if (rig === undefined) words.push(...Object.keys(files));
-      else words.push('--rig', 'rig.json');
       if (rig !== undefined) all['rig.json'] = jsonText(rig);
+      words.push(...(rig === undefined ? Object.keys(files) : ['rig.json']));
       const result = run(words, all);
       const made = Object.entries(result.files).map(([path, bytes]) => [path.replace(/^output\//, ''), bytes]);
       return { files: Object.fromEntries(made), diagnostics: result.diagnostics };

@@ -1,8 +1,10 @@
-// The image module of WebAssembly: PNG alone, by libpng. Its contract is in detail/image_abi.hpp.
+// The image module of WebAssembly: PNG, by libpng, and OpenEXR, which is only written. Its contract is in
+// detail/image_abi.hpp.
 //
 // libpng reports a failure by a function that must not return: it throws, and the frames of libpng are unwound as those
 // of any other code.
 #include <gonio/media/detail/image_abi.hpp>
+#include <gonio/media/image/exr_writer.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +46,8 @@ int guarded(char* message, Status refused, Work work) noexcept {
 
 void ignore(png_structp /*png*/, png_const_charp /*text*/) {}
 
-int only_png(const char* format, char* message) {
-    if (std::string_view(format) == "png") return done;
-    std::snprintf(message, message_bytes, "of picture formats, WebAssembly has PNG alone");
+int refuse(char* message) {
+    std::snprintf(message, message_bytes, "of picture formats, WebAssembly writes PNG and OpenEXR and reads PNG");
     return unsupported;
 }
 
@@ -130,39 +131,45 @@ void store(const float* from, std::size_t count, bool wide, std::vector<png_byte
     }
 }
 
+void write_png(const EncodeRequest& request, std::vector<unsigned char>& bytes) {
+    const Writer writer;
+    png_set_write_fn(
+        writer.png, &bytes,
+        [](png_structp png, png_bytep data, std::size_t size) {
+            auto& to = *static_cast<std::vector<unsigned char>*>(png_get_io_ptr(png));
+            to.insert(to.end(), data, data + size);
+        },
+        [](png_structp) {});
+    const bool wide = request.pixel == pixel_uint16;
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(request.width),
+                 static_cast<png_uint_32>(request.height), wide ? 16 : 8, color_type_of(request.channels),
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    set_attributes(writer, request);
+    png_write_info(writer.png, writer.info);
+    const std::size_t values = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.channels);
+    std::vector<png_byte> row(values * (wide ? 2 : 1));
+    for (std::int32_t y = 0; y < request.height; ++y) {
+        store(request.pixels + static_cast<std::size_t>(y) * values, values, wide, row);
+        png_write_row(writer.png, row.data());
+    }
+    png_write_end(writer.png, nullptr);
+}
+
 int encode(const EncodeRequest* request, EncodeReply* reply) noexcept {
     return guarded(reply->message, unsupported, [&]() -> int {
-        if (const int status = only_png(request->format, reply->message); status != done) return status;
         auto bytes = std::make_unique<std::vector<unsigned char>>();
-        const Writer writer;
-        png_set_write_fn(
-            writer.png, bytes.get(),
-            [](png_structp png, png_bytep data, std::size_t size) {
-                auto& to = *static_cast<std::vector<unsigned char>*>(png_get_io_ptr(png));
-                to.insert(to.end(), data, data + size);
-            },
-            [](png_structp) {});
-        const bool wide = request->pixel == pixel_uint16;
-        png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(request->width),
-                     static_cast<png_uint_32>(request->height), wide ? 16 : 8, color_type_of(request->channels),
-                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        set_attributes(writer, *request);
-        png_write_info(writer.png, writer.info);
-        const std::size_t values =
-            static_cast<std::size_t>(request->width) * static_cast<std::size_t>(request->channels);
-        std::vector<png_byte> row(values * (wide ? 2 : 1));
-        for (std::int32_t y = 0; y < request->height; ++y) {
-            store(request->pixels + static_cast<std::size_t>(y) * values, values, wide, row);
-            png_write_row(writer.png, row.data());
-        }
-        png_write_end(writer.png, nullptr);
+        if (std::string_view(request->format) == "openexr")
+            *bytes = gonio::media::detail::exr_bytes(*request);
+        else if (std::string_view(request->format) == "png")
+            write_png(*request, *bytes);
+        else
+            return refuse(reply->message);
         reply->bytes = bytes->data();
         reply->size = bytes->size();
         reply->owner = bytes.release();
         return done;
     });
 }
-
 void release_encoded(void* owner) noexcept {
     delete static_cast<std::vector<unsigned char>*>(owner);
 }
@@ -187,7 +194,7 @@ void read_bytes(png_structp png, png_bytep to, std::size_t size) {
 
 int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
     return guarded(reply->message, malformed, [&]() -> int {
-        if (const int status = only_png(request->format, reply->message); status != done) return status;
+        if (std::string_view(request->format) != "png") return refuse(reply->message);
         const Reader reader;
         Source source{request->bytes, request->size};
         png_set_read_fn(reader.png, &source, read_bytes);
