@@ -20,6 +20,7 @@ node "$root/cli/npm/build.mjs" "$module" "$work/package"
 mkdir "$work/user"
 cd "$work/user"
 npm init --yes > /dev/null
+npm pkg set type=module
 npm install --silent --no-audit --no-fund ../gonio-*.tgz three@0.187 @babylonjs/core@9 typescript@5 @types/node@18
 cp "$root"/tests/npm/*.mjs "$root/tests/npm/types.ts" .
 stat --format 'package: %s bytes' ../gonio-*.tgz
