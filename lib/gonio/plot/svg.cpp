@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 
 namespace gonio {
@@ -60,9 +61,58 @@ std::string style_of(const Pen& pen) {
     return text;
 }
 
+// A coordinate in tenths of a pixel.
+long tenths(double value) {
+    return std::lround(10.0 * value);
+}
+
+// "-1.2", ".5", "12".
+std::string tenths_text(long value) {
+    const long size = std::labs(value);
+    std::string text = value < 0 ? "-" : "";
+    if (size >= 10 || size == 0) text += std::to_string(size / 10);
+    if (size % 10 != 0) text += fmt::format(".{}", size % 10);
+    return text;
+}
+
+// The data of a path in relative steps. A filled part that is a point or a line at this precision is left out.
+std::string short_path(const PagePath& path, bool is_filled) {
+    std::string data;
+    for (const PagePath::Part& part : path.parts()) {
+        if (part.points.empty()) continue;
+        const long first_x = tenths(part.points[0].x);
+        const long first_y = tenths(part.points[0].y);
+        std::string steps;
+        std::size_t moves = 0;
+        char last = 'M';
+        long x = first_x;
+        long y = first_y;
+        for (const PagePoint& point : part.points) {
+            const long dx = tenths(point.x) - x;
+            const long dy = tenths(point.y) - y;
+            if (dx == 0 && dy == 0) continue;
+            ++moves;
+            x += dx;
+            y += dy;
+            const char command = dy == 0 ? 'h' : dx == 0 ? 'v' : 'l';
+            if (command != last)
+                steps += command;
+            else if ((command == 'v' ? dy : dx) > 0)
+                steps += ' ';
+            last = command;
+            if (command != 'v') steps += tenths_text(dx);
+            if (command == 'l' && dy > 0) steps += ' ';
+            if (command != 'h') steps += tenths_text(dy);
+        }
+        if (is_filled && moves < 2) continue;
+        data += fmt::format("M{} {}{}{}", tenths_text(first_x), tenths_text(first_y), steps, part.closed ? "z" : "");
+    }
+    return data;
+}
+
 class Writer {
 public:
-    explicit Writer(const Drawing& drawing) {
+    Writer(const Drawing& drawing, const SvgOptions& options) : options_(options) {
         text_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
                             R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
                             "\n<title>{2}</title>\n",
@@ -75,7 +125,7 @@ public:
 
     std::string take() { return std::move(text_); }
 
-    void operator()(const FilledPath& step) { path(step.path, paint("fill", step.ink)); }
+    void operator()(const FilledPath& step) { path(step.path, paint("fill", step.ink), true); }
 
     void operator()(const StrokedPath& step) {
         const auto& parts = step.path.parts();
@@ -86,7 +136,7 @@ public:
                    svg_number(to.x), svg_number(to.y), style_of(step.pen));
             return;
         }
-        path(step.path, R"(fill="none" stroke-linejoin="round" )" + style_of(step.pen));
+        path(step.path, R"(fill="none" stroke-linejoin="round" )" + style_of(step.pen), false);
     }
 
     void operator()(const FilledRectangle& step) {
@@ -111,9 +161,9 @@ public:
     }
 
     void operator()(const ClipBegin& step) {
-        append("<clipPath id=\"clip{}\">", ++clips_);
+        append("<clipPath id=\"{}clip{}\">", options_.id_prefix, ++clips_);
         rectangle(step.corner, step.width, step.height, "");
-        append("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
+        append("</clipPath>\n<g clip-path=\"url(#{}clip{})\">\n", options_.id_prefix, clips_);
     }
 
     void operator()(const ClipEnd& /*step*/) { text_ += "</g>\n"; }
@@ -129,8 +179,13 @@ private:
                svg_number(width), svg_number(height), style);
     }
 
-    void path(const PagePath& path, std::string_view style) {
+    void path(const PagePath& path, std::string_view style, bool is_filled) {
         text_ += "<path d=\"";
+        if (options_.short_paths) {
+            text_ += short_path(path, is_filled);
+            append("\" {}/>\n", style);
+            return;
+        }
         for (const PagePath::Part& part : path.parts()) {
             char command = 'M';
             for (const PagePoint point : part.points) {
@@ -142,6 +197,7 @@ private:
         append("\" {}/>\n", style);
     }
 
+    const SvgOptions& options_;
     std::string text_;
     int clips_ = 0;
 };
@@ -156,8 +212,8 @@ std::string svg_number(double value) {
     return text == "-0" ? "0" : text;
 }
 
-std::string to_svg(const Drawing& drawing) {
-    return Writer(drawing).take();
+std::string to_svg(const Drawing& drawing, const SvgOptions& options) {
+    return Writer(drawing, options).take();
 }
 
 } // namespace gonio
