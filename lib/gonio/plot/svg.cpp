@@ -1,9 +1,9 @@
 #include <gonio/plot/svg.hpp>
+#include <gonio/plot/svg_path.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 
 namespace gonio {
@@ -59,55 +59,6 @@ std::string style_of(const Pen& pen) {
     if (pen.dash_px[0] > 0.0)
         text += fmt::format(R"( stroke-dasharray="{} {}")", svg_number(pen.dash_px[0]), svg_number(pen.dash_px[1]));
     return text;
-}
-
-// A coordinate in tenths of a pixel.
-long tenths(double value) {
-    return std::lround(10.0 * value);
-}
-
-// "-1.2", ".5", "12".
-std::string tenths_text(long value) {
-    const long size = std::labs(value);
-    std::string text = value < 0 ? "-" : "";
-    if (size >= 10 || size == 0) text += std::to_string(size / 10);
-    if (size % 10 != 0) text += fmt::format(".{}", size % 10);
-    return text;
-}
-
-// The data of a path in relative steps. A filled part that is a point or a line at this precision is left out.
-std::string short_path(const PagePath& path, bool is_filled) {
-    std::string data;
-    for (const PagePath::Part& part : path.parts()) {
-        if (part.points.empty()) continue;
-        const long first_x = tenths(part.points[0].x);
-        const long first_y = tenths(part.points[0].y);
-        std::string steps;
-        std::size_t moves = 0;
-        char last = 'M';
-        long x = first_x;
-        long y = first_y;
-        for (const PagePoint& point : part.points) {
-            const long dx = tenths(point.x) - x;
-            const long dy = tenths(point.y) - y;
-            if (dx == 0 && dy == 0) continue;
-            ++moves;
-            x += dx;
-            y += dy;
-            const char command = dy == 0 ? 'h' : dx == 0 ? 'v' : 'l';
-            if (command != last)
-                steps += command;
-            else if ((command == 'v' ? dy : dx) > 0)
-                steps += ' ';
-            last = command;
-            if (command != 'v') steps += tenths_text(dx);
-            if (command == 'l' && dy > 0) steps += ' ';
-            if (command != 'h') steps += tenths_text(dy);
-        }
-        if (is_filled && moves < 2) continue;
-        data += fmt::format("M{} {}{}{}", tenths_text(first_x), tenths_text(first_y), steps, part.closed ? "z" : "");
-    }
-    return data;
 }
 
 class Writer {
@@ -182,7 +133,7 @@ private:
     void path(const PagePath& path, std::string_view style, bool is_filled) {
         text_ += "<path d=\"";
         if (options_.short_paths) {
-            text_ += short_path(path, is_filled);
+            text_ += is_filled ? plot_detail::short_outline(path) : plot_detail::short_line(path);
             append("\" {}/>\n", style);
             return;
         }

@@ -15,8 +15,7 @@ namespace gonio {
 struct SvgOptions {
     // Begins every identifier: several drawings in one HTML file need different ones.
     std::string_view id_prefix = {};
-    // Paths in steps of a tenth of a pixel, each from the point before, without what is smaller than that: a third of
-    // the bytes of a heat map.
+    // Paths in steps of a tenth of a pixel, areas by their outlines: a tenth of the bytes of a heat map.
     bool short_paths = false;
 };
 
