@@ -49,12 +49,8 @@ std::string first_cell(const std::string& label, std::size_t number) {
     return fmt::format("<th scope=\"row\"><a href=\"#{}\">{}</a></th>", section_name(number), html(label));
 }
 
-std::string cell(const std::string& text) {
-    return fmt::format("<td>{}</td>", text.empty() ? "–" : html_start(text, longest_text));
-}
-
-std::string number_cell(const std::string& text) {
-    return fmt::format("<td class=\"number\">{}</td>", text.empty() ? "–" : html(text));
+std::string cell(const std::string& text, std::string_view style) {
+    return fmt::format("<td class=\"{}\">{}</td>", style, text.empty() ? "–" : html_start(text, longest_text));
 }
 
 // "35.0° / none": in C0–C180 and in C90–C270.
@@ -67,15 +63,16 @@ std::string both_planes(const std::optional<double>& c0_deg, const std::optional
 std::string row_of(const std::string& label, std::size_t number, const std::string& luminaire,
                    const ProfileFacts& facts, const Diagnostics& diagnostics) {
     const std::optional<double> efficacy = facts.efficacy_lm_per_w();
-    return fmt::format("<tr>{}{}{}{}{}{}{}{}{}{}</tr>\n", first_cell(label, number), cell(luminaire),
-                       cell(fmt::format("{} {}", facts.format, facts.version)),
-                       number_cell(fmt::format("{} {}", amount_text(facts.flux_lm), facts.flux_unit)),
-                       number_cell(fmt::format("{} {}", amount_text(facts.peak.intensity.value), facts.intensity_unit)),
-                       number_cell(both_planes(facts.beam_deg, facts.beam_c90_deg)),
-                       number_cell(both_planes(facts.field_deg, facts.field_c90_deg)),
-                       number_cell(facts.input_w ? fmt::format("{} W", rounded(*facts.input_w, 4)) : std::string()),
-                       number_cell(efficacy ? fmt::format("{} lm/W", rounded(*efficacy, 3)) : std::string()),
-                       cell(diagnostics_count(diagnostics)));
+    return fmt::format(
+        "<tr>{}{}{}{}{}{}{}{}{}{}</tr>\n", first_cell(label, number), cell(luminaire, "name"),
+        cell(fmt::format("{} {}", facts.format, facts.version), "short"),
+        cell(fmt::format("{} {}", amount_text(facts.flux_lm), facts.flux_unit), "number"),
+        cell(fmt::format("{} {}", amount_text(facts.peak.intensity.value), facts.intensity_unit), "number"),
+        cell(both_planes(facts.beam_deg, facts.beam_c90_deg), "number"),
+        cell(both_planes(facts.field_deg, facts.field_c90_deg), "number"),
+        cell(facts.input_w ? fmt::format("{} W", rounded(*facts.input_w, 4)) : std::string(), "number"),
+        cell(efficacy ? fmt::format("{} lm/W", rounded(*efficacy, 3)) : std::string(), "number"),
+        cell(diagnostics_count(diagnostics), "counts"));
 }
 
 std::string facts_table(const ProfileFacts& facts) {
@@ -90,7 +87,7 @@ std::string facts_table(const ProfileFacts& facts) {
 // The keywords by LM-63's names, to which the fields of the other formats are mapped.
 std::string keywords_table(const ProfileHeader& header) {
     if (header.keywords.empty()) return {};
-    std::string table = "<table class=\"facts\"><caption>Keywords</caption><tbody>\n";
+    std::string table = "<table class=\"facts keywords\"><caption>Keywords</caption><tbody>\n";
     std::size_t shown = 0;
     for (const IesKeyword& keyword : header.keywords) {
         if (shown == most_keywords) break;
@@ -214,7 +211,7 @@ ProfilePart failed_part(const std::string& file, const std::string& label, std::
     ProfilePart part;
     part.row =
         fmt::format("<tr class=\"failed\">{}<td colspan=\"8\">not read: {}</td>{}</tr>\n", first_cell(label, number),
-                    html_start(reason, longest_text), cell(diagnostics_count(error.diagnostics)));
+                    html_start(reason, longest_text), cell(diagnostics_count(error.diagnostics), "counts"));
     part.section = begin_section(file, label, number) + "<p>This file could not be read.</p>\n<h3>Diagnostics</h3>\n" +
                    diagnostics_list(error.diagnostics, file, bytes) + "</section>\n";
     part.report = {{"file", file},

@@ -27,7 +27,7 @@ h1, h2, h3, p, figure, ul { margin: 0 0 .75rem }
 h1 { font-size: 1.6rem } h2 { font-size: 1.3rem } h3 { font-size: 1.05rem }
 a { color: var(--link) }
 .file, .place, footer, figcaption { color: var(--soft); font-size: .875rem }
-.file, td, th, li { overflow-wrap: anywhere }
+h2, .file, li, td { overflow-wrap: anywhere }
 section { margin-top: 2rem; padding-top: 1rem; border-top: 1px solid var(--line) }
 table { border-collapse: collapse; width: 100%; margin-bottom: 1rem; font-size: .875rem }
 caption { text-align: left; font-weight: 600; padding-bottom: .25rem }
@@ -35,12 +35,16 @@ th, td { text-align: left; vertical-align: top; padding: .2rem .6rem .2rem 0; bo
 thead th { border-bottom: 2px solid var(--line) }
 tbody th { font-weight: 500 }
 .facts tbody th { color: var(--soft); white-space: nowrap; width: 1% }
+.keywords tbody th { white-space: normal; overflow-wrap: anywhere; min-width: 6.5rem }
 .text { white-space: pre-line }
-.number { white-space: nowrap; font-variant-numeric: tabular-nums }
+thead th, .number, .short { white-space: nowrap }
+.number { font-variant-numeric: tabular-nums }
+.overview tbody th { overflow-wrap: anywhere; min-width: 9rem }
+.overview .name { min-width: 11rem }
+.overview .counts { min-width: 6rem; overflow-wrap: normal }
 .zones td { font-variant-numeric: tabular-nums }
 .failed td { color: var(--error) }
 .scroll { overflow-x: auto }
-.scroll table { min-width: 46rem }
 .beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 27rem), 1fr)); gap: 0 2rem }
 .diagrams { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: 1rem;
   align-items: start; margin-bottom: 1rem }
@@ -74,13 +78,16 @@ iframe { display: block; width: 100%; height: 90vh; border: 1px solid var(--line
   table { font-size: 7pt; margin-bottom: 4pt }
   th, td { padding: .6pt 4pt .6pt 0 }
   tr, figure, .diagnostics li { break-inside: avoid }
-  .scroll { overflow: visible } .scroll table { min-width: 0 }
+  .scroll { overflow: visible }
+  .overview tbody th, .overview .name { min-width: 14mm } .overview .counts { min-width: 14mm }
+  .keywords tbody th { min-width: 15mm }
   .beside { grid-template-columns: 1.15fr 1fr; gap: 0 5mm }
   .diagrams { grid-template-columns: repeat(3, 1fr); gap: 2mm; margin-bottom: 2mm }
   .diagram, .picture { padding: 1mm; margin: 0 0 2mm; border-radius: 0 }
   .diagrams .diagram { margin: 0 }
   .beside .picture { max-width: 66mm } .rig .picture { max-width: 110mm }
   .zones { font-size: 6pt; line-height: 1.1; margin: 0 } .zones th, .zones td { padding: .4pt 3pt .4pt 0 }
+  .diagnostics { columns: 2; column-gap: 5mm }
   .diagnostics li { margin-bottom: 4pt; padding-left: 5pt }
   .source { font-size: 6.5pt; padding: 2pt 4pt; white-space: pre-wrap }
   .interactive, details { display: none }
@@ -98,7 +105,7 @@ std::string counted(std::size_t number, std::string_view what) {
 std::string overview(std::span<const ProfilePart> profiles) {
     std::string table =
         "<div class=\"scroll\" role=\"region\" aria-label=\"Profiles\" tabindex=\"0\">\n"
-        "<table><caption>Profiles; beam and field in C0–C180 / C90–C270</caption><thead><tr>"
+        "<table class=\"overview\"><caption>Profiles; beam and field in C0–C180 / C90–C270</caption><thead><tr>"
         "<th scope=\"col\">File</th><th scope=\"col\">Luminaire</th><th scope=\"col\">Format</th>"
         "<th scope=\"col\">Flux</th><th scope=\"col\">Peak</th><th scope=\"col\">Beam</th><th scope=\"col\">Field</th>"
         "<th scope=\"col\">Input</th><th scope=\"col\">Efficacy</th><th scope=\"col\">Diagnostics</th>"

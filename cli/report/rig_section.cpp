@@ -34,8 +34,9 @@ namespace {
 constexpr std::size_t most_lights = 200; // rows of the table
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t most_lights_of_grid = 4096;
-constexpr int grid_side = 9;
+constexpr std::size_t grid_side = 9;
 constexpr double grid_margin_m = 1.5; // around the lights
+constexpr double grid_gap_m = 0.1;    // to a wall
 
 std::string vector_text(const glm::dvec3& vector) {
     return fmt::format("{}, {}, {}", rounded(vector.x, 4), rounded(vector.y, 4), rounded(vector.z, 4));
@@ -83,9 +84,27 @@ std::string lights_table(std::span<const Light> lights) {
     return table;
 }
 
-// Points of a floor at z = 0 below the lights and around them; nothing if no light has a place.
-std::vector<Receiver> floor_points(std::span<const Light> lights, std::array<double, grid_side>& x,
-                                   std::array<double, grid_side>& y) {
+// How far it is from a point to what stands there, at most `most_m`.
+double room_along(const Stage& stage, const glm::dvec3& from, const glm::dvec3& direction, double most_m) {
+    const std::optional<Hit> hit = first_hit(stage, {from, direction});
+    return hit ? std::clamp(hit->distance - grid_gap_m, 0.0, most_m) : most_m;
+}
+
+// From the first to the last, in equal steps.
+std::array<double, grid_side> steps_between(double first, double last) {
+    std::array<double, grid_side> steps{};
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        steps[i] = first + static_cast<double>(i) / (grid_side - 1) * (last - first);
+    return steps;
+}
+
+struct FloorGrid {
+    std::array<double, grid_side> x{};
+    std::array<double, grid_side> y{};
+};
+
+// Below the lights and around them, at z = 0, up to the walls of a room; nothing if no light has a place.
+std::optional<FloorGrid> floor_grid(std::span<const Light> lights, const Stage& stage) {
     constexpr double far = std::numeric_limits<double>::infinity();
     glm::dvec3 low(far);
     glm::dvec3 high(-far);
@@ -94,17 +113,17 @@ std::vector<Receiver> floor_points(std::span<const Light> lights, std::array<dou
         low = glm::min(low, light.frame.origin);
         high = glm::max(high, light.frame.origin);
     }
-    if (!(low.x <= high.x)) return {};
-    std::vector<Receiver> points;
-    for (int i = 0; i < grid_side; ++i) {
-        const double t = static_cast<double>(i) / (grid_side - 1);
-        x[static_cast<std::size_t>(i)] = low.x - grid_margin_m + t * (high.x - low.x + 2.0 * grid_margin_m);
-        y[static_cast<std::size_t>(i)] = high.y + grid_margin_m - t * (high.y - low.y + 2.0 * grid_margin_m);
-    }
-    for (const double row : y)
-        for (const double column : x)
-            points.push_back({{column, row, 0.0}, {0.0, 0.0, 1.0}});
-    return points;
+    if (!(low.x <= high.x)) return std::nullopt;
+    const glm::dvec3 middle = 0.5 * (low + high);
+    const auto reach = [&](const glm::dvec3& direction, double half) {
+        return room_along(stage, middle, direction, half + grid_margin_m);
+    };
+    const double half_x = 0.5 * (high.x - low.x);
+    const double half_y = 0.5 * (high.y - low.y);
+    FloorGrid grid;
+    grid.x = steps_between(middle.x - reach({-1.0, 0.0, 0.0}, half_x), middle.x + reach({1.0, 0.0, 0.0}, half_x));
+    grid.y = steps_between(middle.y + reach({0.0, 1.0, 0.0}, half_y), middle.y - reach({0.0, -1.0, 0.0}, half_y));
+    return grid;
 }
 
 // As `gonio probe --indirect` has it: with shadows, the sky and what the stage reflects.
@@ -130,16 +149,19 @@ Result<std::vector<double>> illuminance_at(std::span<const Receiver> points, std
 // Points in a solid of the stage, or behind a wall, have no value. Empty where the stage has no such floor.
 std::string floor_table(std::span<const Light> lights, const PreviewRequest& request) {
     if (lights.empty() || lights.size() > most_lights_of_grid) return {};
-    std::array<double, grid_side> x{};
-    std::array<double, grid_side> y{};
-    const std::vector<Receiver> points = floor_points(lights, x, y);
-    if (points.empty()) return {};
+    const std::optional<FloorGrid> grid = floor_grid(lights, request.stage);
+    if (!grid) return {};
+    std::vector<Receiver> points;
+    for (const double y : grid->y)
+        for (const double x : grid->x)
+            points.push_back({{x, y, 0.0}, {0.0, 0.0, 1.0}});
     const Result<std::vector<double>> lux = illuminance_at(points, lights, request);
     if (!lux) return {};
     std::vector<double> inside;
     std::string rows;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i % grid_side == 0) rows += fmt::format("<tr><th scope=\"row\">y {}</th>", rounded(y[i / grid_side], 3));
+        if (i % grid_side == 0)
+            rows += fmt::format("<tr><th scope=\"row\">y {}</th>", rounded(grid->y[i / grid_side], 3));
         if (check_receivers(request.stage, {&points[i], 1}).empty()) {
             inside.push_back((*lux)[i]);
             rows += fmt::format("<td class=\"number\">{}</td>", amount_text((*lux)[i]));
@@ -155,7 +177,7 @@ std::string floor_table(std::span<const Light> lights, const PreviewRequest& req
         "<table><caption>Illuminance of the floor in lx, with shadows and reflected light: least {}, mean {}, "
         "greatest {}, least/mean {}</caption><thead><tr><th scope=\"col\">m</th>",
         amount_text(all.least), amount_text(all.mean), amount_text(all.greatest), rounded(all.uniformity(), 2));
-    for (const double column : x)
+    for (const double column : grid->x)
         table += fmt::format("<th scope=\"col\">x {}</th>", rounded(column, 3));
     return table + "</tr></thead><tbody>\n" + rows + "</tbody></table>\n</div>\n";
 }
