@@ -222,16 +222,16 @@ Result<int> report(const Arguments& arguments, Console& console) {
         else
             console.say(result.rig->diagnostics);
     }
+    const std::vector<std::string> labels = labels_of(request->files);
     if (!request->files.empty())
-        result.status =
-            worse(result.status, add_profiles(*request, labels_of(request->files), *picture, result, console));
+        result.status = worse(result.status, add_profiles(*request, labels, *picture, result, console));
 
     ReportParts parts;
     parts.title = request->title;
     parts.paper = request->paper;
     if (!result.diagnostics.empty()) parts.remark = result.diagnostics.back().message;
     parts.profiles = result.profiles;
-    parts.names = request->files;
+    parts.names = labels;
     parts.rig = result.rig ? &*result.rig : nullptr;
     parts.page = request->page ? &*request->page : nullptr;
     const std::string html = report_html(parts);

@@ -40,6 +40,7 @@ button.addEventListener('click', () => {
   });
   frame.srcdoc = textOf(document.getElementById('page-bytes'));
   button.parentElement.replaceWith(frame);
+  frame.focus();
 });
 )js";
 

@@ -212,8 +212,10 @@ ProfilePart failed_part(const std::string& file, const std::string& label, std::
     part.row =
         fmt::format("<tr class=\"failed\">{}<td colspan=\"8\">not read: {}</td>{}</tr>\n", first_cell(label, number),
                     html_start(reason, longest_text), cell(diagnostics_count(error.diagnostics), "counts"));
-    part.section = begin_section(file, label, number) + "<p>This file could not be read.</p>\n<h3>Diagnostics</h3>\n" +
-                   diagnostics_list(error.diagnostics, file, bytes) + "</section>\n";
+    part.section = begin_section(file, label, number) + "<p>This file could not be read.</p>\n";
+    if (!error.diagnostics.empty())
+        part.section += "<h3>Diagnostics</h3>\n" + diagnostics_list(error.diagnostics, file, bytes);
+    part.section += "</section>\n";
     part.report = {{"file", file},
                    {"id", section_name(number)},
                    {"read", false},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace gonio::cli {
@@ -122,7 +123,10 @@ std::string interactive(const ReportParts& parts) {
     const bool has_rig = parts.rig != nullptr && !parts.rig->error;
     if (has_rig)
         for (const auto& [name, bytes] : parts.rig->profiles)
-            files.push_back({name, bytes});
+            if (std::none_of(files.begin(), files.end(), [&, &name = name, &bytes = bytes](const EmbeddedFile& file) {
+                    return file.name == name && file.bytes == bytes;
+                }))
+                files.push_back({name, bytes});
     return interactive_section(*parts.page, files, has_rig ? &parts.rig->text : nullptr);
 }
 

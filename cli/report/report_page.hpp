@@ -19,7 +19,7 @@ struct ReportParts {
     Paper paper = Paper::a4;
     std::string remark; // about the whole report, such as missing pictures; may be empty
     std::span<const ProfilePart> profiles;
-    std::span<const std::string> names; // of the profiles' files
+    std::span<const std::string> names; // of the profiles, for the interactive page
     const RigPart* rig = nullptr;
     const InteractivePage* page = nullptr;
 };
