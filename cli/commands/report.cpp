@@ -229,7 +229,9 @@ Result<int> report(const Arguments& arguments, Console& console) {
     ReportParts parts;
     parts.title = request->title;
     parts.paper = request->paper;
-    if (!result.diagnostics.empty()) parts.remark = result.diagnostics.back().message;
+    // Without the folders of this machine, which the diagnostic names.
+    if (!result.diagnostics.empty())
+        parts.remark = "Pictures are left out: the package gonio-media was missing where this report was made.";
     parts.profiles = result.profiles;
     parts.names = labels;
     parts.rig = result.rig ? &*result.rig : nullptr;

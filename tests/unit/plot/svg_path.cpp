@@ -108,7 +108,7 @@ TEST(SvgPath, KeepsHolesAndLeavesOutSlivers) {
 
 // A region with bays, islands and saddles: on the grid of the path its outline has the area of its parts.
 TEST(SvgPath, OutlinesCoverWhatTheirPartsCover) {
-    plot_detail::Field field;
+    Field field;
     for (int i = 0; i <= 60; ++i) {
         field.xs.push_back(i);
         field.ys.push_back(i);
