@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <vector>
 
 namespace gonio::cli {
 
@@ -29,15 +28,6 @@ std::optional<std::string_view> line_in(std::string_view bytes, std::uint32_t nu
     return text;
 }
 
-// Where each letter of UTF-8 begins, and the end.
-std::vector<std::size_t> letters_of(std::string_view text) {
-    std::vector<std::size_t> begins;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) begins.push_back(i);
-    begins.push_back(text.size());
-    return begins;
-}
-
 } // namespace
 
 std::string excerpt(std::string_view bytes, const Location& location) {
@@ -50,31 +40,33 @@ std::string excerpt(std::string_view bytes, const Location& location) {
     }
     const std::optional<std::string_view> line = line_in(bytes, location.line);
     if (!line) return {};
-    std::string text = to_utf8(*line);
+    // A line that is not UTF-8 has a letter for each of its bytes.
+    const bool has_letters = is_utf8(*line);
+    const auto within_letter = [&](std::size_t byte) {
+        return has_letters && byte < line->size() && (static_cast<unsigned char>((*line)[byte]) & 0xC0U) == 0x80U;
+    };
+    const std::size_t column = location.column == 0 ? 0 : std::min<std::size_t>(location.column - 1, line->size());
+    std::size_t first = column;
+    std::size_t before = 0; // letters shown before the column
+    for (; first > 0 && before < shown_before; ++before)
+        do
+            --first;
+        while (first > 0 && within_letter(first));
+    std::size_t last = column;
+    for (std::size_t after = 0; last < line->size() && after < shown_before + shown_after - before; ++after)
+        do
+            ++last;
+        while (within_letter(last));
+    std::string text = to_utf8(line->substr(first, last - first));
     std::replace(text.begin(), text.end(), '\t', ' ');
     constexpr std::string_view mark = "\uFEFF"; // has no width
     if (text.starts_with(mark)) text.replace(0, mark.size(), "\uFFFD");
-    const std::vector<std::size_t> letters = letters_of(text);
-    const std::size_t count = letters.size() - 1;
-    // A line that is not UTF-8 has a letter for each of its bytes.
-    std::size_t caret = 0;
-    if (location.column > 0) {
-        caret = std::min<std::size_t>(location.column - 1, line->size());
-        if (is_utf8(*line) && caret < line->size())
-            caret =
-                static_cast<std::size_t>(std::upper_bound(letters.begin(), letters.end(), caret) - letters.begin()) - 1;
-        else
-            caret = std::min(caret, count);
-    }
-    const std::size_t first = caret > shown_before ? caret - shown_before : 0;
-    const std::size_t last = std::min(count, caret + shown_after + (first == 0 ? shown_before : 0));
     const std::string number = std::to_string(location.line);
-    std::string shown = fmt::format("{} | {}{}{}", number, first > 0 ? "…" : "",
-                                    html(std::string_view(text).substr(letters[first], letters[last] - letters[first])),
-                                    last < count ? "…" : "");
+    std::string shown =
+        fmt::format("{} | {}{}{}", number, first > 0 ? "…" : "", html(text), last < line->size() ? "…" : "");
     if (location.column > 0)
         shown += fmt::format("\n{} | {}<b>^</b>", std::string(number.size(), ' '),
-                             std::string(caret - first + (first > 0 ? 1 : 0), ' '));
+                             std::string(before + (first > 0 ? 1 : 0), ' '));
     return fmt::format("<pre class=\"source\">{}</pre>\n", shown);
 }
 

@@ -22,17 +22,27 @@ std::size_t unwanted(std::string_view text) {
 
 } // namespace
 
-std::string html(std::string_view bytes) {
+std::string plain_text(std::string_view bytes) {
     const std::string text = to_utf8(bytes);
     std::string out;
-    out.reserve(text.size() + text.size() / 8);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (const std::size_t bytes_of = unwanted(std::string_view(text).substr(i)); bytes_of > 0) {
+    out.reserve(text.size());
+    for (std::size_t i = 0; i < text.size();) {
+        if (const std::size_t width = unwanted(std::string_view(text).substr(i)); width > 0) {
             out += replacement;
-            i += bytes_of - 1;
-            continue;
+            i += width;
+        } else {
+            out += text[i++];
         }
-        switch (text[i]) {
+    }
+    return out;
+}
+
+std::string html(std::string_view bytes) {
+    const std::string text = plain_text(bytes);
+    std::string out;
+    out.reserve(text.size() + text.size() / 8);
+    for (const char c : text) {
+        switch (c) {
         case '&':
             out += "&amp;";
             break;
@@ -51,7 +61,7 @@ std::string html(std::string_view bytes) {
         case '\r': // a line end by itself, in HTML
             break;
         default:
-            out += text[i];
+            out += c;
         }
     }
     return out;

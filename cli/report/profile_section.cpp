@@ -138,7 +138,7 @@ std::string diagrams(const std::string& label, std::size_t number, const Web& we
                            Shown{"cone", "Cone, down to " + height, size_of_cone}};
     std::string figures;
     for (const Shown& each : shown) {
-        const PlottedWeb plotted{label, &web};
+        const PlottedWeb plotted{plain_text(label), &web};
         PlotOptions options;
         options.width_px = each.size.width_px;
         options.height_px = each.size.height_px;
