@@ -166,6 +166,7 @@ ProfilePart part_of(const std::string& file, const std::string& label, std::size
     if (name.empty()) name = keyword_text(header, "LUMCAT");
     const std::string luminaire(name);
 
+    ProfilePart part;
     std::string pictures;
     Diagnostics of_picture;
     const bool is_photometric = facts.intensity_unit == "cd";
@@ -173,14 +174,13 @@ ProfilePart part_of(const std::string& file, const std::string& label, std::size
     if (options.picture != nullptr && is_photometric) {
         ProfileShape shape{
             file, web, ProfileSize::declared, {}, std::make_shared<const Opening>(opening_of(loaded.profile))};
-        Result<std::string> image =
+        const Result<std::string> image =
             profile_picture(file, std::move(shape), *options.picture, *options.stages, console, of_picture);
+        part.has_picture = image.has_value();
         pictures = image ? figure(*image, "On the stage", "picture")
                          : fmt::format("<p>No picture: {}</p>\n", html(image.error().diagnostics.back().message));
     }
 
-    ProfilePart part;
-    part.has_picture = !pictures.empty();
     part.row = row_of(label, number, luminaire, facts, diagnostics);
     part.section = begin_section(file, luminaire.empty() ? label : luminaire, number);
     part.section += "<div class=\"beside\">\n<div>" + facts_table(facts) + "</div>\n<div>" + pictures +
