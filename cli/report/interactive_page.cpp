@@ -104,6 +104,15 @@ std::vector<std::string_view> scripts_in(std::string_view text) {
     return scripts;
 }
 
+// Whether the page's own policy lets it make functions out of text, as some builds of WebAssembly's glue do.
+bool makes_functions(std::string_view text) {
+    constexpr std::string_view policy = "http-equiv=\"Content-Security-Policy\" content=\"";
+    const std::size_t begin = text.find(policy);
+    if (begin == std::string_view::npos) return false;
+    const std::string_view rest = text.substr(begin + policy.size());
+    return rest.substr(0, rest.find('"')).find("'unsafe-eval'") != std::string_view::npos;
+}
+
 std::string data_block(std::string_view attribute, std::string_view value, std::string_view bytes) {
     return fmt::format("<script type=\"text/plain\" {}=\"{}\">{}</script>\n", attribute, html(value), base64(bytes));
 }
@@ -157,6 +166,7 @@ std::string content_policy(const InteractivePage* page) {
     std::string sources = hash_source(script);
     for (const std::string_view text : scripts_in(page->bytes))
         sources += " " + hash_source(text);
+    if (makes_functions(page->bytes)) sources += " 'unsafe-eval'";
     return fmt::format("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; script-src {} "
                        "'wasm-unsafe-eval' blob:; worker-src blob:; base-uri 'none'; form-action 'none'",
                        sources);
