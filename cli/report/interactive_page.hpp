@@ -32,7 +32,8 @@ std::string interactive_section(const InteractivePage& page, std::span<const Emb
                                 const std::string* rig);
 
 // The Content-Security-Policy of a report, which the frame of a page inherits: without a page nothing runs. With one
-// its inline scripts and that of the section run, by their hashes, and WebAssembly and workers that they start.
+// its inline scripts and that of the section run, by their hashes, and WebAssembly and workers that they start;
+// functions made out of text only if the page's own policy allows them.
 std::string content_policy(const InteractivePage* page);
 
 } // namespace gonio::cli

@@ -162,6 +162,12 @@ def main():
         assert len(code) == 1 and hash_source(code[0]) in policy and "'unsafe-inline'" not in policy.split('script-src')[1]
         data = {attributes.get('id', attributes.get('data-name')): base64.b64decode(text, validate=True)
                 for attributes, text in report.scripts if attributes.get('type') == 'text/plain'}
+        assert "'unsafe-eval'" not in policy
+        page_policy = "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'"
+        other = folder / 'other.html'
+        other.write_text(f'<meta http-equiv="Content-Security-Policy" content="{page_policy}"><script>{script}</script>')
+        _, lax = check(write(named[0], '--page', other, '--no-picture'), interactive=True)
+        assert "'unsafe-eval'" in lax and "'unsafe-inline'" not in lax.split('script-src')[1]
         assert data['page-bytes'] == page.read_bytes()
         assert data['rig-text'] == rig[1].read_bytes()
         for file in files:
