@@ -14,6 +14,7 @@ extern const Command edit_command;
 extern const Command sample_command;
 extern const Command compare_command;
 extern const Command plot_command;
+extern const Command report_command;
 extern const Command bake_command;
 extern const Command import_command;
 extern const Command rig_command;
@@ -40,6 +41,7 @@ static constexpr std::array all{
     &sample_command,
     &compare_command,
     &plot_command,
+    &report_command,
     &bake_command,
     &import_command,
     &rig_command,
