@@ -1,6 +1,12 @@
 # The tool as a component: the program, its manual pages, and completion where each shell looks for it.
 install(TARGETS gonio-tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tool)
 
+# Where `gonio report` finds the page for browsers: one that cli/page/build.mjs has made.
+set(GONIO_PAGE "" CACHE FILEPATH "The page gonio.html, to install for interactive reports; empty: reports have none")
+if(GONIO_PAGE)
+    install(FILES "${GONIO_PAGE}" DESTINATION "${CMAKE_INSTALL_DATADIR}/gonio" COMPONENT tool RENAME gonio.html)
+endif()
+
 # Debian's packages have it in share/zsh/vendor-completions.
 set(GONIO_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING
     "Folder of completion functions for zsh, below the prefix")
