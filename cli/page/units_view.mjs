@@ -1,0 +1,65 @@
+// The unit converter: `gonio units`, with what other programs make of the same number.
+import { card, debounce, el, field, fill, problem, select, textOf } from './dom.mjs';
+import { commands, currentTab, on } from './app.mjs';
+import { Cancelled, reportOf } from './engine.mjs';
+import { exactNumber } from './numbers.mjs';
+
+const unitNames = { lm: 'luminous flux', cd: 'luminous intensity', nt: 'luminance (cd/m²)', ev: 'exposure value EV100', lx: 'illuminance', fc: 'illuminance', fL: 'luminance', W: 'power' };
+
+export function unitsView() {
+  const state = { value: '800lm', shape: 'sphere:r=3cm', to: '', policy: 'physical' };
+  const result = el('div', { class: 'result', 'aria-live': 'polite' });
+  const programs = el('div', { class: 'result' });
+  const input = (label, key, properties) => {
+    const control = el('input', { type: 'text', value: state[key], spellcheck: 'false', autocomplete: 'off', ...properties, oninput: debounce(200, () => {
+      state[key] = control.value.trim();
+      update();
+    }) });
+    return field(label, control);
+  };
+  const policy = select('Read as', [['physical', 'physical: lumens are the emitted flux']], 'physical', (value) => {
+    state.policy = value;
+    update();
+  });
+  const root = el('div', { class: 'tool-grid' },
+    card('Convert', el('div', { class: 'form pad' },
+      input('Amount', 'value', { list: 'amounts', placeholder: '800lm' }),
+      input('Shape', 'shape', { list: 'shapes', placeholder: 'point' }),
+      input('Units of the result', 'to', { placeholder: 'all that apply; or lx@2m,fc@6ft,nt' }),
+      field('Read as', policy)), result),
+    card('In other programs', el('p', { class: 'pad muted' }, 'What to type there for the same light.'), programs));
+
+  let turn = 0;
+  let begun = false;
+  async function begin() {
+    begun = true;
+    try {
+      const { entries } = reportOf(await commands.run(['list', 'policies', '--json']));
+      policy.setEntries(entries.map(({ name, summary }) => [name, `${name}: ${summary.replace(/ \(.*/, '')}`]), state.policy);
+    } catch { /* the choice stays as it is */ }
+  }
+
+  async function update() {
+    if (currentTab() !== 'units') return;
+    if (!begun) begin();
+    const own = ++turn;
+    const words = ['units', state.value || '0', ...(state.shape ? ['--shape', state.shape] : []), ...(state.policy !== 'physical' ? ['--policy', state.policy] : [])];
+    try {
+      const report = reportOf(await commands.run([...words, ...(state.to ? ['--to', state.to] : []), '--json']));
+      if (own !== turn) return;
+      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Result'), el('tbody', {}, ...report.results.map((each) => el('tr', {},
+        el('th', { scope: 'row' }, unitNames[each.unit.split('@')[0]] ?? each.unit),
+        el('td', { 'data-unit': each.unit }, each.value === null ? el('span', { class: 'muted' }, 'none') : exactNumber(each.value), el('span', { class: 'unit' }, ` ${each.unit}`)))))),
+      report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
+      const answer = await commands.run([...words, '--for', 'all']);
+      if (own !== turn) return;
+      fill(programs, answer.status === 0 ? el('pre', { class: 'tool-text', tabindex: 0, role: 'group', 'aria-label': 'What to type into other programs' }, textOf(answer.stdout).trimEnd()) : null);
+    } catch (error) {
+      if (own !== turn || error instanceof Cancelled) return;
+      fill(result, problem(error));
+      fill(programs);
+    }
+  }
+  on('tab', (name) => name === 'units' && update());
+  return root;
+}
