@@ -113,7 +113,7 @@ export function addFiles(list) {
   }
   if (added.length) {
     emit('files');
-    select(added[0].id);
+    selectFile(added[0].id);
     for (const file of added) examine(file);
     say(`${added.length} ${added.length === 1 ? 'profile' : 'profiles'} added`);
   }
@@ -126,11 +126,11 @@ export function removeFile(id) {
   if (index < 0) return;
   const [gone] = files.splice(index, 1);
   emit('files');
-  if (selectedId === id) select(files[Math.min(index, files.length - 1)]?.id);
+  if (selectedId === id) selectFile(files[Math.min(index, files.length - 1)]?.id);
   say(`${gone.name} removed`);
 }
 
-export function select(id) {
+export function selectFile(id) {
   selectedId = id;
   const file = selected();
   if (file && followsSelection()) doc.rig.lights[doc.active].shape = shapeOf(file);

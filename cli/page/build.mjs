@@ -7,6 +7,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { Script } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -49,7 +50,8 @@ function joinModules(entry) {
     if (done.has(name)) return;
     done.add(name);
     const text = readFileSync(join(here, name), 'utf8');
-    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'\.\/([\w.-]+)';\n/gm, (_, needed) => {
+    const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'\.\/([\w.-]+)';\n/gm, (line, needed) => {
+      if (/ as /.test(line)) fail(`${name}: an import under another name`);
       visit(needed, name);
       return '';
     });
@@ -61,14 +63,16 @@ function joinModules(entry) {
     parts.push(`// ${name}\n${body.replace(/^export /gm, '')}`);
   };
   visit(entry);
-  return parts.join('\n');
+  const joined = `'use strict';\n${parts.join('\n')}`;
+  new Script(joined, { filename: entry }); // throws on what is no script
+  return joined;
 }
 
 const { glue, wasm } = splitModule(resolve(modulePath));
 const profiles = examples.map((name) => ({ name, text: readFileSync(join(here, '../../profiles', name), 'latin1') }));
 const pieces = {
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
-  SCRIPT: inScript(`'use strict';\n${joinModules('main.mjs')}`),
+  SCRIPT: inScript(joinModules('main.mjs')),
   WORKER: inScript(`'use strict';\n${glue}\n${readFileSync(join(here, 'worker.js'), 'utf8')}`),
   WASM: gzipSync(wasm, { level: 9 }).toString('base64'),
   EXAMPLES: inJson(profiles),

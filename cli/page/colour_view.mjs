@@ -48,7 +48,8 @@ export function colourView() {
       segmented('Locus', [['planckian', 'Planckian'], ['daylight', 'Daylight'], ['blend', 'Blend']], state.locus, (locus) => { state.locus = locus; update(); }), use)),
     card('Chromaticity', result));
 
-  const row = (label, key, values) => el('tr', {}, el('th', { scope: 'row' }, label), el('td', { 'data-key': key }, ...values.flatMap((value, i) => [i ? ', ' : null, typeof value === 'number' ? exactNumber(value) : value]).filter(Boolean)));
+  const row = (label, key, value, unit = '') => el('tr', {}, el('th', { scope: 'row' }, label), el('td', { 'data-key': key },
+    typeof value === 'boolean' ? (value ? 'yes' : 'no') : exactNumber(value), unit ? el('span', { class: 'unit' }, unit) : null));
 
   let turn = 0;
   async function update() {
@@ -61,14 +62,15 @@ export function colourView() {
       if (!report.xy) throw Object.assign(new Error('no colour'), { diagnostics: report.diagnostics });
       swatch.style.background = cssColor(report.rgb);
       swatchText.textContent = `${report.cct_K} K, Duv ${report.duv}: x ${report.xy[0].toFixed(4)}, y ${report.xy[1].toFixed(4)}${report.in_gamut ? '' : ' (outside the gamut of the display)'}`;
-      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Chromaticity'), el('tbody', {},
-        row('Temperature', 'cct_K', [report.cct_K, ' K'].filter((value) => typeof value === 'number')),
-        row('Duv', 'duv', [report.duv]),
-        row('x', 'xy.0', [report.xy[0]]), row('y', 'xy.1', [report.xy[1]]),
-        row('u′', 'uv_prime.0', [report.uv_prime[0]]), row('v′', 'uv_prime.1', [report.uv_prime[1]]),
-        row('R', 'rgb.0', [report.rgb[0]]), row('G', 'rgb.1', [report.rgb[1]]), row('B', 'rgb.2', [report.rgb[2]]),
-        row('Inside the gamut', 'in_gamut', [report.in_gamut ? 'yes' : 'no'])))),
-      report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
+      const rows = [
+        row('Temperature', 'cct_K', report.cct_K, ' K'), row('Duv', 'duv', report.duv),
+        row('x', 'xy.0', report.xy[0]), row('y', 'xy.1', report.xy[1]),
+        row('u′', 'uv_prime.0', report.uv_prime[0]), row('v′', 'uv_prime.1', report.uv_prime[1]),
+        row('R', 'rgb.0', report.rgb[0]), row('G', 'rgb.1', report.rgb[1]), row('B', 'rgb.2', report.rgb[2]),
+        row('Inside the gamut', 'in_gamut', report.in_gamut),
+      ];
+      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Chromaticity'), el('tbody', {}, ...rows)),
+        report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
     } catch (error) {
       if (own === turn && !(error instanceof Cancelled)) fill(result, problem(error));
     }

@@ -1,5 +1,5 @@
 // Two profiles side by side: one diagram of both, their facts with the differences, and the same stage under each.
-import { card, el, field, fill, problem, segmented, select, showSvg } from './dom.mjs';
+import { card, el, field, fill, problem, segmented, select, showSvg, textOf } from './dom.mjs';
 import { commands, doc, fileById, files, on, currentTab, shapeOf, selected } from './app.mjs';
 import { diagnosticsOf, Cancelled } from './engine.mjs';
 import { drawDiagram, describe } from './diagrams.mjs';
@@ -7,7 +7,6 @@ import { numericFacts, quantity, valueOf } from './facts.mjs';
 import { renderOptions, Renderer, sceneOf } from './stage_view.mjs';
 import { briefNumber } from './numbers.mjs';
 
-const decode = (bytes) => new TextDecoder().decode(bytes);
 
 export function compareView() {
   const state = { a: undefined, b: undefined, kind: 'polar', perKlm: false };
@@ -79,7 +78,7 @@ export function compareView() {
       showSvg(image, svg, `${describe[state.kind]} of ${a.name} and ${b.name}`);
       const answer = await commands.run(['compare', a.path, b.path], { [a.path]: a.bytes, [b.path]: b.bytes }, { label: 'comparing' });
       if (own !== turn) return;
-      const text = decode(answer.stdout).trim() || diagnosticsOf(answer.stderr).map((entry) => entry.message).join('\n');
+      const text = textOf(answer.stdout).trim() || diagnosticsOf(answer.stderr).map((entry) => entry.message).join('\n');
       fill(verdict, el('pre', { class: 'tool-text', tabindex: 0, role: 'group', 'aria-label': 'What gonio compare says' }, text));
     } catch (error) {
       if (own === turn && !(error instanceof Cancelled)) {

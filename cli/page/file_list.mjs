@@ -1,6 +1,6 @@
 // The list of profiles, and the ways in which they come: dropped, picked, pasted, the examples.
 import { byId, el, fill } from './dom.mjs';
-import { addFiles, emit, files, notice, on, removeFile, say, select, selected } from './app.mjs';
+import { addFiles, emit, files, notice, on, removeFile, say, selectFile, selected } from './app.mjs';
 import { briefNumber } from './numbers.mjs';
 
 const greatestFile = 64 * 1024 * 1024;
@@ -50,7 +50,7 @@ function draw() {
   fill(byId('files'), ...files.map((file) => el('li', { class: file === chosen ? 'file chosen' : 'file' },
     el('button', {
       type: 'button', class: 'file-name', 'aria-current': file === chosen ? 'true' : undefined, 'data-id': file.id,
-      onclick: () => select(file.id),
+      onclick: () => selectFile(file.id),
     }, el('span', { class: 'name' }, file.name), el('span', { class: 'facts' }, summary(file)), badge(file)),
     el('button', { type: 'button', class: 'icon remove', 'aria-label': `Remove ${file.name}`, title: 'Remove (Delete)', onclick: () => removeFile(file.id) }, '×'))));
 }
@@ -126,7 +126,7 @@ export function step(by) {
   const index = files.indexOf(selected());
   const next = files[Math.min(files.length - 1, Math.max(0, index + by))];
   if (next && next !== selected()) {
-    select(next.id);
+    selectFile(next.id);
     say(next.name);
   }
   emit('stepped');

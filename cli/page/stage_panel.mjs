@@ -1,6 +1,6 @@
 // The controls of the lit stage. They show the document and change it; what is wrong with a value the tool says.
 import { debounce, el, field, fill, segmented, select } from './dom.mjs';
-import { activeLight, change, commands, doc, fileById, files, on, prefer, prefs, say, select as selectFile, selected, shapeOf } from './app.mjs';
+import { activeLight, change, commands, doc, fileById, files, on, prefer, prefs, say, selectFile, selected, shapeOf } from './app.mjs';
 import { reportOf } from './engine.mjs';
 import { anglesOf, directionOf, stageOf, stages } from './stages.mjs';
 

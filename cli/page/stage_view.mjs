@@ -4,7 +4,7 @@ import { byId, el, fill, problem, segmented } from './dom.mjs';
 import {
   activeLight, cameraOf, cancelAll, change, doc, filesOf, newEngine, on, prefs, rigOf, say, selected, watch,
 } from './app.mjs';
-import { anglesOf, directionOf, vector } from './stages.mjs';
+import { add, anglesOf, cross, directionOf, dot, subtract, times, unit } from './stages.mjs';
 import { Cancelled } from './engine.mjs';
 import { briefNumber, lx_per_fc } from './numbers.mjs';
 import { viridisGradient } from './palette.mjs';
@@ -13,8 +13,7 @@ const frame_ms = 27; // of one picture while moving: 33 ms without what the page
 const still_ms = 140; // without a change, before refining begins
 const greatestPicture = 1.6e6; // pixels
 
-const { add, times, dot, cross, unit, subtract } = vector;
-const round = (value, digits = 4) => Number(value.toFixed(digits)) || 0;
+const rounded = (value, digits = 4) => Number(value.toFixed(digits)) || 0;
 
 export const dragModes = [
   ['orbit', 'Orbit', 'Drag or arrow keys: the camera goes around (O)'],
@@ -77,7 +76,7 @@ export function stageView() {
   const canvas = el('canvas', { width: 480, height: 320, tabindex: 0, role: 'application', 'aria-roledescription': 'lit stage', 'aria-label': 'Lit stage', 'aria-describedby': 'stage-keys' });
   const handle = el('div', { class: 'light-handle', title: 'The light: drag it', 'aria-hidden': 'true' });
   const aim = el('div', { class: 'light-aim', 'aria-hidden': 'true' });
-  const cross_ = el('div', { class: 'crosshair', hidden: true, 'aria-hidden': 'true' });
+  const reticle = el('div', { class: 'crosshair', hidden: true, 'aria-hidden': 'true' });
   const legend = el('div', { class: 'legend', hidden: true, role: 'img' });
   const readout = el('output', { class: 'readout', 'aria-live': 'off' });
   const state = el('span', { class: 'stage-state muted' });
@@ -88,7 +87,7 @@ export function stageView() {
   const modes = segmented('Dragging and arrow keys', dragModes, dragMode, (mode) => setMode(mode));
   const reset = el('button', { type: 'button', class: 'small', title: 'Camera and light as the stage has them (R)', onclick: () => resetView() }, 'Reset');
   const keys = el('p', { class: 'hidden', id: 'stage-keys' }, 'Arrow keys orbit the camera, plus and minus zoom. With Shift they move the light, with Control they turn it. O, M, T and L choose what plain arrow keys do; R resets.');
-  const box = el('div', { class: 'stage-box' }, canvas, aim, handle, cross_, legend, errors);
+  const box = el('div', { class: 'stage-box' }, canvas, aim, handle, reticle, legend, errors);
   const view = el('div', { class: 'stage', 'data-quality': 'none' }, box,
     el('div', { class: 'stage-bar' }, modes, reset, el('span', { class: 'spring' }), readout),
     el('div', { class: 'stage-line' }, state, busy, stop), keys);
@@ -306,7 +305,7 @@ export function stageView() {
     if (next[2] < 0.05) next[2] = 0.05; // the floor
     view.dataset.moved = 'camera';
     change('camera', (document) => {
-      document.rig.camera = { ...document.rig.camera, position: next.map((value) => round(value)), target };
+      document.rig.camera = { ...document.rig.camera, position: next.map((value) => rounded(value)), target };
     });
   }
 
@@ -316,7 +315,7 @@ export function stageView() {
   }
 
   const moveLight = (offset) => editLight('move', (light) => {
-    light.position = add(activeLight().position, offset).map((value) => round(value, 3));
+    light.position = add(activeLight().position, offset).map((value) => rounded(value, 3));
   });
 
   function turnLight(tiltBy, azimuthBy) {
@@ -392,7 +391,7 @@ export function stageView() {
     const [x, y] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
     let used = true;
     if (x || y) {
-      if (mode === 'measure') moveCross(x * 8, y * 8);
+      if (mode === 'measure') moveReticle(x * 8, y * 8);
       else if (mode === 'orbit') orbit(x * 0.06, -y * 0.06);
       else if (mode === 'turn') turnLight(-y * 2, x * 4);
       else moveLight([x * 0.05, -y * 0.05, 0]);
@@ -416,8 +415,8 @@ export function stageView() {
   function setMode(mode) {
     dragMode = mode;
     box.dataset.mode = mode;
-    cross_.hidden = mode !== 'measure';
-    if (mode === 'measure') moveCross(0, 0);
+    reticle.hidden = mode !== 'measure';
+    if (mode === 'measure') moveReticle(0, 0);
   }
   setMode(dragMode);
 
@@ -433,12 +432,12 @@ export function stageView() {
 
   // ---- measuring
 
-  let crossAt;
-  function moveCross(dx, dy) {
-    crossAt ??= [canvas.clientWidth / 2, canvas.clientHeight / 2];
-    crossAt = [Math.min(canvas.clientWidth - 1, Math.max(0, crossAt[0] + dx)), Math.min(canvas.clientHeight - 1, Math.max(0, crossAt[1] + dy))];
-    cross_.style.transform = `translate(${crossAt[0]}px, ${crossAt[1]}px)`;
-    measureAt(...crossAt, true);
+  let reticleAt;
+  function moveReticle(dx, dy) {
+    reticleAt ??= [canvas.clientWidth / 2, canvas.clientHeight / 2];
+    reticleAt = [Math.min(canvas.clientWidth - 1, Math.max(0, reticleAt[0] + dx)), Math.min(canvas.clientHeight - 1, Math.max(0, reticleAt[1] + dy))];
+    reticle.style.transform = `translate(${reticleAt[0]}px, ${reticleAt[1]}px)`;
+    measureAt(...reticleAt, true);
   }
 
   function amount(measured) {
@@ -494,7 +493,7 @@ export function stageView() {
     const size = `${canvas.clientWidth}x${canvas.clientHeight}`;
     if (size === lastSize || canvas.clientWidth === 0) return;
     lastSize = size;
-    crossAt = undefined;
+    reticleAt = undefined;
     placeHandle();
     invalidate();
   }).observe(canvas);

@@ -20,12 +20,12 @@ export function stageOf(rig) {
 }
 
 export const down = [0, 0, -1];
-const add = (a, b) => a.map((value, i) => value + b[i]);
-const times = (a, factor) => a.map((value) => value * factor);
-const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => times(a, 1 / (Math.hypot(...a) || 1));
-export const vector = { add, times, dot, cross, unit, subtract: (a, b) => a.map((value, i) => value - b[i]) };
+export const add = (a, b) => a.map((value, i) => value + b[i]);
+export const subtract = (a, b) => a.map((value, i) => value - b[i]);
+export const times = (a, factor) => a.map((value) => value * factor);
+export const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const unit = (a) => times(a, 1 / (Math.hypot(...a) || 1));
 
 // `v` turned as the shortest turn takes unit vector `from` to unit vector `to`.
 export function turnedAlong(v, from, to) {

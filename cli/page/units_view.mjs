@@ -47,10 +47,11 @@ export function unitsView() {
     try {
       const report = reportOf(await commands.run([...words, ...(state.to ? ['--to', state.to] : []), '--json']));
       if (own !== turn) return;
-      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Result'), el('tbody', {}, ...report.results.map((each) => el('tr', {},
-        el('th', { scope: 'row' }, unitNames[each.unit.split('@')[0]] ?? each.unit),
-        el('td', { 'data-unit': each.unit }, each.value === null ? el('span', { class: 'muted' }, 'none') : exactNumber(each.value), el('span', { class: 'unit' }, ` ${each.unit}`)))))),
-      report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
+      const rows = report.results.map(({ unit, value }) => el('tr', {},
+        el('th', { scope: 'row' }, unitNames[unit.split('@')[0]] ?? unit),
+        el('td', { 'data-unit': unit }, value === null ? el('span', { class: 'muted' }, 'none') : exactNumber(value), el('span', { class: 'unit' }, ` ${unit}`))));
+      fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Result'), el('tbody', {}, ...rows)),
+        report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
       const answer = await commands.run([...words, '--for', 'all']);
       if (own !== turn) return;
       fill(programs, answer.status === 0 ? el('pre', { class: 'tool-text', tabindex: 0, role: 'group', 'aria-label': 'What to type into other programs' }, textOf(answer.stdout).trimEnd()) : null);
