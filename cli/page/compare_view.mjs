@@ -8,6 +8,13 @@ import { renderOptions, Renderer, sceneOf } from './stage_view.mjs';
 import { briefNumber } from './numbers.mjs';
 
 
+// Angles and counts by how much, other amounts in per cent of the first.
+function changeText(from, to, unit) {
+  const sign = to > from ? '+' : '−';
+  if (unit === '°' || unit === '' || from === 0) return `${sign}${briefNumber(Math.abs(to - from), 3)}${unit === '°' ? '°' : ''}`;
+  return `${sign}${briefNumber(Math.abs((100 * (to - from)) / from), 3)} %`;
+}
+
 export function compareView() {
   const state = { a: undefined, b: undefined, kind: 'polar', perKlm: false };
   const renderer = new Renderer();
@@ -31,12 +38,12 @@ export function compareView() {
     return { canvas, label, figure: el('figure', { class: 'shot' }, canvas, label) };
   });
   const empty = el('p', { class: 'pad muted' }, 'Open two or more profiles to compare them.');
-  const content = el('div', { class: 'compare-grid' },
+  const content = el('div', { class: 'compare-grid' }, el('div', { class: 'column' },
     card('Diagram', segmented('Diagram', [['polar', 'Polar'], ['cartesian', 'Cartesian']], 'polar', (kind) => { state.kind = kind; update(); }), frame,
       el('div', { class: 'card-foot' }, el('label', { class: 'check' }, perKlm, ' per 1000 lm'))),
-    card('Differences', verdict, table),
     card('On the stage', el('div', { class: 'shots' }, ...pictures.map((each) => each.figure)),
-      el('p', { class: 'pad muted' }, 'The stage, the camera and the display mode are those of the Stage view; both at the same exposure.')));
+      el('p', { class: 'pad muted' }, 'The stage, the camera and the display mode are those of the Stage view; both at the same exposure.'))),
+    card('Differences', verdict, table));
   const root = el('div', {}, el('div', { class: 'compare-head' }, field('First', selectA), swap, field('Second', selectB)), empty, content);
 
   function refresh() {
@@ -57,8 +64,8 @@ export function compareView() {
       .filter(([, , va, vb]) => (va ?? vb ?? null) !== null)
       .map(([label, unit, va, vb]) => {
         const numbers = typeof va === 'number' && typeof vb === 'number';
-        const difference = !numbers ? (va === vb ? '' : 'differs') : va === vb ? '=' : va === 0 ? briefNumber(vb) : `${vb > va ? '+' : '−'}${briefNumber(Math.abs((100 * (vb - va)) / va), 3)} %`;
-        return el('tr', { class: va === vb ? '' : 'differs' }, el('th', { scope: 'row' }, label), el('td', {}, quantity(va, unit)), el('td', {}, quantity(vb, unit)), el('td', { class: 'difference' }, difference));
+        const difference = va === vb ? '=' : numbers ? changeText(va, vb, unit) : 'differs';
+        return el('tr', { class: va === vb ? '' : 'differs' }, el('th', { scope: 'row' }, label), el('td', {}, quantity(va, unit, true)), el('td', {}, quantity(vb, unit, true)), el('td', { class: 'difference' }, difference));
       });
   }
 

@@ -153,7 +153,7 @@ export function exportView() {
     linkBox), rigOutcome);
 
   const root = el('div', {}, el('div', { class: 'export-head' }, subject, el('label', { class: 'check pad' }, all, ' all profiles of the list')),
-    el('div', { class: 'export-grid' }, convert, bake, assets, state));
+    el('div', { class: 'export-grid' }, el('div', { class: 'column' }, convert, assets), el('div', { class: 'column' }, bake, state)));
 
   let listed = false;
   async function list() {

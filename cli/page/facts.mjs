@@ -59,8 +59,9 @@ export function valueOf(info, key) {
 
 export const numericFacts = groups.flatMap(([, rows]) => rows);
 
-// A value with its unit: all digits as they are; rounded in a unit of choice or when that was asked for.
-export function quantity(value, unit) {
+// A value with its unit: all digits as they are; rounded in a unit of
+// choice, or when that was asked for.
+export function quantity(value, unit, brief = false) {
   if (value === null || value === undefined) return el('span', { class: 'muted' }, 'none');
   if (typeof value === 'boolean') return el('span', {}, value ? 'yes' : 'no');
   if (typeof value !== 'number') return el('span', {}, symmetries[value] ?? String(value));
@@ -73,7 +74,7 @@ export function quantity(value, unit) {
     shown = prefs.flux;
     factor = fluxUnits[prefs.flux] ?? 1;
   }
-  const exact = factor === 1 && prefs.digits === 'exact';
+  const exact = factor === 1 && prefs.digits === 'exact' && !brief;
   const number = exact ? exactNumber(value) : el('span', { class: 'number', title: String(value) }, briefNumber(value / factor, 5));
   return el('span', {}, number, shown ? el('span', { class: 'unit' }, shown === '°' ? '°' : ` ${shown}`) : null);
 }

@@ -19,10 +19,8 @@ function numberField(label, { min, max, step, unit = '', digits = 2, slider = tr
     number.value = range.value;
     give(range.value);
   });
-  const line = el('div', { class: 'number-field' }, range, number, unit ? el('span', { class: 'unit' }, unit) : null);
-  const control = field(unit ? `${label}` : label, number);
-  control.replaceChild(line, number);
-  line.querySelector('input[type=number]') ?? line.append(number);
+  const control = field(label, number);
+  control.append(el('div', { class: 'number-field' }, range, number, unit ? el('span', { class: 'unit' }, unit) : null));
   control.show = (value) => {
     const text = String(Number(value.toFixed(digits)));
     if (document.activeElement !== number) number.value = text;

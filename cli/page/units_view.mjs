@@ -1,10 +1,19 @@
 // The unit converter: `gonio units`, with what other programs make of the same number.
-import { card, debounce, el, field, fill, problem, select, textOf } from './dom.mjs';
+import { card, debounce, el, field, fill, problem, select } from './dom.mjs';
 import { commands, currentTab, on } from './app.mjs';
-import { Cancelled, reportOf } from './engine.mjs';
+import { Cancelled, errorOf, reportOf } from './engine.mjs';
 import { exactNumber } from './numbers.mjs';
 
-const unitNames = { lm: 'luminous flux', cd: 'luminous intensity', nt: 'luminance (cd/m²)', ev: 'exposure value EV100', lx: 'illuminance', fc: 'illuminance', fL: 'luminance', W: 'power' };
+const unitNames = { lm: 'luminous flux', cd: 'luminous intensity', nt: 'luminance', ev: 'exposure value', lx: 'illuminance', fc: 'illuminance', fL: 'luminance', W: 'power' };
+
+function programTable(list) {
+  return el('table', { class: 'facts-table programs' }, el('caption', { class: 'hidden' }, 'What to type into other programs'),
+    el('thead', {}, el('tr', {}, ...['Program', 'Light', 'Values'].map((text) => el('th', { scope: 'col' }, text)))),
+    el('tbody', {}, ...list.map(({ program, has_light: has, light, fields, note }) => el('tr', {}, el('th', { scope: 'row' }, program),
+      el('td', {}, has ? light : el('span', { class: 'muted' }, 'none')),
+      el('td', {}, ...fields.map(({ name, value, unit }) => el('span', { class: 'value' }, `${name} `, el('strong', {}, value), unit ? ` ${unit}` : '')),
+        note ? el('span', { class: 'muted value' }, note) : null)))));
+}
 
 export function unitsView() {
   const state = { value: '800lm', shape: 'sphere:r=3cm', to: '', policy: 'physical' };
@@ -49,12 +58,12 @@ export function unitsView() {
       if (own !== turn) return;
       const rows = report.results.map(({ unit, value }) => el('tr', {},
         el('th', { scope: 'row' }, unitNames[unit.split('@')[0]] ?? unit),
-        el('td', { 'data-unit': unit }, value === null ? el('span', { class: 'muted' }, 'none') : exactNumber(value), el('span', { class: 'unit' }, ` ${unit}`))));
+        el('td', { 'data-unit': unit }, value === null ? el('span', { class: 'muted' }, 'none') : exactNumber(value), el('span', { class: 'unit' }, ` ${unit === 'ev' ? 'EV100' : unit === 'nt' ? 'cd/m² (nt)' : unit}`))));
       fill(result, el('table', { class: 'facts-table' }, el('caption', { class: 'hidden' }, 'Result'), el('tbody', {}, ...rows)),
         report.diagnostics?.length ? problem({ diagnostics: report.diagnostics }) : null);
-      const answer = await commands.run([...words, '--for', 'all']);
+      const answer = await commands.run([...words, '--for', 'all', '--json']);
       if (own !== turn) return;
-      fill(programs, answer.status === 0 ? el('pre', { class: 'tool-text', tabindex: 0, role: 'group', 'aria-label': 'What to type into other programs' }, textOf(answer.stdout).trimEnd()) : null);
+      fill(programs, answer.status === 0 ? programTable(reportOf(answer).programs) : problem(errorOf(answer)));
     } catch (error) {
       if (own !== turn || error instanceof Cancelled) return;
       fill(result, problem(error));
