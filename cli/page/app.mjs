@@ -56,8 +56,9 @@ export const newEngine = () => new Engine(showWork);
 export const commands = newEngine(); // everything but pictures
 
 export function cancelAll() {
-  for (const engine of [commands, ...watched]) if (engine.busy) engine.cancel();
-  say('Cancelled');
+  const working = [commands, ...watched].filter((engine) => engine.busy);
+  for (const engine of working) engine.cancel();
+  if (working.length) say('Cancelled');
 }
 
 // ---- profiles
@@ -94,6 +95,10 @@ function decode(bytes) {
 export const asBytes = (data) => (typeof data === 'string' ? new TextEncoder().encode(data)
   : data instanceof ArrayBuffer ? new Uint8Array(data) : new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
 
+// Who opens a saved state (link.mjs, which needs this module).
+let openState = () => false;
+export const setStateOpener = (open) => { openState = open; };
+
 const looksLikeRig = (name, bytes) => /\.json$/i.test(name) && /gonio\.rig\//.test(textOf(bytes.subarray(0, 4096)));
 
 // Adds {name, bytes}; the first new profile is selected and lit at once, the facts of all follow.
@@ -102,6 +107,10 @@ export function addFiles(list) {
   let rig;
   for (const { name, bytes: data } of list) {
     const bytes = asBytes(data);
+    if (/\.json$/i.test(name) && textOf(bytes.subarray(0, 64)).startsWith('{"gonio":1,')) {
+      if (!openState(textOf(bytes))) notice(document.createTextNode(`${name} holds no state that can be opened.`));
+      continue;
+    }
     if (looksLikeRig(name, bytes)) {
       rig = textOf(bytes);
       continue;

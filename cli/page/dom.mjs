@@ -51,9 +51,12 @@ export function segmented(label, entries, value, choose) {
 
 export function select(label, entries, value, choose, properties = {}) {
   const element = el('select', { 'aria-label': label, onchange: () => choose(element.value), ...properties });
+  let held = '';
   element.setEntries = (list, chosen) => {
-    fill(element, ...list.map(([key, text]) => el('option', { value: key }, text)));
-    element.value = chosen;
+    const wanted = JSON.stringify(list);
+    if (wanted !== held) fill(element, ...list.map(([key, text]) => el('option', { value: key }, text)));
+    held = wanted;
+    if (element.value !== chosen) element.value = chosen;
   };
   element.setEntries(entries, value);
   return element;

@@ -44,8 +44,10 @@ function summary(file) {
   return file.check?.diagnostics.findLast((entry) => entry.severity === 'error')?.message ?? file.error?.message ?? '';
 }
 
+// Drawn anew: the focus and what is in sight stay.
 function draw() {
   const chosen = selected();
+  const focused = byId('files').contains(document.activeElement) ? document.activeElement.dataset.id : undefined;
   byId('count').textContent = files.length ? String(files.length) : '';
   fill(byId('files'), ...files.map((file) => el('li', { class: file === chosen ? 'file chosen' : 'file' },
     el('button', {
@@ -53,6 +55,19 @@ function draw() {
       onclick: () => selectFile(file.id),
     }, el('span', { class: 'name' }, file.name), el('span', { class: 'facts' }, summary(file)), badge(file)),
     el('button', { type: 'button', class: 'icon remove', 'aria-label': `Remove ${file.name}`, title: 'Remove (Delete)', onclick: () => removeFile(file.id) }, '×'))));
+  if (focused) byId('files').querySelector(`[data-id="${focused}"]`)?.focus();
+}
+
+function drawSoon() {
+  drawSoon.asked ??= requestAnimationFrame(() => {
+    drawSoon.asked = undefined;
+    draw();
+  });
+}
+
+function drawChosen() {
+  draw();
+  byId('files').querySelector('.chosen')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
 }
 
 // A drag that passes over the page's elements enters and leaves each of them.
@@ -98,7 +113,9 @@ function acceptPaste() {
 }
 
 export function startFileList() {
-  on('files file select', draw);
+  on('files', draw);
+  on('file', drawSoon);
+  on('select', drawChosen);
   byId('open').addEventListener('click', openPicker);
   byId('picker').addEventListener('change', (event) => {
     addPicked([...event.target.files]).then(() => { event.target.value = ''; });

@@ -46,6 +46,7 @@ function stateOf(withFiles) {
 export const stateFile = () => JSON.stringify(stateOf('all'));
 
 export async function linkOf() {
+  if (!/^(file|https?):$/.test(location.protocol)) throw new Error('a page inside a report has no link of its own: save the state instead');
   let packed = await pack(JSON.stringify(stateOf('rig')));
   if (packed.length > greatestFilesInLink) packed = await pack(JSON.stringify(stateOf('none')));
   const base = location.href.split('#')[0];
@@ -78,6 +79,15 @@ export function applyState(state) {
   if (typeof state.tab === 'string') showTab(state.tab);
   notice(missing.length ? document.createTextNode(`The link does not hold ${missing.join(', ')}: open the profile here.`) : undefined);
   return true;
+}
+
+// Text of a saved state.
+export function openStateFile(text) {
+  try {
+    return applyState(JSON.parse(text));
+  } catch {
+    return false;
+  }
 }
 
 // The fragment's state; true where there was one.

@@ -2,7 +2,7 @@
 import { byId, card, el, fill } from './dom.mjs';
 import {
   addFiles, asBytes, canRedo, canUndo, cancelAll, commands, currentTab, files, on, openRig, prefer, prefs, redo, say,
-  selected, showTab, undo,
+  selected, setStateOpener, showTab, undo,
 } from './app.mjs';
 import { examples, openPicker, startFileList, step } from './file_list.mjs';
 import { factsCard } from './facts.mjs';
@@ -15,7 +15,7 @@ import { compareView } from './compare_view.mjs';
 import { exportView } from './export_view.mjs';
 import { unitsView } from './units_view.mjs';
 import { colourView } from './colour_view.mjs';
-import { openFragment } from './link.mjs';
+import { openFragment, openStateFile } from './link.mjs';
 
 const tabs = [
   ['profile', 'Profile'], ['stage', 'Stage'], ['compare', 'Compare'], ['export', 'Export'], ['units', 'Units'], ['colour', 'Colour'],
@@ -44,6 +44,7 @@ function profileView(stage) {
   const view = el('div', {}, title, grid);
   const show = (file) => {
     title.textContent = file?.name ?? '';
+    document.title = file ? `${file.name}: gonio` : 'gonio: photometric lights';
     if (!file) return;
     for (const each of [facts, findings, keywords, diagram]) each.show(file);
   };
@@ -190,6 +191,7 @@ function startMessages() {
 
 async function start() {
   startTheme();
+  setStateOpener(openStateFile);
   const { stage } = buildPanels();
   startFileList();
   startKeys(helpDialogOpener());

@@ -1,5 +1,5 @@
 // The photometric solid: the surface whose distance from the middle is the intensity in that direction. Drawn on a 2-D canvas
-// from the farthest facet to the nearest; some 4,000 facets take a few milliseconds, need no GPU and cannot lose it.
+// from the farthest facet to the nearest; some 8,000 facets take a few milliseconds, need no GPU and cannot lose it.
 //
 // Frame: Z up; gamma counts from straight down, C0 along +X, C90 along +Y.
 import { el } from './dom.mjs';
@@ -7,8 +7,8 @@ import { commands } from './app.mjs';
 import { briefNumber } from './numbers.mjs';
 import { viridis } from './palette.mjs';
 
-const planeCount = 72;
-const gammaCount = 61;
+const planeCount = 90;
+const gammaCount = 91;
 const planes = Array.from({ length: planeCount }, (_, i) => (i * 360) / planeCount);
 const gammas = Array.from({ length: gammaCount }, (_, i) => (i * 180) / (gammaCount - 1));
 
@@ -40,7 +40,20 @@ function facetsOf(candela) {
       const size = Math.hypot(...n) || 1;
       facets.push({ corners, level, normal: n.map((value) => value / size), color: viridis(level) });
     }
-  return { points, facets, peak };
+  // The middle and the size of what is drawn, the lamp included; and how far it reaches sideways, for the ring.
+  const low = [0, 0, 0];
+  const high = [0, 0, 0];
+  let reach = 0.1;
+  for (let i = 0; i < points.length; i += 3) {
+    for (let axis = 0; axis < 3; ++axis) {
+      low[axis] = Math.min(low[axis], points[i + axis]);
+      high[axis] = Math.max(high[axis], points[i + axis]);
+    }
+    reach = Math.max(reach, Math.hypot(points[i], points[i + 1]));
+  }
+  const middle = low.map((value, axis) => (value + high[axis]) / 2);
+  const size = Math.max(0.3, Math.hypot(...high.map((value, axis) => value - middle[axis])));
+  return { points, facets, peak, middle, size, reach };
 }
 
 export function solidView() {
@@ -61,18 +74,19 @@ export function solidView() {
     if (!mesh) return;
     const style = getComputedStyle(canvas);
     const [cy, sy, cp, sp] = [Math.cos(pose.yaw), Math.sin(pose.yaw), Math.cos(pose.pitch), Math.sin(pose.pitch)];
-    const scale = size * 0.42 * pose.zoom;
-    const turn = (x, y, z) => {
+    const scale = (size * 0.42 * pose.zoom) / mesh.size;
+    const turn = (px, py, pz) => {
+      const [x, y, z] = [px - mesh.middle[0], py - mesh.middle[1], pz - mesh.middle[2]];
       const right = x * cy + y * sy;
       const ahead = -x * sy + y * cy;
       return [size / 2 + right * scale, size / 2 - (z * cp + ahead * sp) * scale, ahead * cp - z * sp];
     };
-    const ring = (levels, make, color) => {
+    const ring = (radius, color) => {
       context.strokeStyle = color;
       context.lineWidth = Math.max(1, size / 720);
       context.beginPath();
       for (let i = 0; i <= 72; ++i) {
-        const [x, y] = turn(...make((i * Math.PI) / 36));
+        const [x, y] = turn(radius * Math.cos((i * Math.PI) / 36), radius * Math.sin((i * Math.PI) / 36), 0);
         if (i) context.lineTo(x, y);
         else context.moveTo(x, y);
       }
@@ -80,7 +94,8 @@ export function solidView() {
     };
     const faint = style.getPropertyValue('--line').trim();
     const grey = style.getPropertyValue('--muted').trim();
-    for (const r of [0.5, 1]) ring(r, (t) => [r * Math.cos(t), r * Math.sin(t), 0], faint);
+    ring(mesh.reach / 2, faint);
+    ring(mesh.reach, faint);
     const flat = new Float32Array((mesh.points.length / 3) * 3);
     for (let i = 0; i < mesh.points.length; i += 3) {
       const [x, y, depth] = turn(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
@@ -115,8 +130,8 @@ export function solidView() {
     context.textBaseline = 'middle';
     context.strokeStyle = grey;
     context.fillStyle = grey;
-    for (const [label, x, y, z] of [['C0', 1, 0, 0], ['C90', 0, 1, 0], ['C180', -1, 0, 0], ['C270', 0, -1, 0], ['γ 0°', 0, 0, -1.08]]) {
-      const [px, py] = turn(x * 1.1, y * 1.1, z * 1.02);
+    for (const [label, x, y, z] of [['C0', 1, 0, 0], ['C90', 0, 1, 0], ['C180', -1, 0, 0], ['C270', 0, -1, 0]]) {
+      const [px, py] = turn(x * mesh.reach * 1.12, y * mesh.reach * 1.12, z);
       context.fillText(label, px, py);
     }
     context.beginPath();
@@ -135,6 +150,7 @@ export function solidView() {
   }
 
   canvas.addEventListener('pointerdown', (event) => {
+    canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     canvas.dataset.dragging = '1';
   });
@@ -146,6 +162,7 @@ export function solidView() {
   });
   canvas.addEventListener('pointerup', () => delete canvas.dataset.dragging);
   canvas.addEventListener('wheel', (event) => {
+    if (!event.ctrlKey && document.activeElement !== canvas) return; // the page scrolls
     pose.zoom = Math.max(0.4, Math.min(6, pose.zoom * Math.exp(-event.deltaY * 0.001)));
     ask();
     event.preventDefault();
@@ -176,7 +193,7 @@ export function solidView() {
     if (shownFile !== file) return;
     mesh = file.mesh;
     canvas.setAttribute('aria-label', `Photometric solid of ${file.name}. Arrow keys turn it, plus and minus zoom.`);
-    note.textContent = `Radius and colour: intensity; the outer ring is ${briefNumber(mesh.peak)} cd. Drag to turn.`;
+    note.textContent = `Radius and colour: intensity; the outer ring is ${briefNumber(mesh.peak * mesh.reach)} cd, the peak ${briefNumber(mesh.peak)} cd. Drag to turn.`;
     draw();
   };
   view.redraw = ask;

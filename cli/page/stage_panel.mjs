@@ -175,11 +175,11 @@ export function stagePanel(view) {
   });
 
   // ---- display
-  const look = (key, value) => change(`view-${key}`, (document) => { document.view[key] = value; });
-  const mode = keep(segmented('Display mode', [['beauty', 'Beauty'], ['falsecolour', 'False colour'], ['isolux', 'Isolux']], doc.view.mode, (value) => look('mode', value)), (control) => control.set(doc.view.mode));
+  const setView = (key, value) => change(`view-${key}`, (document) => { document.view[key] = value; });
+  const mode = keep(segmented('Display mode', [['beauty', 'Beauty'], ['falsecolour', 'False colour'], ['isolux', 'Isolux']], doc.view.mode, (value) => setView('mode', value)), (control) => control.set(doc.view.mode));
   const unit = segmented('Unit of illuminance', [['lx', 'lx'], ['fc', 'fc']], prefs.illuminance, (value) => prefer('illuminance', value));
   on('prefs', () => unit.set(prefs.illuminance));
-  const automatic = el('input', { type: 'checkbox', onchange: () => look('exposure', automatic.checked ? 'auto' : Math.round(lastExposure * 10) / 10) });
+  const automatic = el('input', { type: 'checkbox', onchange: () => setView('exposure', automatic.checked ? 'auto' : Math.round(lastExposure * 10) / 10) });
   let lastExposure = 8;
   view.addEventListener('picture', ({ detail }) => {
     if (!Number.isFinite(detail.ev100)) return;
@@ -187,10 +187,11 @@ export function stagePanel(view) {
     if (doc.view.exposure === 'auto') exposure.show(detail.ev100);
   });
   keep(automatic, () => { automatic.checked = doc.view.exposure === 'auto'; });
-  const exposure = keep(numberField('Exposure', { min: -4, max: 18, step: 0.1, unit: 'EV100', digits: 1 }, (value) => look('exposure', value)), (control) => {
+  const exposure = keep(numberField('Exposure', { min: -4, max: 18, step: 0.1, unit: 'EV100', digits: 1 }, (value) => setView('exposure', value)), (control) => {
     if (doc.view.exposure !== 'auto') control.show(doc.view.exposure);
+    control.enable(doc.view.mode !== 'falsecolour');
   });
-  const choice = (key, label, entries, read = (value) => value) => keep(field(label, select(label, entries, String(doc.view[key]), (value) => look(key, read(value)))), (control) => {
+  const choice = (key, label, entries, read = (value) => value) => keep(field(label, select(label, entries, String(doc.view[key]), (value) => setView(key, read(value)))), (control) => {
     control.querySelector('select').value = String(doc.view[key]);
   });
   const tone = choice('view', 'View', [['Standard', 'Standard'], ['Filmic', 'Filmic']]);
@@ -207,7 +208,11 @@ export function stagePanel(view) {
   const sync = () => shown.forEach((show) => show());
   on('doc select files tab', sync);
   sync();
-  offerNames();
+  let offered = false;
+  on('tab', (name) => {
+    if (name === 'stage' && !offered) offerNames();
+    offered ||= name === 'stage';
+  });
   return panel;
 }
 

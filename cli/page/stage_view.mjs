@@ -184,6 +184,8 @@ export function stageView() {
     }
     fill(errors, problem(error));
     view.dataset.quality = 'failed';
+    state.textContent = '';
+    handle.hidden = aim.hidden = legend.hidden = true;
   }
 
   // ---- pictures while moving
@@ -249,7 +251,8 @@ export function stageView() {
         state.textContent = describe(picture, true);
       }
     } catch (error) {
-      if (error instanceof Cancelled) {
+      if (error instanceof Cancelled || error.code === 'TIMEOUT') {
+        if (error.code === 'TIMEOUT') say(`The full picture: ${error.message}`);
         if (current()) state.textContent = `${state.textContent.replace(/ \(not refined\)$/, '')} (not refined)`;
       } else if (current()) {
         fail(error, snapshot);

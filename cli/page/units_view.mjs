@@ -32,8 +32,8 @@ export function unitsView() {
   });
   const root = el('div', { class: 'tool-grid' },
     card('Convert', el('div', { class: 'form pad' },
-      input('Amount', 'value', { list: 'amounts', placeholder: '800lm' }),
-      input('Shape', 'shape', { list: 'shapes', placeholder: 'point' }),
+      input('Amount', 'value', { placeholder: '800lm' }),
+      input('Shape', 'shape', { placeholder: 'point' }),
       input('Units of the result', 'to', { placeholder: 'all that apply; or lx@2m,fc@6ft,nt' }),
       field('Read as', policy)), result),
     card('In other programs', el('p', { class: 'pad muted' }, 'What to type there for the same light.'), programs));

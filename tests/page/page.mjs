@@ -288,9 +288,9 @@ await quiet(tab, 'units and colour');
       globalThis.saved = [];
       [...document.querySelectorAll('#panel-export section')].find((section) => section.getAttribute('aria-label') === text).querySelector('button[type=submit]').click();
     }, title);
-    await tab.waitForFunction(() => globalThis.saved.length === 1 || document.querySelector('#panel-export .outcome .problem'), { timeout: 60000 });
-    const problem = await tab.evaluate(() => document.querySelector('#panel-export .outcome .problem .error')?.textContent ?? '');
-    assert.equal(problem, '', title);
+    const errors = (text) => [...document.querySelectorAll(`#panel-export section[aria-label="${text}"] .outcome .error`)].map((each) => each.textContent).join();
+    await tab.waitForFunction((text) => globalThis.saved.length === 1 || document.querySelector(`#panel-export section[aria-label="${text}"] .outcome .error`), { timeout: 60000 }, title);
+    assert.equal(await tab.evaluate(errors, title), '', title);
     return Buffer.from(await tab.evaluate(async () => [...new Uint8Array(await globalThis.saved[0].arrayBuffer())]));
   };
   await tab.evaluate(() => {
