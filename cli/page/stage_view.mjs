@@ -89,8 +89,8 @@ export function stageView() {
   const keys = el('p', { class: 'hidden', id: 'stage-keys' }, 'Arrow keys orbit the camera, plus and minus zoom. With Shift they move the light, with Control they turn it. O, M, T and L choose what plain arrow keys do; R resets.');
   const box = el('div', { class: 'stage-box' }, canvas, aim, handle, reticle, legend, errors);
   const view = el('div', { class: 'stage', 'data-quality': 'none' }, box,
-    el('div', { class: 'stage-bar' }, modes, reset, el('span', { class: 'spring' }), readout),
-    el('div', { class: 'stage-line' }, state, busy, stop), keys);
+    el('div', { class: 'stage-bar' }, modes, reset),
+    el('div', { class: 'stage-line' }, state, busy, stop, el('span', { class: 'spring' }), readout), keys);
 
   const quick = new Renderer();
   const full = new Renderer();
