@@ -20,6 +20,15 @@ const inFolder = (folder) => (existsSync(folder) ? readdirSync(folder).sort().ma
 const ofTree = inFolder(profiles).filter((path) => /\.(ies|ldt|xml)$/.test(path));
 const good = [...ofTree.slice(0, 12), ...inFolder(join(corpus, 'good')).filter((path) => /\.(ies|ldt)$/.test(path)).slice(0, 8), ...ofTree.slice(12)].slice(0, 20);
 
+const nativeJson = (...words) => {
+  try {
+    return JSON.parse(execFileSync(tool, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
+  } catch (error) {
+    return JSON.parse(error.stdout);
+  }
+};
+const noteStep = (text) => console.log(text);
+
 // Six files with something wrong, where there is no corpus of them.
 mkdirSync(join(build, 'made'), { recursive: true });
 const made = (name, bytes) => {
@@ -32,6 +41,34 @@ let broken = inFolder(join(corpus, 'bad')).filter((path) => /\.(ies|ldt)$/.test(
 if (broken.length < 6)
   broken = [made('cut.ies', whole.subarray(0, 800)), made('empty.ies', ''), made('binary.ldt', Buffer.from(Array.from({ length: 900 }, (_, i) => (i * 37) & 255))),
     made('words.ies', 'IESNA:LM-63-2002\nTILT=NONE\nthis is no number\n'), made('short.ldt', '1\n2\n3\n'), made('tree.xml', '<a><b></a>')];
+
+// The page knows where the stages' lights and cameras are; the tool says where. glTF has Y up.
+{
+  const { anglesOf, directionOf, stages, subtract, unit } = await import('../../cli/page/stages.mjs');
+  const turned = ([x, y, z, w], v) => {
+    const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
+    return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
+  };
+  const zUp = ([x, y, z]) => [x, -z, y];
+  const near = (a, b, what) => a.forEach((value, i) => assert.ok(Math.abs(value - b[i]) < 1e-6, `${what}: ${a}, not ${b}`));
+  assert.deepEqual(Object.keys(stages).sort(), nativeJson('list', 'stages', '--json').entries.map(({ name }) => name).sort());
+  for (const [name, { camera, light, surfaces }] of Object.entries(stages)) {
+    const path = join(build, `made/${name}.gltf`);
+    execFileSync(tool, ['preview', '--shape', 'spot:outer=30deg', '--intensity', '800lm', '--stage', name, '-s', '600x400', '--export', path, '-q']);
+    const { nodes, cameras } = JSON.parse(readFileSync(path, 'utf8'));
+    const eye = nodes.find((node) => node.camera !== undefined);
+    near(camera.position, zUp(eye.translation), `${name}: camera`);
+    near(unit(subtract(camera.target, camera.position)), zUp(turned(eye.rotation, [0, 0, -1])), `${name}: view`);
+    near([camera.fov], [(cameras[0].perspective.yfov * 180) / Math.PI], `${name}: field of view`);
+    const lamp = nodes.find((node) => node.extensions?.KHR_lights_punctual);
+    near(light.position, zUp(lamp.translation ?? [0, 0, 0]), `${name}: light`);
+    near(light.direction ?? [0, 0, -1], zUp(turned(lamp.rotation ?? [0, 0, 0, 1], [0, 0, -1])), `${name}: direction`);
+    assert.deepEqual(surfaces, [...new Set(nodes.filter((node) => node.mesh !== undefined).map((node) => node.name.replace(/_\d+$/, '')))], name);
+  }
+  near(directionOf(30, 40), [0.321394, 0.383022, -0.866025].map((value) => Number(value.toFixed(6))), 'direction');
+  near([anglesOf([0, 1, 0]).tilt, anglesOf([0, 1, 0]).azimuth], [90, 90], 'angles');
+  noteStep('stages are as the tool has them');
+}
 
 const browser = await puppeteer.launch({ executablePath: '/usr/bin/chromium', headless: true, args: ['--no-sandbox', '--force-device-scale-factor=1'] });
 const noise = [];
@@ -73,15 +110,6 @@ const allRead = (tab, count) => tab.waitForFunction((n) => {
 }, { timeout: 120000 }, count);
 const choose = (tab, index) => tab.evaluate((i) => document.querySelectorAll('.file-name')[i].click(), index);
 const refined = (tab) => tab.waitForFunction(() => document.querySelector('.stage').dataset.quality === 'refined', { timeout: 60000 });
-const nativeJson = (...words) => {
-  try {
-    return JSON.parse(execFileSync(tool, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
-  } catch (error) {
-    return JSON.parse(error.stdout);
-  }
-};
-const noteStep = (text) => console.log(text);
-
 async function quiet(tab, what) {
   assert.deepEqual(noise.splice(0), [], `${what}: the console`);
 }
@@ -350,6 +378,25 @@ await tab.close();
   await quiet(hostile, 'markup in files');
   await hostile.close();
   noteStep('markup in every keyword and in names stays text');
+}
+
+// ---- work without an end is ended
+
+{
+  const each = await openPage();
+  const lights = Array.from({ length: 20000 }, (_, i) => ({ shape: 'rect:w=20cm,h=10cm', intensity: '10lm', position: [(i % 20) / 10 - 1, ((i / 20) % 20) / 10 - 1, 2.2] }));
+  await drop(each, [good[0], { name: 'heavy.json', text: JSON.stringify({ schema: 'gonio.rig/1', stage: 'room', lights }) }]);
+  await goTo('stage', each);
+  await each.waitForFunction(() => !document.getElementById('cancel').hidden, { timeout: 20000 });
+  const begin = Date.now();
+  await each.keyboard.press('Escape');
+  await each.waitForFunction(() => document.getElementById('cancel').hidden, { timeout: 3000 });
+  await goTo('units', each);
+  await each.waitForFunction(() => document.querySelector('#panel-units [data-unit]'), { timeout: 10000 });
+  figures.cancel_ms = Date.now() - begin;
+  await each.close();
+  await quiet(undefined, 'cancel');
+  noteStep('work without an end can be cancelled, and the page goes on');
 }
 
 // ---- readers, light and dark; widths
