@@ -111,9 +111,9 @@ export function exportView() {
     const rig = rigOf();
     const inputs = whole.value === 'rig' ? { 'scene.rig.json': JSON.stringify(rig, null, 2), ...filesOf(rig) } : bytesOf(needed());
     const names = whole.value === 'rig' ? ['scene.rig.json'] : needed().map((file) => file.path);
-    const answer = succeeded(await commands.run(['import', ...names, '--to', picked.join(','), '-O', 'assets'], inputs, { label: 'making the files', patience: 60000 }));
-    const written = Object.fromEntries(Object.entries(answer.files).filter(([path]) => !(path in inputs)));
-    return { paths: give(written, `assets-${picked.length === 1 ? picked[0] : 'for-programs'}`), stderr: answer.stderr };
+    // The folder must be there.
+    const answer = succeeded(await commands.run(['import', ...names, '--to', picked.join(','), '-O', 'assets'], { ...inputs, 'assets/.folder': '' }, { label: 'making the files', patience: 60000 }));
+    return { paths: give(answer.files, `assets-${picked.length === 1 ? picked[0] : 'for-programs'}`), stderr: answer.stderr };
   });
 
   // ---- rig and state
