@@ -4,7 +4,7 @@
 // GONIO_MJS is the module of lib/wasm. Its WebAssembly is taken out of its text, compressed, and compiled once by the page
 // for all of its workers. The modules of this folder are joined into one script: each imports and exports by name only, and
 // no two have a top-level name in common, which is checked. The same inputs give the same bytes.
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Script } from 'node:vm';
@@ -29,15 +29,18 @@ const inJson = (value) => JSON.stringify(value).replace(/</g, '\\u003c');
 function splitModule(path) {
   let glue = readFileSync(path, 'utf8');
   let wasm;
-  glue = glue.replace(/data:application\/(?:octet-stream|wasm);base64,([A-Za-z0-9+/=]{1000,})/, (_, base64) => {
-    wasm = Buffer.from(base64, 'base64');
-    return 'gonio.wasm';
-  });
-  const beside = path.replace(/\.mjs$/, '.wasm');
-  if (!wasm && existsSync(beside)) wasm = readFileSync(beside);
+  // The longest; the glue has the same words without data. A pattern for so long a text would overflow.
+  const marks = [...glue.matchAll(/data:application\/(?:octet-stream|wasm);base64,/g)].map(({ index, 0: { length } }) =>
+    ({ begin: index + length, end: glue.indexOf('"', index + length) }));
+  const data = marks.sort((a, b) => b.end - b.begin - (a.end - a.begin))[0];
+  if (data && data.end - data.begin > 1000) {
+    wasm = Buffer.from(glue.slice(data.begin, data.end), 'base64');
+    glue = glue.slice(0, data.begin) + glue.slice(data.end);
+  }
   if (!wasm) fail(`${path} holds no WebAssembly`);
-  glue = glue.replace(/export default (\w+);?\s*$/, 'self.createGonio = $1;').replaceAll('import.meta.url', 'self.location.href');
-  if (!glue.includes('self.createGonio')) fail(`${path} has no default export in its last line`);
+  glue = glue.replace(/export default (async function (\w+)|\w+;?\s*$)/m, (_, what, name) =>
+    (name ? `self.createGonio = ${name};\n${what}` : `self.createGonio = ${what}`)).replaceAll('import.meta.url', 'self.location.href');
+  if (!glue.includes('self.createGonio')) fail(`${path} has no default export`);
   return { glue, wasm };
 }
 
@@ -70,7 +73,11 @@ function joinModules(entry) {
 
 const { glue, wasm } = splitModule(resolve(modulePath));
 const profiles = examples.map((name) => ({ name, text: readFileSync(join(here, '../../profiles', name), 'latin1') }));
+// Glue that makes functions out of text (Emscripten without -sDYNAMIC_EXECUTION=0) needs a policy that lets it.
+const makesFunctions = /\bnew Function\b|new_\(Function\b/.test(glue);
+if (makesFunctions) console.warn(`warning: ${modulePath} makes functions out of text: the policy of the page allows 'unsafe-eval'`);
 const pieces = {
+  EVAL: makesFunctions ? " 'unsafe-eval'" : '',
   STYLE: readFileSync(join(here, 'style.css'), 'utf8'),
   SCRIPT: inScript(joinModules('main.mjs')),
   WORKER: inScript(`'use strict';\n${glue}\n${readFileSync(join(here, 'worker.js'), 'utf8')}`),
