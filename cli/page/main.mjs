@@ -208,7 +208,8 @@ async function start() {
     document.body.dataset.ready = performance.now().toFixed(1);
     await openFragment();
     startMessages();
-    await stage.warm();
+    const [{ name, text }] = examples();
+    await stage.warm(name, asBytes(text));
     document.body.dataset.warm = performance.now().toFixed(1);
   } catch (error) {
     fill(byId('notice'), el('p', {}, `gonio does not run in this browser: ${error.message}`));

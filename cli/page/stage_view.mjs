@@ -9,7 +9,9 @@ import { Cancelled } from './engine.mjs';
 import { briefNumber, lx_per_fc } from './numbers.mjs';
 import { viridisGradient } from './palette.mjs';
 
-const frame_ms = 27; // of one picture while moving: 33 ms without what the page itself needs
+const frame_ms = 30; // from one picture to the next while moving
+const leastPicture = 120 * 80; // pixels of a picture while moving
+const firstPicture = 160 * 107; // of the very first: quick on any machine
 const still_ms = 140; // without a change, before refining begins
 const greatestPicture = 1.6e6; // pixels
 
@@ -99,8 +101,8 @@ export function stageView() {
   let drawing = false;
   let refineTimer;
   let scale = 0; // of the moving picture, against the full one; 0: not known yet
-  let cost = 0; // ms per pixel
-  let overhead = 4; // ms of a picture beside its pixels
+  let pace_ms = 0; // of a picture while moving, from question to answer, smoothed
+  let cost = 0; // ms per pixel, smoothed
   let pace = []; // times of the last pictures while moving
   let goodCamera;
   let refiningNow = false;
@@ -117,17 +119,24 @@ export function stageView() {
 
   function quickSize() {
     const { width, height } = fullSize();
-    // Before the first picture: small enough for any machine.
-    const wanted = cost ? Math.sqrt(Math.max(1, frame_ms - overhead) / cost / (width * height)) : Math.sqrt(30000 / (width * height));
-    if (!scale || Math.abs(wanted / scale - 1) > 0.12) scale = Math.min(1, Math.max(0.08, wanted));
-    return { width: Math.max(48, Math.round(width * scale)), height: Math.max(32, Math.round(height * scale)) };
+    const least = Math.min(1, Math.sqrt(leastPicture / (width * height)));
+    scale = scale ? Math.min(1, Math.max(least, scale)) : Math.min(1, Math.sqrt(firstPicture / (width * height)));
+    return { width: Math.max(16, Math.round(width * scale)), height: Math.max(16, Math.round(height * scale)) };
   }
 
+  // Larger while there is time left, smaller while there is not. A part of the time does not depend on the size, so the size
+  // is steered, not computed. Between the two bounds it stays, so that the picture does not swim.
   function learn(picture, took) {
     const pixels = picture.width * picture.height;
-    const perPixel = Math.max(1e-6, picture.ms / pixels);
+    const perPixel = picture.ms / pixels;
     cost = cost ? cost + 0.3 * (perPixel - cost) : perPixel;
-    overhead += 0.2 * (Math.min(16, Math.max(1, took - picture.ms)) - overhead);
+    pace_ms = pace_ms ? pace_ms + 0.35 * (took - pace_ms) : took;
+    const ratio = frame_ms / pace_ms;
+    if (ratio > 1.2 || ratio < 0.95) {
+      const step = Math.min(1.25, Math.max(0.8, Math.sqrt(ratio)));
+      scale *= step;
+      pace_ms *= 1 + 0.6 * (step * step - 1);
+    }
   }
 
   function show(picture, renderer, refined) {
@@ -501,6 +510,12 @@ export function stageView() {
     invalidate();
   }).observe(canvas);
   view.invalidate = invalidate;
-  view.warm = () => quick.engine.start().then(() => full.engine.start());
+  // Draws a small picture where nobody sees it: what the browser compiles for it is ready for the first real one.
+  view.warm = async (name, bytes) => {
+    const document = { rig: { schema: 'gonio.rig/1', stage: 'room', lights: [{ shape: `ies:${name},opening` }] }, view: doc.view };
+    const scene = { ...sceneOf(document), key: 'warm', files: { [name]: bytes } };
+    await quick.render(scene, renderOptions(document, 64, 48, false));
+    await full.render(scene, renderOptions(document, 64, 48));
+  };
   return view;
 }
