@@ -122,6 +122,7 @@ export function addFiles(list) {
   }
   if (added.length) {
     emit('files');
+    if (['units', 'colour'].includes(tabName)) showTab('profile');
     selectFile(added[0].id);
     for (const file of added) examine(file);
     say(`${added.length} ${added.length === 1 ? 'profile' : 'profiles'} added`);

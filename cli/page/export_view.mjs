@@ -3,6 +3,7 @@ import { card, download, el, field, fill, problem, select } from './dom.mjs';
 import { commands, currentTab, files, filesOf, on, rigOf, say, selected } from './app.mjs';
 import { Cancelled, diagnosticsOf, reportOf, succeeded } from './engine.mjs';
 import { zipOf } from './zip.mjs';
+import { examples } from './file_list.mjs';
 import { linkOf, stateFile } from './link.mjs';
 
 const baseName = (path) => path.split('/').pop();
@@ -87,13 +88,13 @@ export function exportView() {
     return { paths: give(written, engine.value ? `texture-${engine.value}` : 'texture'), stderr };
   });
 
-  // Which picture format an engine's texture needs: the first that the tool agrees to.
+  // Which picture format an engine's texture needs: the first that can be written.
   const extensions = new Map();
   async function extensionOf(file, name) {
     if (extensions.has(name)) return extensions.get(name);
     const formats = [...picture.options].map((option) => option.value);
     for (const extension of formats) {
-      const answer = await commands.run(['bake', file.path, '--engine', name, '-n', '-o', `x.${extension}`], bytesOf([file]));
+      const answer = await commands.run(['bake', file.path, '--engine', name, '-o', `x.${extension}`], bytesOf([file]));
       if (answer.status === 0) {
         extensions.set(name, extension);
         return extension;
@@ -163,7 +164,13 @@ export function exportView() {
     try {
       engine.setEntries([['', 'none: a layout of my own'], ...(await entries('engines')).map(({ name, summary }) => [name, summary])], '');
       layout.setEntries((await entries('layouts')).map(({ name, summary }) => [name, `${name}: ${summary}`]), 'latlong');
-      picture.setEntries((await entries('images')).map(({ name, summary }) => [name, summary]), 'png');
+      // Formats that need OpenImageIO are listed, but not written here.
+      const written = [];
+      for (const { name, summary } of await entries('images')) {
+        const answer = await commands.run(['bake', 'x.ies', '-s', '4x2', '--normalize', 'peak', '-o', `x.${name}`], { 'x.ies': examples()[0].text });
+        if (answer.status === 0) written.push([name, summary]);
+      }
+      picture.setEntries(written.length ? written : [['png', 'PNG']], written.some(([name]) => name === 'png') ? 'png' : written[0]?.[0] ?? 'png');
       targets.append(...(await entries('targets')).map(({ name, summary }) => el('label', { class: 'check', title: summary }, el('input', { type: 'checkbox', value: name, checked: name === 'gltf' }), ` ${summary.split(':')[0].split(',')[0]}`)));
     } catch (error) {
       listed = false;

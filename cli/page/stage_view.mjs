@@ -159,9 +159,11 @@ export function stageView() {
     view.dispatchEvent(new CustomEvent('picture', { detail: picture }));
   }
 
-  function showLegend({ scale: range, ev100 }) {
-    legend.hidden = doc.view.mode !== 'falsecolour' || !range;
+  // The scale of a picture is in lux, with round numbers in the unit that was asked for.
+  function showLegend({ scale: given }) {
+    legend.hidden = doc.view.mode !== 'falsecolour' || !given;
     if (legend.hidden) return;
+    const range = prefs.illuminance === 'fc' ? { ...given, low: given.low / lx_per_fc, high: given.high / lx_per_fc, unit: 'fc' } : given;
     const ticks = legendTicks(range);
     legend.setAttribute('aria-label', `Scale from ${briefNumber(range.low)} to ${briefNumber(range.high)} ${range.unit}`);
     const bar = el('span', { class: 'legend-bar' });
