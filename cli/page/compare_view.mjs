@@ -108,7 +108,7 @@ export function compareView() {
       document.view.exposure = exposure;
       const width = Math.max(240, Math.min(960, Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2)) || 480));
       try {
-        const picture = await renderer.render(sceneOf(document), renderOptions(document, width, Math.round((width * 2) / 3)), 'comparing');
+        const picture = await renderer.render(sceneOf(document), renderOptions(document, width, Math.round((width * 2) / 3)), { label: 'comparing', patience: 120000 });
         if (own !== turn) return;
         Object.assign(canvas, { width: picture.width, height: picture.height });
         canvas.getContext('2d').putImageData(new ImageData(picture.rgba, picture.width, picture.height), 0, 0);

@@ -51,8 +51,14 @@ function facetsOf(candela) {
     }
     reach = Math.max(reach, Math.hypot(points[i], points[i + 1]));
   }
+  for (const axis of [0, 1]) {
+    low[axis] = Math.min(low[axis], -reach);
+    high[axis] = Math.max(high[axis], reach);
+  }
   const middle = low.map((value, axis) => (value + high[axis]) / 2);
-  const size = Math.max(0.3, Math.hypot(...high.map((value, axis) => value - middle[axis])));
+  let size = Math.max(0.3, 1.15 * reach);
+  for (let i = 0; i < points.length; i += 3)
+    size = Math.max(size, Math.hypot(points[i] - middle[0], points[i + 1] - middle[1], points[i + 2] - middle[2]));
   return { points, facets, peak, middle, size, reach };
 }
 

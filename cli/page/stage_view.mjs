@@ -13,6 +13,7 @@ const frame_ms = 30; // from one picture to the next while moving
 const leastPicture = 120 * 80; // pixels of a picture while moving
 const firstPicture = 160 * 107; // of the very first: quick on any machine
 const still_ms = 140; // without a change, before refining begins
+const refine_ms = 120000; // for a full picture; the next move ends it
 const greatestPicture = 1.6e6; // pixels
 
 const rounded = (value, digits = 4) => Number(value.toFixed(digits)) || 0;
@@ -41,12 +42,12 @@ export class Renderer {
     watch(this.engine);
   }
 
-  async render(scene, options, label = '') {
+  async render(scene, options, { label = '', patience } = {}) {
     await this.engine.start();
     const known = this.#told.key === scene.key && this.#told.generation === this.engine.generation;
     this.#told = { key: scene.key, generation: this.engine.generation };
     try {
-      return await this.engine.call('render', { rig: scene.rig, key: scene.key, files: known ? undefined : scene.files, options }, { label });
+      return await this.engine.call('render', { rig: scene.rig, key: scene.key, files: known ? undefined : scene.files, options }, { label, patience });
     } catch (error) {
       this.#told.key = undefined; // the worker may have kept half of it
       throw error;
@@ -254,9 +255,10 @@ export function stageView() {
     }, 250);
     try {
       // A smaller one first where the full one takes long.
-      const steps = cost * size.width * size.height > 400 ? [0.5, 1] : [1];
+      const expected = cost * size.width * size.height;
+      const steps = expected > 1500 ? [0.25, 0.5, 1] : expected > 400 ? [0.5, 1] : [1];
       for (const step of steps) {
-        const picture = await full.render(scene, renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step)), 'refining the picture');
+        const picture = await full.render(scene, renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step)), { label: 'refining the picture', patience: refine_ms });
         if (!current()) return;
         show(picture, full, step === 1);
         state.textContent = describe(picture, true);
