@@ -10,6 +10,7 @@ import { briefNumber } from './numbers.mjs';
 
 // Angles and counts by how much, other amounts in per cent of the first.
 function changeText(from, to, unit) {
+  if (Math.abs(to - from) <= 1e-9 * Math.abs(from)) return '≈';
   const sign = to > from ? '+' : '−';
   if (unit === '°' || unit === '' || from === 0) return `${sign}${briefNumber(Math.abs(to - from), 3)}${unit === '°' ? '°' : ''}`;
   return `${sign}${briefNumber(Math.abs((100 * (to - from)) / from), 3)} %`;

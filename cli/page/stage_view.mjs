@@ -106,6 +106,7 @@ export function stageView() {
   let cost = 0; // ms per pixel, smoothed
   let pace = []; // times of the last pictures while moving
   let goodCamera;
+  let exposed; // the last full picture: its rig and exposure
   let refiningNow = false;
   let dark = true; // nothing to show
   view.full = full;
@@ -211,7 +212,11 @@ export function stageView() {
     const begin = performance.now();
     const snapshot = JSON.parse(JSON.stringify(doc));
     try {
-      const picture = await quick.render(sceneOf(snapshot), renderOptions(snapshot, size.width, size.height, false));
+      const scene = sceneOf(snapshot);
+      const options = renderOptions(snapshot, size.width, size.height, false);
+      // While only the camera moves, the exposure of the full picture stays: without bounced light another would be chosen.
+      if (options.exposure === 'auto' && scene.rig === exposed?.rig) options.exposure = exposed.ev100;
+      const picture = await quick.render(scene, options);
       const end = performance.now();
       learn(picture, end - begin);
       if (pace.length && end - pace.at(-1) > 250) pace = [];
@@ -260,6 +265,7 @@ export function stageView() {
       for (const step of steps) {
         const picture = await full.render(scene, renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step)), { label: 'refining the picture', patience: refine_ms });
         if (!current()) return;
+        exposed = { rig: scene.rig, ev100: picture.ev100 };
         show(picture, full, step === 1);
         state.textContent = describe(picture, true);
       }
