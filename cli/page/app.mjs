@@ -124,7 +124,8 @@ export function addFiles(list) {
     emit('files');
     if (['units', 'colour'].includes(tabName)) showTab('profile');
     selectFile(added[0].id);
-    for (const file of added) examine(file);
+    // The first picture goes before: both need a processor.
+    afterPicture().then(() => added.forEach(examine));
     say(`${added.length} ${added.length === 1 ? 'profile' : 'profiles'} added`);
   }
   if (rig) openRig(rig);
@@ -146,6 +147,11 @@ export function selectFile(id) {
   if (file && followsSelection()) doc.rig.lights[doc.active].shape = shapeOf(file);
   emit('select', file);
 }
+
+const afterPicture = () => new Promise((resolve) => {
+  target.addEventListener('lit', resolve, { once: true });
+  setTimeout(resolve, 150);
+});
 
 // What `info` and `check` say. A file that cannot be read has only the second.
 async function examine(file) {

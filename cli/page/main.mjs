@@ -208,8 +208,7 @@ async function start() {
     document.body.dataset.ready = performance.now().toFixed(1);
     await openFragment();
     startMessages();
-    const [{ name, text }] = examples();
-    await stage.warm(name, asBytes(text));
+    await stage.warm(examples().map(({ name, text }) => ({ name, bytes: asBytes(text) })));
     document.body.dataset.warm = performance.now().toFixed(1);
   } catch (error) {
     fill(byId('notice'), el('p', {}, `gonio does not run in this browser: ${error.message}`));

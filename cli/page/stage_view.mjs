@@ -2,7 +2,7 @@
 // times a second; when all is still, a second one draws the full picture, and is ended when the next move begins.
 import { byId, el, fill, problem, segmented } from './dom.mjs';
 import {
-  activeLight, cameraOf, cancelAll, change, doc, filesOf, newEngine, on, prefs, rigOf, say, selected, watch,
+  activeLight, cameraOf, cancelAll, change, doc, emit, files, filesOf, newEngine, on, prefs, rigOf, say, selected, watch,
 } from './app.mjs';
 import { add, anglesOf, cross, directionOf, dot, subtract, times, unit } from './stages.mjs';
 import { Cancelled } from './engine.mjs';
@@ -29,8 +29,8 @@ export const dragModes = [
 export function sceneOf(document) {
   const rig = rigOf(document);
   const { camera, ...lit } = rig;
-  const files = filesOf(lit);
-  return { rig: JSON.stringify(lit), files, key: Object.keys(files).join('|') };
+  const named = filesOf(lit);
+  return { rig: JSON.stringify(lit), files: named, key: Object.keys(named).join('|') };
 }
 
 // Sends files only to a worker that does not have them.
@@ -63,6 +63,8 @@ export function renderOptions(document, width, height, final = true) {
     camera: { position, target, ...(fov ? { fov_deg: fov } : {}) },
     shadows: final || shadows === 'off' ? shadows : 'hard',
     bounces: final ? bounces : 0,
+    // The opening of a luminaire costs five times the rest of a small picture; as a point it lights nearly the same.
+    words: final ? [] : ['--profile-size', 'off'],
   };
 }
 
@@ -153,6 +155,7 @@ export function stageView() {
     const file = selected();
     if (file && file.lit_ms === undefined) {
       file.lit_ms = performance.now() - file.added_ms;
+      emit('lit');
       view.dataset.firstPicture = file.lit_ms.toFixed(1);
     }
     fill(errors);
@@ -520,12 +523,14 @@ export function stageView() {
     invalidate();
   }).observe(canvas);
   view.invalidate = invalidate;
-  // Draws a small picture where nobody sees it: what the browser compiles for it is ready for the first real one.
-  view.warm = async (name, bytes) => {
-    const document = { rig: { schema: 'gonio.rig/1', stage: 'room', lights: [{ shape: `ies:${name},opening` }] }, view: doc.view };
-    const scene = { ...sceneOf(document), key: 'warm', files: { [name]: bytes } };
-    await quick.render(scene, renderOptions(document, 64, 48, false));
-    await full.render(scene, renderOptions(document, 64, 48));
+  // Draws small pictures where nobody sees them: what the browser compiles for them is ready for the first real one.
+  view.warm = async (profiles) => {
+    const document = (name) => ({ rig: { schema: 'gonio.rig/1', stage: 'room', lights: [{ shape: `ies:${name},opening` }] }, view: doc.view });
+    const scene = ({ name, bytes }) => ({ ...sceneOf(document(name)), key: `warm ${name}`, files: { [name]: bytes } });
+    const busyElsewhere = () => dirty || drawing || files.length > 0;
+    for (const profile of [...profiles, ...profiles])
+      if (!busyElsewhere()) await quick.render(scene(profile), renderOptions(document(profile.name), 160, 107, false));
+    if (!busyElsewhere()) await full.render(scene(profiles[0]), renderOptions(document(profiles[0].name), 64, 48));
   };
   return view;
 }
