@@ -181,7 +181,7 @@ export const retry = (file) => {
 
 // ---- the document: the rig and how it is shown; this is what undo goes back over and a link keeps
 
-export const firstView = { mode: 'beauty', exposure: 'auto', view: 'Standard', shadows: 'soft', bounces: -1 };
+const firstView = { mode: 'beauty', exposure: 'auto', view: 'Standard', shadows: 'soft', bounces: -1 };
 export let doc = newDoc();
 
 function newDoc() {

@@ -49,13 +49,13 @@ function joinModules(entry) {
   const done = new Set();
   const owners = new Map();
   const parts = [];
-  const visit = (name, from) => {
+  const visit = (name) => {
     if (done.has(name)) return;
     done.add(name);
     const text = readFileSync(join(here, name), 'utf8');
     const body = text.replace(/^import\s+\{[^}]*\}\s+from\s+'\.\/([\w.-]+)';\n/gm, (line, needed) => {
       if (/ as /.test(line)) fail(`${name}: an import under another name`);
-      visit(needed, name);
+      visit(needed);
       return '';
     });
     if (/^(import|export default|export \{|export \*)/m.test(body)) fail(`${name}: only named imports and exports of declarations`);

@@ -1,10 +1,10 @@
 // The tool's diagrams, as images of its SVG, and the solid that turns.
-import { card, download, el, fill, problem, segmented, showSvg, textOf, debounce } from './dom.mjs';
+import { card, download, el, problem, segmented, showSvg, textOf, debounce } from './dom.mjs';
 import { commands } from './app.mjs';
 import { succeeded } from './engine.mjs';
 import { solidView } from './solid.mjs';
 
-export const diagramKinds = [
+const diagramKinds = [
   ['polar', 'Polar'], ['cartesian', 'Cartesian'], ['heat-map', 'Heat map'], ['isolux', 'Isolux'], ['cone', 'Cone'],
 ];
 export const describe = { polar: 'Polar diagram', cartesian: 'Cartesian diagram', 'heat-map': 'Heat map', isolux: 'Isolux diagram', cone: 'Cone diagram' };

@@ -2,7 +2,7 @@
 // own and the waiting ones survive when a worker is ended.
 import { byId } from './dom.mjs';
 
-export const patience_ms = 20000;
+const patience_ms = 20000;
 
 export class Cancelled extends Error {
   constructor(message = 'cancelled') {

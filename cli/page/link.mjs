@@ -54,7 +54,7 @@ export async function linkOf() {
 }
 
 // Applies a state; false where it is none.
-export function applyState(state) {
+function applyState(state) {
   if (state?.gonio !== 1) return false;
   const given = (Array.isArray(state.files) ? state.files : []).slice(0, 200)
     .filter((file) => typeof file?.name === 'string' && typeof file.base64 === 'string');

@@ -1,6 +1,6 @@
 // The lit stage: a canvas that a worker fills. While something moves, one worker draws pictures of the size that it manages 30
 // times a second; when all is still, a second one draws the full picture, and is ended when the next move begins.
-import { byId, el, fill, problem, segmented } from './dom.mjs';
+import { el, fill, problem, segmented } from './dom.mjs';
 import {
   activeLight, cameraOf, cancelAll, change, doc, emit, files, filesOf, newEngine, on, prefs, rigOf, say, selected, watch,
 } from './app.mjs';
@@ -18,7 +18,7 @@ const greatestPicture = 1.6e6; // pixels
 
 const rounded = (value, digits = 4) => Number(value.toFixed(digits)) || 0;
 
-export const dragModes = [
+const dragModes = [
   ['orbit', 'Orbit', 'Drag or arrow keys: the camera goes around (O)'],
   ['move', 'Move light', 'Drag or arrow keys, Page Up and Page Down: the light moves (M, or Shift)'],
   ['turn', 'Turn light', 'Drag or arrow keys: the light turns (T, or Ctrl)'],

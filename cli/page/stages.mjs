@@ -19,7 +19,7 @@ export function stageOf(rig) {
   return stages[rig.stage ?? 'floor'] ?? elsewhere;
 }
 
-export const down = [0, 0, -1];
+const down = [0, 0, -1];
 export const add = (a, b) => a.map((value, i) => value + b[i]);
 export const subtract = (a, b) => a.map((value, i) => value - b[i]);
 export const times = (a, factor) => a.map((value) => value * factor);
@@ -28,7 +28,7 @@ export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * 
 export const unit = (a) => times(a, 1 / (Math.hypot(...a) || 1));
 
 // `v` turned as the shortest turn takes unit vector `from` to unit vector `to`.
-export function turnedAlong(v, from, to) {
+function turnedAlong(v, from, to) {
   const axis = cross(from, to);
   const cosine = dot(from, to);
   if (cosine < -0.999999) return times(v, -1);
