@@ -131,8 +131,10 @@ export class Engine {
     try {
       await this.start();
     } catch (error) {
+      if (this.#current !== entry) return;
       this.#close();
       entry.reject(error);
+      this.#next();
       return;
     }
     if (this.#current !== entry) return; // cancelled meanwhile
