@@ -1,5 +1,5 @@
 // The photometric solid: the surface whose distance from the middle is the intensity in that direction. Drawn on a 2-D canvas
-// from the farthest facet to the nearest; some 8,000 facets take a few milliseconds, need no GPU and cannot lose it.
+// from the farthest facet to the nearest; some 6,000 facets take a few milliseconds, need no GPU and cannot lose it.
 //
 // Frame: Z up; gamma counts from straight down, C0 along +X, C90 along +Y.
 import { el } from './dom.mjs';
@@ -7,7 +7,7 @@ import { commands } from './app.mjs';
 import { briefNumber } from './numbers.mjs';
 import { viridis } from './palette.mjs';
 
-const planeCount = 90;
+const planeCount = 72; // every 5°, as many tables have it
 const gammaCount = 91;
 const planes = Array.from({ length: planeCount }, (_, i) => (i * 360) / planeCount);
 const gammas = Array.from({ length: gammaCount }, (_, i) => (i * 180) / (gammaCount - 1));
@@ -199,7 +199,7 @@ export function solidView() {
     if (shownFile !== file) return;
     mesh = file.mesh;
     canvas.setAttribute('aria-label', `Photometric solid of ${file.name}. Arrow keys turn it, plus and minus zoom.`);
-    note.textContent = `Radius and colour: intensity; the outer ring is ${briefNumber(mesh.peak * mesh.reach)} cd, the peak ${briefNumber(mesh.peak)} cd. Drag to turn.`;
+    note.textContent = `Radius and colour: intensity; the outer ring is ${briefNumber(mesh.peak * mesh.reach)} cd, the peak ${briefNumber(file.info.peak_cd)} cd. Drag to turn.`;
     draw();
   };
   view.redraw = ask;
