@@ -47,6 +47,7 @@ std::string colored(std::string text, Severity severity) {
 } // namespace
 
 void Console::say(const Diagnostic& diagnostic) const {
+    if (record_ != nullptr) record_->push_back(diagnostic);
     if (quiet_ && diagnostic.severity != Severity::error) return;
     const std::string text = shown(to_text(diagnostic));
     write_error_line(color_ ? colored(text, diagnostic.severity) : text);

@@ -31,6 +31,9 @@ public:
     // not be written; this failure is reported once.
     int flush(int status);
 
+    // Appends to `list` what is said from now on, as well as the errors; nullptr: no longer.
+    void record(Diagnostics* list) { record_ = list; }
+
     void set_quiet(bool quiet) { quiet_ = quiet; }
     void set_verbose(bool verbose) { verbose_ = verbose; }
     void set_color(bool color) { color_ = color; }
@@ -44,6 +47,7 @@ public:
 
 private:
     std::string output_;
+    Diagnostics* record_ = nullptr;
     bool output_failed_ = false;
     bool quiet_ = false;
     bool verbose_ = false;

@@ -16,8 +16,6 @@
 #include <gonio/light/presets.hpp>
 #include <gonio/light/program_fields.hpp>
 #include <gonio/light/shape.hpp>
-#include <gonio/measure/scaling.hpp>
-#include <gonio/measure/suite.hpp>
 #include <gonio/media/image_file.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/look.hpp>
@@ -32,6 +30,11 @@
 #include "preview/layers.hpp"
 #include "preview/picture_method.hpp"
 #include "preview/sweep_axis.hpp"
+
+#ifndef GONIO_NO_BENCH
+#include <gonio/measure/scaling.hpp>
+#include <gonio/measure/suite.hpp>
+#endif
 
 #include <fmt/format.h>
 
@@ -308,6 +311,7 @@ Entries tone_maps() {
     return entries;
 }
 
+#ifndef GONIO_NO_BENCH
 Entries scalings() {
     Entries entries;
     for (const measure::Scaling& scaling : measure::scalings())
@@ -321,6 +325,7 @@ Entries suites() {
         entries.push_back({std::string(suite.name), std::string(suite.summary)});
     return entries;
 }
+#endif
 
 Entries targets() {
     Entries entries;
@@ -355,14 +360,18 @@ constexpr std::array lists{
     NamedList{"prefilters", "programs of sky prefilter --for", prefilters},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
+#ifndef GONIO_NO_BENCH
     NamedList{"scalings", "what bench --scaling measures", scalings},
+#endif
     NamedList{"shapes", "shapes of lights", shapes},
     NamedList{"simd", "instruction sets", instruction_sets},
     NamedList{"skies", "skies of sky", skies},
     NamedList{"sky-layouts", "layouts of environment images", sky_layouts},
     NamedList{"spaces", "linear colour spaces", spaces},
     NamedList{"stages", "stages of preview", stages},
+#ifndef GONIO_NO_BENCH
     NamedList{"suites", "what bench measures", suites},
+#endif
     NamedList{"sweeps", "parameters that preview --sweep changes", sweeps},
     NamedList{"targets", "programs that import writes for", targets},
     NamedList{"tints", "tint conventions of other programs", tints},

@@ -14,6 +14,7 @@ extern const Command edit_command;
 extern const Command sample_command;
 extern const Command compare_command;
 extern const Command plot_command;
+extern const Command report_command;
 extern const Command bake_command;
 extern const Command import_command;
 extern const Command rig_command;
@@ -40,13 +41,16 @@ static constexpr std::array all{
     &sample_command,
     &compare_command,
     &plot_command,
+    &report_command,
     &bake_command,
     &import_command,
     &rig_command,
     &probe_command,
     &preview_command,
     &sky_command,
+#ifndef GONIO_NO_BENCH
     &bench_command,
+#endif
     &explain_command,
     &list_command,
     &help_command,

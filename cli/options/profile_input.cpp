@@ -23,8 +23,6 @@ namespace gonio::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml", "tm33"};
-
 // Many formats are XML. A file that cannot be read is kept: reading it reports why.
 bool is_other_xml(const std::string& file) {
     constexpr std::size_t looked_at = 8192;

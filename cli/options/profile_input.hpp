@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gonio::cli {
@@ -27,6 +28,9 @@ inline constexpr std::array profile_input_options{
 };
 
 inline constexpr OptionGroup profile_input_group{"input", profile_input_options};
+
+// The endings of profiles in a folder; other XML files have the third, too.
+inline constexpr std::array<std::string_view, 4> profile_extensions{"ies", "ldt", "xml", "tm33"};
 
 struct ProfileInputOptions {
     ReadOptions read;

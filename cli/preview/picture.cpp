@@ -91,6 +91,14 @@ public:
         return std::move(picture_);
     }
 
+    // What an integer format stores, before it is encoded.
+    Result<ShownPicture> shown() {
+        Result<Image> image = shown_image();
+        if (!image) return pass_on(image);
+        return ShownPicture{std::move(*image), picture_.exposure, picture_.use, picture_.scale,
+                            std::move(picture_.levels)};
+    }
+
 private:
     Result<std::string> numbers() {
         media::ImageWriteOptions write;
@@ -117,27 +125,27 @@ private:
         return media::encode_image(image, *request_.format, write);
     }
 
-    Result<std::string> display() {
-        Result<Image> image = Image();
+    Result<Image> shown_image() {
         switch (request_.look.look) {
-        case Look::beauty:
-            image = beauty();
-            break;
         case Look::false_color:
-            image = colored();
-            break;
+            return colored();
         case Look::isolux:
-            image = contoured();
-            break;
+            return contoured();
         case Look::luminance:
-            image = gray();
+            return gray();
+        case Look::beauty:
             break;
         }
+        return beauty();
+    }
+
+    Result<std::string> display() {
+        Result<Image> image = shown_image();
         if (!image) return pass_on(image);
         picture_.width = image->width;
         media::ImageWriteOptions write;
         write.color_space = "sRGB";
-        write.dither = request_.look.look != Look::false_color; // its colours are read against the legend
+        write.dither = is_dithered(request_.look.look);
         return media::encode_image(*image, *request_.format, write);
     }
 
@@ -248,6 +256,15 @@ void warn_of_black(const Image& luminance_nt, const PreviewRequest& request, std
         fmt::format("the picture is black: no light reaches what the camera sees of the stage '{}'",
                     request.stage.name),
         "compare the positions of the lights with the stage; --stage chooses another one, for example room"));
+}
+
+bool is_dithered(Look look) {
+    return look != Look::false_color;
+}
+
+Result<ShownPicture> show_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,
+                                  const Console& console) {
+    return PictureMaker(std::move(rendering), request, lights, console).shown();
 }
 
 Result<EncodedPicture> encode_picture(Rendering rendering, const PreviewRequest& request, std::span<const Light> lights,

@@ -1,29 +1,27 @@
 #include "profile_sheet.hpp"
 
 #include <gonio/base/path.hpp>
-#include <gonio/base/unit_text.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/plot/sheet.hpp>
 #include <gonio/preview/exposure.hpp>
 #include <gonio/web/integrate.hpp>
 #include <gonio/web/metrics.hpp>
-#include <gonio/web/zones.hpp>
 
 #include "../batch.hpp"
+#include "../facts_text.hpp"
 #include "../options/files_in_use.hpp"
 #include "../options/light_input.hpp"
 #include "../options/output.hpp"
 #include "../options/profile_input.hpp"
 #include "contact_sheet.hpp"
+#include "profile_stages.hpp"
 #include "request.hpp"
 #include "stage_input.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,11 +56,6 @@ Result<void> only_of_sheets(const Arguments& arguments) {
     return {};
 }
 
-// Three digits or the whole number, never an exponent below a million.
-std::string amount_text(double value) {
-    return value >= 100.0 ? rounded(std::round(value)) : rounded(value, 3);
-}
-
 std::string beam_text(const Web& web) {
     const auto degrees = [&](double c_deg) -> std::string {
         const std::optional<Radians> beam = spread_angle(web, c_deg, 0.5);
@@ -76,41 +69,9 @@ std::string beam_text(const Web& web) {
     return along == across ? "beam " + along : fmt::format("beam {} × {}", along, across);
 }
 
-// Where a luminaire that shines mostly upwards is shown unless a stage was chosen: the usual one has no ceiling.
-const Stage& room_for_uplights() {
-    static const Stage stage = [] {
-        Stage room = make_stage("room").value();
-        room.light.position.z = 1.8; // a floor lamp's height
-        return room;
-    }();
-    return stage;
-}
-
-bool is_uplight(const Web& web) {
-    return zone_flux(web, 90.0, 180.0).value > 0.5 * flux(web).value;
-}
-
-// What interreflection needs of each of the two stages, whichever tile computes it first: it is the same from all.
-class KnownStages {
-public:
-    std::shared_ptr<const Interreflection> of(const Stage& stage) {
-        const std::lock_guard lock(mutex_);
-        return known_[&stage];
-    }
-    void add(const Stage& stage, std::shared_ptr<const Interreflection> known) {
-        const std::lock_guard lock(mutex_);
-        known_[&stage] = std::move(known);
-    }
-
-private:
-    std::mutex mutex_;
-    std::map<const Stage*, std::shared_ptr<const Interreflection>> known_;
-};
-
 // Renders one profile, of the size that `size` says, at the position of the stage's light.
 Result<Thumbnail> thumbnail_of(const std::string& file, const ProfileShape& size, const PreviewRequest& request,
-                               const SheetOptions& options, bool stage_is_chosen, KnownStages& known,
-                               Outcome& outcome) {
+                               const SheetOptions& options, ProfileStages& stages, Outcome& outcome) {
     Result<LoadedProfile> loaded = load(file, {});
     if (!loaded) return pass_on(loaded);
     outcome.diagnostics = std::move(loaded->diagnostics);
@@ -122,24 +83,16 @@ Result<Thumbnail> thumbnail_of(const std::string& file, const ProfileShape& size
         fmt::format("{} lm   {} cd   {}", amount_text(flux_lm), amount_text(peak_cd), beam_text(*web))};
     thumbnail.tile.polar = polar_thumbnail(*web);
     outcome.report = {{"schema", "gonio.preview/1"}, {"file", file}, {"flux_lm", flux_lm}, {"peak_cd", peak_cd}};
-    LightDescription description;
-    description.name = file;
-    description.shape =
-        ProfileShape{file, web, size.size, size.given, std::make_shared<const Opening>(opening_of(loaded->profile))};
-    const Stage& stage = !stage_is_chosen && is_uplight(*web) ? room_for_uplights() : request.stage;
-    hang(description, stage.light);
-    Result<Light> light = resolve_light(std::move(description), outcome.diagnostics);
-    if (!light) return pass_on(light);
+    ProfileShape shape{file, web, size.size, size.given, std::make_shared<const Opening>(opening_of(loaded->profile))};
     RenderOptions render_options = request.render;
     render_options.width = options.picture_width_px;
     render_options.height = options.picture_height_px;
     render_options.threads = 1;
-    render_options.known = known.of(stage);
-    Result<Rendering> rendering = render(stage, {&*light, 1}, stage.camera, render_options);
-    if (!rendering) return pass_on(rendering);
-    known.add(stage, std::move(rendering->indirect));
-    thumbnail.exposure = request.exposure.of(*rendering);
-    thumbnail.tile.picture = std::move(rendering->luminance_nt);
+    Result<ProfileStages::Shown> shown = stages.show(file, std::move(shape), render_options, outcome.diagnostics);
+    if (!shown) return pass_on(shown);
+    Rendering& rendering = shown->rendering;
+    thumbnail.exposure = request.exposure.of(rendering);
+    thumbnail.tile.picture = std::move(rendering.luminance_nt);
     expose(thumbnail.tile.picture, thumbnail.exposure);
     return thumbnail;
 }
@@ -175,7 +128,7 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
     sized.shape = ProfileShape{};
     fine = set_profile_sizes(arguments, ProfileSize::declared, {&sized, 1});
     if (!fine) return Unexpected(fine.error());
-    KnownStages known;
+    ProfileStages stages(request->stage, stage_is_chosen);
     std::vector<SheetTile> tiles(files->size());
     const ReportKind kind = report_kind(arguments);
     const int status =
@@ -183,8 +136,8 @@ Result<int> preview_sheet(const Arguments& arguments, Console& console) {
             const std::string& file = (*files)[index];
             Outcome outcome;
             tiles[index].fault = "not shown"; // kept if thumbnail_of throws
-            Result<Thumbnail> thumbnail = thumbnail_of(file, std::get<ProfileShape>(sized.shape), *request, *options,
-                                                       stage_is_chosen, known, outcome);
+            Result<Thumbnail> thumbnail =
+                thumbnail_of(file, std::get<ProfileShape>(sized.shape), *request, *options, stages, outcome);
             if (thumbnail) {
                 tiles[index] = std::move(thumbnail->tile);
             } else {

@@ -1,5 +1,6 @@
 #include "sweep_axis.hpp"
 
+#include <gonio/base/charconv.hpp>
 #include <gonio/base/kind_text.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/parameter.hpp>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -32,7 +32,7 @@ struct Quantity {
 std::optional<Quantity> quantity_of(std::string_view text) {
     Quantity quantity;
     const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), quantity.number);
+    const auto [end, error] = gonio::from_chars(digits.data(), digits.data() + digits.size(), quantity.number);
     if (error != std::errc() || !std::isfinite(quantity.number)) return std::nullopt;
     quantity.unit = digits.substr(static_cast<std::size_t>(end - digits.data()));
     return quantity;

@@ -1,6 +1,9 @@
 # What the library needs where Emscripten compiles it to WebAssembly. Included before lib/, in place of find_package.
 
 option(GONIO_WASM_SIMD "Compile for WebAssembly with SIMD128; without it, for every WebAssembly" ON)
+include(CMakeDependentOption)
+# A tenth of a module; the tests compare with them.
+cmake_dependent_option(GONIO_WASM_SCALAR "Compile the plain kernels beside those for SIMD128" "${BUILD_TESTING}" GONIO_WASM_SIMD ON)
 
 # Header-only libraries are the same for every machine, but their CMake packages either refuse a processor with 32 bits or
 # name the folder where this machine's C library also has its headers. So the folders of just these libraries are linked
@@ -21,6 +24,9 @@ gonio_add_headers(glm::glm glm/glm.hpp)
 gonio_add_headers(tl::expected tl/expected.hpp)
 gonio_add_headers(fmt::fmt fmt/format.h)
 gonio_add_headers(nlohmann_json::nlohmann_json nlohmann/json.hpp)
+if(GONIO_TOOL)
+    gonio_add_headers(CLI11::CLI11 CLI/CLI.hpp)
+endif()
 add_library(fmt::fmt-header-only INTERFACE IMPORTED)
 target_link_libraries(fmt::fmt-header-only INTERFACE fmt::fmt)
 target_compile_definitions(fmt::fmt-header-only INTERFACE FMT_HEADER_ONLY=1)

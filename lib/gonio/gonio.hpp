@@ -46,6 +46,7 @@
 #include <gonio/light/photometric_value.hpp>
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/policy.hpp>
+#include <gonio/light/profile_facts.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/media/display.hpp>
@@ -97,6 +98,8 @@
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/resample.hpp>
 #include <gonio/web/resolve.hpp>
+#include <gonio/web/spacing.hpp>
 #include <gonio/web/to_profile.hpp>
 #include <gonio/web/transform.hpp>
 #include <gonio/web/web.hpp>
+#include <gonio/web/zones.hpp>

@@ -1,18 +1,23 @@
-// The module for JavaScript: profiles read, checked, measured and drawn. README.md shows its use.
+// The module for JavaScript: profiles read, checked, measured, drawn and baked. README.md shows its use.
 //
 // Names of numbers are those of `gonio info --json`. Failures are thrown as an Error with the message of the tool and
 // all diagnostics.
+#include <gonio/asset/facts_record.hpp>
+#include <gonio/bake/bake.hpp>
+#include <gonio/bake/engine.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/path.hpp>
+#include <gonio/light/profile_facts.hpp>
 #include <gonio/plot/diagram.hpp>
 #include <gonio/plot/svg.hpp>
 #include <gonio/profile/read.hpp>
-#include <gonio/web/integrate.hpp>
-#include <gonio/web/metrics.hpp>
 #include <gonio/web/profile_header.hpp>
 #include <gonio/web/repetitions.hpp>
 #include <gonio/web/resolve.hpp>
-#include <gonio/web/symmetry.hpp>
 
+#include "to_js.hpp"
+
+#include <array>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <iterator>
@@ -29,78 +34,87 @@ namespace {
 
 using emscripten::val;
 
-val to_js(const Diagnostics& diagnostics) {
-    val list = val::array();
-    for (const Diagnostic& diagnostic : diagnostics) {
-        val entry = val::object();
-        entry.set("code", diagnostic.code);
-        entry.set("severity", std::string(to_text(diagnostic.severity)));
-        entry.set("file", diagnostic.location.file);
-        entry.set("line", diagnostic.location.line);
-        entry.set("column", diagnostic.location.column);
-        entry.set("message", diagnostic.message);
-        entry.set("hint", diagnostic.hint);
-        list.call<void>("push", entry);
-    }
-    return list;
-}
-
-val to_js(const std::optional<double>& number) {
-    return number ? val(*number) : val::null();
-}
-
-val to_js(const std::optional<Radians>& angle) {
-    return angle ? val(to_degrees(*angle)) : val::null();
-}
-
-[[noreturn]] void throw_js(const Error& error) {
-    val thrown = val::global("Error").new_(to_text(error.diagnostics.back()));
-    thrown.set("code", error.diagnostics.back().code);
-    thrown.set("diagnostics", to_js(error.diagnostics));
-    thrown.throw_();
-}
-
 template<class T>
-T value_of(Result<T>&& result) {
-    if (!result) throw_js(result.error());
-    return std::move(*result);
+std::optional<T> option(const val& asked, const char* name) {
+    const val value = asked[name];
+    if (value.isUndefined() || value.isNull()) return std::nullopt;
+    return value.as<T>();
+}
+
+constexpr std::array texel_types{Named{"float32", TexelType::float32}, Named{"half", TexelType::half},
+                                 Named{"uint16", TexelType::uint16}, Named{"uint8", TexelType::uint8}};
+
+BakeOptions bake_options(const val& asked) {
+    BakeOptions options;
+    const auto engine = option<std::string>(asked, "engine");
+    const auto layout = option<std::string>(asked, "layout");
+    if (engine) {
+        if (layout) throw_js(fail("USE0107", "layout and engine are both given", "an engine sets the layout").value());
+        options = value_of(find_engine(*engine))->bake;
+    } else {
+        options.layout = value_of(parse_layout(layout.value_or("latlong")));
+        const TextureSize usual = usual_size(options.layout);
+        options.width = usual.width;
+        options.height = usual.height;
+    }
+    options.width = option<int>(asked, "width").value_or(options.width);
+    options.height = option<int>(asked, "height").value_or(options.height);
+    if (const auto name = option<std::string>(asked, "normalization"))
+        options.normalization = value_of(parse_normalization(*name));
+    if (options.transfer == Transfer::srgb && options.normalization != Normalization::peak)
+        throw_js(
+            fail("USE0107", "this engine's texture holds values from 0 to 1 only", "leave normalization out").value());
+    if (const auto name = option<std::string>(asked, "texel_type"))
+        options.texel_type = value_of(find_value("texel type", *name, texel_types));
+    if (const auto cone_deg = option<double>(asked, "cone_deg")) options.chart.cone = degrees(*cone_deg);
+    if (const auto border = option<int>(asked, "border")) {
+        if (*border > 0 && options.layout != Layout::gnomonic)
+            throw_js(fail("USE0107", "border is only for the layout gnomonic").value());
+        options.chart.border = *border;
+    }
+    return options;
+}
+
+Texture baked(const Web& web, const val& asked) {
+    const BakeOptions options = bake_options(asked);
+    const auto max_error_cd = option<double>(asked, "max_error_cd");
+    return value_of(max_error_cd ? bake_smallest(web, options, Candelas(*max_error_cd)) : bake_texture(web, options));
+}
+
+val to_js(const Texture& texture) {
+    val made = val::object();
+    made.set("layout", texture.layout);
+    made.set("texel_convention", texture.texel_convention);
+    made.set("width", texture.image.width);
+    made.set("height", texture.image.height);
+    made.set("channels", texture.image.channels);
+    made.set("data",
+             val::global("Float32Array")
+                 .new_(emscripten::typed_memory_view(texture.image.pixels.size(), texture.image.pixels.data())));
+    made.set("cd_per_unit", texture.cd_per_unit);
+    made.set("peak_cd", texture.peak.value);
+    made.set("flux_lm", texture.flux.value);
+    made.set("texture_flux_lm", texture.texture_flux.value);
+    made.set("max_error_cd", texture.max_error.value);
+    made.set("solid_angle_sr", texture.solid_angle.value);
+    return made;
 }
 
 // A profile and its web.
 class JsProfile {
 public:
     JsProfile(const std::string& name, Profile profile, ResolvedWeb resolved)
-        : label_(file_name(name)),
-          profile_(std::move(profile)),
-          web_(std::move(resolved.web)),
-          diagnostics_(profile_.diagnostics) {
+        : name_(name), profile_(std::move(profile)), web_(std::move(resolved.web)), diagnostics_(profile_.diagnostics) {
         diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(resolved.diagnostics.begin()),
                             std::make_move_iterator(resolved.diagnostics.end()));
     }
 
-    val diagnostics() const { return to_js(diagnostics_); }
+    val diagnostics() const { return wasm::to_js(diagnostics_); }
 
+    // All facts of `gonio info --json`.
     val info() const {
-        const std::optional<double> declared = declared_flux_lm(profile_, {});
-        const Peak brightest = peak(web_);
-        val facts = val::object();
-        facts.set("symmetry", std::string(to_text(detected_symmetry(web_))));
-        facts.set("declared_symmetry", std::string(to_text(web_.stored_symmetry())));
-        facts.set("flux_lm", flux(web_).value);
-        facts.set("zonal_flux_lm", zonal_flux(web_).value);
-        facts.set("declared_flux_lm", to_js(declared));
-        facts.set("absolute", !declared);
-        facts.set("peak_cd", brightest.intensity.value);
-        facts.set("peak_c_deg", brightest.c_deg);
-        facts.set("peak_gamma_deg", brightest.gamma_deg);
-        facts.set("beam_angle_deg", to_js(spread_angle(web_, 0.0, 0.5)));
-        facts.set("field_angle_deg", to_js(spread_angle(web_, 0.0, 0.1)));
-        facts.set("beam_angle_c90_deg", to_js(spread_angle(web_, 90.0, 0.5)));
-        facts.set("field_angle_c90_deg", to_js(spread_angle(web_, 90.0, 0.1)));
-        facts.set("center_beam_cd", center_beam(web_).value);
-        facts.set("beam_angle_cie_deg", to_js(cie_beam_angle(web_, 0.0)));
-        facts.set("beam_angle_cie_c90_deg", to_js(cie_beam_angle(web_, 90.0)));
-        return facts;
+        const std::string record = facts_record(name_, profile_facts(profile_, web_), diagnostics_);
+        return val::global("JSON").call<val>("parse", record);
     }
 
     double candela(double c_deg, double gamma_deg) const { return web_.candela(c_deg, gamma_deg); }
@@ -124,12 +138,17 @@ public:
         const ProfileHeader header = header_of(profile_, {});
         std::string_view luminaire = keyword_text(header, "LUMINAIRE");
         if (luminaire.empty()) luminaire = keyword_text(header, "LUMCAT");
-        const PlottedWeb plotted{label_, &web_, std::string(luminaire)};
+        const PlottedWeb plotted{file_name(name_), &web_, std::string(luminaire)};
         return to_svg(value_of(found->draw({&plotted, 1}, options)));
     }
 
+    // As `gonio bake`: {layout | engine, width, height, cone_deg, border, normalization, texel_type, max_error_cd}, all
+    // but one of the first two optional. Texels of float32, rounded to what the texel type holds; candela are texel ×
+    // cd_per_unit.
+    val bake(const val& asked) const { return to_js(baked(web_, asked)); }
+
 private:
-    std::string label_;
+    std::string name_;
     Profile profile_;
     Web web_;
     Diagnostics diagnostics_;
@@ -160,7 +179,7 @@ val check(const std::string& bytes, const std::string& name) {
         }
     }
     report.set("readable", readable);
-    report.set("diagnostics", to_js(found));
+    report.set("diagnostics", wasm::to_js(found));
     return report;
 }
 
@@ -175,7 +194,8 @@ EMSCRIPTEN_BINDINGS(gonio) {
         .function("info", &JsProfile::info)
         .function("candela", &JsProfile::candela)
         .function("sample", &JsProfile::sample)
-        .function("diagram", &JsProfile::diagram);
+        .function("diagram", &JsProfile::diagram)
+        .function("bake", &JsProfile::bake);
 }
 
 } // namespace gonio::wasm

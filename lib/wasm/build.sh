@@ -12,26 +12,35 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root"
 bash cli/install-dependencies.sh --wasm
 
-pugixml=${GONIO_PUGIXML_SOURCE:-}
-if [[ -z $pugixml ]]; then
-    folder=$root/build/pugixml
-    pugixml=$folder/src
-    if [[ ! -f $pugixml/pugixml.cpp ]]; then
-        mkdir -p "$folder/lists/partial" "$pugixml"
-        # The sources of the archive that the system's packages come from; the system's own lists stay as they are.
+# The folder of a library's source: the environment names it, or it is that of the system's package, whose FILES are
+# unpacked without the first STRIP folders of their paths.
+source_of() { # VARIABLE PACKAGE STRIP FILES
+    local given=${!1:-} package=$2 strip=$3 files=$4
+    local sources=$root/build/sources
+    if [[ -n $given ]]; then echo "$given"; return; fi
+    if [[ ! -d $sources/$package ]]; then
+        mkdir -p "$sources/lists/partial" "$sources/unpacked"
+        # The sources of the release itself: the archives of updates do not keep theirs. The system's own lists stay as they
+        # are.
         # shellcheck disable=SC2016 # apt expands it
         apt-get indextargets --format 'deb-src $(REPO_URI) $(CODENAME) $(COMPONENT)' 'Created-By: Packages' |
-            grep ' main$' | sort -u > "$folder/sources.list"
-        apt=(apt-get -qq -o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null
-            -o "Dir::State::Lists=$folder/lists" -o APT::Sandbox::User=root)
+            grep -E ' [a-z]+ main$' | sort -u > "$sources/sources.list"
+        local apt=(apt-get -qq -o "Dir::Etc::SourceList=$sources/sources.list" -o Dir::Etc::SourceParts=/dev/null
+            -o "Dir::State::Lists=$sources/lists" -o APT::Sandbox::User=root)
         "${apt[@]}" update >&2
-        (cd "$folder" && "${apt[@]}" source --download-only pugixml >&2)
-        tar -xf "$folder"/pugixml_*.orig.tar.* --directory "$pugixml" --strip-components 2 --wildcards '*/src/*'
+        (cd "$sources" && "${apt[@]}" source --download-only "$package" >&2)
+        tar -xf "$sources/$package"_*.orig.tar.?z* --directory "$sources/unpacked" --strip-components "$strip" \
+            --wildcards "$files"
+        mv "$sources/unpacked" "$sources/$package"
     fi
-fi
+    echo "$sources/$package"
+}
+pugixml=$(source_of GONIO_PUGIXML_SOURCE pugixml 2 '*/src/*')
+zlib=$(source_of GONIO_ZLIB_SOURCE zlib 1 '*')
+libpng=$(source_of GONIO_LIBPNG_SOURCE libpng1.6 1 '*')
 
 # The linker's JavaScript parser is a package of Debian, which a Node from elsewhere does not find.
 if [[ -d /usr/share/nodejs/acorn ]]; then export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}; fi
-cmake --preset wasm "-DGONIO_PUGIXML_SOURCE=$pugixml" "$@" > /dev/null
+cmake --preset wasm "-DGONIO_PUGIXML_SOURCE=$pugixml" "-DGONIO_ZLIB_SOURCE=$zlib" "-DGONIO_LIBPNG_SOURCE=$libpng" "$@" > /dev/null
 read -ra targets <<< "${GONIO_WASM_TARGETS:-gonio}"
 cmake --build --preset wasm --parallel "$(nproc)" --target "${targets[@]}"

@@ -16,6 +16,13 @@ def test_facts_are_those_of_the_tool(profiles):
     assert (web.peak.candela, web.peak.c_deg, web.peak.gamma_deg) == (3543.2, 0.0, 32.5)
     assert web.spread_angle_deg() == pytest.approx(35.0, abs=0.05)
     assert web.spread_angle_deg(90.0) is None
+    facts = profile.facts()
+    assert facts["schema"] == "gonio.info/1"
+    assert (facts["flux_lm"], facts["peak_cd"]) == (web.flux_lm, 3543.2)
+    assert facts["lamps"][0]["flux_lm"] == 2500.0
+    assert facts["beam_angle_c90_deg"] is None
+    assert sum(facts["ten_degree_zones_lm"]) == pytest.approx(web.flux_lm, rel=1e-12)
+    assert profile.facts(azimuth="eulumdat")["peak_c_deg"] == 90.0
 
 
 def test_samples_over_arrays(profiles):

@@ -16,6 +16,7 @@
 // right, in nits of its texels × `environmentIntensity`.
 #include <gonio/asset/detail/scene_image.hpp>
 #include <gonio/asset/detail/scene_text.hpp>
+#include <gonio/base/base64.hpp>
 
 #include <fmt/format.h>
 
@@ -30,23 +31,14 @@ namespace {
 constexpr int columns = 181;
 
 // Texels from 0 to 1 as unsigned 16-bit numbers in base64, the lower byte first.
-std::string base64(const std::vector<double>& texels) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+std::string texels_in_base64(const std::vector<double>& texels) {
     std::string bytes;
     for (const double texel : texels) {
         const auto value = static_cast<unsigned>(std::lround(65535.0 * std::clamp(texel, 0.0, 1.0)));
         bytes += static_cast<char>(value & 0xffU);
         bytes += static_cast<char>(value >> 8);
     }
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63U];
-    }
-    return text;
+    return base64(bytes);
 }
 
 // { "height": rows, "texels": … } of a profile; one row for an axial light.
@@ -56,7 +48,7 @@ std::string texture_of(const Web& web, Candelas peak) {
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
             texels.push_back(web.candela(i > 90 ? j : j - 180.0, i) / peak.value);
-    return fmt::format("    {{ height: {}, texels:\n        '{}' }},\n", rows, base64(texels));
+    return fmt::format("    {{ height: {}, texels:\n        '{}' }},\n", rows, texels_in_base64(texels));
 }
 
 constexpr const char* profile_text = R"js(

@@ -145,25 +145,6 @@ Result<const abi::ColorModule*> color_module() {
     });
 }
 
-Cause cause_of(int status) {
-    switch (static_cast<abi::Status>(status)) {
-    case abi::io:
-        return Failure::io;
-    case abi::malformed:
-        return Failure::malformed;
-    case abi::unsupported:
-        return Failure::unsupported;
-    case abi::out_of_memory:
-        return "UNS0103";
-    case abi::no_threads:
-        return "FIL0106";
-    case abi::done:
-    case abi::internal:
-        break;
-    }
-    return Failure::internal;
-}
-
 } // namespace detail
 
 } // namespace gonio::media

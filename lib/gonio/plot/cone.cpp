@@ -114,10 +114,14 @@ Result<Drawing> cone_diagram(std::span<const PlottedWeb> webs, const PlotOptions
     const std::array<double, 4> columns{split + 0.10 * area.width(), split + 0.25 * area.width(),
                                         split + 0.40 * area.width(), split + 0.53 * area.width()};
     const std::string lux = options.per_klm ? "[lx/klm]" : "[lx]";
-    constexpr std::array<std::string_view, 4> names{"distance [m]", "width [m]", "E axis", "E edge"};
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        page.text({columns[i], top - 14.0}, i < 2 ? std::string(names[i]) : fmt::format("{} {}", names[i], lux),
-                  {TextAnchor::end, 12.0, {}, true});
+    constexpr std::array<std::string_view, 4> names{"distance", "width", "E axis", "E edge"};
+    const std::array<std::string, 4> units{"[m]", "[m]", lux, lux};
+    const TextStyle heading{TextAnchor::end, 12.0, {}, true};
+    const bool narrow = columns[1] - columns[0] < 80.0; // no room for the unit beside the name
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        page.text({columns[i], top - 14.0}, narrow ? units[i] : fmt::format("{} {}", names[i], units[i]), heading);
+        if (narrow) page.text({columns[i], top - 28.0}, names[i], heading);
+    }
     for (int i = 1; i <= distances; ++i) {
         const double distance_m = height_m * i / distances;
         const double y = top + row_px * i;

@@ -1,4 +1,5 @@
 #include <gonio/plot/svg.hpp>
+#include <gonio/plot/svg_path.hpp>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,7 @@ std::string style_of(const Pen& pen) {
 
 class Writer {
 public:
-    explicit Writer(const Drawing& drawing) {
+    Writer(const Drawing& drawing, const SvgOptions& options) : options_(options) {
         text_ = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
                             R"(font-family="DejaVu Sans, Verdana, Arial, sans-serif">)"
                             "\n<title>{2}</title>\n",
@@ -75,7 +76,7 @@ public:
 
     std::string take() { return std::move(text_); }
 
-    void operator()(const FilledPath& step) { path(step.path, paint("fill", step.ink)); }
+    void operator()(const FilledPath& step) { path(step.path, paint("fill", step.ink), true); }
 
     void operator()(const StrokedPath& step) {
         const auto& parts = step.path.parts();
@@ -86,7 +87,7 @@ public:
                    svg_number(to.x), svg_number(to.y), style_of(step.pen));
             return;
         }
-        path(step.path, R"(fill="none" stroke-linejoin="round" )" + style_of(step.pen));
+        path(step.path, R"(fill="none" stroke-linejoin="round" )" + style_of(step.pen), false);
     }
 
     void operator()(const FilledRectangle& step) {
@@ -111,9 +112,9 @@ public:
     }
 
     void operator()(const ClipBegin& step) {
-        append("<clipPath id=\"clip{}\">", ++clips_);
+        append("<clipPath id=\"{}clip{}\">", options_.id_prefix, ++clips_);
         rectangle(step.corner, step.width, step.height, "");
-        append("</clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_);
+        append("</clipPath>\n<g clip-path=\"url(#{}clip{})\">\n", options_.id_prefix, clips_);
     }
 
     void operator()(const ClipEnd& /*step*/) { text_ += "</g>\n"; }
@@ -129,8 +130,13 @@ private:
                svg_number(width), svg_number(height), style);
     }
 
-    void path(const PagePath& path, std::string_view style) {
+    void path(const PagePath& path, std::string_view style, bool is_filled) {
         text_ += "<path d=\"";
+        if (options_.short_paths) {
+            text_ += is_filled ? plot_detail::short_outline(path) : plot_detail::short_line(path);
+            append("\" {}/>\n", style);
+            return;
+        }
         for (const PagePath::Part& part : path.parts()) {
             char command = 'M';
             for (const PagePoint point : part.points) {
@@ -142,6 +148,7 @@ private:
         append("\" {}/>\n", style);
     }
 
+    const SvgOptions& options_;
     std::string text_;
     int clips_ = 0;
 };
@@ -156,8 +163,8 @@ std::string svg_number(double value) {
     return text == "-0" ? "0" : text;
 }
 
-std::string to_svg(const Drawing& drawing) {
-    return Writer(drawing).take();
+std::string to_svg(const Drawing& drawing, const SvgOptions& options) {
+    return Writer(drawing, options).take();
 }
 
 } // namespace gonio

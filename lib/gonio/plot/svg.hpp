@@ -7,11 +7,20 @@
 #include <gonio/plot/drawing.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace gonio {
 
+// How a drawing is written.
+struct SvgOptions {
+    // Begins every identifier: several drawings in one HTML file need different ones.
+    std::string_view id_prefix = {};
+    // Paths in steps of a tenth of a pixel, areas by their outlines: a tenth of the bytes of a heat map.
+    bool short_paths = false;
+};
+
 // The whole document, on a white background.
-std::string to_svg(const Drawing& drawing);
+std::string to_svg(const Drawing& drawing, const SvgOptions& options = {});
 
 // At most two decimals, no exponent, no negative zero.
 std::string svg_number(double value);

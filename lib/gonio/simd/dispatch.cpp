@@ -23,7 +23,10 @@ constexpr InstructionSet architecture_baseline = InstructionSet::scalar;
 
 // What the processor supports and the system saves on a context switch; the compiler's runtime checks both.
 bool machine_has(InstructionSet set) {
-    if (set == InstructionSet::scalar || set == architecture_baseline) return true;
+    if (set == architecture_baseline) return true;
+#if !defined(GONIO_NO_SCALAR_KERNELS)
+    if (set == InstructionSet::scalar) return true;
+#endif
 #if defined(__x86_64__)
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     if (set == InstructionSet::avx2) return has_avx2;

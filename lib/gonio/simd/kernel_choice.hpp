@@ -39,6 +39,15 @@ const Kernels& chosen(InstructionSet set, const Kernels& scalar, const Kernels& 
 
 #define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_scalar, stem##_neon)
 
+#elif defined(__wasm_simd128__) && defined(GONIO_NO_SCALAR_KERNELS)
+
+template<class Kernels>
+const Kernels& chosen(InstructionSet /*set*/, const Kernels& wasm128) {
+    return wasm128;
+}
+
+#define GONIO_CHOSEN_KERNELS(set, stem) ::gonio::simd::detail::chosen(set, stem##_wasm128)
+
 #elif defined(__wasm_simd128__)
 
 template<class Kernels>

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // Greatest ratio of spacing to mounting height at which a horizontal plane below is as bright between luminaires as
@@ -21,3 +22,4 @@ struct SpacingCriterion {
 SpacingCriterion spacing_criterion(const Web& web);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 
+#pragma GCC visibility push(default)
 namespace gonio {
 
 // The flux between two γ within [0°, 180°].
@@ -47,3 +48,4 @@ LuminaireClassification luminaire_classification(const Web& web, double front_c_
 double street_side_c_deg(const Profile& profile, const Web& web);
 
 } // namespace gonio
+#pragma GCC visibility pop

@@ -1,7 +1,9 @@
 // Profiles: photometric files as written; reading, checking, converting and writing them.
+#include <gonio/asset/facts_record.hpp>
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/named.hpp>
 #include <gonio/light/opening.hpp>
+#include <gonio/light/profile_facts.hpp>
 #include <gonio/profile/read.hpp>
 #include <gonio/web/radiometric.hpp>
 #include <gonio/web/repetitions.hpp>
@@ -52,6 +54,21 @@ Web web_of(const Profile& profile, int lamp_set, double tilt_deg, const std::str
     const ResolveOptions options = resolve_options(lamp_set, tilt_deg, azimuth, as_candela);
     const py::gil_scoped_release released;
     return value_of(resolve_web(profile, options)).web;
+}
+
+// By the record of the tool, so that there is one list of names.
+py::object facts_of(const Profile& profile, int lamp_set, double tilt_deg, const std::string& azimuth,
+                    bool as_candela) {
+    const ResolveOptions options = resolve_options(lamp_set, tilt_deg, azimuth, as_candela);
+    std::string record;
+    {
+        const py::gil_scoped_release released;
+        ResolvedWeb resolved = value_of(resolve_web(profile, options));
+        Diagnostics diagnostics = profile.diagnostics;
+        diagnostics.insert(diagnostics.end(), resolved.diagnostics.begin(), resolved.diagnostics.end());
+        record = facts_record(profile.source, profile_facts(profile, resolved.web, options), diagnostics);
+    }
+    return py::module_::import("json").attr("loads")(record);
 }
 
 Diagnostics checked(const Profile& profile) {
@@ -107,6 +124,10 @@ void add_profiles(py::module_& module) {
              "The light that the file describes, every factor applied [cd]. `azimuth` 'ies' or 'eulumdat' turns files "
              "of\n"
              "the other convention by 90°; `lamp_set` is one of EULUMDAT's, from 1.")
+        .def("facts", &facts_of, py::kw_only(), py::arg("lamp_set") = 1, py::arg("tilt_deg") = 0.0,
+             py::arg("azimuth") = "as-written", py::arg("as_candela") = false,
+             "What `gonio info --json` says about it, by the same names: flux, peak, angles, lamps, opening, zones.\n"
+             "Fluxes of a radiometric profile are in its `flux_unit`, intensities in its `intensity_unit`.")
         .def("check", &checked,
              "What is wrong with it: its text, its numbers and its physics, as `gonio check` reports them.")
         .def(

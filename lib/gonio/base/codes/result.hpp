@@ -49,6 +49,9 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "You asked for a smooth curve between the angles of a profile's table. All values of the table are kept. Between "
      "them the luminaire was not measured: the flux is that of the curve, and the message states it before and "
      "after."},
+    {"RES0209", Severity::warning, Strict::same, "report without pictures",
+     "A report shows each profile in a picture, which needs the modules of the package gonio-media. They are not "
+     "installed, so the report has all but the pictures. With --no-picture it leaves them out without a warning."},
 
     {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
      "By the convention of the program, the light does not emit what the number states in SI units."},

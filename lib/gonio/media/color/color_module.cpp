@@ -1,5 +1,6 @@
 // gonio-color.so: the only file of gonio that includes OpenColorIO. Its contract is in detail/color_abi.hpp.
 #include <gonio/media/detail/color_abi.hpp>
+#include <gonio/media/detail/filmic.hpp>
 
 #include <OpenColorIO/OpenColorIO.h>
 
@@ -29,6 +30,8 @@ struct ColorProcessor {
 namespace {
 
 using namespace gonio::media::abi;
+using gonio::media::detail::filmic_curve;
+using gonio::media::detail::filmic_mix;
 
 void say(char* message, const char* text) {
     std::snprintf(message, message_bytes, "%s", text);
@@ -85,19 +88,9 @@ void add_view_transform(OCIO::Config& config, const char* name, const char* styl
     config.addViewTransform(view);
 }
 
-// The view "Filmic": up to middle grey the numbers of Standard, and white for light without bound. Channels that reach
-// 1 one after the other turn tungsten lemon yellow, so the curve acts on channels that are moved towards their
-// luminance: black-body, red, amber and blue light then keep their hue within 5° in Oklab (Standard: 38 to 76°).
-constexpr double filmic_mix = 0.7;
-constexpr double filmic_linear = 0.18;
 constexpr std::array rec709_luminance{0.2126390058715103, 0.7151686787677559, 0.0721923153607337};
 
-double filmic_curve(double x) {
-    if (x <= filmic_linear) return std::max(x, 0.0);
-    const double t = (x - filmic_linear) / (1.0 - filmic_linear);
-    return filmic_linear + (1.0 - filmic_linear) * t / (1.0 + t);
-}
-
+// filmic.hpp
 OCIO::TransformRcPtr towards_luminance(OCIO::TransformDirection direction) {
     std::array<double, 16> matrix{};
     for (std::size_t row = 0; row < 3; ++row)

@@ -1,0 +1,115 @@
+// Pictures one after another while one moves lights and camera: what `gonio preview` makes of the same words, as
+// pixels. What a change leaves as it was is not computed again.
+#include <gonio/light/light_color.hpp>
+#include <gonio/media/dither.hpp>
+#include <gonio/preview/render.hpp>
+
+#include "../arguments.hpp"
+#include "../command.hpp"
+#include "../console.hpp"
+#include "../options/rig_input.hpp"
+#include "../preview/picture.hpp"
+#include "../preview/request.hpp"
+#include "to_js.hpp"
+#include "words.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace gonio::cli {
+
+namespace {
+
+using emscripten::val;
+using wasm::value_of;
+
+// Opaque pixels with four channels of 8 bits, which a canvas shows.
+std::vector<std::uint8_t> rgba_of(const Image& image, bool dithers) {
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    std::vector<std::uint8_t> rgba(4 * count, 255);
+    const std::vector<float> pixels = dithers ? media::dithered(image, 255) : image.pixels;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const float value = pixels[3 * i + channel];
+            rgba[4 * i + channel] =
+                static_cast<std::uint8_t>((value > 0.0F ? std::min(value, 1.0F) : 0.0F) * 255.0F + 0.5F);
+        }
+    return rgba;
+}
+
+class LivePreview {
+public:
+    // `list`: the words after `gonio preview`, without an output. Throws an Error of JavaScript.
+    val render(const val& list) {
+        Words words(list);
+        Arguments arguments = value_of(Arguments::parse(*find_command("preview"), words.pointers()));
+        PreviewRequest request = value_of(parse_preview(arguments));
+        Diagnostics diagnostics = request.diagnostics;
+        const std::vector<Light> lights = value_of(resolve_input(request.lights, diagnostics, request.render.threads));
+        RenderOptions& options = request.render;
+        options.illuminance = true;
+        options.known = known_;
+        const PictureMethod method = method_of(options);
+        if (Result<void> ready = prepare(options, {&method, 1}, request.stage, lights, request.probe_at); !ready)
+            wasm::throw_js(ready.error());
+        Rendering rendering = value_of(gonio::render(request.stage, lights, request.stage.camera, options));
+        if (rendering.indirect) known_ = rendering.indirect;
+        luminance_nt_ = rendering.luminance_nt;
+        illuminance_lx_ = rendering.illuminance_lx;
+        Console console;
+        console.set_quiet(true);
+        const ShownPicture shown = value_of(show_picture(std::move(rendering), request, lights, console));
+
+        const std::vector<std::uint8_t> rgba = rgba_of(shown.image, is_dithered(request.look.look));
+        val picture = val::object();
+        picture.set("width", shown.image.width);
+        picture.set("height", shown.image.height);
+        picture.set("rgba",
+                    val::global("Uint8ClampedArray").new_(emscripten::typed_memory_view(rgba.size(), rgba.data())));
+        picture.set("ev100", shown.exposure.value);
+        picture.set("scale", val::null());
+        if (shown.scale) {
+            val scale = val::object();
+            scale.set("low", shown.scale->low);
+            scale.set("high", shown.scale->high);
+            scale.set("logarithmic", shown.scale->logarithmic);
+            picture.set("scale", scale);
+        }
+        picture.set("diagnostics", wasm::to_js(diagnostics));
+        return picture;
+    }
+
+    // {illuminance_lx, luminance_nt} of a pixel of the last picture; null outside of it.
+    val at(int column, int row) const {
+        if (column < 0 || row < 0 || column >= luminance_nt_.width || row >= luminance_nt_.height) return val::null();
+        const float* const rgb = luminance_nt_.at(column, row);
+        const glm::dvec3 nt(rgb[0], rgb[1], rgb[2]);
+        val values = val::object();
+        values.set("illuminance_lx", static_cast<double>(*illuminance_lx_.at(column, row)));
+        values.set("luminance_nt", glm::dot(nt, rec709_luminance));
+        return values;
+    }
+
+private:
+    std::shared_ptr<const Interreflection> known_;
+    Image luminance_nt_;
+    Image illuminance_lx_;
+};
+
+} // namespace
+
+EMSCRIPTEN_BINDINGS(gonio_live_preview) {
+    emscripten::class_<LivePreview>("LivePreview")
+        .constructor<>()
+        .function("render", &LivePreview::render)
+        .function("at", &LivePreview::at);
+}
+
+} // namespace gonio::cli

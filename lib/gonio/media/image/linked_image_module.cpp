@@ -1,0 +1,254 @@
+// The image module of WebAssembly: PNG, by libpng, and OpenEXR, which is only written. Its contract is in
+// detail/image_abi.hpp.
+//
+// libpng reports a failure by a function that must not return: it throws, and the frames of libpng are unwound as those
+// of any other code.
+#include <gonio/media/detail/image_abi.hpp>
+#include <gonio/media/image/exr_writer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <png.h>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace gonio::media::abi;
+
+// Runs `work` and turns its exceptions into a status.
+template<class Work>
+int guarded(char* message, Status refused, Work work) noexcept {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        std::snprintf(message, message_bytes, "out of memory");
+        return out_of_memory;
+    } catch (const std::exception& error) {
+        std::snprintf(message, message_bytes, "%s", error.what());
+        return refused;
+    } catch (...) {
+        std::snprintf(message, message_bytes, "unknown exception");
+        return internal;
+    }
+}
+
+[[noreturn]] void raise(png_structp /*png*/, png_const_charp text) {
+    throw std::runtime_error(text);
+}
+
+void ignore(png_structp /*png*/, png_const_charp /*text*/) {}
+
+int refuse(char* message) {
+    std::snprintf(message, message_bytes, "of picture formats, WebAssembly writes PNG and OpenEXR and reads PNG");
+    return unsupported;
+}
+
+struct Writer {
+    Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, raise, ignore)) {
+        if (png != nullptr) info = png_create_info_struct(png);
+        if (info == nullptr) throw std::bad_alloc();
+    }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+};
+
+struct Reader {
+    Reader() : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, raise, ignore)) {
+        if (png != nullptr) info = png_create_info_struct(png);
+        if (info == nullptr) throw std::bad_alloc();
+    }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+};
+
+constexpr int color_type_of(std::int32_t channels) {
+    constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                             PNG_COLOR_TYPE_RGB_ALPHA};
+    return types[channels - 1];
+}
+
+// "Description" is the PNG's word for ImageDescription.
+const char* keyword_of(std::string_view attribute) {
+    if (attribute == "ImageDescription") return "Description";
+    if (attribute == "Artist") return "Author";
+    if (attribute == "Software") return "Software";
+    if (attribute == "Copyright") return "Copyright";
+    return nullptr;
+}
+
+void set_attributes(const Writer& writer, const EncodeRequest& request) {
+    std::vector<std::string> texts; // libpng takes char*, which it copies
+    texts.reserve(2 * request.attribute_count);
+    for (std::size_t i = 0; i < request.attribute_count; ++i) {
+        const Attribute& attribute = request.attributes[i];
+        if (attribute.kind != attribute_text) continue;
+        if (std::string_view(attribute.name) == "oiio:ColorSpace") {
+            if (std::string_view(attribute.text) == "sRGB")
+                png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_ABSOLUTE);
+            else
+                png_set_gAMA(writer.png, writer.info, 1.0);
+            continue;
+        }
+        const char* const keyword = keyword_of(attribute.name);
+        if (keyword == nullptr) continue;
+        png_text text{};
+        text.compression = PNG_TEXT_COMPRESSION_NONE;
+        text.key = texts.emplace_back(keyword).data();
+        text.text = texts.emplace_back(attribute.text).data();
+        text.text_length = texts.back().size();
+        png_set_text(writer.png, writer.info, &text, 1);
+    }
+}
+
+// Rounded to the nearest, clipped; NaN is 0. Of 16 bits the high byte first.
+void store(const float* from, std::size_t count, bool wide, std::vector<png_byte>& row) {
+    const float greatest = wide ? 65535.0F : 255.0F;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float clipped = from[i] > 0.0F ? std::min(from[i], 1.0F) : 0.0F;
+        const auto number = static_cast<unsigned>(clipped * greatest + 0.5F);
+        if (wide) {
+            row[2 * i] = static_cast<png_byte>(number >> 8U);
+            row[2 * i + 1] = static_cast<png_byte>(number & 255U);
+        } else {
+            row[i] = static_cast<png_byte>(number);
+        }
+    }
+}
+
+void write_png(const EncodeRequest& request, std::vector<unsigned char>& bytes) {
+    const Writer writer;
+    png_set_write_fn(
+        writer.png, &bytes,
+        [](png_structp png, png_bytep data, std::size_t size) {
+            auto& to = *static_cast<std::vector<unsigned char>*>(png_get_io_ptr(png));
+            to.insert(to.end(), data, data + size);
+        },
+        [](png_structp) {});
+    const bool wide = request.pixel == pixel_uint16;
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(request.width),
+                 static_cast<png_uint_32>(request.height), wide ? 16 : 8, color_type_of(request.channels),
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    set_attributes(writer, request);
+    png_write_info(writer.png, writer.info);
+    const std::size_t values = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.channels);
+    std::vector<png_byte> row(values * (wide ? 2 : 1));
+    for (std::int32_t y = 0; y < request.height; ++y) {
+        store(request.pixels + static_cast<std::size_t>(y) * values, values, wide, row);
+        png_write_row(writer.png, row.data());
+    }
+    png_write_end(writer.png, nullptr);
+}
+
+int encode(const EncodeRequest* request, EncodeReply* reply) noexcept {
+    return guarded(reply->message, unsupported, [&]() -> int {
+        auto bytes = std::make_unique<std::vector<unsigned char>>();
+        if (std::string_view(request->format) == "openexr")
+            *bytes = gonio::media::detail::exr_bytes(*request);
+        else if (std::string_view(request->format) == "png")
+            write_png(*request, *bytes);
+        else
+            return refuse(reply->message);
+        reply->bytes = bytes->data();
+        reply->size = bytes->size();
+        reply->owner = bytes.release();
+        return done;
+    });
+}
+void release_encoded(void* owner) noexcept {
+    delete static_cast<std::vector<unsigned char>*>(owner);
+}
+
+struct Decoded {
+    std::vector<float> pixels;
+    std::vector<const char*> channel_names;
+};
+
+struct Source {
+    const unsigned char* at;
+    std::size_t left;
+};
+
+void read_bytes(png_structp png, png_bytep to, std::size_t size) {
+    auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+    if (size > source.left) png_error(png, "the file is cut off");
+    std::memcpy(to, source.at, size);
+    source.at += size;
+    source.left -= size;
+}
+
+int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
+    return guarded(reply->message, malformed, [&]() -> int {
+        if (std::string_view(request->format) != "png") return refuse(reply->message);
+        const Reader reader;
+        Source source{request->bytes, request->size};
+        png_set_read_fn(reader.png, &source, read_bytes);
+        png_read_info(reader.png, reader.info);
+        png_set_expand(reader.png); // palettes, fewer than 8 bits, transparent colours
+        const int passes = png_set_interlace_handling(reader.png);
+        png_read_update_info(reader.png, reader.info);
+        const std::size_t width = png_get_image_width(reader.png, reader.info);
+        const std::size_t height = png_get_image_height(reader.png, reader.info);
+        const std::size_t channels = png_get_channels(reader.png, reader.info);
+        reply->width = static_cast<std::int32_t>(width);
+        reply->height = static_cast<std::int32_t>(height);
+        reply->channels = static_cast<std::int32_t>(channels);
+        const double values = static_cast<double>(width) * static_cast<double>(height) * static_cast<double>(channels);
+        if (values > static_cast<double>(request->max_values)) throw std::runtime_error("the picture is too large");
+        const bool wide = png_get_bit_depth(reader.png, reader.info) == 16;
+        const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
+        std::vector<png_byte> bytes(row_bytes * height);
+        for (int pass = 0; pass < passes; ++pass) // an interlaced picture comes in several passes over all rows
+            for (std::size_t y = 0; y < height; ++y)
+                png_read_row(reader.png, bytes.data() + y * row_bytes, nullptr);
+        png_read_end(reader.png, nullptr);
+        auto decoded = std::make_unique<Decoded>();
+        decoded->pixels.resize(width * height * channels);
+        for (std::size_t i = 0; i < decoded->pixels.size(); ++i)
+            decoded->pixels[i] = wide ? static_cast<float>(bytes[2 * i] * 256U + bytes[2 * i + 1]) / 65535.0F
+                                      : static_cast<float>(bytes[i]) / 255.0F;
+        constexpr std::string_view names[] = {"Y", "YA", "RGB", "RGBA"};
+        for (const char name : names[channels - 1])
+            decoded->channel_names.push_back(name == 'Y'   ? "Y"
+                                             : name == 'A' ? "A"
+                                             : name == 'R' ? "R"
+                                             : name == 'G' ? "G"
+                                                           : "B");
+        reply->pixel = wide ? pixel_uint16 : pixel_uint8;
+        reply->pixels = decoded->pixels.data();
+        reply->channel_names = decoded->channel_names.data();
+        reply->attributes = nullptr;
+        reply->attribute_count = 0;
+        reply->owner = decoded.release();
+        return done;
+    });
+}
+
+void release_decoded(void* owner) noexcept {
+    delete static_cast<Decoded*>(owner);
+}
+
+constexpr ImageModule table{image_version, encode, release_encoded, decode, release_decoded};
+
+} // namespace
+
+extern "C" const void* gonio_image_module();
+
+const void* gonio_image_module() {
+    return &table;
+}
