@@ -33,6 +33,7 @@ struct DeclaredLamps {
     std::optional<double> input_w;
 };
 
+// What there is to say about a profile.
 struct ProfileFacts {
     std::string intensity_unit = "cd"; // "mW/sr"
     std::string flux_unit = "lm";

@@ -19,6 +19,7 @@ struct SpacingCriterion {
     std::optional<double> diagonal;
 };
 
+// That of a web.
 SpacingCriterion spacing_criterion(const Web& web);
 
 } // namespace gonio

@@ -29,6 +29,7 @@ struct CieFluxCode {
     std::optional<double> light_output_ratio;
 };
 
+// That of a web; `lamps`: their flux, empty for absolute photometry.
 CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps);
 
 // IES TM-15: luminaire classification system. Front is the half on the side of the plane C `front_c_deg`, a multiple of
@@ -41,6 +42,7 @@ struct LuminaireClassification {
     Lumens up_high;
 };
 
+// That of a web, with the street on the side of C `front_c_deg`.
 LuminaireClassification luminaire_classification(const Web& web, double front_c_deg = 0.0);
 
 // The C-plane towards the street: C90 in EULUMDAT, where C0 lies along the road (EN 13201); C0 in LM-63, unless the
