@@ -106,7 +106,7 @@ std::vector<std::string_view> scripts_in(std::string_view text) {
 
 // Whether the page's own policy lets it make functions out of text, as some builds of WebAssembly's glue do.
 bool makes_functions(std::string_view text) {
-    constexpr std::string_view policy = "http-equiv=\"Content-Security-Policy\" content=\"";
+    constexpr std::string_view policy = R"(http-equiv="Content-Security-Policy" content=")";
     const std::size_t begin = text.find(policy);
     if (begin == std::string_view::npos) return false;
     const std::string_view rest = text.substr(begin + policy.size());

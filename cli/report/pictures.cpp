@@ -17,7 +17,7 @@ namespace gonio::cli {
 namespace {
 
 std::string image_element(const std::string& png, PixelSize size, const std::string& alternative) {
-    return fmt::format("<img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">", base64(png),
+    return fmt::format(R"(<img src="data:image/png;base64,{}" width="{}" height="{}" alt="{}">)", base64(png),
                        size.width, size.height, html(alternative));
 }
 

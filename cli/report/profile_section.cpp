@@ -46,7 +46,7 @@ std::string begin_section(const std::string& file, const std::string& title, std
 }
 
 std::string first_cell(const std::string& label, std::size_t number) {
-    return fmt::format("<th scope=\"row\"><a href=\"#{}\">{}</a></th>", section_name(number), html(label));
+    return fmt::format(R"(<th scope="row"><a href="#{}">{}</a></th>)", section_name(number), html(label));
 }
 
 std::string cell(const std::string& text, std::string_view style) {

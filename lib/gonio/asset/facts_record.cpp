@@ -10,7 +10,6 @@
 
 namespace gonio {
 
-using detail::diagnostics_json;
 using detail::Json;
 using detail::number_or_null;
 

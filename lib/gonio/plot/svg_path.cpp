@@ -21,7 +21,8 @@ struct GridPoint {
     long x = 0;
     long y = 0;
 
-    auto operator<=>(const GridPoint&) const = default;
+    bool operator==(const GridPoint&) const = default;
+    bool operator<(const GridPoint& other) const { return x != other.x ? x < other.x : y < other.y; }
 };
 
 using Edge = std::pair<GridPoint, GridPoint>;
