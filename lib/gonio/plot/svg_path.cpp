@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdlib>
 #include <limits>
 #include <map>
