@@ -87,11 +87,15 @@ export default async function createGonio() {
   gonio.Scene = class {
     constructor(rig, files = {}) {
       this.folder = makeFolder({ ...files, [rigName]: rig });
+      this.rig = rig;
       this.preview = new tool.LivePreview();
     }
 
     // Another rig with the same files, and perhaps more.
     set(rig, files = {}) {
+      if (rig === this.rig && Object.keys(files).length === 0) return;
+      this.rig = rig;
+      this.lightWords = undefined;
       putFiles(this.folder, { ...files, [rigName]: rig });
     }
 
@@ -108,7 +112,11 @@ export default async function createGonio() {
       if (shown && unit) list.push('--unit', unit);
       if (mode !== 'falsecolour' && exposure !== undefined && exposure !== 'auto') list.push('--exposure', `${exposure}ev`);
       if (view) list.push('--view', view);
-      const picture = inFolder(this.folder, () => this.preview.render([...list, ...words]));
+      const lightWords = words.join('\n');
+      const hasSameLights = lightWords === this.lightWords;
+      this.lightWords = undefined; // until there is a picture
+      const picture = inFolder(this.folder, () => this.preview.render([...list, ...words], hasSameLights));
+      this.lightWords = lightWords;
       if (picture.scale) picture.scale.unit = 'lx';
       return picture;
     }

@@ -46,13 +46,17 @@ std::vector<std::uint8_t> rgba_of(const Image& image, bool dithers) {
 
 class LivePreview {
 public:
-    // `list`: the words after `gonio preview`, without an output. Throws an Error of JavaScript.
-    val render(const val& list) {
+    // `list`: the words after `gonio preview`. `has_same_lights`: the rig and all words about lights are those of the
+    // last picture. Throws an Error of JavaScript.
+    val render(const val& list, bool has_same_lights) {
         Words words(list);
         Arguments arguments = value_of(Arguments::parse(*find_command("preview"), words.pointers()));
         PreviewRequest request = value_of(parse_preview(arguments));
         Diagnostics diagnostics = request.diagnostics;
-        const std::vector<Light> lights = value_of(resolve_input(request.lights, diagnostics, request.render.threads));
+        // What bounces is known to be the same where these are the same objects.
+        if (!has_same_lights || lights_.empty())
+            lights_ = value_of(resolve_input(request.lights, diagnostics, request.render.threads));
+        const std::vector<Light>& lights = lights_;
         RenderOptions& options = request.render;
         options.illuminance = true;
         options.known = known_;
@@ -98,6 +102,7 @@ public:
     }
 
 private:
+    std::vector<Light> lights_;
     std::shared_ptr<const Interreflection> known_;
     Image luminance_nt_;
     Image illuminance_lx_;
