@@ -172,7 +172,7 @@ void LitTile::add_surroundings() {
         const bool is_round = std::holds_alternative<Ball>(geometry) || std::holds_alternative<Capsule>(geometry);
         const SurfaceSamples of_flat = is_round ? SurfaceSamples() : merged(all);
         const SurfaceSamples& samples = is_round ? all : of_flat;
-        const std::vector<LobeRays>& lobes = scene_.lobes[samples.surface];
+        const std::vector<LobeRays>& lobes = scene_.surroundings[samples.surface]->lobes;
         const bool has_view = !lobes.empty() && !named_lobe;
         if (has_view) {
             const SampleSquares squares = is_round ? SampleSquares() : tile_.squares_of(samples);
@@ -191,7 +191,7 @@ void LitTile::add_surroundings() {
             if (indirect != nullptr) lx += around(indirect->nodes_lx());
             if (sky != nullptr) lx += named_sky ? named->sky_lx(normal) : around(sky->nodes_lx());
             const double cosine = glm::dot(normal, samples.view_of(i));
-            glm::dvec3 diffuse = scene_.albedos[samples.surface](cosine);
+            glm::dvec3 diffuse = scene_.surroundings[samples.surface]->albedo(cosine);
             glm::dvec3 rgb(has_view ? glossy_[i] : glm::vec3(0.0F));
             for (const LobeRays& lobe : lobes) {
                 const glm::dvec3 albedo = lobe.albedo(cosine);

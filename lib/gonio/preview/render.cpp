@@ -58,12 +58,17 @@ Result<Rendering> render(const Stage& stage, std::span<const Light> lights, cons
     picture.shows_subject.resize(picture.shows_light.size());
     if (options.illuminance) picture.illuminance_lx = Image(options.width, options.height, 1);
     // A single surface is convex: nothing that it reflects meets it again.
+    std::shared_ptr<Interreflection> bounced;
     if (options.bounces > 0 && (stage.surfaces.size() > 1 || !options.sky.is_dark())) {
         Result<Interreflection> indirect = Interreflection::of(stage, lights, options, {}, options.known.get());
         if (!indirect) return pass_on(indirect);
-        picture.indirect = std::make_shared<const Interreflection>(std::move(*indirect));
+        bounced = std::make_shared<Interreflection>(std::move(*indirect));
+        picture.indirect = bounced;
     }
-    detail::LitScene scene(stage, lights, options);
+    detail::LitScene scene(stage, lights, options,
+                           options.known != nullptr ? options.known->reflectances()
+                                                    : detail::SurroundingsReflectances());
+    if (bounced) bounced->keep(scene.surroundings);
     const std::shared_ptr<const detail::SkyLight> sky =
         detail::SkyLight::on(stage, lights, options, picture.indirect.get());
     scene.sky = sky.get();

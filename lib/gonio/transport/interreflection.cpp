@@ -160,6 +160,7 @@ std::optional<glm::dvec3> Interreflection::change_to(const Stage& stage, std::sp
 
 Interreflection Interreflection::times(const glm::dvec3& rgb) const {
     Interreflection changed = *this;
+    if (rgb == glm::dvec3(1.0)) return changed;
     const auto multiply = [&](detail::Sent& sent) {
         for (int channel = 0; channel < 3; ++channel)
             sent.value[channel] = static_cast<float>(rgb[channel] * static_cast<double>(sent.value[channel]));

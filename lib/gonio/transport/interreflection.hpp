@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -25,6 +26,7 @@ namespace gonio {
 namespace detail {
 class ExchangeGeometry;
 class SkyLight;
+struct SurroundingsReflectance;
 struct PatchPlace;
 class ThrownLight;
 struct NodeValue;
@@ -79,6 +81,14 @@ public:
     // What surfaces receive of the options' sky; null without one.
     const std::shared_ptr<const detail::SkyLight>& sky() const { return sky_; }
 
+    // What the surfaces of a picture reflect of each other, kept here for the next one.
+    const std::vector<std::shared_ptr<const detail::SurroundingsReflectance>>& reflectances() const {
+        return reflectances_;
+    }
+    void keep(std::vector<std::shared_ptr<const detail::SurroundingsReflectance>> reflectances) {
+        reflectances_ = std::move(reflectances);
+    }
+
     const ExchangeBalance& balance() const { return balance_; }
     std::size_t node_count() const;
     std::size_t patch_count() const;
@@ -107,6 +117,7 @@ private:
 
     std::shared_ptr<const detail::ExchangeGeometry> geometry_;
     std::shared_ptr<const detail::SkyLight> sky_;
+    std::vector<std::shared_ptr<const detail::SurroundingsReflectance>> reflectances_;
     std::vector<Light> lights_;
     std::vector<Material> materials_; // by surface
     int bounces_ = 0;

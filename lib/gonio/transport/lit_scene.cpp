@@ -57,6 +57,20 @@ std::vector<LightSphere> body_spheres(std::span<const LitLight> lights) {
     return spheres;
 }
 
+// The material, or what its diffuse part scatters.
+CoreMaterial seen_material(const Material& material, bool specular) {
+    CoreMaterial whole = core_material(material);
+    if (specular) return whole;
+    return std::visit([](const auto& core) { return CoreMaterial(shading::diffuse_alone(core)); }, whole);
+}
+
+// The first surface with this material.
+std::size_t first_with(const Stage& stage, const Material& material) {
+    const auto found = std::find_if(stage.surfaces.begin(), stage.surfaces.end(),
+                                    [&](const Surface& surface) { return are_same(surface.material, material); });
+    return static_cast<std::size_t>(found - stage.surfaces.begin());
+}
+
 shading::MaterialConstants constants(const CoreMaterial& material) {
     return std::visit([](const auto& core) { return constants_of(core); }, material); // of shading, by argument
 }
@@ -85,7 +99,19 @@ LitLight::LitLight(const Light& of_light, IrradianceMethod method, WebTables& we
         constants.color[channel] = static_cast<float>(light.color[channel]);
 }
 
-LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options)
+SurroundingsReflectance::SurroundingsReflectance(const Material& of_material, bool with_specular, bool is_fine)
+    : material(of_material), specular(with_specular), fine(is_fine) {
+    const CoreMaterial core = seen_material(material, specular);
+    albedo = DirectionalAlbedo(core, fine ? DirectionalAlbedo::Fineness::fine : DirectionalAlbedo::Fineness::coarse);
+    lobes = lobe_rays(core, fine ? 4 : 1);
+}
+
+bool SurroundingsReflectance::is_of(const Material& other, bool with_specular, bool is_fine) const {
+    return specular == with_specular && fine == is_fine && are_same(material, other);
+}
+
+LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options,
+                   const SurroundingsReflectances& known)
     : stage(on_stage),
       shining(with_lights, !takes_points(with_options.method)),
       all_lights(shining.all()),
@@ -98,22 +124,28 @@ LitScene::LitScene(const Stage& on_stage, std::span<const Light> with_lights, co
       reaches(reach_spheres(lights)),
       bodies(body_spheres(lights)) {
     for (const Surface& surface : stage.surfaces) {
-        const CoreMaterial whole = core_material(surface.material);
-        const CoreMaterial matte =
-            std::visit([](const auto& core) { return CoreMaterial(shading::diffuse_alone(core)); }, whole);
-        core_materials.push_back(options.specular ? whole : matte);
+        core_materials.push_back(seen_material(surface.material, options.specular));
         materials.push_back(constants(core_materials.back()));
-        diffuse_materials.push_back(constants(matte));
+        diffuse_materials.push_back(constants(seen_material(surface.material, false)));
     }
     if (options.sky.is_dark() && options.bounces == 0) return;
+    const bool is_fine = !options.sky.is_dark();
     const std::size_t count = core_materials.size();
-    albedos.resize(count);
-    lobes.resize(count);
-    parallel_for(count, options.threads, [&](std::size_t i) {
-        albedos[i] = DirectionalAlbedo(core_materials[i], !options.sky.is_dark() ? DirectionalAlbedo::Fineness::fine
-                                                                                 : DirectionalAlbedo::Fineness::coarse);
-        lobes[i] = lobe_rays(core_materials[i], !options.sky.is_dark() ? 4 : 1);
+    surroundings.resize(count);
+    std::vector<std::size_t> to_make; // of surfaces with the same material the first
+    for (std::size_t i = 0; i < count; ++i) {
+        const Material& material = stage.surfaces[i].material;
+        if (i < known.size() && known[i] != nullptr && known[i]->is_of(material, options.specular, is_fine))
+            surroundings[i] = known[i];
+        else if (first_with(stage, material) == i)
+            to_make.push_back(i);
+    }
+    parallel_for(to_make.size(), options.threads, [&](std::size_t i) {
+        surroundings[to_make[i]] = std::make_shared<const SurroundingsReflectance>(stage.surfaces[to_make[i]].material,
+                                                                                   options.specular, is_fine);
     });
+    for (std::size_t i = 0; i < count; ++i)
+        if (surroundings[i] == nullptr) surroundings[i] = surroundings[first_with(stage, stage.surfaces[i].material)];
 }
 
 void LitScene::find_shadowing(std::size_t surface, const SampleBounds& bounds, const LitLight& light,

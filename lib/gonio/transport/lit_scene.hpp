@@ -15,6 +15,7 @@
 #include <gonio/transport/luminance_pattern.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,8 +41,26 @@ struct LitLight {
     bool has_surface = false;
 };
 
+// What a material reflects of light from all around. It depends on the material alone, and takes longer to make than a
+// small picture: pictures of the same materials share it.
+struct SurroundingsReflectance {
+    SurroundingsReflectance(const Material& of_material, bool with_specular, bool is_fine);
+
+    // Whether it is that of such a surface.
+    bool is_of(const Material& other, bool with_specular, bool is_fine) const;
+
+    Material material;
+    bool specular = true;
+    bool fine = false; // for skies, which vary more than a stage
+    DirectionalAlbedo albedo;
+    std::vector<LobeRays> lobes; // the glossy ones
+};
+using SurroundingsReflectances = std::vector<std::shared_ptr<const SurroundingsReflectance>>; // by surface
+
 struct LitScene {
-    LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options);
+    // `known`: of another picture; taken for the surfaces that it fits.
+    LitScene(const Stage& on_stage, std::span<const Light> with_lights, const LightingOptions& with_options,
+             const SurroundingsReflectances& known = {});
 
     // Finds the surfaces that may be between the light and the points of `surface` within the bounds; not the one that
     // emits it.
@@ -64,12 +83,10 @@ struct LitScene {
     std::vector<shading::MaterialConstants> materials;         // one for each surface
     std::vector<shading::MaterialConstants> diffuse_materials; // the same without specular lobes
     std::vector<CoreMaterial> core_materials;                  // the same as `materials`, in double
-    // Of light from all around, and the glossy lobes of each; both are empty without a sky and without bounces.
-    std::vector<DirectionalAlbedo> albedos;
-    std::vector<std::vector<LobeRays>> lobes;
-    EmittedLights emitted; // what surfaces show as their own
-    LightTree reaches;     // spheres by range, of the lights that are not dark
-    LightTree bodies;      // bounding spheres, of the lights with a surface that is not the stage's
+    SurroundingsReflectances surroundings;                     // empty without a sky and without bounces
+    EmittedLights emitted;                                     // what surfaces show as their own
+    LightTree reaches;                                         // spheres by range, of the lights that are not dark
+    LightTree bodies; // bounding spheres, of the lights with a surface that is not the stage's
     // To be set by who has them.
     const SkyLight* sky = nullptr;            // null without a sky
     const NamedSurroundings* named = nullptr; // null for SurroundingsMethod::exact

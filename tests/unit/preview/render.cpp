@@ -373,5 +373,37 @@ TEST(ThreadsPreview, GlossShowsWhatProbesSay) {
         }
 }
 
+// What a picture knows from another one must not show: not of the materials as they were, nor of lobes that are now
+// left out, nor from another camera.
+TEST(Preview, KnowledgeOfAnotherPictureDoesNotChangeIt) {
+    Stage stage = make_stage("room").value();
+    const std::vector<Light> lights{light_of("sphere:r=15cm", "900lm", {0.0, -0.6, 1.5})};
+    RenderOptions options;
+    options.width = 40;
+    options.height = 30;
+    options.bounces = all_bounces;
+    std::shared_ptr<const Interreflection> known = render(stage, lights, stage.camera, options).value().indirect;
+    const auto expect_same = [&](const char* what) {
+        options.known = nullptr;
+        const Rendering afresh = render(stage, lights, stage.camera, options).value();
+        options.known = known;
+        const Rendering found = render(stage, lights, stage.camera, options).value();
+        EXPECT_EQ(found.luminance_nt.pixels, afresh.luminance_nt.pixels) << what;
+        known = found.indirect;
+    };
+    expect_same("nothing changed");
+    stage.camera.position.x += 0.4;
+    expect_same("camera");
+    stage.surfaces.back().material = parse_material("ue4:base=0.9,metallic=1,roughness=0.3").value();
+    expect_same("material");
+    options.specular = false;
+    expect_same("specular");
+    options.specular = true;
+    options.sky = resolve_sky(parse_sky_description("300lx").value()).value();
+    expect_same("sky");
+    options.sky = Sky();
+    expect_same("no sky");
+}
+
 } // namespace
 } // namespace gonio
