@@ -10,6 +10,7 @@ import { briefNumber, lx_per_fc } from './numbers.mjs';
 import { viridisGradient } from './palette.mjs';
 
 const frame_ms = 30; // from one picture to the next while moving
+const ready_ms = 2000; // a full picture that takes longer is too much to solve beside it
 const leastPicture = 120 * 80; // pixels of a picture while moving
 const firstPicture = 160 * 107; // of the very first: quick on any machine
 const still_ms = 140; // without a change, before refining begins
@@ -55,14 +56,15 @@ export class Renderer {
   }
 }
 
-export function renderOptions(document, width, height, final = true) {
+// `knows`: a moving picture's light that bounces is known already.
+export function renderOptions(document, width, height, final = true, knows = false) {
   const { position, target, fov } = cameraOf(document);
   const { mode, exposure, view, shadows, bounces } = document.view;
   return {
     width, height, mode, exposure, view, unit: prefs.illuminance,
     camera: { position, target, ...(fov ? { fov_deg: fov } : {}) },
     shadows: final || shadows === 'off' ? shadows : 'hard',
-    bounces: final ? bounces : 0,
+    bounces: final || knows ? bounces : 0,
     // The opening of a luminaire costs five times the rest of a small picture; as a point it lights nearly the same.
     words: final ? [] : ['--profile-size', 'off'],
   };
@@ -107,6 +109,7 @@ export function stageView() {
   let pace_ms = 0; // of a picture while moving, from question to answer, smoothed
   let cost = 0; // ms per pixel, smoothed
   let pace = []; // times of the last pictures while moving
+  let ready; // readiness() of the moving pictures' worker
   let goodCamera;
   let exposed; // the last full picture: its rig and exposure
   let refiningNow = false;
@@ -216,12 +219,14 @@ export function stageView() {
     const snapshot = JSON.parse(JSON.stringify(doc));
     try {
       const scene = sceneOf(snapshot);
-      const options = renderOptions(snapshot, size.width, size.height, false);
+      const options = renderOptions(snapshot, size.width, size.height, false, ready === readiness(scene, snapshot));
       // While only the camera moves, the exposure of the full picture stays: without bounced light another would be chosen.
       if (options.exposure === 'auto' && scene.rig === exposed?.rig) options.exposure = exposed.ev100;
       const picture = await quick.render(scene, options);
       const end = performance.now();
       learn(picture, end - begin);
+      // Where even the smallest picture is too slow, bounced light is left out.
+      if (options.bounces && pace_ms > 2 * frame_ms && size.width * size.height <= 1.1 * leastPicture) ready = undefined;
       if (pace.length && end - pace.at(-1) > 250) pace = [];
       pace.push(end);
       if (pace.length > 20) pace.shift();
@@ -245,6 +250,24 @@ export function stageView() {
     pump();
   }
 
+  // What the moving pictures' worker must have solved for the light that bounces to cost little: the camera alone may change.
+  const readiness = (scene, { view: { bounces, shadows } }) => JSON.stringify([quick.engine.generation, scene.key, scene.rig, bounces, shadows === 'off']);
+
+  // While nothing moves, it solves that by the smallest of pictures.
+  async function getReady(scene, snapshot) {
+    const wanted = readiness(scene, snapshot);
+    if (ready === wanted || drawing || dirty) return;
+    drawing = true;
+    try {
+      await quick.render(scene, renderOptions(snapshot, 16, 16, false, true), { patience: refine_ms });
+      ready = wanted;
+    } catch (error) {
+      ready = undefined; // the pictures themselves say what is wrong
+    }
+    drawing = false;
+    if (dirty) pump();
+  }
+
   // ---- the full picture
 
   async function refine() {
@@ -265,13 +288,16 @@ export function stageView() {
       // A smaller one first where the full one takes long.
       const expected = cost * size.width * size.height;
       const steps = expected > 1500 ? [0.25, 0.5, 1] : expected > 400 ? [0.5, 1] : [1];
+      let last;
       for (const step of steps) {
         const picture = await full.render(scene, renderOptions(snapshot, Math.round(size.width * step), Math.round(size.height * step)), { label: 'refining the picture', patience: refine_ms });
         if (!current()) return;
+        last = picture;
         exposed = { rig: scene.rig, ev100: picture.ev100 };
         show(picture, full, step === 1);
         state.textContent = describe(picture, true);
       }
+      if (last.ms < ready_ms) getReady(scene, snapshot);
     } catch (error) {
       if (error instanceof Cancelled || error.code === 'TIMEOUT') {
         if (error.code === 'TIMEOUT') say(`The full picture: ${error.message}`);
