@@ -3,7 +3,7 @@
 #
 #   .readme/make.sh GONIO
 #
-# page.png is the screenshot of the stage that tests/page/run.sh takes, 800 pixels wide and in 96 colours.
+# page.png is the screenshot of the stage that tests/page/run.sh takes, 800 pixels wide and in 256 colours, dithered.
 # Every picture must stay below 120 kB: a checkout carries them for ever. Dither does not compress.
 set -euo pipefail
 
