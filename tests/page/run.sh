@@ -3,7 +3,7 @@
 #
 #   bash tests/page/run.sh GONIO_MJS GONIO [CORPUS]
 #
-# GONIO_MJS is the module of lib/wasm, GONIO the native tool of the same source. CORPUS is a folder of profiles with good/ and
+# GONIO_MJS is the module of cli/wasm, GONIO the native tool of the same source. CORPUS is a folder of profiles with good/ and
 # bad/; without one, ../shared/corpus beside the checkout is used if it is there. Chromium is installed by apt where it is
 # missing, two packages of npm into build/page. Screenshots and figures are left in build/page.
 set -euo pipefail
