@@ -10,7 +10,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root"
 cmake --build --preset release --target gonio-wasm-speed > /dev/null
 GONIO_WASM_TARGETS=gonio-wasm-speed bash lib/wasm/build.sh -DBUILD_TESTING=ON > /dev/null
-for _ in 1 2; do
+for _ in 1 2 3; do
     build/release/tests/gonio-wasm-speed
     node build/wasm/tests/wasm/gonio-wasm-speed.js
 done | awk '
