@@ -3,9 +3,7 @@
 // Names of numbers are those of `gonio info --json`. Failures are thrown as an Error with the message of the tool and
 // all diagnostics.
 #include <gonio/asset/facts_record.hpp>
-#include <gonio/bake/bake.hpp>
-#include <gonio/bake/engine.hpp>
-#include <gonio/base/named.hpp>
+#include <gonio/bake/bake_choice.hpp>
 #include <gonio/base/path.hpp>
 #include <gonio/light/profile_facts.hpp>
 #include <gonio/plot/diagram.hpp>
@@ -17,7 +15,6 @@
 
 #include "to_js.hpp"
 
-#include <array>
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <iterator>
@@ -41,38 +38,11 @@ std::optional<T> option(const val& asked, const char* name) {
     return value.as<T>();
 }
 
-constexpr std::array texel_types{Named{"float32", TexelType::float32}, Named{"half", TexelType::half},
-                                 Named{"uint16", TexelType::uint16}, Named{"uint8", TexelType::uint8}};
-
 BakeOptions bake_options(const val& asked) {
-    BakeOptions options;
-    const auto engine = option<std::string>(asked, "engine");
-    const auto layout = option<std::string>(asked, "layout");
-    if (engine) {
-        if (layout) throw_js(fail("USE0107", "layout and engine are both given", "an engine sets the layout").value());
-        options = value_of(find_engine(*engine))->bake;
-    } else {
-        options.layout = value_of(parse_layout(layout.value_or("latlong")));
-        const TextureSize usual = usual_size(options.layout);
-        options.width = usual.width;
-        options.height = usual.height;
-    }
-    options.width = option<int>(asked, "width").value_or(options.width);
-    options.height = option<int>(asked, "height").value_or(options.height);
-    if (const auto name = option<std::string>(asked, "normalization"))
-        options.normalization = value_of(parse_normalization(*name));
-    if (options.transfer == Transfer::srgb && options.normalization != Normalization::peak)
-        throw_js(
-            fail("USE0107", "this engine's texture holds values from 0 to 1 only", "leave normalization out").value());
-    if (const auto name = option<std::string>(asked, "texel_type"))
-        options.texel_type = value_of(find_value("texel type", *name, texel_types));
-    if (const auto cone_deg = option<double>(asked, "cone_deg")) options.chart.cone = degrees(*cone_deg);
-    if (const auto border = option<int>(asked, "border")) {
-        if (*border > 0 && options.layout != Layout::gnomonic)
-            throw_js(fail("USE0107", "border is only for the layout gnomonic").value());
-        options.chart.border = *border;
-    }
-    return options;
+    return value_of(gonio::bake_options(
+        {option<std::string>(asked, "layout"), option<std::string>(asked, "engine"), option<int>(asked, "width"),
+         option<int>(asked, "height"), option<std::string>(asked, "normalization"),
+         option<std::string>(asked, "texel_type"), option<double>(asked, "cone_deg"), option<int>(asked, "border")}));
 }
 
 Texture baked(const Web& web, const val& asked) {

@@ -1,7 +1,6 @@
 // Textures: webs baked to arrays.
-#include <gonio/bake/bake.hpp>
+#include <gonio/bake/bake_choice.hpp>
 #include <gonio/bake/engine.hpp>
-#include <gonio/base/named.hpp>
 
 #include "binding.hpp"
 
@@ -10,13 +9,11 @@
 #include <algorithm>
 #include <limits>
 #include <pybind11/stl.h>
+#include <tuple>
 
 namespace gonio::python {
 
 namespace {
-
-constexpr std::array texel_types{Named{"float32", TexelType::float32}, Named{"half", TexelType::half},
-                                 Named{"uint16", TexelType::uint16}, Named{"uint8", TexelType::uint8}};
 
 // What is baked: a layout with its own options, or that of an engine.
 struct Baking {
@@ -29,30 +26,11 @@ struct Baking {
 };
 
 BakeOptions options_of(const Baking& baking) {
-    BakeOptions options;
-    if (baking.engine) {
-        if (baking.layout)
-            throw Failed{fail("USE0107", "layout and engine are both given", "an engine sets the layout").value()};
-        options = value_of(find_engine(*baking.engine))->bake;
-    } else {
-        options.layout = value_of(parse_layout(baking.layout.value_or("latlong")));
-        const TextureSize usual = usual_size(options.layout);
-        options.width = usual.width;
-        options.height = usual.height;
-    }
-    if (baking.size) {
-        options.width = baking.size->first;
-        options.height = baking.size->second;
-    }
-    if (baking.normalization) options.normalization = value_of(parse_normalization(*baking.normalization));
-    if (options.transfer == Transfer::srgb && options.normalization != Normalization::peak)
-        throw Failed{
-            fail("USE0107", "this engine's texture holds values from 0 to 1 only", "leave normalization out").value()};
-    if (baking.texel_type) options.texel_type = value_of(find_value("texel type", *baking.texel_type, texel_types));
-    options.chart.cone = degrees(baking.cone_deg);
-    if (baking.border > 0 && options.layout != Layout::gnomonic)
-        throw Failed{fail("USE0107", "border is only for the layout gnomonic").value()};
-    if (baking.border > 0) options.chart.border = baking.border;
+    BakeChoice choice{baking.layout,     baking.engine,   {}, {}, baking.normalization,
+                      baking.texel_type, baking.cone_deg, {}};
+    if (baking.size) std::tie(choice.width, choice.height) = *baking.size;
+    if (baking.border > 0) choice.border = baking.border;
+    BakeOptions options = value_of(bake_options(choice));
     options.threads = baking.threads;
     return options;
 }
