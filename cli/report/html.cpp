@@ -1,5 +1,6 @@
 #include "html.hpp"
 
+#include <gonio/base/markup.hpp>
 #include <gonio/profile/text_encoding.hpp>
 
 namespace gonio::cli {
@@ -42,27 +43,12 @@ std::string html(std::string_view bytes) {
     std::string out;
     out.reserve(text.size() + text.size() / 8);
     for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        case '\'':
+        if (const std::string_view entity = markup_entity(c); !entity.empty())
+            out += entity;
+        else if (c == '\'')
             out += "&#39;";
-            break;
-        case '\r': // a line end by itself, in HTML
-            break;
-        default:
+        else if (c != '\r') // a line end by itself, in HTML
             out += c;
-        }
     }
     return out;
 }

@@ -1,3 +1,4 @@
+#include <gonio/base/markup.hpp>
 #include <gonio/plot/svg.hpp>
 #include <gonio/plot/svg_path.hpp>
 
@@ -14,23 +15,10 @@ std::string escaped(std::string_view text) {
     std::string out;
     out.reserve(text.size());
     for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            // XML 1.0 allows no control characters except tab and line ends, not even escaped.
+        if (const std::string_view entity = markup_entity(c); !entity.empty())
+            out += entity;
+        else // XML 1.0 allows no control characters except tab and line ends, not even escaped.
             out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
     }
     return out;
 }
