@@ -222,13 +222,8 @@ int decode(const DecodeRequest* request, DecodeReply* reply) noexcept {
         for (std::size_t i = 0; i < decoded->pixels.size(); ++i)
             decoded->pixels[i] = wide ? static_cast<float>(bytes[2 * i] * 256U + bytes[2 * i + 1]) / 65535.0F
                                       : static_cast<float>(bytes[i]) / 255.0F;
-        constexpr std::string_view names[] = {"Y", "YA", "RGB", "RGBA"};
-        for (const char name : names[channels - 1])
-            decoded->channel_names.push_back(name == 'Y'   ? "Y"
-                                             : name == 'A' ? "A"
-                                             : name == 'R' ? "R"
-                                             : name == 'G' ? "G"
-                                                           : "B");
+        constexpr const char* names[][4] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+        decoded->channel_names.assign(names[channels - 1], names[channels - 1] + channels);
         reply->pixel = wide ? pixel_uint16 : pixel_uint8;
         reply->pixels = decoded->pixels.data();
         reply->channel_names = decoded->channel_names.data();
