@@ -117,7 +117,6 @@ export default async function createGonio() {
       this.lightWords = undefined; // until there is a picture
       const picture = inFolder(this.folder, () => this.preview.render([...list, ...words], hasSameLights));
       this.lightWords = lightWords;
-      if (picture.scale) picture.scale.unit = 'lx';
       return picture;
     }
 

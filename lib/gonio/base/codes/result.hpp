@@ -51,7 +51,7 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
      "after."},
     {"RES0209", Severity::warning, Strict::same, "report without pictures",
      "A report shows each profile in a picture, which needs the modules of the package gonio-media. They are not "
-     "installed, so the report has all but the pictures. With --no-picture it leaves them out without a warning."},
+     "installed, so the report is written without them. With --no-picture it leaves them out without a warning."},
 
     {"RES0301", Severity::warning, Strict::same, "amount that the program takes for another",
      "By the convention of the program, the light does not emit what the number states in SI units."},
