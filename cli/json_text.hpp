@@ -11,7 +11,8 @@ using detail::diagnostics_json;
 using detail::Json;
 using detail::number_or_null;
 
-// The report with a newline at its end: in one line if `indent` is negative.
+// The report with a newline at its end: in one line if `indent` is negative, else with a line for each value, but one
+// for ten numbers or more in an array.
 std::string dump(const Json& json, int indent);
 
 } // namespace gonio::cli

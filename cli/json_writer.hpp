@@ -54,7 +54,8 @@ private:
 
     // All newlines in a dump are between values: in strings they are escaped.
     std::string text(const Json& value, std::size_t level) const {
-        std::string dumped = value.dump(pretty_ ? 2 : -1);
+        std::string dumped = dump(value, pretty_ ? 2 : -1);
+        dumped.pop_back(); // the newline
         if (!pretty_) return dumped;
         std::string indented;
         indented.reserve(dumped.size());

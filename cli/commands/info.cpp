@@ -1,5 +1,8 @@
 #include <gonio/asset/facts_record.hpp>
+#include <gonio/asset/figures_record.hpp>
+#include <gonio/base/named.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/figures/luminaire_figures.hpp>
 #include <gonio/light/profile_facts.hpp>
 
 #include "../arguments.hpp"
@@ -8,6 +11,7 @@
 #include "../console.hpp"
 #include "../csv_text.hpp"
 #include "../facts_text.hpp"
+#include "../figures_text.hpp"
 #include "../json_text.hpp"
 #include "../options/common.hpp"
 #include "../options/profile_input.hpp"
@@ -24,6 +28,10 @@ namespace {
 
 constexpr std::array report_options{
     Option{"--all", "", "also show NEMA type, CIE flux code, spacing criterion and the IES classification"},
+    Option{"--figures", "",
+           "also show what luminaires are planned by: UGR table, utilisation, luminances, BUG and other classes"},
+    Option{"--ugr-between", "WHAT",
+           "UGR: what is linear between the measured directions, intensity or luminance (intensity)"},
     Option{"--csv", "", "a CSV table with a line for each file"},
     json_options[0],
     json_options[1],
@@ -31,6 +39,7 @@ constexpr std::array report_options{
 constexpr std::array groups{OptionGroup{"report", report_options}, profile_input_group, threads_group, common_group};
 constexpr std::array examples{
     Example{"gonio info lamp.ies", "format, angles, flux, peak, beam and field angle"},
+    Example{"gonio info office.ldt --figures", "its UGR table, utilisation factors, luminances and classes"},
     Example{"gonio info profiles --csv > profiles.csv", "a table of a folder, for a spreadsheet"},
     Example{"gonio info *.ldt --jsonl | jq -r 'select(.peak_cd > 5000).file'", "the bright profiles of a folder"},
 };
@@ -70,11 +79,23 @@ int run(const Arguments& arguments, Console& console) {
 
     const ReportKind kind = report_kind(arguments);
     const bool csv = arguments.has("--csv");
-    const bool all = arguments.has("--all");
+    const bool figures = arguments.has("--figures");
+    const bool all = figures || arguments.has("--all");
     if (csv && (kind != ReportKind::words || all))
-        return console.fail(fail("USE0107", "--csv takes neither --all nor --json or --jsonl").value());
+        return console.fail(fail("USE0107", "--csv takes neither --all, --figures, --json nor --jsonl").value());
+    FiguresOptions figures_options;
+    if (const auto name = arguments.value("--ugr-between")) {
+        constexpr std::array quantities{Named{"intensity", UgrInterpolation::intensity},
+                                        Named{"luminance", UgrInterpolation::luminance}};
+        Result<UgrInterpolation> named = find_value("quantity", *name, quantities);
+        if (!named) return console.fail(named.error());
+        figures_options.ugr_interpolation = *named;
+    }
     const bool plot = Console::output_is_terminal() && files->size() == 1;
     if (csv) console.print(csv_head);
+    const auto figures_of = [&](const LoadedProfile& loaded) {
+        return luminaire_figures(loaded.profile, loaded.web, options->resolve, figures_options);
+    };
     return run_batch({*files, "gonio.info/1", "read", *threads}, kind, console, [&](std::size_t index) {
         const std::string& file = (*files)[index];
         Outcome outcome;
@@ -91,9 +112,14 @@ int run(const Arguments& arguments, Console& console) {
         } else if (kind == ReportKind::words) {
             outcome.words = file + "\n" + text_of(fact_lines(facts));
             if (all) outcome.words += text_of(more_fact_lines(facts));
+            if (figures) outcome.words += figures_text(figures_of(*loaded));
             if (plot) outcome.words += polar_text(loaded->web);
         } else {
             outcome.report = detail::facts_json(file, facts, loaded->diagnostics);
+            Json diagnostics = std::move(outcome.report["diagnostics"]);
+            outcome.report.erase("diagnostics");
+            outcome.report.update(detail::figures_json(figures_of(*loaded)));
+            outcome.report["diagnostics"] = std::move(diagnostics);
         }
         outcome.diagnostics = std::move(loaded->diagnostics);
         return outcome;

@@ -38,7 +38,7 @@ std::array<double, 10> direct_ratios(const Web& web) {
         }
     }
     for (double& ratio : direct)
-        ratio = down > 0.0 ? std::round(ratio / down * 1e4) / 1e4 : 0.0;
+        ratio = down > 0.0 ? ratio / down : 0.0;
     return direct;
 }
 

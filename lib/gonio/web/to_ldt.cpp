@@ -172,8 +172,8 @@ LdtFile make_ldt(const Web& web, const ProfileHeader& header, Losses& losses) {
     const auto short_percent = [](double percent) { return std::round(percent * 100.0) / 100.0; };
     file.light_output_ratio_percent = short_percent(file.light_output_ratio_percent);
     file.downward_flux_percent = short_percent(file.downward_flux_percent);
-    const std::array<double, 10> ratios = direct_ratios(web);
-    file.direct_ratios.assign(ratios.begin(), ratios.end());
+    for (const double ratio : direct_ratios(web))
+        file.direct_ratios.push_back(std::round(ratio * 1e4) / 1e4);
 
     LdtTable table = table_of(web, losses);
     const double first = table.stored.vertical_deg.front();
