@@ -47,7 +47,7 @@ std::string ugr_text(const UgrTable& table, std::string_view title, std::string_
     for (std::size_t row = 0; row < ugr_rooms.size(); ++row) {
         text += fmt::format("  {:<10}", fmt::format("{}H × {}H", ugr_rooms[row].across, ugr_rooms[row].along));
         for (const double ugr : table[row])
-            text += fmt::format("{:>9.1f}", ugr);
+            text += std::isfinite(ugr) ? fmt::format("{:>9.1f}", ugr) : fmt::format("{:>9}", "-");
         text += "\n";
     }
     return text;

@@ -87,9 +87,10 @@ LuminaireFigures luminaire_figures(const Profile& profile, const Web& web, const
     make_figure(figures.distribution, dark, [&] { return distribution_class(down_lm / flux_lm); });
     make_figure(figures.bug, dark,
                 [&] { return bug_rating(luminaire_classification(web, street_side_c_deg(profile, web))); });
-    make_figure(figures.cut_off_class, no_lamps, [&] { return cut_off(web, lamps); });
-    make_figure(figures.intensity_class, dark, [&] { return luminous_intensity_class(web, Lumens(flux_lm)); });
-    make_figure(figures.intensity_class_lamp, no_lamps, [&] { return luminous_intensity_class(web, lamps); });
+    const HighAngles high = high_angles(web);
+    make_figure(figures.cut_off_class, no_lamps, [&] { return cut_off(high, lamps); });
+    make_figure(figures.intensity_class, dark, [&] { return luminous_intensity_class(high, Lumens(flux_lm)); });
+    make_figure(figures.intensity_class_lamp, no_lamps, [&] { return luminous_intensity_class(high, lamps); });
     make_figure(figures.glare, dark, [&] { return glare_index(web, opening); });
     return figures;
 }

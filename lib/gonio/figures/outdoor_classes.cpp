@@ -30,28 +30,6 @@ int rating_of(Lumens lumens, const Limits& limits) {
     return static_cast<int>(found - limits.begin());
 }
 
-// Greatest intensity in γ from `low_deg` up: the interpolant is greatest at a point of the grid or at the limit itself.
-double greatest_cd(const Web& web, double low_deg) {
-    double greatest = 0.0;
-    if (web.photometry() == Photometry::c) {
-        for (const double c_deg : web.planes_deg())
-            greatest = std::max(greatest, web.candela(c_deg, low_deg));
-        for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane)
-            for (std::size_t j = 0; j < web.gammas_deg().size(); ++j)
-                if (web.gammas_deg()[j] >= low_deg) greatest = std::max(greatest, web.column(plane)[j]);
-        return greatest;
-    }
-    for (double gamma_deg = low_deg; gamma_deg <= 180.0; gamma_deg += 0.5)
-        for (double c_deg = 0.0; c_deg < 360.0; c_deg += 1.0)
-            greatest = std::max(greatest, web.candela(c_deg, gamma_deg));
-    return greatest;
-}
-
-// Greatest just above `low_deg`: a table that ends there in light is dark beyond.
-double greatest_above_cd(const Web& web, double low_deg) {
-    return greatest_cd(web, low_deg + 1e-6);
-}
-
 } // namespace
 
 std::string to_text(const BugRating& rating, bool type_v) {
@@ -86,36 +64,64 @@ const char* to_text(CutOff cut_off) {
     return "non-cutoff";
 }
 
-CutOff cut_off(const Web& web, Lumens lamps) {
-    const double from_90 = 1000.0 * greatest_cd(web, 90.0) / lamps.value;
-    const double from_80 = 1000.0 * greatest_cd(web, 80.0) / lamps.value;
+HighAngles high_angles(const Web& web) {
+    HighAngles high;
+    const auto take = [&](double gamma_deg, double candela) {
+        const auto raise = [candela](double& greatest) { greatest = std::max(greatest, candela); };
+        if (gamma_deg >= 70.0) raise(high.from_70_cd);
+        if (gamma_deg >= 80.0) raise(high.from_80_cd);
+        if (gamma_deg >= 90.0) raise(high.from_90_cd);
+        if (gamma_deg > 90.0) raise(high.above_90_cd);
+        if (gamma_deg > 95.0) raise(high.above_95_cd);
+    };
+    constexpr double beyond = 1e-6;
+    if (web.photometry() == Photometry::c) {
+        // The interpolant is greatest at a point of the grid or at a limit itself.
+        for (std::size_t plane = 0; plane < web.planes_deg().size(); ++plane) {
+            for (const double gamma_deg : {70.0, 80.0, 90.0, 90.0 + beyond, 95.0 + beyond})
+                take(gamma_deg, web.candela(web.planes_deg()[plane], gamma_deg));
+            for (std::size_t j = 0; j < web.gammas_deg().size(); ++j)
+                take(web.gammas_deg()[j], web.column(plane)[j]);
+        }
+        return high;
+    }
+    for (int gamma_deg = 70; gamma_deg <= 180; ++gamma_deg)
+        for (int c_deg = 0; c_deg < 360; c_deg += 2)
+            take(gamma_deg, web.candela(c_deg, gamma_deg));
+    return high;
+}
+
+CutOff cut_off(const HighAngles& high, Lumens lamps) {
+    const double from_90 = 1000.0 * high.from_90_cd / lamps.value;
+    const double from_80 = 1000.0 * high.from_80_cd / lamps.value;
     constexpr double rounding = 1e-9;
     if (from_90 <= rounding && from_80 <= 100.0) return CutOff::full_cutoff;
     if (from_90 <= 25.0 && from_80 <= 100.0) return CutOff::cutoff;
     return from_90 <= 50.0 && from_80 <= 200.0 ? CutOff::semi_cutoff : CutOff::non_cutoff;
 }
 
-int luminous_intensity_class(const Web& web, Lumens lumens) {
+int luminous_intensity_class(const HighAngles& high, Lumens lumens) {
     struct Class {
         double from_70;
         double from_80;
         double from_90;
-        double dark_above_deg; // 180 for any
+        double HighAngles::*dark; // nullptr: nothing has to be dark
     };
     constexpr double any = std::numeric_limits<double>::infinity();
-    constexpr std::array classes{Class{any, 200, 50, 180}, Class{any, 150, 30, 180}, Class{any, 100, 20, 180},
-                                 Class{500, 100, 10, 95},  Class{350, 100, 10, 95},  Class{350, 100, 0, 90}};
+    constexpr std::array classes{Class{any, 200, 50, nullptr},
+                                 Class{any, 150, 30, nullptr},
+                                 Class{any, 100, 20, nullptr},
+                                 Class{500, 100, 10, &HighAngles::above_95_cd},
+                                 Class{350, 100, 10, &HighAngles::above_95_cd},
+                                 Class{350, 100, 0, &HighAngles::above_90_cd}};
     constexpr double nothing = 1.0;
     const auto per_klm = [&](double candela) { return 1000.0 * candela / lumens.value; };
-    const double from_70 = per_klm(greatest_cd(web, 70.0));
-    const double from_80 = per_klm(greatest_cd(web, 80.0));
-    const double from_90 = per_klm(greatest_cd(web, 90.0));
     for (std::size_t i = classes.size(); i-- > 0;) {
         const Class& limits = classes.at(i);
-        if (from_70 > limits.from_70 || from_80 > limits.from_80 || from_90 > std::max(limits.from_90, nothing))
-            continue;
-        if (limits.dark_above_deg < 180.0 && per_klm(greatest_above_cd(web, limits.dark_above_deg)) > nothing) continue;
-        return static_cast<int>(i) + 1;
+        if (per_klm(high.from_70_cd) <= limits.from_70 && per_klm(high.from_80_cd) <= limits.from_80 &&
+            per_klm(high.from_90_cd) <= std::max(limits.from_90, nothing) &&
+            (limits.dark == nullptr || per_klm(high.*limits.dark) <= nothing))
+            return static_cast<int>(i) + 1;
     }
     return 0;
 }

@@ -28,18 +28,29 @@ std::string to_text(const BugRating& rating, bool type_v = false);
 // That of the lumens in the secondary solid angles.
 BugRating bug_rating(const LuminaireClassification& classes);
 
+// The greatest intensities at high angles [cd]. Exact for type C, in steps of 1° of γ and 2° of C for types A and B.
+struct HighAngles {
+    double from_70_cd = 0.0; // γ ≥ 70°
+    double from_80_cd = 0.0;
+    double from_90_cd = 0.0;
+    double above_90_cd = 0.0; // γ > 90°: a table that ends there in light is dark beyond
+    double above_95_cd = 0.0;
+};
+
+HighAngles high_angles(const Web& web);
+
 // IES cut-off classification (RP-8-00, since replaced by BUG).
 enum class CutOff { full_cutoff, cutoff, semi_cutoff, non_cutoff };
 
 const char* to_text(CutOff cut_off); // "full cutoff"
 
-// By the greatest intensities from 90° and from 80° up, per 1000 lm of the lamps: 0 and 100, 25 and 100, 50 and 200.
-CutOff cut_off(const Web& web, Lumens lamps);
+// By the intensities from 90° and from 80° up, per 1000 lm of the lamps: 0 and 100, 25 and 100, 50 and 200.
+CutOff cut_off(const HighAngles& high, Lumens lamps);
 
-// EN 13201-2, annex A: 0 for none, else 1 to 6, the strictest that holds. By the greatest intensities in γ from 70°,
-// 80° and 90° up, per 1000 lm of `lumens`: of the luminaire in the edition of 2015, of the lamps in that of 2003.
-// Classes 4 and 5 shine nowhere above 95°, class 6 nowhere above 90°; up to 1 cd/klm is taken for nothing.
-int luminous_intensity_class(const Web& web, Lumens lumens);
+// EN 13201-2, annex A: 0 for none, else 1 to 6, the strictest that holds. By the intensities per 1000 lm of `lumens`:
+// of the luminaire in the edition of 2015, of the lamps in that of 2003. Classes 4 and 5 shine nowhere above 95°, class
+// 6 nowhere above 90°; up to 1 cd/klm is taken for nothing.
+int luminous_intensity_class(const HighAngles& high, Lumens lumens);
 
 // EN 13201-2, annex A: 0 for none, else D1 to D6, the strictest that holds: the greatest over C of I/√A at γ = 85°
 // [cd/m].

@@ -210,6 +210,7 @@ Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOpti
     const Glare glare(web, opening, options);
     const ZonalFlux flux(web);
     UgrTable table{};
+    bool is_seen = false;
     for (const bool endwise : {false, true}) {
         const Figure<GlareSums> sums = GlareSums::of(glare, options.spacing, endwise);
         if (!sums) return tl::unexpected(sums.error());
@@ -219,13 +220,14 @@ Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOpti
             for (std::size_t column = 0; column < ugr_reflectances.size(); ++column) {
                 const double background =
                     background_nt(ugr_rooms[row], ugr_reflectances[column], first, options.spacing);
-                if (!(background > 0.0 && glare_sum > 0.0))
-                    return no_figure("no light reaches the eye in the standard rooms");
+                if (!(background > 0.0)) return no_figure("no light is reflected in the standard rooms");
+                is_seen = is_seen || glare_sum > 0.0;
                 table[row][column + (endwise ? ugr_reflectances.size() : 0)] =
                     8.0 * std::log10(0.25 / background * glare_sum);
             }
         }
     }
+    if (!is_seen) return no_figure("no light reaches the eye in the standard rooms");
     return table;
 }
 

@@ -60,13 +60,15 @@ struct UgrOptions {
     double crosswise_c_deg = 0.0;
 };
 
-// Unrounded. Ten columns: ugr_reflectances seen crosswise, then endwise, along the luminaire.
+// Unrounded. Ten columns: ugr_reflectances seen crosswise, then endwise, along the luminaire. −∞ in a room where no
+// light reaches the eye.
 using UgrTable = std::array<std::array<double, 2 * ugr_reflectances.size()>, ugr_rooms.size()>;
 
 // That of a luminaire as it shines, with its own lumens ("corrected for the lamps' flux"); that for lamps of 1000 lm is
 // lower by 8 log₁₀(Φ/1000 lm). Only the quarter of C from crosswise to endwise is read, as the rule has it. The opening
 // is in the frame of the web. There is none without an opening, if it has no area towards a direction in which it
-// shines, and if no room gets light.
+// shines, and if no room
+// has light that reaches the eye.
 Figure<UgrTable> ugr_table(const Web& web, const Opening& opening, const UgrOptions& options = {});
 
 // Luminance of the background in one of the rooms, with the luminaires 1 m above the eye [cd/m²]; it falls with the

@@ -92,29 +92,36 @@ Meters point_distance(const LuminousBody& body, const Web& web, double tolerance
         glm::dvec3 direction;
         double candela;
     };
-    constexpr int count = 120;
+    constexpr int directions = 120;
     std::vector<Lit> lit;
     double all = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const glm::dvec3 direction = on_spiral(i, count);
+    for (int i = 0; i < directions; ++i) {
+        const glm::dvec3 direction = on_spiral(i, directions);
         const double candela = web.candela(direction);
         if (!(candela > 0.0)) continue;
         lit.push_back({direction, candela});
         all += candela;
     }
-    // From far to near, until too much of the light is off.
-    constexpr double step = 1.05;
-    double distance_m = 64.0 * size_m;
-    for (double next_m = distance_m / step; next_m >= size_m; next_m /= step) {
+    const auto is_far = [&](double distance_m) {
         double off = 0.0;
         for (const Lit& towards : lit) {
-            if (std::abs(over_point(body, web, elements, towards.direction, next_m) - 1.0) > tolerance)
+            if (std::abs(over_point(body, web, elements, towards.direction, distance_m) - 1.0) > tolerance)
                 off += towards.candela;
-            if (off > (1.0 - share_of_light) * all) return Meters(distance_m);
+            if (off > (1.0 - share_of_light) * all) return false;
         }
-        distance_m = next_m;
+        return true;
+    };
+    // Among steps of 5 % from 64 sizes, which count as far, down to one, the last that is far: the error is taken to
+    // fall with the distance.
+    const double step = 1.05;
+    const auto distance_after = [&](int count) { return 64.0 * size_m / std::pow(step, count); };
+    int far = 0;
+    int near = static_cast<int>(std::log(64.0) / std::log(step)) + 1;
+    while (near - far > 1) {
+        const int middle = (far + near) / 2;
+        (is_far(distance_after(middle)) ? far : near) = middle;
     }
-    return Meters(distance_m);
+    return Meters(distance_after(far));
 }
 
 } // namespace gonio

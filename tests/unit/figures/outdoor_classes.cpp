@@ -32,9 +32,9 @@ TEST(BugRating, TakesTheWorstAngle) {
 
 TEST(CutOff, ByTheIntensitiesFrom80And90Degrees) {
     const auto with = [](double at_80, double at_90) {
-        return cut_off(
-            *Web::create(Symmetry::axial, {0.0}, {0.0, 79.0, 80.0, 90.0, 180.0}, {500, 500, at_80, at_90, 0}),
-            Lumens(1000.0));
+        return cut_off(high_angles(*Web::create(Symmetry::axial, {0.0}, {0.0, 79.0, 80.0, 90.0, 180.0},
+                                                {500, 500, at_80, at_90, 0})),
+                       Lumens(1000.0));
     };
     EXPECT_EQ(with(100, 0), CutOff::full_cutoff);
     EXPECT_EQ(with(100, 25), CutOff::cutoff);
@@ -45,10 +45,11 @@ TEST(CutOff, ByTheIntensitiesFrom80And90Degrees) {
 }
 
 TEST(LuminousIntensityClass, OfKnownLights) {
-    EXPECT_EQ(luminous_intensity_class(test::lambertian_web(1000.0), Lumens(1000.0)), 6);
+    EXPECT_EQ(luminous_intensity_class(high_angles(test::lambertian_web(1000.0)), Lumens(1000.0)), 6);
     const auto with = [](std::vector<double> candela) {
         return luminous_intensity_class(
-            *Web::create(Symmetry::axial, {0.0}, {0, 70, 80, 90, 94, 180}, std::move(candela)), Lumens(1000.0));
+            high_angles(*Web::create(Symmetry::axial, {0.0}, {0, 70, 80, 90, 94, 180}, std::move(candela))),
+            Lumens(1000.0));
     };
     EXPECT_EQ(with({100, 350, 100, 0, 0, 0}), 6);
     EXPECT_EQ(with({100, 351, 100, 0, 0, 0}), 4);
