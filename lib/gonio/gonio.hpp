@@ -26,6 +26,14 @@
 #include <gonio/color/chromaticity.hpp>
 #include <gonio/color/rgb_space.hpp>
 #include <gonio/color/spectrum.hpp>
+#include <gonio/figures/box_room.hpp>
+#include <gonio/figures/figure.hpp>
+#include <gonio/figures/luminaire_figures.hpp>
+#include <gonio/figures/luminances.hpp>
+#include <gonio/figures/outdoor_classes.hpp>
+#include <gonio/figures/position_index.hpp>
+#include <gonio/figures/ugr_table.hpp>
+#include <gonio/figures/utilisation.hpp>
 #include <gonio/ibl/environment_tree.hpp>
 #include <gonio/ibl/ggx_lobe.hpp>
 #include <gonio/ibl/irradiance_sh.hpp>
@@ -47,6 +55,7 @@
 #include <gonio/light/photometry.hpp>
 #include <gonio/light/policy.hpp>
 #include <gonio/light/profile_facts.hpp>
+#include <gonio/light/projected_area.hpp>
 #include <gonio/light/shape.hpp>
 #include <gonio/light/shape_factors.hpp>
 #include <gonio/media/display.hpp>

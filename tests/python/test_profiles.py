@@ -25,6 +25,15 @@ def test_facts_are_those_of_the_tool(profiles):
     assert profile.facts(azimuth="eulumdat")["peak_c_deg"] == 90.0
 
 
+def test_figures_are_those_of_the_tool(profiles):
+    figures = gonio.read(profiles / "bare-tube.ldt").figures()
+    assert np.shape(figures["ugr_table"]) == (19, 10)
+    assert figures["light_output_ratios"]["ulor"] == pytest.approx(0.5, abs=1e-4)
+    assert figures["figure_rules"]["bug"] == "IES TM-15-11"
+    point = gonio.read(profiles / "portable" / "downlight.ies")
+    assert set(point.figures()["missing_figures"]) <= set(figures["figure_rules"])
+
+
 def test_samples_over_arrays(profiles):
     web = gonio.read(profiles / "wall-washer.ies").web()
     assert isinstance(web.sample(0, 32.5), float)

@@ -85,8 +85,9 @@ LuminaireFigures luminaire_figures(const Profile& profile, const Web& web, const
     });
     make_figure(figures.upward_share, dark, [&] { return up_lm / flux_lm; });
     make_figure(figures.distribution, dark, [&] { return distribution_class(down_lm / flux_lm); });
-    make_figure(figures.bug, dark,
-                [&] { return bug_rating(luminaire_classification(web, street_side_c_deg(profile, web))); });
+    make_figure(figures.bug, dark, [&] {
+        return bug_rating(luminaire_classification(web, street_side_c_deg(profile, web, resolve.azimuth)));
+    });
     const HighAngles high = high_angles(web);
     make_figure(figures.cut_off_class, no_lamps, [&] { return cut_off(high, lamps); });
     make_figure(figures.intensity_class, dark, [&] { return luminous_intensity_class(high, Lumens(flux_lm)); });

@@ -137,7 +137,7 @@ ProfileFacts profile_facts(const Profile& profile, const Web& web, const Resolve
     facts.cie_code =
         cie_flux_code(web, facts.declared_flux_lm ? std::optional(Lumens(*facts.declared_flux_lm)) : std::nullopt);
     facts.spacing = spacing_criterion(web);
-    facts.street_side_c_deg = street_side_c_deg(profile, web);
+    facts.street_side_c_deg = street_side_c_deg(profile, web, options.azimuth);
     facts.classes = luminaire_classification(web, facts.street_side_c_deg);
     return facts;
 }

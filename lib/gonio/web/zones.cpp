@@ -74,9 +74,11 @@ CieFluxCode cie_flux_code(const Web& web, std::optional<Lumens> lamps) {
     return code;
 }
 
-double street_side_c_deg(const Profile& profile, const Web& web) {
-    if (std::holds_alternative<LdtFile>(profile.file)) return 90.0;
-    return detected_symmetry(web) == Symmetry::bilateral_90_270 ? 90.0 : 0.0;
+double street_side_c_deg(const Profile& profile, const Web& web, AzimuthConvention azimuth) {
+    if (std::holds_alternative<LdtFile>(profile.file)) return azimuth == AzimuthConvention::lm63 ? 0.0 : 90.0;
+    const bool turned = azimuth == AzimuthConvention::eulumdat;
+    const Symmetry lit_beside = turned ? Symmetry::bilateral_0_180 : Symmetry::bilateral_90_270;
+    return (detected_symmetry(web) == lit_beside ? 90.0 : 0.0) + (turned ? 90.0 : 0.0);
 }
 
 LuminaireClassification luminaire_classification(const Web& as_is, double front_c_deg) {

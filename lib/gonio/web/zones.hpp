@@ -6,6 +6,7 @@
 
 #include <gonio/base/quantity.hpp>
 #include <gonio/profile/profile.hpp>
+#include <gonio/web/resolve.hpp>
 #include <gonio/web/web.hpp>
 
 #include <array>
@@ -46,8 +47,10 @@ struct LuminaireClassification {
 LuminaireClassification luminaire_classification(const Web& web, double front_c_deg = 0.0);
 
 // The C-plane towards the street: C90 in EULUMDAT, where C0 lies along the road (EN 13201); C0 in LM-63, unless the
-// light is symmetric about C90–C270 and not about C0–C180, which turns it by a quarter.
-double street_side_c_deg(const Profile& profile, const Web& web);
+// light is symmetric about C90–C270 and not about C0–C180, which turns it by a quarter. In the C of the web, which
+// resolve_web() may have turned to another convention of azimuths.
+double street_side_c_deg(const Profile& profile, const Web& web,
+                         AzimuthConvention azimuth = AzimuthConvention::as_written);
 
 } // namespace gonio
 #pragma GCC visibility pop

@@ -1,7 +1,9 @@
 // Profiles: photometric files as written; reading, checking, converting and writing them.
 #include <gonio/asset/facts_record.hpp>
+#include <gonio/asset/figures_record.hpp>
 #include <gonio/base/file_set.hpp>
 #include <gonio/base/named.hpp>
+#include <gonio/figures/luminaire_figures.hpp>
 #include <gonio/light/opening.hpp>
 #include <gonio/light/profile_facts.hpp>
 #include <gonio/profile/read.hpp>
@@ -71,6 +73,18 @@ py::object facts_of(const Profile& profile, int lamp_set, double tilt_deg, const
     return py::module_::import("json").attr("loads")(record);
 }
 
+py::object figures_of(const Profile& profile, int lamp_set, double tilt_deg, const std::string& azimuth,
+                      bool as_candela) {
+    const ResolveOptions options = resolve_options(lamp_set, tilt_deg, azimuth, as_candela);
+    std::string record;
+    {
+        const py::gil_scoped_release released;
+        const Web web = value_of(resolve_web(profile, options)).web;
+        record = detail::figures_json(luminaire_figures(profile, web, options)).dump();
+    }
+    return py::module_::import("json").attr("loads")(record);
+}
+
 Diagnostics checked(const Profile& profile) {
     return report_of(profile.diagnostics, profile, value_of(resolve_web(profile)));
 }
@@ -128,6 +142,13 @@ void add_profiles(py::module_& module) {
              py::arg("azimuth") = "as-written", py::arg("as_candela") = false,
              "What `gonio info --json` says about it, by the same names: flux, peak, angles, lamps, opening, zones.\n"
              "Fluxes of a radiometric profile are in its `flux_unit`, intensities in its `intensity_unit`.")
+        .def("figures", &figures_of, py::kw_only(), py::arg("lamp_set") = 1, py::arg("tilt_deg") = 0.0,
+             py::arg("azimuth") = "as-written", py::arg("as_candela") = false,
+             "The figures by which a luminaire is planned, by the names of `gonio info --json`: UGR tables, "
+             "utilisation,\n"
+             "luminances, classes. `figure_rules` has the standard of each; one that the profile does not give is "
+             "None,\n"
+             "and `missing_figures` has the reason.")
         .def("check", &checked,
              "What is wrong with it: its text, its numbers and its physics, as `gonio check` reports them.")
         .def(
