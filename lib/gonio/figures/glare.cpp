@@ -1,0 +1,61 @@
+#include <gonio/figures/glare.hpp>
+#include <gonio/figures/position_index.hpp>
+#include <gonio/light/projected_area.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <variant>
+
+namespace gonio {
+
+namespace {
+
+constexpr double small_area_m2 = 0.005;
+constexpr double large_solid_angle_sr = 0.1;
+
+// The area that a light shows along a world direction; empty for a light without a size.
+std::optional<double> shown_area_m2(const Light& light, const glm::dvec3& direction) {
+    if (const auto* profile = std::get_if<ProfileShape>(&light.shape)) {
+        const Opening* const opening = profile->given != nullptr ? profile->given.get() : profile->declared.get();
+        if (opening == nullptr || opening->shape == OpeningShape::point) return std::nullopt;
+        return projected_area_m2(*opening, light.frame.to_local(direction));
+    }
+    if (!(light.luminance.value > 0.0)) return std::nullopt;
+    const double share = light.luminance_share(direction);
+    return share > 0.0 ? light.intensity_towards(direction).value / (light.luminance.value * share) : 0.0;
+}
+
+} // namespace
+
+std::optional<GlareShare> glare_share(const Light& light, const Observer& observer) {
+    GlareShare share;
+    if (std::holds_alternative<SunShape>(light.shape)) return share;
+    const glm::dvec3 view = glm::normalize(observer.view);
+    const glm::dvec3 side = glm::normalize(glm::cross(view, glm::dvec3(0.0, 0.0, 1.0)));
+    const glm::dvec3 up = glm::cross(side, view);
+    const glm::dvec3 towards = light.frame.origin - observer.eye;
+    const double distance_m = glm::length(towards);
+    const double ahead_m = glm::dot(towards, view);
+    if (!(distance_m > 0.0)) return share;
+    const glm::dvec3 from_light = -towards / distance_m;
+    const std::optional<double> area_m2 = shown_area_m2(light, from_light);
+    if (!area_m2) return std::nullopt;
+    const double intensity_cd = light.intensity_towards(from_light).value;
+    if (!(ahead_m > 0.0 && intensity_cd > 0.0)) return share;
+    share.is_small = *area_m2 < small_area_m2;
+    const double counted_m2 = share.is_small ? small_area_m2 : *area_m2;
+    share.luminance = Nits(intensity_cd / counted_m2);
+    share.solid_angle_sr = counted_m2 / (distance_m * distance_m);
+    share.is_too_large = share.solid_angle_sr > large_solid_angle_sr;
+    share.position_index = closed_position_index(glm::dot(towards, side), ahead_m, glm::dot(towards, up));
+    share.sum = share.luminance.value * share.luminance.value * share.solid_angle_sr /
+                (share.position_index * share.position_index);
+    return share;
+}
+
+double unified_glare_rating(double sum_of_shares, Nits background) {
+    return 8.0 * std::log10(0.25 / background.value * sum_of_shares);
+}
+
+} // namespace gonio
