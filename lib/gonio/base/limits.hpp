@@ -67,6 +67,7 @@ inline constexpr std::array limits{
     Limit{"environment-values", std::size_t{1} << 27U, "values",
           "width × height × channels of such an image: 8192x4096 with four channels"},
     // Counts
+    Limit{"polygon-corners", 1024, "corners", "the area of a grid of probe"},
     Limit{"points", std::size_t{1} << 24U, "points", "one run of probe"},
     Limit{"sweep-values", 1024, "values", "one sweep of preview"},
     Limit{"sweep-pictures", 1024, "pictures", "the sweeps of preview together"},
