@@ -45,9 +45,10 @@ inline constexpr std::array limits{
     Limit{"json-values", std::size_t{1} << 23U, "values", "one JSON text, except a rig"},
     Limit{"xml-depth", 64, "levels", "nested elements; TM-33 has 8"},
     // Rigs
-    Limit{"rig-depth", 8, "levels", "nested arrays and objects, in one light or other member of a rig"},
-    Limit{"rig-values", 4096, "values", "one light or other member of a rig"},
+    Limit{"rig-depth", 16, "levels", "nested arrays and objects, in one light, group or other member of a rig"},
+    Limit{"rig-values", std::size_t{1} << 16U, "values", "one light, group or other member of a rig"},
     Limit{"rig-lights", std::size_t{1} << 24U, "lights", "a rig"},
+    Limit{"rig-array", std::size_t{1} << 18U, "lights", "what the arrays, lists of positions and groups of a rig make"},
     Limit{"rig-smooth", std::size_t{1} << 24U, "intensities", "the smooth tables of a rig, all together"},
     Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
     Limit{"import-lights", 100000, "lights", "a rig that import writes for a target"},
