@@ -23,6 +23,7 @@
 #include <gonio/scene/material.hpp>
 #include <gonio/scene/parameter.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/spatial_illuminance.hpp>
 #include <gonio/scene/stage.hpp>
 #include <gonio/simd/dispatch.hpp>
 #include <gonio/sky/sky_description.hpp>
@@ -153,6 +154,13 @@ Entries methods() {
     Entries entries;
     for (const IrradianceMethodName& method : irradiance_methods())
         entries.push_back({std::string(method.name), std::string(method.summary)});
+    return entries;
+}
+
+Entries quantities() {
+    Entries entries;
+    for (const IlluminanceKindName& kind : illuminance_kinds())
+        entries.push_back({std::string(kind.name), std::string(kind.summary)});
     return entries;
 }
 
@@ -360,6 +368,7 @@ constexpr std::array lists{
     NamedList{"prefilters", "programs of sky prefilter --for", prefilters},
     NamedList{"presets", "everyday sources", presets},
     NamedList{"programs", "programs of units --for", programs},
+    NamedList{"quantities", "illuminances of probe", quantities},
 #ifndef GONIO_NO_BENCH
     NamedList{"scalings", "what bench --scaling measures", scalings},
 #endif

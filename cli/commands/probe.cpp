@@ -13,10 +13,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace gonio::cli {
 
@@ -38,6 +40,10 @@ constexpr std::array examples{
             "the sun and the sky on a facade to the south"},
     Example{"gonio probe lamp.ies --position 0,0,2.5 --grid -2,-2,0:4,0,0:0,4,0:21x21",
             "min, mean, max and uniformity on a floor"},
+    Example{"gonio probe --rig room.json --workplane 75cm --indirect -o plan.svg",
+            "the working plane of the rig's room, with a number in each cell of its plan"},
+    Example{"gonio probe --rig room.json --workplane 1.2m --quantity cylindrical --indirect",
+            "how well faces are lit there"},
     Example{"gonio probe --shape rect:w=60cm,h=30cm --intensity 4000lm --position 0,0,1 --at 0.5,0,0 "
             "--compare exact,frostbite",
             "the error of an approximation"},
@@ -70,6 +76,86 @@ void add_stage_light(const ReceiverLight& on_stage, ProbeStretch& stretch) {
     stretch.indirect_lx = shares.indirect_lx;
 }
 
+// The same for an illuminance that is not of a flat surface, from the surfaces that stand for it. A light is hidden as
+// much as it is for those, each weighted by its illuminance.
+Result<void> add_spatial_stage_light(const ReceiverLight& on_stage, const ProbeRequest& request, IlluminanceKind kind,
+                                     ProbeStretch& stretch) {
+    ProbeResult& result = stretch.by_method.front();
+    const std::size_t lights = request.lights.size();
+    std::vector<Receiver> receivers;
+    std::vector<double> weights;
+    for (const Receiver& receiver : stretch.receivers)
+        for (const WeightedNormal& surface :
+             surfaces_of(kind, unit_vector(receiver.normal).value_or(Receiver().normal))) {
+            receivers.push_back({receiver.position, surface.normal});
+            weights.push_back(surface.weight);
+        }
+    const std::size_t each = stretch.receivers.empty() ? 0 : receivers.size() / stretch.receivers.size();
+    ProbeOptions options = request.options;
+    options.parts = true;
+    Result<ProbeResult> flat = probe(request.lights, receivers, options);
+    if (!flat) return pass_on(flat);
+    const ReceiverLight::Shares shares = on_stage.at(receivers);
+    for (std::size_t i = 0; i < stretch.receivers.size(); ++i) {
+        double direct_lx = 0.0;
+        for (std::size_t l = 0; l < lights; ++l) {
+            double all = 0.0;
+            double visible = 0.0;
+            for (std::size_t s = i * each; s < (i + 1) * each; ++s) {
+                const double lx = std::abs(weights[s]) * flat->parts_lx[s * lights + l];
+                all += lx;
+                visible += lx * shares.visible[s * lights + l];
+            }
+            if (all > 0.0) result.parts_lx[i * lights + l] *= visible / all;
+            direct_lx += result.parts_lx[i * lights + l];
+        }
+        double sky_lx = 0.0;
+        double indirect_lx = 0.0;
+        for (std::size_t s = i * each; s < (i + 1) * each; ++s) {
+            sky_lx += weights[s] * shares.sky_lx[s];
+            indirect_lx += weights[s] * shares.indirect_lx[s];
+        }
+        stretch.direct_lx.push_back(direct_lx);
+        stretch.sky_lx.push_back(std::max(sky_lx, 0.0));
+        stretch.indirect_lx.push_back(std::max(indirect_lx, 0.0));
+        result.illuminance_lx[i] = direct_lx + stretch.sky_lx.back() + stretch.indirect_lx.back();
+    }
+    return {};
+}
+
+// The values of one kind of illuminance, by the first method; remarks are those of a flat surface.
+Result<void> evaluate(const ProbeRequest& request, const std::optional<ReceiverLight>& on_stage, IlluminanceKind kind,
+                      ProbeStretch& stretch) {
+    const bool is_planar = kind <= IlluminanceKind::vertical;
+    for (std::size_t m = 0; m < request.methods.size(); ++m) {
+        ProbeOptions options = request.options;
+        options.method = request.methods[m];
+        options.parts = options.parts && m == 0;
+        Result<ProbeResult> result = probe(request.lights, stretch.receivers, options);
+        if (!result) return pass_on(result);
+        stretch.by_method.push_back(std::move(*result));
+    }
+    if (is_planar) {
+        if (on_stage) add_stage_light(*on_stage, stretch);
+        return {};
+    }
+    ProbeResult& result = stretch.by_method.front();
+    result.parts_lx = illuminance_parts(kind, request.lights, stretch.receivers, request.options.threads);
+    const std::size_t lights = request.lights.size();
+    for (std::size_t i = 0; i < stretch.receivers.size(); ++i) {
+        double lx = 0.0;
+        for (std::size_t l = 0; l < lights; ++l)
+            lx += result.parts_lx[i * lights + l];
+        result.illuminance_lx[i] = lx;
+    }
+    return on_stage ? add_spatial_stage_light(*on_stage, request, kind, stretch) : Result<void>();
+}
+
+// How many surfaces stand for one point.
+std::size_t surfaces_per_point(const ProbeRequest& request) {
+    return request.is_planar() ? 1 : surfaces_of(request.kind, {1.0, 0.0, 0.0}).size();
+}
+
 Result<int> run_probe(const Arguments& arguments, Console& console) {
     Result<ProbeRequest> request = parse_probe(arguments);
     if (!request) return pass_on(request);
@@ -86,8 +172,9 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
         if (!solved) return pass_on(solved);
         on_stage = std::move(*solved);
     }
-    request->options.parts = report.wants_parts() || on_stage;
-    const std::size_t numbers = request->options.parts ? request->lights.size() : 1;
+    request->options.parts = report.wants_parts() || on_stage || !request->is_planar();
+    const std::size_t numbers =
+        request->options.parts ? request->lights.size() * (on_stage ? surfaces_per_point(*request) : 1) : 1;
     const std::size_t at_once =
         std::clamp<std::size_t>(numbers_at_once / std::max<std::size_t>(numbers, 1), 1, points_at_once);
     const std::span<const Receiver> receivers = request->points.receivers;
@@ -95,19 +182,22 @@ Result<int> run_probe(const Arguments& arguments, Console& console) {
         ProbeStretch stretch;
         stretch.first = first;
         stretch.receivers = receivers.subspan(first, std::min(at_once, receivers.size() - first));
-        for (std::size_t m = 0; m < request->methods.size(); ++m) {
-            ProbeOptions options = request->options;
-            options.method = request->methods[m];
-            options.parts = options.parts && m == 0;
-            Result<ProbeResult> result = probe(request->lights, stretch.receivers, options);
-            if (!result) return pass_on(result);
-            stretch.by_method.push_back(std::move(*result));
+        const bool is_index = request->kind == IlluminanceKind::modelling;
+        Result<void> done =
+            evaluate(*request, on_stage, is_index ? IlluminanceKind::cylindrical : request->kind, stretch);
+        if (!done) return pass_on(done);
+        if (is_index) {
+            ProbeStretch flat;
+            flat.receivers = stretch.receivers;
+            if (done = evaluate(*request, on_stage, IlluminanceKind::horizontal, flat); !done) return pass_on(done);
+            stretch.horizontal_lx = std::move(flat.by_method.front().illuminance_lx);
         }
-        if (on_stage) add_stage_light(*on_stage, stretch);
         if (first == 0) report.begin();
         report.add(stretch);
     }
     report.end(request->diagnostics);
+    if (request->drawing)
+        if (Result<void> drawn = report.draw(request->diagnostics); !drawn) return pass_on(drawn);
     console.remark(fmt::format("{} points under {} lights in {:.1f} ms", receivers.size(), request->lights.size(),
                                evaluation.milliseconds()));
     console.say(request->diagnostics);

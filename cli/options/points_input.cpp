@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace gonio::cli {
 
@@ -105,18 +106,29 @@ Result<Receiver> read_row(const std::vector<Field>& fields, const Columns& colum
     return receiver;
 }
 
-// "O:U:V:NxM".
-Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec3>& normal) {
-    std::array<std::string_view, 4> parts;
-    std::string_view rest = text;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        const std::size_t colon = rest.find(':');
-        if ((colon == std::string_view::npos) != (p == 3))
-            return fail("USE0105", fmt::format("--grid does not take '{}'", text),
-                        "write CORNER:EDGE:EDGE:NxM, for example -2,-2,0:4,0,0:0,4,0:21x21");
-        parts[p] = rest.substr(0, colon);
-        if (p < 3) rest.remove_prefix(colon + 1);
+void take(ReceiverGrid grid, Points& points) {
+    points.receivers = std::move(grid.receivers);
+    grid.receivers.clear();
+    points.grid = std::move(grid);
+}
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end = text.find(at); end != std::string_view::npos; end = text.find(at)) {
+        parts.push_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
     }
+    parts.push_back(text);
+    return parts;
+}
+
+// "O:U:V:NxM" or "O:U:V".
+Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec3>& normal,
+                          std::optional<double> spacing_m) {
+    const std::vector<std::string_view> parts = split(text, ':');
+    if (parts.size() < 3 || parts.size() > 4)
+        return fail("USE0105", fmt::format("--grid does not take '{}'", text),
+                    "write CORNER:EDGE:EDGE:NxM, for example -2,-2,0:4,0,0:0,4,0:21x21");
     std::array<glm::dvec3, 3> vectors;
     for (std::size_t p = 0; p < vectors.size(); ++p) {
         Result<glm::dvec3> vector = parse_vector(
@@ -124,6 +136,23 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
         if (!vector) return pass_on(vector);
         vectors[p] = *vector;
     }
+    const auto& [corner, u, v] = vectors;
+    const std::optional<glm::dvec3> upright = unit_vector(glm::cross(u, v));
+    const auto no_normal = [] {
+        return fail(Failure::usage, "the edges of --grid span no area, so it has no normal", "add --normal X,Y,Z");
+    };
+    Points points;
+    if (parts.size() == 3) {
+        if (!normal && !upright) return no_normal();
+        Result<ReceiverGrid> grid =
+            parallelogram_grid(corner, u, v, spacing_m, normal ? *normal : *upright, max_points);
+        if (!grid) return pass_on(grid);
+        take(std::move(*grid), points);
+        return points;
+    }
+    if (spacing_m)
+        return fail("USE0107", "--spacing and a number of points in --grid are both given",
+                    "leave the :NxM of --grid out");
     Result<PixelSize> size = parse_size(parts[3]);
     if (!size) {
         error_hint(size.error(), "write the number of points of --grid as NxM, for example 21x21");
@@ -135,19 +164,56 @@ Result<Points> parse_grid(const std::string& text, const std::optional<glm::dvec
             "USE0106",
             fmt::format("a grid of {} points is out of range: it may have 1 to {}", parts[3], to_text(limit("points"))),
             std::string(limits_hint));
-    const auto& [corner, u, v] = vectors;
-    const std::optional<glm::dvec3> upright = unit_vector(glm::cross(u, v));
-    if (!normal && !upright)
-        return fail(Failure::usage, "the edges of --grid span no area, so it has no normal", "add --normal X,Y,Z");
+    if (!normal && !upright) return no_normal();
 
-    Points points;
-    points.grid = GridSize{size->width, size->height};
-    points.receivers.reserve(static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height));
+    ReceiverGrid grid{corner, u,  v, static_cast<std::size_t>(size->width), static_cast<std::size_t>(size->height),
+                      {},     {}, {}};
+    points.receivers.reserve(grid.columns * grid.rows);
     for (int j = 0; j < size->height; ++j)
         for (int i = 0; i < size->width; ++i)
             points.receivers.push_back(
                 {corner + u * ((i + 0.5) / size->width) + v * ((j + 0.5) / size->height), normal ? *normal : *upright});
+    points.grid = std::move(grid);
     return points;
+}
+
+// "P:P:P".
+Result<Points> parse_polygon(const std::string& text, const std::optional<glm::dvec3>& normal,
+                             std::optional<double> spacing_m) {
+    std::vector<glm::dvec3> corners;
+    for (const std::string_view part : split(text, ':')) {
+        Result<glm::dvec3> corner = parse_vector(part, fmt::format("corner {} of --polygon", corners.size() + 1));
+        if (!corner) return pass_on(corner);
+        corners.push_back(*corner);
+    }
+    Result<ReceiverGrid> grid = polygon_grid(corners, spacing_m, normal, max_points);
+    if (!grid) return pass_on(grid);
+    Points points;
+    take(std::move(*grid), points);
+    return points;
+}
+
+// A length of an option, from `least` on.
+Result<std::optional<double>> length_input(const Arguments& arguments, std::string_view option, bool may_be_zero) {
+    const auto text = arguments.value(option);
+    if (!text) return std::optional<double>();
+    Result<double> length = parse_amount(*text, Dimension::length, option);
+    if (!length) return pass_on(length);
+    if (*length > 0.0 || (may_be_zero && *length == 0.0)) return std::optional(*length);
+    return fail("USE0106",
+                fmt::format("{} must be {}, not {}", option, may_be_zero ? "0 or greater" : "greater than 0", *text));
+}
+
+Result<Workplane> read_workplane(const Arguments& arguments, std::optional<double> spacing_m) {
+    Workplane plane;
+    plane.spacing_m = spacing_m;
+    Result<double> height = parse_amount(*arguments.value("--workplane"), Dimension::length, "--workplane");
+    if (!height) return pass_on(height);
+    plane.height_m = *height;
+    Result<std::optional<double>> zone = length_input(arguments, "--wall-zone", true);
+    if (!zone) return pass_on(zone);
+    plane.wall_zone_m = zone->value_or(plane.wall_zone_m);
+    return plane;
 }
 
 } // namespace
@@ -188,11 +254,21 @@ Result<Points> points_input(const Arguments& arguments) {
     const std::vector<std::string> at = arguments.values("--at");
     const auto file = arguments.value("--points");
     const auto grid = arguments.value("--grid");
-    const int ways = (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0);
+    const auto polygon = arguments.value("--polygon");
+    const bool has_workplane = arguments.has("--workplane");
+    const int ways =
+        (at.empty() ? 0 : 1) + (file ? 1 : 0) + (grid ? 1 : 0) + (polygon ? 1 : 0) + (has_workplane ? 1 : 0);
     if (ways != 1)
         return fail(ways == 0 ? Cause("USE0104") : Cause("USE0107"),
-                    ways == 0 ? "no point is given" : "more than one of --at, --points and --grid is given",
-                    "use --at X,Y,Z, --points FILE.csv or --grid O:U:V:NxM");
+                    ways == 0 ? "no point is given"
+                              : "more than one of --at, --points, --grid, --polygon and --workplane is given",
+                    "use --at X,Y,Z, --points FILE.csv, --grid O:U:V:NxM, --polygon P:P:P or --workplane 75cm");
+    if (arguments.has("--wall-zone") && !has_workplane)
+        return fail("USE0104", "--wall-zone needs --workplane", "only a working plane has walls");
+    if (arguments.has("--spacing") && !grid && !polygon && !has_workplane)
+        return fail("USE0104", "--spacing needs --grid, --polygon or --workplane", "points by name have no spacing");
+    Result<std::optional<double>> spacing = length_input(arguments, "--spacing", false);
+    if (!spacing) return pass_on(spacing);
 
     std::vector<glm::dvec3> normals;
     for (const std::string& text : arguments.values("--normal")) {
@@ -208,9 +284,23 @@ Result<Points> points_input(const Arguments& arguments) {
                                 at.empty() ? std::string("never") : fmt::format("{} times", at.size())),
                     "give one normal for all, or one for each --at");
     const glm::dvec3 default_normal = normals.empty() ? Receiver().normal : normals.front();
-    if (grid) return parse_grid(*grid, normals.empty() ? std::nullopt : std::optional(normals.front()));
+    const auto given_normal = normals.empty() ? std::nullopt : std::optional(normals.front());
+    if (grid || polygon) {
+        Result<Points> of_area =
+            grid ? parse_grid(*grid, given_normal, *spacing) : parse_polygon(*polygon, given_normal, *spacing);
+        if (of_area) of_area->has_normals = !normals.empty();
+        return of_area;
+    }
 
     Points points;
+    points.has_normals = !normals.empty();
+    if (has_workplane) {
+        Result<Workplane> plane = read_workplane(arguments, *spacing);
+        if (!plane) return pass_on(plane);
+        points.workplane = *plane;
+        points.receivers.push_back({glm::dvec3(0.0), default_normal}); // its normal
+        return points;
+    }
     if (file) {
         Result<std::string> text =
             *file == "-" ? read_standard_input(limit("table-bytes")) : read_file(*file, limit("table-bytes"));
@@ -226,6 +316,28 @@ Result<Points> points_input(const Arguments& arguments) {
         points.receivers.push_back({*position, normals.size() > 1 ? normals[i] : default_normal});
     }
     return points;
+}
+
+Result<void> place_on(const Stage& stage, Points& points) {
+    const Workplane& plane = *points.workplane;
+    const std::optional<FloorArea> area = area_between_walls(stage, plane.height_m);
+    if (!area)
+        return fail("USE0106",
+                    fmt::format("the stage '{}' has no walls on four sides at a height of {} m", stage.name,
+                                rounded(plane.height_m)),
+                    "use --stage room, planes in the rig's stage that face along X and Y, --grid, or --polygon");
+    const glm::dvec3 zone(plane.wall_zone_m, plane.wall_zone_m, 0.0);
+    const glm::dvec3 size = area->high - area->low - 2.0 * zone;
+    if (!(size.x > 0.0 && size.y > 0.0))
+        return fail("USE0106",
+                    fmt::format("a wall zone of {} m leaves nothing of {} by {} m", rounded(plane.wall_zone_m),
+                                rounded(area->high.x - area->low.x), rounded(area->high.y - area->low.y)),
+                    "use a smaller --wall-zone");
+    Result<ReceiverGrid> grid = parallelogram_grid(area->low + zone, {size.x, 0.0, 0.0}, {0.0, size.y, 0.0},
+                                                   plane.spacing_m, points.receivers.front().normal, max_points);
+    if (!grid) return pass_on(grid);
+    take(std::move(*grid), points);
+    return {};
 }
 
 } // namespace gonio::cli

@@ -1,14 +1,21 @@
 #include "probe_report.hpp"
 
+#include <gonio/base/codes/result.hpp>
 #include <gonio/base/unit_text.hpp>
+#include <gonio/plot/grid_diagram.hpp>
+#include <gonio/plot/raster.hpp>
+#include <gonio/plot/svg.hpp>
 
+#include "../options/output.hpp"
 #include "../options/values.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -18,6 +25,27 @@ namespace {
 
 constexpr std::size_t points_listed = 100; // as text; more are summarised
 constexpr std::size_t lights_listed = 32;
+
+// Shown of a grid: the share of the points that is not brighter.
+struct Percentile {
+    std::string_view key;
+    std::string_view name;
+    double percent;
+};
+constexpr std::array percentiles{Percentile{"percentile_5", "5 %", 5.0}, Percentile{"percentile_50", "median", 50.0},
+                                 Percentile{"percentile_95", "95 %", 95.0}};
+
+std::string_view name_of(IlluminanceKind kind) {
+    for (const IlluminanceKindName& known : illuminance_kinds())
+        if (known.kind == kind) return known.name;
+    return {};
+}
+
+// Of the modelling index; 0 in the dark.
+double index_of(const ProbeStretch& stretch, std::size_t i) {
+    const double horizontal = stretch.horizontal_lx[i];
+    return horizontal > 0.0 ? stretch.by_method.front().illuminance_lx[i] / horizontal : 0.0;
+}
 
 double relative_error(double value, double truth) {
     return value == truth ? 0.0 : (value - truth) / truth;
@@ -79,6 +107,10 @@ Json point_json(const ProbeRequest& request, const ProbeStretch& stretch, std::s
     Json json{{"position", vector_json(receiver.position)},
               {"normal", vector_json(unit_vector(receiver.normal).value_or(receiver.normal))},
               {"illuminance_lx", result.illuminance_lx[i]}};
+    if (!stretch.horizontal_lx.empty()) {
+        json["horizontal_lx"] = stretch.horizontal_lx[i];
+        json["modelling_index"] = index_of(stretch, i);
+    }
     for (const Source& source : sources_of(request, stretch))
         json[fmt::format("{}_lx", source.name)] = (*source.lx)[i];
     if (estimated) json["illuminance_error_lx"] = result.illuminance_error_lx[i];
@@ -145,6 +177,7 @@ void ProbeReport::begin() {
         json_->member("schema", "gonio.probe/1");
         if (!request_.rig.empty()) json_->member("rig", request_.rig);
         json_->member("method", to_text(request_.methods.front()));
+        if (request_.kind != IlluminanceKind::planar) json_->member("quantity", name_of(request_.kind));
         json_->begin_array("points");
     } else if (request_.form == ProbeForm::csv) {
         console_.print("x,y,z,nx,ny,nz");
@@ -170,7 +203,9 @@ void ProbeReport::add(const ProbeStretch& stretch) {
     for (std::size_t m = 0; m < request_.methods.size(); ++m) {
         const ProbeResult& result = stretch.by_method[m];
         for (std::size_t i = 0; i < stretch.receivers.size(); ++i)
-            values_[m].push_back(request_.compare ? compared(result, i) : result.illuminance_lx[i]);
+            values_[m].push_back(request_.compare                ? compared(result, i)
+                                 : stretch.horizontal_lx.empty() ? result.illuminance_lx[i]
+                                                                 : index_of(stretch, i));
     }
     indirect_lx_.insert(indirect_lx_.end(), stretch.indirect_lx.begin(), stretch.indirect_lx.end());
     note_error(stretch.by_method.front());
@@ -228,6 +263,7 @@ void ProbeReport::print_csv_heading() {
     for (const Source& source : sources_of(request_, {}))
         console_.print(fmt::format(",{}_lx", source.name));
     if (request_.options.view) console_.print(",diffuse_nt,specular_nt,total_nt");
+    if (request_.kind == IlluminanceKind::modelling) console_.print(",horizontal_lx,modelling_index");
     console_.print(request_.options.view && estimated() ? ",error_nt\n" : "\n");
 }
 
@@ -251,6 +287,8 @@ void ProbeReport::csv_row(const ProbeStretch& stretch, std::size_t i) {
                                shortest(nt.total().value));
             if (estimated()) row += ',' + shortest(nt.error_estimate.value);
         }
+        if (!stretch.horizontal_lx.empty())
+            row += fmt::format(",{},{}", shortest(stretch.horizontal_lx[i]), shortest(index_of(stretch, i)));
     }
     console_.print(row + '\n');
 }
@@ -270,7 +308,11 @@ void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
         console_.print(line + '\n');
         return;
     }
-    console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
+    if (stretch.horizontal_lx.empty())
+        console_.print(fmt::format("{:<24}{:>14} lx", position, rounded(lx)));
+    else
+        console_.print(fmt::format("{:<24}{:>14} ({} lx over {} lx)", position, rounded(index_of(stretch, i)),
+                                   rounded(lx), rounded(stretch.horizontal_lx[i])));
     if (estimated()) console_.print(fmt::format(" ±{}", rounded(result.illuminance_error_lx[i], 2)));
     std::string parts;
     for (const Source& source : sources_of(request_, stretch))
@@ -291,22 +333,34 @@ void ProbeReport::text_lines(const ProbeStretch& stretch, std::size_t i) {
 }
 
 std::string_view ProbeReport::compared_unit() const {
+    if (request_.kind == IlluminanceKind::modelling) return "";
     return request_.compare && request_.options.view ? "nt" : "lx";
 }
 
-Json ProbeReport::spread_json(const Spread& s) const {
+std::string ProbeReport::with_unit(std::string_view key) const {
     const std::string_view unit = compared_unit();
-    return {{fmt::format("min_{}", unit), s.least},
-            {fmt::format("mean_{}", unit), s.mean},
-            {fmt::format("max_{}", unit), s.greatest},
+    return unit.empty() ? std::string(key) : fmt::format("{}_{}", key, unit);
+}
+
+Json ProbeReport::spread_json(const Spread& s) const {
+    return {{with_unit("min"), s.least},
+            {with_unit("mean"), s.mean},
+            {with_unit("max"), s.greatest},
             {"uniformity_min_mean", s.uniformity()},
             {"uniformity_min_max", s.diversity()}};
 }
 
 Json ProbeReport::grid_json() const {
-    Json json{{"columns", request_.points.grid->across}, {"rows", request_.points.grid->along}};
+    const ReceiverGrid& grid = *request_.points.grid;
+    Json json{{"columns", grid.columns}, {"rows", grid.rows}};
+    json["points"] = values_.front().size();
+    json["spacing_m"] = Json::array({glm::length(grid.u) / static_cast<double>(grid.columns),
+                                     glm::length(grid.v) / static_cast<double>(grid.rows)});
     json.update(spread_json(spread(values_.front())));
-    if (request_.indirect) json["mean_indirect_lx"] = spread(indirect_lx_).mean;
+    for (const Percentile& each : percentiles)
+        json[with_unit(each.key)] = percentile(values_.front(), each.percent);
+    if (request_.indirect && request_.kind != IlluminanceKind::modelling)
+        json["mean_indirect_lx"] = spread(indirect_lx_).mean;
     if (!request_.compare) return json;
     Json methods = Json::array();
     for (std::size_t m = 0; m < request_.methods.size(); ++m) {
@@ -329,10 +383,16 @@ ProbeReport::Worst ProbeReport::worst(std::size_t m) const {
 }
 
 void ProbeReport::summary_text() {
-    if (const auto& grid = request_.points.grid)
-        console_.print(fmt::format("{} x {} points\n", grid->across, grid->along));
+    const auto& grid = request_.points.grid;
+    const std::size_t count = request_.points.receivers.size();
+    if (grid && count == grid->columns * grid->rows)
+        console_.print(fmt::format("{} x {} points", grid->columns, grid->rows));
     else
-        console_.print(fmt::format("{} points\n", request_.points.receivers.size()));
+        console_.print(fmt::format("{} points", count));
+    if (request_.kind != IlluminanceKind::planar)
+        console_.print(fmt::format(", {}{}", name_of(request_.kind),
+                                   request_.kind == IlluminanceKind::modelling ? " index" : " illuminance"));
+    console_.print("\n");
     struct Line {
         const char* name;
         double (*of)(const Spread&);
@@ -356,9 +416,15 @@ void ProbeReport::summary_text() {
         for (std::size_t m = 0; m < spreads.size(); ++m)
             console_.print(fmt::format("{:>{}}", rounded(lines[line].of(spreads[m])),
                                        request_.compare ? column_width(request_, m) : 14));
-        console_.print(line < 3 && !request_.compare ? " lx\n" : "\n");
+        const bool has_unit = line < 3 && !request_.compare && !compared_unit().empty();
+        console_.print(has_unit ? fmt::format(" {}\n", compared_unit()) : std::string("\n"));
     }
-    if (request_.indirect)
+    if (grid && !request_.compare)
+        for (const Percentile& each : percentiles)
+            console_.print(fmt::format("{:<10}{:>14}{}{}\n", each.name,
+                                       rounded(percentile(values_.front(), each.percent)),
+                                       compared_unit().empty() ? "" : " ", compared_unit()));
+    if (request_.indirect && request_.kind != IlluminanceKind::modelling)
         console_.print(fmt::format("indirect  {:>14} lx of the mean\n", rounded(spread(indirect_lx_).mean)));
     for (std::size_t m = 1; m < request_.methods.size(); ++m) {
         const Worst w = worst(m);
@@ -367,6 +433,64 @@ void ProbeReport::summary_text() {
                                    percent(relative_error(values_[m][w.point], values_.front()[w.point])),
                                    position_text(request_.points.receivers[w.point].position)));
     }
+}
+
+Result<void> ProbeReport::draw(Diagnostics& diagnostics) const {
+    const ProbeDrawing& drawing = *request_.drawing;
+    const ReceiverGrid& grid = *request_.points.grid;
+    const Spread all = spread(values_.front());
+    GridPlot plot;
+    plot.columns = grid.columns;
+    plot.rows = grid.rows;
+    plot.width_m = glm::length(grid.u);
+    plot.height_m = glm::length(grid.v);
+    const std::optional<glm::dvec3> along = unit_vector(grid.u);
+    const std::optional<glm::dvec3> across = unit_vector(grid.v);
+    if (!along || !across)
+        return fail("USE0106", "a grid with an edge of length 0 has no plan", "give --grid two edges");
+    // In plan where it lies along X and Y, else along its own edges.
+    const bool is_plan = along->x == 1.0 && across->y == 1.0;
+    plot.x_name = is_plan ? "x [m]" : "along U [m]";
+    plot.y_name = is_plan ? "y [m]" : "along V [m]";
+    const auto in_plan = [&](const glm::dvec3& point) {
+        const glm::dvec3 from = is_plan ? point : point - grid.corner;
+        return PagePoint{glm::dot(from, *along), glm::dot(from, *across)};
+    };
+    const PagePoint corner = in_plan(grid.corner);
+    plot.left_m = corner.x;
+    plot.low_m = corner.y;
+    plot.values.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < values_.front().size(); ++i)
+        plot.values[grid.cell_of(i)] = values_.front()[i];
+    for (const glm::dvec3& point : grid.outline)
+        plot.outline.push_back(in_plan(point));
+    if (is_plan)
+        for (const Light& light : request_.lights)
+            if (!std::holds_alternative<SunShape>(light.shape)) plot.marks.push_back(in_plan(light.frame.origin));
+    plot.unit = compared_unit();
+    plot.title = drawing.title;
+    if (plot.title.empty())
+        plot.title = request_.kind == IlluminanceKind::planar ? "illuminance"
+                     : request_.kind == IlluminanceKind::modelling
+                         ? "modelling index"
+                         : fmt::format("{} illuminance", name_of(request_.kind));
+    const std::string unit = plot.unit.empty() ? std::string() : " " + plot.unit;
+    plot.facts = fmt::format("min {}{}, mean {}{}, max {}{}, min/mean {}", rounded(all.least, 3), unit,
+                             rounded(all.mean, 3), unit, rounded(all.greatest, 3), unit, rounded(all.uniformity(), 2));
+    if (is_plan) plot.facts = fmt::format("at {} m: {}", rounded(grid.corner.z, 4), plot.facts);
+    plot.width_px = drawing.width_px;
+    plot.height_px = drawing.height_px;
+    bool left_out = false;
+    Result<Drawing> page = grid_diagram(plot, left_out);
+    if (!page) return pass_on(page);
+    if (left_out)
+        diagnostics.push_back(result_diagnostic("RES0409",
+                                                "the cells are too small for their numbers, which are left out",
+                                                "use a larger -s, or a wider spacing"));
+    if (drawing.format == nullptr) return write_output(drawing.output, to_svg(*page));
+    Result<std::string> bytes = encode_for_display(to_image(*page), *drawing.format, false);
+    if (!bytes) return pass_on(bytes);
+    return write_output(drawing.output, *bytes);
 }
 
 } // namespace gonio::cli

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct ProbeStretch {
     std::vector<double> direct_lx; // of lights; like the next, with --indirect or --sky, else empty
     std::vector<double> sky_lx;
     std::vector<double> indirect_lx;
+    std::vector<double> horizontal_lx; // of the modelling index, else empty
 };
 
 class ProbeReport {
@@ -38,6 +40,9 @@ public:
     void add(const ProbeStretch& stretch);
     void end(Diagnostics& diagnostics);
 
+    // Writes the drawing of the grid; call after end().
+    Result<void> draw(Diagnostics& diagnostics) const;
+
 private:
     bool listed() const; // a line for each point, not a summary
     bool lights_listed_too() const;
@@ -51,7 +56,8 @@ private:
     void csv_row(const ProbeStretch& stretch, std::size_t i);
     void text_lines(const ProbeStretch& stretch, std::size_t i);
 
-    std::string_view compared_unit() const;
+    std::string_view compared_unit() const; // empty: a ratio
+    std::string with_unit(std::string_view key) const;
     Json spread_json(const Spread& s) const;
     Json grid_json() const;
 

@@ -1,10 +1,12 @@
 #include "request.hpp"
 
+#include <gonio/base/picture_size.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/scene/material_charts.hpp>
 #include <gonio/transport/receiver_light.hpp>
 
 #include "../options/method_list.hpp"
+#include "../options/output.hpp"
 #include "../options/rig_input.hpp"
 #include "../options/values.hpp"
 #include "../preview/stage_input.hpp"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -49,6 +52,13 @@ Result<void> read_lights_of_stage(const Arguments& arguments, LightsInput& input
     return {};
 }
 
+// What the quantity means the points to face.
+void turn_receivers(ProbeRequest& request) {
+    if (request.kind == IlluminanceKind::planar || needs_direction(request.kind)) return;
+    for (Receiver& receiver : request.points.receivers)
+        receiver.normal = {0.0, 0.0, 1.0};
+}
+
 Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
     LightPlacement placement{glm::dvec3(0.0)};
     if (const auto name = arguments.value("--stage")) {
@@ -68,11 +78,17 @@ Result<void> read_lights(const Arguments& arguments, ProbeRequest& request) {
             !fits)
             return fits;
     if (!request.indirect && !lit->sky.is_given && !arguments.has("--emits") && input.rig.emits.empty() &&
-        arguments.has("--stage"))
-        return fail("USE0104", "--stage needs --indirect, --sky or --emits",
+        !request.points.workplane && arguments.has("--stage"))
+        return fail("USE0104", "--stage needs --indirect, --sky, --emits or --workplane",
                     "without them, a stage neither reflects nor blocks light, nor emits any");
     request.sky = std::move(lit->sky.sky);
     if (!request.stage) request.stage = input.rig.stage;
+    if (request.points.workplane) {
+        if (!request.stage)
+            return fail("USE0104", "--workplane needs a stage with walls", "add --stage room, or a stage to the rig");
+        if (Result<void> placed = place_on(*request.stage, request.points); !placed) return placed;
+    }
+    turn_receivers(request);
     if (Result<void> read = read_lights_of_stage(arguments, input, request); !read) return read;
     if (request.indirect || lit->sky.is_given) {
         if (!request.stage && request.indirect)
@@ -151,6 +167,75 @@ Result<void> read_view(const Arguments& arguments, ProbeRequest& request) {
     return {};
 }
 
+Result<void> read_quantity(const Arguments& arguments, ProbeRequest& request) {
+    const auto name = arguments.value("--quantity");
+    if (!name) return {};
+    Result<IlluminanceKind> kind = parse_illuminance_kind(*name);
+    if (!kind) return pass_on(kind);
+    request.kind = *kind;
+    if (request.kind == IlluminanceKind::planar) return {};
+    if (!request.is_planar()) {
+        for (const std::string_view option : {"--view", "--compare"})
+            if (arguments.has(option))
+                return fail("USE0107", fmt::format("{} and --quantity {} are both given", option, *name),
+                            "both are of a flat surface: leave one of them out");
+        if (request.methods != std::vector{IrradianceMethod::exact})
+            return fail("USE0107", fmt::format("--quantity {} has one method", *name), "leave --method out");
+    }
+    if (!needs_direction(request.kind) && request.points.has_normals)
+        return fail("USE0107", fmt::format("--normal and --quantity {} are both given", *name),
+                    "it has no direction: leave --normal out");
+    if (!needs_direction(request.kind)) return {};
+    if (!request.points.has_normals && !arguments.has("--points"))
+        return fail("USE0104", fmt::format("--quantity {} needs a direction", *name), "add --normal, such as 0,-1,0");
+    for (const Receiver& receiver : request.points.receivers)
+        if (!(std::abs(unit_vector(receiver.normal)->z) < 1e-9))
+            return fail("USE0106", fmt::format("--quantity {} faces a horizontal direction", *name),
+                        "give --normal, or the normals of --points, a Z of 0");
+    return {};
+}
+
+// SVG, or a picture format given by --to or by the output's name.
+Result<void> read_drawing(const Arguments& arguments, ProbeRequest& request) {
+    const auto output = arguments.value("--output");
+    if (!output) {
+        for (const std::string_view option : {"--size", "--title", "--to"})
+            if (arguments.has(option))
+                return fail("USE0104", fmt::format("{} needs -o", option), "it is for the drawing of a grid");
+        return {};
+    }
+    if (!request.points.grid && !request.points.workplane)
+        return fail("USE0107", "-o draws a grid, but single points are given", "use --grid, --polygon or --workplane");
+    if (request.options.view || request.compare)
+        return fail("USE0107", fmt::format("-o and {} are both given", request.compare ? "--compare" : "--view"),
+                    "-o draws the illuminance");
+    if (*output == "-") return both_to_standard_output("drawing");
+    ProbeDrawing drawing;
+    drawing.output = *output;
+    drawing.title = arguments.value("--title").value_or("");
+    if (const auto text = arguments.value("--size")) {
+        Result<PixelSize> size = parse_size(*text);
+        if (!size) return pass_on(size);
+        if (Result<void> fits = check_picture_size(size->width, size->height); !fits) return fits;
+        drawing.width_px = size->width;
+        drawing.height_px = size->height;
+    }
+    const auto named = arguments.value("--to");
+    if (named ? *named != "svg" : !output->ends_with(".svg")) {
+        if (!named && media::find_image_format(*output) == nullptr)
+            return fail("USE0104", fmt::format("the name '{}' does not show a diagram format", *output),
+                        "end it in .svg or .png, or add --to");
+        Result<const media::ImageFormat*> format = picture_format(named, *output);
+        if (!format) return pass_on(format);
+        if (!has_pixel(**format, media::Pixel::uint8))
+            return fail("USE0107", fmt::format("{} is for light, not for diagrams", (*format)->title),
+                        "write .svg, .png, .tif or .jpg");
+        drawing.format = *format;
+    }
+    request.drawing = std::move(drawing);
+    return {};
+}
+
 Result<void> read_form(const Arguments& arguments, ProbeRequest& request) {
     const std::array given{arguments.has("--json"), arguments.has("--jsonl"), arguments.has("--csv")};
     if (std::count(given.begin(), given.end(), true) > 1)
@@ -179,6 +264,9 @@ Result<ProbeRequest> parse_probe(const Arguments& arguments) {
     Result<Points> points = points_input(arguments);
     if (!points) return pass_on(points);
     request.points = std::move(*points);
+    read = read_quantity(arguments, request);
+    if (read) read = read_drawing(arguments, request);
+    if (!read) return pass_on(read);
     if (Result<void> lights = read_lights(arguments, request); !lights) return pass_on(lights);
     return request;
 }

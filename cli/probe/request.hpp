@@ -3,7 +3,9 @@
 
 #include <gonio/base/result.hpp>
 #include <gonio/light/light.hpp>
+#include <gonio/media/image_file.hpp>
 #include <gonio/scene/probe.hpp>
+#include <gonio/scene/spatial_illuminance.hpp>
 #include <gonio/scene/stage.hpp>
 
 #include "../arguments.hpp"
@@ -23,6 +25,10 @@ namespace gonio::cli {
 inline constexpr std::array probe_options{
     Option{"--method", "METHOD", "method for the light of each shape (exact)", "methods"},
     Option{"--compare", "M1,M2", "show methods side by side, with their errors", "methods"},
+    Option{"--quantity", "KIND",
+           "planar, horizontal, vertical, cylindrical, semi-cylindrical, hemispherical or modelling (planar); vertical "
+           "and semi-cylindrical face --normal",
+           "quantities"},
     Option{"--error", "E", "relative tolerance of the method reference (1e-6)"},
     Option{"--view", "X,Y,Z",
            "also print the luminance: direction from the points to the eye, or at:X,Y,Z for its position"},
@@ -46,6 +52,19 @@ inline constexpr std::array probe_report_options{
     Option{"--json", "", "one JSON object, with the share of each light"},
     Option{"--jsonl", "", "the same on one line"},
     Option{"--csv", "", "a table with one row per point"},
+    Option{"-o,--output", "FILE", "draw a grid: its plan with a number in each cell, and lines of equal light"},
+    Option{"-s,--size", "WxH", "of the drawing in pixels (as the numbers need)"},
+    Option{"--title", "TEXT", "of the drawing"},
+    Option{"--to", "FORMAT", "svg or an 8-bit picture format, if the file name does not show it (svg)", "images"},
+};
+
+// The drawing of a grid.
+struct ProbeDrawing {
+    std::string output;
+    const media::ImageFormat* format = nullptr; // nullptr: SVG
+    std::string title;
+    int width_px = 0; // 0: as the numbers need
+    int height_px = 0;
 };
 
 enum class ProbeForm { text, json, json_line, csv };
@@ -62,6 +81,11 @@ struct ProbeRequest {
     bool indirect = false;
     Sky sky;
     ProbeForm form = ProbeForm::text;
+    IlluminanceKind kind = IlluminanceKind::planar;
+    std::optional<ProbeDrawing> drawing;
+
+    // Whether the kind is the illuminance of a flat surface, with the receivers' normals.
+    bool is_planar() const { return kind <= IlluminanceKind::vertical; }
 };
 
 // Checks everything except the files first: a mistake is reported before a large rig is read.

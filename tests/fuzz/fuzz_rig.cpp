@@ -1,6 +1,6 @@
 // libFuzzer: for any bytes, the rig reader does not crash and allocates no memory for items that are only announced; a
 // failure is one error that names the source; a rig that is read resolves or fails with an error, and is the same when
-// read again.
+// read again, also with its groups and arrays expanded.
 #include <gonio/scene/rig.hpp>
 
 #include <cstdint>
@@ -34,6 +34,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!again || again->lights.size() != rig->lights.size() || again->materials.size() != rig->materials.size())
         std::abort();
     const std::size_t lights = rig->lights.size();
+    constexpr std::size_t most_resolved = 2000; // an array is a few bytes
+    if (lights > most_resolved) return 0;
+    const Result<std::string> expanded = expand_rig(text, "fuzz.json");
+    if (!expanded) std::abort();
+    const Result<Rig> single = read_rig(*expanded, "fuzz.json", folder);
+    if (!single || single->lights.size() != lights) std::abort();
+    for (std::size_t i = 0; i < lights; ++i)
+        if (single->lights[i].name != rig->lights[i].name || single->lights[i].position != rig->lights[i].position ||
+            single->lights[i].level != rig->lights[i].level)
+            std::abort();
     Diagnostics diagnostics;
     const Result<std::vector<Light>> resolved = resolve_lights(*std::move(rig), diagnostics, 1);
     if (!resolved) {

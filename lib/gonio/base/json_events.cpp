@@ -126,8 +126,11 @@ private:
 } // namespace
 
 Location JsonHandler::place() const {
-    const auto read = static_cast<std::size_t>(read_ - text_.data());
-    return location_in(text_, read - std::min<std::size_t>(read, 1), *source_);
+    return place_at(bytes_read() - std::min<std::size_t>(bytes_read(), 1));
+}
+
+Location JsonHandler::place_at(std::size_t offset) const {
+    return location_in(text_, offset, *source_);
 }
 
 void read_json(std::string_view text, const std::string& source, bool comments, JsonHandler& handler) {

@@ -32,6 +32,11 @@ protected:
     // for a number, is the byte after it.
     Location place() const;
 
+    // The text that is read, how many bytes of it were read so far, and the line and column of a byte.
+    std::string_view text() const { return text_; }
+    std::size_t bytes_read() const { return static_cast<std::size_t>(read_ - text_.data()); }
+    Location place_at(std::size_t offset) const;
+
 private:
     friend void read_json(std::string_view text, const std::string& source, bool comments, JsonHandler& handler);
 

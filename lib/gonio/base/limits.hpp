@@ -45,9 +45,10 @@ inline constexpr std::array limits{
     Limit{"json-values", std::size_t{1} << 23U, "values", "one JSON text, except a rig"},
     Limit{"xml-depth", 64, "levels", "nested elements; TM-33 has 8"},
     // Rigs
-    Limit{"rig-depth", 8, "levels", "nested arrays and objects, in one light or other member of a rig"},
-    Limit{"rig-values", 4096, "values", "one light or other member of a rig"},
+    Limit{"rig-depth", 16, "levels", "nested arrays and objects, in one light, group or other member of a rig"},
+    Limit{"rig-values", std::size_t{1} << 16U, "values", "one light, group or other member of a rig"},
     Limit{"rig-lights", std::size_t{1} << 24U, "lights", "a rig"},
+    Limit{"rig-array", std::size_t{1} << 18U, "lights", "what the arrays, lists of positions and groups of a rig make"},
     Limit{"rig-smooth", std::size_t{1} << 24U, "intensities", "the smooth tables of a rig, all together"},
     Limit{"stage-surfaces", 256, "surfaces", "a rig's stage"},
     Limit{"import-lights", 100000, "lights", "a rig that import writes for a target"},
@@ -67,6 +68,7 @@ inline constexpr std::array limits{
     Limit{"environment-values", std::size_t{1} << 27U, "values",
           "width × height × channels of such an image: 8192x4096 with four channels"},
     // Counts
+    Limit{"polygon-corners", 1024, "corners", "the area of a grid of probe"},
     Limit{"points", std::size_t{1} << 24U, "points", "one run of probe"},
     Limit{"sweep-values", 1024, "values", "one sweep of preview"},
     Limit{"sweep-pictures", 1024, "pictures", "the sweeps of preview together"},

@@ -93,6 +93,8 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
     if (!finite(description.up)) return fail("USE0106", "a light's up must be finite");
     if (description.range && !(description.range->value > 0.0))
         return fail("USE0106", "a light's range must be greater than 0");
+    if (!(description.level >= 0.0 && description.level <= 1.0))
+        return fail("USE0106", "a light's level must lie in 0 to 1");
     if (Result<void> loaded = load_profile(description.shape, diagnostics); !loaded) return pass_on(loaded);
 
     Light light;
@@ -114,16 +116,17 @@ Result<Light> resolve_light(LightDescription description, Diagnostics& diagnosti
         if (profile == nullptr)
             return fail("USE0104", std::string("a ") + kind_of(light.shape) + " light needs an intensity",
                         class_of(light.shape) == ShapeClass::sun ? "for example 100klx" : "for example 800lm");
-        light.intensity = peak(*profile->web).intensity;
+        light.intensity = peak(*profile->web).intensity * description.level;
+        light.web_scale = description.level;
         give_body(light, diagnostics);
         if (Result<void> placed = place_parts(light); !placed) return pass_on(placed);
         return light;
     }
     Result<Emission> emission = emission_of(light.shape, *description.intensity);
     if (!emission) return pass_on(emission);
-    light.intensity = emission->intensity;
-    light.luminance = emission->luminance;
-    light.illuminance = emission->illuminance;
+    light.intensity = emission->intensity * description.level;
+    light.luminance = emission->luminance * description.level;
+    light.illuminance = emission->illuminance * description.level;
     if (profile != nullptr) light.web_scale = light.intensity / peak(*profile->web).intensity;
     const Mask mask = mask_of(light.shape);
     if (mask.web != nullptr) light.web_scale = 1.0 / peak(*mask.web).intensity.value;

@@ -42,6 +42,7 @@ struct LightDescription {
     Radians rotation;                          // about the direction, seen along it: C0 towards C90
     std::optional<Meters> range;               // absent: no window
     std::optional<EmittingFace> emitted_by{};  // absent: a light that is not a surface of the stage
+    double level = 1.0;                        // of its amount: dimming times maintenance factor, from 0 to 1
 };
 
 // A light as the inner loops read it.
@@ -88,7 +89,7 @@ struct Light {
 
 // Loads the profile or the mask, if there is one; warnings and notes are appended to `diagnostics`. Fails as
 // load_profile and emission_of do, and (usage) on a position that is not finite, a zero direction, a range that is not
-// greater than 0, or a shape without an intensity.
+// greater than 0, a level outside 0 to 1, or a shape without an intensity.
 Result<Light> resolve_light(LightDescription description, Diagnostics& diagnostics);
 
 // Resolves each, in order, and adds it to the lights. Fails as resolve_light().

@@ -5,6 +5,7 @@
 #include <gonio/base/nearest.hpp>
 #include <gonio/base/unit_text.hpp>
 #include <gonio/light/light_color.hpp>
+#include <gonio/scene/detail/rig_expand.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/detail/rig_stream.hpp>
 #include <gonio/scene/detail/rig_values.hpp>
@@ -27,7 +28,6 @@ namespace {
 using detail::angle_of;
 using detail::Json;
 using detail::keep;
-using detail::name_of;
 using detail::nonzero_vector_of;
 using detail::placed;
 using detail::position_of;
@@ -37,9 +37,11 @@ using detail::type_of;
 using detail::unit_hint;
 
 constexpr std::string_view schema_name = "gonio.rig/1";
-constexpr std::array<std::string_view, 7> top_keys{"schema", "lights", "sky", "stage", "camera", "materials", "emits"};
-constexpr std::array<std::string_view, 10> light_keys{"name",      "shape", "intensity", "color",  "position",
-                                                      "direction", "up",    "rotate",    "smooth", "range"};
+constexpr std::array<std::string_view, 9> top_keys{"schema", "luminaires", "lights",    "maintenance", "sky",
+                                                   "stage",  "camera",     "materials", "emits"};
+constexpr std::array<std::string_view, 16> light_keys{
+    "name",   "shape", "luminaire", "intensity", "color", "position", "positions",   "direction",
+    "target", "up",    "rotate",    "smooth",    "range", "dimming",  "maintenance", "array"};
 constexpr std::array<std::string_view, 4> camera_keys{"position", "target", "up", "fov"};
 constexpr std::size_t most_remembered = 1U << 16U; // shapes and files; a rig with more reads some of them again
 
@@ -77,7 +79,11 @@ public:
     Reader(std::string source, FileScope files) : files_(std::move(files)) { rig_.source = std::move(source); }
 
     Result<Rig> read(std::string_view text) {
-        const detail::RigSink sink{[this](std::size_t index, const Json& json) { return light(index, json); },
+        // Lights may stand before the luminaires that they name.
+        constexpr std::string_view luminaires_key = R"("luminaires")";
+        if (text.find(luminaires_key) != std::string_view::npos)
+            if (Result<void> found = find_luminaires(text); !found) return pass_on(found);
+        const detail::RigSink sink{[this](std::size_t index, const Json& json) { return lights(index, json); },
                                    [this](const std::string& key, const Json& json) { return member(key, json); }};
         Result<void> streamed = detail::stream_rig(text, rig_.source, sink);
         if (streamed && !schema_seen_)
@@ -85,6 +91,8 @@ public:
                                          fmt::format(R"(write "schema": "{}")", schema_name));
         if (streamed) streamed = check_stage();
         if (!streamed) return pass_on(streamed);
+        for (LightDescription& light : rig_.lights)
+            light.level *= maintenance_;
         rig_.files.assign(files_.named().begin(), files_.named().end());
         return std::move(rig_);
     }
@@ -94,19 +102,96 @@ private:
         return detail::rig_error(code, rig_.source, path, std::move(message), std::move(hint));
     }
 
-    Result<void> light(std::size_t index, const Json& json) {
-        const std::string path = fmt::format("lights[{}]", index);
-        if (!json.is_object()) return refuse("RIG0105", path, fmt::format("must be an object, not {}", type_of(json)));
+    // What is not a rig is left to the reading after this one: its content is not reported.
+    Result<void> find_luminaires(std::string_view text) {
+        bool is_rig = false;
+        const detail::RigSink sink{[](std::size_t /*index*/, const Json& /*json*/) { return Result<void>(); },
+                                   [&](const std::string& key, const Json& json) -> Result<void> {
+                                       if (key == "schema") is_rig = json == Json(schema_name);
+                                       return key == "luminaires" && is_rig ? luminaires(json) : Result<void>();
+                                   }};
+        return detail::stream_rig(text, rig_.source, sink);
+    }
+
+    Result<void> luminaires(const Json& json) {
+        if (luminaires_seen_) return {};
+        Result<std::vector<detail::Luminaire>> read = detail::read_luminaires(json, rig_.source);
+        if (!read) return pass_on(read);
+        luminaires_ = std::move(*read);
+        luminaires_seen_ = true;
+        for (const detail::Luminaire& luminaire : luminaires_)
+            if (Result<LightDescription> sound = described(luminaire); !sound) return pass_on(sound);
+        return {};
+    }
+
+    // The lights that an element of "lights" stands for.
+    Result<void> lights(std::size_t index, const Json& json) {
+        written_.clear();
+        return expander_.expand(json, index, [this](const detail::SingleLight& single) { return light(single); });
+    }
+
+    Result<void> light(const detail::SingleLight& single) {
+        const detail::WrittenLight& written = single.written;
+        if (written.number >= written_.size()) written_.resize(written.number + 1);
+        std::optional<LightDescription>& known = written_[written.number];
+        if (!known) {
+            Result<LightDescription> read = described(written);
+            if (!read) return pass_on(read);
+            known = std::move(*read);
+        }
+        LightDescription light = single.repeated ? *known : *std::exchange(known, std::nullopt);
+        light.name = single.name;
+        light.position = single.position;
+        if (single.target)
+            light.direction = *single.target - single.position;
+        else if (single.direction)
+            light.direction = *single.direction;
+        if (single.up) light.up = *single.up;
+        light.level = single.dimming * single.maintenance;
+        note_place(single);
+        rig_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    // Once an element has made several lights, the index of a light is no longer its place.
+    void note_place(const detail::SingleLight& single) {
+        const std::string& path = single.written.path;
+        if (!single.repeated && rig_.places.empty()) return;
+        if (rig_.places.empty() || rig_.places.back().path != path) rig_.places.push_back({rig_.lights.size(), path});
+    }
+
+    // The keys that do not place the light: first those of its luminaire, then its own.
+    Result<LightDescription> described(const detail::WrittenLight& written) {
+        Description read;
+        if (written.luminaire != nullptr)
+            if (Result<void> keys = describe(written.luminaire->keys, path_of(*written.luminaire), read); !keys)
+                return pass_on(keys);
+        if (Result<void> keys = describe(*written.keys, written.path, read); !keys) return pass_on(keys);
+        return finished(std::move(read), written.path);
+    }
+
+    Result<LightDescription> described(const detail::Luminaire& luminaire) {
+        Description read;
+        if (Result<void> keys = describe(luminaire.keys, path_of(luminaire), read); !keys) return pass_on(keys);
+        return finished(std::move(read), path_of(luminaire));
+    }
+
+    static std::string path_of(const detail::Luminaire& luminaire) {
+        return fmt::format("luminaires.{}", luminaire.name);
+    }
+
+    struct Description {
         LightDescription light;
-        light.name = fmt::format("light {}", index + 1);
         bool has_shape = false;
         std::optional<Radians> smooth;
+    };
+
+    Result<void> describe(const Json& json, const std::string& path, Description& target) {
+        LightDescription& light = target.light;
         for (const auto& [key, value] : json.items()) {
             Result<void> read;
-            if (key == "name") {
-                read = keep(name_of(value), light.name);
-            } else if (key == "shape") {
-                has_shape = true;
+            if (key == "shape") {
+                target.has_shape = true;
                 Result<std::string> text = text_of(value, "for example \"sphere:r=10cm\"");
                 read = text ? shape(*text, light.shape) : pass_on(text);
             } else if (key == "intensity") {
@@ -115,30 +200,25 @@ private:
             } else if (key == "color") {
                 Result<std::string> text = text_of(value, R"(for example "2700K" or "#ffd9a0")");
                 read = text ? color(*text, light.color, fmt::format("{}.color", path)) : pass_on(text);
-            } else if (key == "position") {
-                read = keep(position_of(value), light.position);
-            } else if (key == "direction") {
-                read = keep(nonzero_vector_of(value), light.direction);
-            } else if (key == "up") {
-                read = keep(nonzero_vector_of(value), light.up);
             } else if (key == "rotate") {
                 read = keep(angle_of(value), light.rotation);
             } else if (key == "smooth") {
-                read = keep(angle_of(value), smooth);
+                read = keep(angle_of(value), target.smooth);
             } else if (key == "range") {
                 read = keep(positive_length(value), light.range);
-            } else {
-                return placed(unknown_name("key", key, light_keys).value(), rig_.source, path);
             }
             if (!read) return placed(read.error(), rig_.source, fmt::format("{}.{}", path, key));
         }
-        if (!has_shape)
-            return refuse("RIG0104", path, "the key 'shape' is missing", R"(for example "shape": "sphere:r=10cm")");
-        if (smooth)
-            if (Result<void> done = smooth_profile(light.shape, to_degrees(*smooth), path + ".smooth"); !done)
-                return done;
-        rig_.lights.push_back(std::move(light));
         return {};
+    }
+
+    Result<LightDescription> finished(Description read, const std::string& path) {
+        if (!read.has_shape)
+            return refuse("RIG0104", path, "the key 'shape' is missing", R"(for example "shape": "sphere:r=10cm")");
+        if (read.smooth)
+            if (Result<void> done = smooth_profile(read.light.shape, to_degrees(*read.smooth), path + ".smooth"); !done)
+                return pass_on(done);
+        return std::move(read.light);
     }
 
     // Lights with the same table and step share one smooth table, too.
@@ -242,6 +322,11 @@ private:
             Result<Stage> stage = detail::read_rig_stage(json, {rig_.source, files_, rig_.diagnostics});
             if (!stage) return pass_on(stage);
             rig_.stage = std::move(*stage);
+        } else if (key == "luminaires") {
+            return luminaires(json);
+        } else if (key == "maintenance") {
+            Result<void> kept = keep(detail::maintenance_of(json), maintenance_);
+            if (!kept) return placed(kept.error(), rig_.source, "maintenance");
         } else if (key == "camera") {
             return camera(json);
         } else if (key == "materials") {
@@ -331,6 +416,11 @@ private:
     FileScope files_;
     Rig rig_;
     bool schema_seen_ = false;
+    bool luminaires_seen_ = false;
+    std::vector<detail::Luminaire> luminaires_;
+    double maintenance_ = 1.0;
+    detail::RigExpander expander_{rig_.source, luminaires_};
+    std::vector<std::optional<LightDescription>> written_; // of the element of "lights" that is read
     std::map<std::string, glm::dvec3> colors_;
     std::map<std::string, Shape> shapes_;
     std::map<std::pair<bool, std::string>, RememberedFile> webs_;

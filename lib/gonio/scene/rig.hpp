@@ -22,6 +22,21 @@
 //       { "name": "globe", "sphere": { "center": [0, 0, 0.9], "radius": "15cm" }, "emits": "800lm" },
 //       { "name": "leg", "capsule": { "from": [0.7, 0, 0], "to": [0.7, 0, 0.7], "radius": "3cm" } } ] }
 //
+// Lights that repeat: a luminaire is named and has no place, a light names it; an array is centred at its position; a
+// group has lights, a position, a rotation, and its own array. All are expanded to single lights in the order of the
+// file; an array counts along X first, then Y, then Z, and numbers its lights from 1 ("desk[1,2]"); the lights of a
+// group are named below it ("row[2,1]/desk"). Dimming and maintenance factors multiply.
+//
+//   "luminaires": { "A": { "shape": "ies:lamp.ies", "maintenance": 0.8 } },
+//   "maintenance": "90%",
+//   "lights": [ { "name": "desk", "luminaire": "A", "position": [0, 0, 2.7],
+//                 "array": { "count": [3, 4], "spacing": [2.4, 1.8] } },
+//               { "name": "row", "position": [0, 4, 0], "rotate": "90deg", "dimming": 0.5,
+//                 "array": { "count": [2, 1], "room": [6, 4] },
+//                 "lights": [ { "luminaire": "A", "positions": [[0, 0, 3], [1, 0, 3]] },
+//                             { "shape": "spot:outer=20deg", "intensity": "900cd", "position": [0, 1, 3],
+//                               "target": [0, 2, 1.5] } ] } ]
+//
 // With a sky or a surface that emits, `lights` may be an empty array. Only `shape` is required for a light; the
 // defaults are those of LightDescription. Arrays are in metres. Files named by a shape, a mask or a spectrum are
 // relative to the rig's folder and must be regular files under it, symbolic links resolved, unless RigReadOptions
@@ -29,8 +44,8 @@
 // grows only with the lights (about 0.5 kB each, including resolving); nesting and the size of one light are limited. A
 // million lights take 2.4 s. rig.schema.json beside this file is the schema for editors.
 //
-// A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0101]: …" where the JSON is invalid, else
-// "rig.json: error[RIG0106]: lights[3].shape: …". malformed: JSON, an unknown key, a wrong type, a bad value; io: a
+// A failure is one diagnostic: "rig.json:LINE:COLUMN: error[RIG0106]: lights[3].shape: …", or without line and column
+// where values contradict each other or a light cannot be resolved. malformed: JSON, an unknown key, a wrong type, a bad value; io: a
 // file that cannot be read or may not be named; unsupported: a feature of a shape or colour that gonio does not have.
 #pragma once
 
@@ -57,10 +72,17 @@ struct SurfaceMaterial {
     Material material;
 };
 
+// Where in the file lights stand: those from `first` on, up to the next place.
+struct LightsPlace {
+    std::size_t first = 0;
+    std::string path; // "lights[2].lights[0]"
+};
+
 // A rig as read: lights, and what they are shown on.
 struct Rig {
     std::string source;                   // the name used in messages
-    std::vector<LightDescription> lights; // profiles loaded; a light without a name is called "light N", N from 1
+    std::vector<LightDescription> lights; // single ones, profiles loaded; without a name "light N", N from 1
+    std::vector<LightsPlace> places;      // in their order; before the first, light i stands at "lights[i]"
     std::optional<SkyDescription> sky;    // an image is named and not read
     std::optional<Stage> stage;           // as in the file: `materials` and `emits` are not applied
     std::optional<Camera> camera;
@@ -82,6 +104,11 @@ Result<Rig> read_rig(std::string_view text, const std::string& source, const std
 
 // Reads the file at `path`. For "-", standard input, file names are relative to the current folder.
 Result<Rig> read_rig_file(const std::string& path, const RigReadOptions& options = {});
+
+// A rig that read_rig() takes, as JSON of single lights: without luminaires, groups, arrays and lists of positions, one
+// light a line, and without comments. It reads as the same lights, with the same names. File names stay as they are,
+// relative to the rig's folder.
+Result<std::string> expand_rig(std::string_view text, const std::string& source);
 
 // The stage that a rig's surfaces are those of: its own, else the first of stage_kinds(); as in the file.
 Result<Stage> stage_of(const Rig& rig);

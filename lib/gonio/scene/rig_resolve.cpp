@@ -17,12 +17,19 @@ namespace gonio {
 
 namespace {
 
+// Where the rig has it.
+std::string place_of_light(const Rig& rig, std::size_t index) {
+    const auto after = std::upper_bound(rig.places.begin(), rig.places.end(), index,
+                                        [](std::size_t i, const LightsPlace& place) { return i < place.first; });
+    return after == rig.places.begin() ? fmt::format("lights[{}]", index) : std::prev(after)->path;
+}
+
 constexpr std::size_t block_size = 1024;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // Everything that determines how much a light with a web or an image emits.
-using Emitter =
-    std::tuple<std::size_t, std::vector<double>, const void*, const Opening*, std::string_view, double, double, double>;
+using Emitter = std::tuple<std::size_t, std::vector<double>, const void*, const Opening*, std::string_view, double,
+                           double, double, double>;
 
 // The values of the shape's keys, of any kind.
 std::vector<double> numbers_of(const Shape& shape) {
@@ -51,7 +58,8 @@ std::optional<Emitter> emitter_of(const LightDescription& light) {
                    value.unit.unit != nullptr ? value.unit.unit->symbol : std::string_view(),
                    value.number,
                    value.unit.distance.value_or(Meters()).value,
-                   value.unit.efficacy_lm_per_w.value_or(0.0)};
+                   value.unit.efficacy_lm_per_w.value_or(0.0),
+                   light.level};
 }
 
 // Combines frame, name, colour and range of the description with another resolved light of the same emission.
@@ -95,7 +103,7 @@ Result<std::vector<Light>> resolve_lights(Rig rig, Diagnostics& diagnostics, uns
         return found == errors.end() ? nullptr : &**found;
     };
     const auto at = [&](const Error& error, std::size_t i) {
-        return detail::placed(error, rig.source, fmt::format("lights[{}]", i)).value();
+        return detail::placed(error, rig.source, place_of_light(rig, i)).value();
     };
 
     std::vector<Light> prototypes(first_light.size());

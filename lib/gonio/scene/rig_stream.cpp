@@ -15,6 +15,16 @@ namespace gonio::detail {
 
 namespace {
 
+// The number of values in a value, itself included.
+std::size_t size_of(const Json& json) { // NOLINT(misc-no-recursion): as deep as rig-depth
+    std::size_t size = 1;
+    for (const Json& element : json)
+        size += size_of(element);
+    for (const auto& [key, value] : json.items())
+        size += size_of(value);
+    return size;
+}
+
 class Handler final : public JsonHandler {
 public:
     Handler(const std::string& source, const RigSink& sink) : source_(source), sink_(sink) {}
@@ -36,6 +46,7 @@ public:
             if (open_.back()->contains(name))
                 return refuse("RIG0107", path(), fmt::format("the key '{}' is given twice", name));
             key_ = std::move(name);
+            key_end_ = bytes_read() - 1;
             return true;
         }
         if (std::find(members_.begin(), members_.end(), name) != members_.end())
@@ -45,6 +56,7 @@ public:
                                  fmt::format("more than {} keys, the limit 'rig-values'", limit("rig-values").value));
         members_.push_back(name);
         member_ = std::move(name);
+        key_end_ = bytes_read() - 1;
         return true;
     }
 
@@ -109,6 +121,8 @@ private:
         }
         if (open_.empty()) {
             values_ = 0;
+            ends_.clear();
+            note_end(value, where_ == Where::lights);
             root_ = std::move(value);
             return &root_;
         }
@@ -117,6 +131,7 @@ private:
             return nullptr;
         }
         Json& parent = *open_.back();
+        note_end(value, parent.is_array());
         if (parent.is_array()) {
             parent.push_back(std::move(value));
             return &parent.back();
@@ -136,10 +151,86 @@ private:
     bool deliver() {
         if (where_ == Where::lights && lights_ == limit("rig-lights").value)
             return refuse_beyond("lights", fmt::format("holds more than {}", to_text(limit("rig-lights"))));
-        Result<void> taken = where_ == Where::lights ? sink_.light(lights_++, root_) : sink_.member(member_, root_);
-        if (taken) return true;
-        error_ = std::move(taken.error());
-        return false;
+        Result<void> taken = where_ == Where::lights ? sink_.light(lights_, root_) : sink_.member(member_, root_);
+        if (!taken) {
+            error_ = std::move(taken.error());
+            if (!error_->diagnostics.empty()) locate(error_->diagnostics.back());
+            return false;
+        }
+        if (where_ == Where::lights) ++lights_;
+        return true;
+    }
+
+    // Where the value ends that was just read, or the key in front of it.
+    void note_end(const Json& value, bool in_array) {
+        // A number was read with the byte after it.
+        ends_.push_back(in_array ? bytes_read() - (value.is_number() ? 2 : 1) : key_end_);
+    }
+
+    // Gives a message that begins with its path in the rig the line and column of the innermost value on that path.
+    void locate(Diagnostic& said) const {
+        std::string_view rest = said.message;
+        if (said.location.line > 0 || !rest.starts_with(path())) return;
+        rest.remove_prefix(path().size());
+        const auto follows = [&](std::string_view step) {
+            const std::string_view after = rest.substr(std::min(step.size(), rest.size()));
+            return rest.starts_with(step) &&
+                   (after.empty() || std::string_view(".[:").find(after[0]) != std::string_view::npos);
+        };
+        const Json* value = &root_;
+        std::size_t number = 0; // of the value, in the order of the text
+        for (bool found = true; found;) {
+            found = false;
+            std::size_t next = number + 1;
+            const auto step = [&](const std::string& name, const Json& inner) {
+                found = follows(name);
+                if (!found) {
+                    next += size_of(inner);
+                    return;
+                }
+                rest.remove_prefix(name.size());
+                value = &inner;
+                number = next;
+            };
+            std::size_t index = 0;
+            const Json& at = *value;
+            for (const Json& element : at)
+                if (!found) step(fmt::format("[{}]", index++), element);
+            for (const auto& [key, inner] : at.items())
+                if (!found) step("." + key, inner);
+        }
+        // An unknown key is reported for its object.
+        std::size_t next = number + 1;
+        for (const auto& [key, inner] : value->items()) {
+            if (rest.starts_with(fmt::format(": unknown key '{}'", key))) number = next;
+            next += size_of(inner);
+        }
+        said.location = place_at(begin_of_token(ends_[number]));
+    }
+
+    // Of the token that ends at this byte; a bracket is a token.
+    std::size_t begin_of_token(std::size_t end) const {
+        const auto in_word = [&](std::size_t at) {
+            const char c = text()[at];
+            return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c == 'E' || c == '+' || c == '-' || c == '.';
+        };
+        std::size_t begin = end;
+        if (text()[end] == '"') {
+            const auto is_escaped = [&](std::size_t at) {
+                std::size_t slashes = 0;
+                while (slashes < at && text()[at - 1 - slashes] == '\\')
+                    ++slashes;
+                return slashes % 2 == 1;
+            };
+            do {
+                if (begin == 0) return end;
+                --begin;
+            } while (text()[begin] != '"' || is_escaped(begin));
+        } else if (in_word(end)) {
+            while (begin > 0 && in_word(begin - 1))
+                --begin;
+        }
+        return begin;
     }
 
     const std::string& source_;
@@ -153,6 +244,8 @@ private:
     std::vector<Json*> open_;          // its objects and arrays that are not closed yet
     std::string key_;                  // in the innermost of them
     std::size_t values_ = 0;
+    std::size_t key_end_ = 0;       // of the latest key, in the text
+    std::vector<std::size_t> ends_; // of the values in root_, in the order of the text
     std::optional<Error> error_;
 };
 

@@ -1,5 +1,6 @@
 #include <gonio/base/codes/rig.hpp>
 #include <gonio/base/file.hpp>
+#include <gonio/scene/detail/rig_expand.hpp>
 #include <gonio/scene/detail/rig_stage.hpp>
 #include <gonio/scene/probe.hpp>
 #include <gonio/scene/rig.hpp>
@@ -35,7 +36,8 @@ std::string with_lights(const std::string& lights) {
     return R"({"schema":"gonio.rig/1","lights":[)" + lights + "]}";
 }
 
-// The only diagnostic of a rig that cannot be read or resolved.
+// The only diagnostic of a rig that cannot be read or resolved; without line and column, which a test of its own
+// checks.
 std::string refusal(const std::string& text, Failure failure = Failure::malformed) {
     Result<Rig> rig = read(text);
     Error error;
@@ -49,11 +51,45 @@ std::string refusal(const std::string& text, Failure failure = Failure::malforme
     }
     EXPECT_EQ(error.failure, failure) << text;
     EXPECT_EQ(error.diagnostics.size(), 1U) << text;
-    return to_text(error.diagnostics.back());
+    Diagnostic& said = error.diagnostics.back();
+    if (said.code != "RIG0101" && said.code != "RIG0108") said.location = {said.location.file, 0, 0};
+    return to_text(said);
 }
 
 std::string light_refusal(const std::string& light, Failure failure = Failure::malformed) {
     return refusal(with_lights(light), failure);
+}
+
+// The same, with the line and column that placed it.
+std::string placed_refusal(const std::string& text) {
+    const Result<Rig> rig = read(text);
+    return rig ? "no failure" : to_text(rig.error().diagnostics.back());
+}
+
+TEST(Rig, WrongValuesHaveALineAndAColumn) {
+    const std::string head = "{ \"schema\": \"gonio.rig/1\",\n  \"lights\": [\n    { \"shape\": \"point\", ";
+    const std::string tail = " } ] }";
+    EXPECT_EQ(placed_refusal(head + "\n      \"intensity\": 800" + tail).substr(0, 33),
+              "rig.json:4:7: error[RIG0105]: lig");
+    EXPECT_EQ(placed_refusal(head + "\"range\":\"0m\"" + tail).substr(0, 34), "rig.json:3:25: error[RIG0106]: lig");
+    // An unknown key itself, not its object.
+    EXPECT_EQ(placed_refusal(head + "\"a\\\"b\": [1, {\"shape\": 2}],\n  \"rnage\": 1" + tail).substr(0, 34),
+              "rig.json:3:25: error[RIG0103]: lig");
+    EXPECT_EQ(placed_refusal(head + "\"name\": \"\\\\\",\n  \"rnage\": 1" + tail).substr(0, 33),
+              "rig.json:4:3: error[RIG0103]: lig");
+    // An element of an array within, a string and a number.
+    EXPECT_EQ(placed_refusal(head + "\"array\": { \"spacing\": [1, 1],\n\"count\": [1,\n 2.5] }" + tail).substr(0, 33),
+              "rig.json:5:2: error[RIG0106]: lig");
+    EXPECT_EQ(
+        placed_refusal(head + "\"array\": { \"spacing\": [1, 1],\n\"count\": [1, \"t\\\"wo\"] }" + tail).substr(0, 34),
+        "rig.json:4:14: error[RIG0105]: lig");
+    EXPECT_EQ(placed_refusal(head + "\"array\": { \"spacing\": [1, 1],\n\"count\": [1, true] }" + tail).substr(0, 34),
+              "rig.json:4:14: error[RIG0105]: lig");
+    EXPECT_EQ(
+        placed_refusal(R"({"schema":"gonio.rig/1","lights":[{"shape":"point","intensity":"1lm"},{}]})").substr(0, 34),
+        "rig.json:1:71: error[RIG0104]: lig");
+    EXPECT_EQ(placed_refusal("{\"schema\":\"gonio.rig/1\",\n\"lights\":[],\n\"maintenance\":2}").substr(0, 33),
+              "rig.json:3:1: error[RIG0106]: mai");
 }
 
 TEST(Rig, ReadsEveryKey) {
@@ -117,14 +153,15 @@ TEST(Rig, WrongValuesArePlacedByTheirPath) {
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":{}})"), "rig.json: error[RIG0105]: lights: must be an array");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lihgts":1})"),
               "rig.json: error[RIG0103]: unknown key 'lihgts'\n"
-              "hint: did you mean 'lights'? there are: schema, lights, sky, stage, camera, materials, emits");
+              "hint: did you mean 'lights'? there are: schema, luminaires, lights, maintenance, sky, stage, camera, "
+              "materials, emits");
     EXPECT_EQ(refusal(R"({"schema":"gonio.rig/1","lights":[],"lights":[]})"),
               "rig.json: error[RIG0107]: the key 'lights' is given twice");
     EXPECT_EQ(light_refusal("7"), "rig.json: error[RIG0105]: lights[0]: must be an object, not a number");
     EXPECT_EQ(light_refusal(R"({"shape":"point","intensity":"1lm"},{"shpae":"point"})"),
               "rig.json: error[RIG0103]: lights[1]: unknown key 'shpae'\n"
-              "hint: did you mean 'shape'? there are: name, shape, intensity, color, position, direction, up, rotate, "
-              "smooth, range");
+              "hint: did you mean 'shape'? there are: name, shape, luminaire, intensity, color, position, positions, "
+              "direction, target, up, rotate, smooth, range, dimming, maintenance, array");
     EXPECT_EQ(light_refusal("{}"), "rig.json: error[RIG0104]: lights[0]: the key 'shape' is missing\nhint: for example "
                                    "\"shape\": \"sphere:r=10cm\"");
     EXPECT_EQ(light_refusal(R"({"shape":"point","shape":"point"})"),
@@ -256,14 +293,15 @@ TEST(Rig, WrongStagesArePlacedByTheirPath) {
     for (int i = 0; i < 257; ++i)
         many += R"({"name":"a","plane":{}},)";
     many.pop_back();
-    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
-              "rig.json: error[RIG0108]: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
-              "hint: 'gonio list limits' describes each limit");
+    EXPECT_EQ(
+        refusal(with_stage(R"({"surfaces":[)" + many + "]}")),
+        "rig.json:1:46: error[RIG0108]: stage.surfaces: holds more than 256 surfaces, the limit 'stage-surfaces'\n"
+        "hint: 'gonio list limits' describes each limit");
     std::string more;
     for (int i = 0; i < 1e6; ++i)
         more += "0,";
-    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 95),
-              "rig.json:1:8249: error[RIG0108]: stage: holds more than 4096 values, the limit 'rig-values'\nhin");
+    EXPECT_EQ(refusal(with_stage(R"({"surfaces":[)" + more)).substr(0, 98),
+              "rig.json:1:131129: error[RIG0108]: stage: holds more than 65536 values, the limit 'rig-values'\nhin");
 }
 
 // Otherwise a code could be documented but never reported.
@@ -276,7 +314,7 @@ TEST(Rig, EveryCodeHasTheSmallestRigThatBreaksIt) {
         {"RIG0105", with_lights("7")},
         {"RIG0106", with_lights(R"({"shape":"sphere:r=0m"})")},
         {"RIG0107", with_lights(R"({"shape":"point","shape":"point"})")},
-        {"RIG0108", with_lights("[[[[[[[[[")},
+        {"RIG0108", with_lights(std::string(17, '['))},
     };
     for (const DiagnosticCode& code : rig_codes) {
         const auto rig = broken.find(code.code);
@@ -423,18 +461,18 @@ TEST(Rig, ProfilesAreReadOnceAndShared) {
 TEST(Rig, NestingAndSizeAreBounded) {
     EXPECT_EQ(refusal(std::string(1000000, '[')).substr(0, 48), "rig.json: error[RIG0101]: a rig is a JSON object");
     EXPECT_EQ(light_refusal("{\"name\":" + std::string(1000000, '[')),
-              "rig.json:1:50: error[RIG0108]: lights[0]: is nested deeper than 8 levels, the limit 'rig-depth'\n"
+              "rig.json:1:58: error[RIG0108]: lights[0]: is nested deeper than 16 levels, the limit 'rig-depth'\n"
               "hint: 'gonio list limits' describes each limit");
     std::string deep;
     for (int i = 0; i < 100000; ++i)
         deep += "{\"a\":";
-    EXPECT_EQ(refusal("{\"camera\":\n" + deep).substr(0, 93),
-              "rig.json:2:41: error[RIG0108]: camera: is nested deeper than 8 levels, the limit 'rig-depth'\n");
+    EXPECT_EQ(refusal("{\"camera\":\n" + deep).substr(0, 94),
+              "rig.json:2:81: error[RIG0108]: camera: is nested deeper than 16 levels, the limit 'rig-depth'\n");
     std::string wide = "{\"position\":[0";
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < 70000; ++i)
         wide += ",0";
     EXPECT_NE(light_refusal(wide + "]}")
-                  .find(": error[RIG0108]: lights[0]: holds more than 4096 values, the limit 'rig-values'"),
+                  .find(": error[RIG0108]: lights[0]: holds more than 65536 values, the limit 'rig-values'"),
               std::string::npos);
 }
 
@@ -520,6 +558,9 @@ TEST(Rig, SchemaFileNamesTheKeysThatAreRead) {
     };
     expect_keys(schema["properties"], rig_keys());
     expect_keys(schema["$defs"]["light"]["properties"], rig_light_keys());
+    expect_keys(schema["$defs"]["luminaire"]["properties"], detail::rig_luminaire_keys());
+    expect_keys(schema["$defs"]["group"]["properties"], detail::rig_group_keys());
+    expect_keys(schema["$defs"]["array"]["properties"], detail::rig_array_keys());
     expect_keys(schema["$defs"]["camera"]["properties"], rig_camera_keys());
     expect_keys(schema["$defs"]["stage"]["properties"], detail::rig_stage_keys());
     const auto& surface = schema["$defs"]["surface"]["properties"];

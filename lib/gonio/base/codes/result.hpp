@@ -80,6 +80,8 @@ inline constexpr auto result_codes = std::to_array<DiagnosticCode>({
     {"RES0408", Severity::warning, Strict::same, "point inside a solid",
      "No light reaches the inside of a solid or the back of a plane. Both hide light only from points outside and in "
      "front, so the value has no meaning."},
+    {"RES0409", Severity::note, Strict::same, "cells too small for their numbers",
+     "The plan of a grid has a number in each cell where the cell has room for it at a legible size."},
 
     {"RES0501", Severity::warning, Strict::same, "pixels that cannot be light",
      "The image has pixels that are negative, infinite or not a number. You asked to go on: they are black."},

@@ -28,8 +28,9 @@ Unexpected rig_value_error(RigCode code, std::string message, std::string hint =
 // command line counts as malformed in a file and gets the rig's code for it; other codes are kept.
 Unexpected placed(const Error& error, const std::string& source, std::string_view path);
 
-// Passes the values on in the order of the text; stops at the first failure, including the sink's own. Values are
-// dropped when the sink returns: memory does not grow with the text. A rig is flat: text beyond the limits rig-depth,
+// Passes the values on in the order of the text; stops at the first failure, including the sink's own, which gets the
+// line and column of the value that its path names. Values are dropped when the sink returns: memory does not grow with
+// the text. A rig is flat: text beyond the limits rig-depth,
 // rig-values and rig-lights was not written as a rig. A key that is given twice is malformed. `lights` is required; the
 // sink's member() is not called for it.
 Result<void> stream_rig(std::string_view text, const std::string& source, const RigSink& sink);
